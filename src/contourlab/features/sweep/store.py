@@ -218,8 +218,7 @@ def read_store(folder: str | Path, *, repair: bool = False) -> Store:
     ResultError
         If it is no store, a file is damaged, or a chunk has two files.
     """
-    path = Path(folder)
-    store = Store(path, read_manifest(path))
+    store = Store(Path(folder), read_manifest(Path(folder)))
     store.parts, store.damaged = _checked(store, repair)
     return store
 
@@ -229,8 +228,7 @@ def _checked(store: Store, repair: bool) -> tuple[dict[int, Path], tuple[Path, .
     named = {path: match for path in store.folder.iterdir() if (match := _PART.match(path.name))}
     faults = dict(zip(named, in_threads(lambda path: _fault(store, path, named[path]), named), strict=True))
     damaged = tuple(sorted(path for path, fault in faults.items() if fault))
-    older = store.manifest["schema"] == OLDER  # is only read
-    mend = "run the study into another folder" if older else "repeat the study with --resume to compute its chunk again"
+    mend = "run the study into another folder" if store.manifest["schema"] == OLDER else "repeat the study with --resume"
     if damaged and not repair:
         raise ResultError(f"{damaged[0]}: {faults[damaged[0]]}: {mend}")
     kept = {int(match[2]) for path, match in named.items() if match[1] == "signals" and not faults[path]}
