@@ -61,7 +61,8 @@ class AxisTask:
     @property
     def box(self) -> dict[str, tuple[float, float]]:
         """The ranges of the search."""
-        return BOX | ({"ff2": (0.0, 0.85 / max(ROBUST))} if self.always_enabled else {})
+        most = 0.0 if self.model.share else 0.85 / max(ROBUST)  # fed back late, acceleration drives a resonance
+        return BOX | ({"ff2": (0.0, most)} if self.always_enabled else {})
 
     def largest(self, gains: Array, factor: float = 1.0) -> float:
         """Return the largest error [m] of one set of gains; `factor` scales the gain of the axis."""

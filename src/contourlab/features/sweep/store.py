@@ -218,8 +218,7 @@ def read_store(folder: str | Path, *, repair: bool = False) -> Store:
     ResultError
         If it is no store, a file is damaged, or a chunk has two files.
     """
-    path = Path(folder)
-    store = Store(path, read_manifest(path))
+    store = Store(Path(folder), read_manifest(Path(folder)))
     store.parts, store.damaged = _checked(store, repair)
     return store
 
@@ -229,8 +228,9 @@ def _checked(store: Store, repair: bool) -> tuple[dict[int, Path], tuple[Path, .
     named = {path: match for path in store.folder.iterdir() if (match := _PART.match(path.name))}
     faults = dict(zip(named, in_threads(lambda path: _fault(store, path, named[path]), named), strict=True))
     damaged = tuple(sorted(path for path, fault in faults.items() if fault))
+    mend = "run the study into another folder" if store.manifest["schema"] == OLDER else "repeat the study with --resume"
     if damaged and not repair:
-        raise ResultError(f"{damaged[0]}: {faults[damaged[0]]}: repeat the study with --resume to compute its chunk again")
+        raise ResultError(f"{damaged[0]}: {faults[damaged[0]]}: {mend}")
     kept = {int(match[2]) for path, match in named.items() if match[1] == "signals" and not faults[path]}
     parts: dict[int, Path] = {}
     for path in sorted(path for path, match in named.items() if match[1] == "part" and not faults[path]):
@@ -240,7 +240,7 @@ def _checked(store: Store, repair: bool) -> tuple[dict[int, Path], tuple[Path, .
         if not store.manifest["signals"] or number in kept:
             parts[number] = path
         elif not repair:
-            raise ResultError(f"{path}: the signals of this chunk are missing: repeat the study with --resume")
+            raise ResultError(f"{path}: the signals of this chunk are missing: {mend}")
     return parts, damaged
 
 

@@ -19,6 +19,7 @@ from contourlab.features.commission.loop import (
     robustly_stable,
     run_lanes,
 )
+from contourlab.features.commission.tuning import AxisTask
 from contourlab.features.tune.drive_terms import LinuxCNCGains, linuxcnc_law
 
 PERIOD = 1e-3
@@ -120,6 +121,16 @@ def test_command_follows_the_position_while_the_control_is_off() -> None:
     runs = run_lanes(np.zeros(600), noise, np.array([ROW, ahead]), [AXIS], Law(PERIOD), free=300)
     assert runs.largest[0] < 1e-4
     assert runs.largest[1] > 100.0 * runs.largest[0]
+
+
+def test_a_resonance_does_not_start_to_ring_while_the_control_is_off() -> None:
+    pushed = replace(AXIS, resonance=45.0, damping_ratio=0.03, share=1.0, offset=-0.03)
+    task = AxisTask(pushed, Law(PERIOD), [], [], always_enabled=True)
+    points = np.random.default_rng(2).random((12, 5))
+    points[:, 3:] = 0.5, 1.0  # nominal velocity feedforward, the most of acceleration
+    for gains in task.gains(points):
+        position = run_lanes(np.zeros(1000), np.zeros(1000), gains[None], [pushed], task.law, trace=True, free=1000).position
+        assert np.abs(position).max() < 0.5 * 0.03 * 1.0**2  # one second of the push alone
 
 
 def test_lanes_are_single_runs_and_one_that_diverges_is_infinite() -> None:
