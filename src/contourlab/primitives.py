@@ -130,8 +130,9 @@ def maximum(a: float, b: float) -> float:
 
 
 def clip(x: float, low: float, high: float) -> float:
-    """Return x held between two bounds; NaN if one of the three is."""
-    return minimum(maximum(x, low), high)
+    """Return x held between two bounds; NaN if x is. A bound that is NaN does not bound."""
+    x = low if low > x else x
+    return high if high < x else x
 
 
 def select(condition: bool, a: float, b: float) -> float:

@@ -98,12 +98,6 @@ def _circle(path: Path) -> PathView:
     return PathView(_on_circle, parameters, {}, path)
 
 
-def held(x: float, low: float, high: float) -> float:
-    """Return `clip` for the innermost loop: faster, and it loses a NaN, which the distance of the place has too."""
-    x = x if x > low else low
-    return x if x < high else high
-
-
 @cache
 def newton_of(evaluate: Any) -> tuple[Any, Any]:
     """Return the Newton step towards the foot point, within the window around a centre, and the squared distance of a place."""
@@ -112,9 +106,8 @@ def newton_of(evaluate: Any) -> tuple[Any, Any]:
         q, q1, q2 = evaluate(par, s)
         gap = sub(q, position)
         square = dot(q1, q1)
-        slope, least = square + dot(q2, gap), 0.1 * square
-        ahead = s - dot(q1, gap) / (slope if slope > least else least)
-        return held(ahead, centre - par.window, centre + par.window)
+        slope = maximum(square + dot(q2, gap), 0.1 * square)
+        return clip(s - dot(q1, gap) / slope, centre - par.window, centre + par.window)
 
     def square_distance(par: Any, s: float, position: Any) -> float:
         q, _, _ = evaluate(par, s)

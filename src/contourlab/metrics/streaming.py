@@ -10,7 +10,7 @@ from typing import Any
 
 from contourlab.engine.step import Port, Step
 from contourlab.geometry.clearance import CORNER_ROW, PARAMETERS, TABLES
-from contourlab.geometry.view import PathView, held, newton_of
+from contourlab.geometry.view import PathView, newton_of
 from contourlab.metrics.judge import MARGIN
 from contourlab.native.generated import generated
 from contourlab.primitives import clip, copysign, dot, fabs, floor, lookup, maximum, select, sqrt, sub
@@ -74,7 +74,7 @@ def _make(evaluate: Any, n_axis: int, corners: bool) -> Any:
         before = s
         for _ in range(_ITERATIONS):
             before = s
-            s = held(improve(par, s, position, centre), low, high)
+            s = clip(improve(par, s, position, centre), low, high)
         q, q1, _ = evaluate(par, s)
         gap = sub(q, position)
         return s, fabs(s - before), dot(gap, gap), gap, q1

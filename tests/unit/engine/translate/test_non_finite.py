@@ -62,13 +62,12 @@ PRIMITIVES: dict[str, Callable[..., Any]] = {
     "minimum with a constant": lambda a, b, par, clock: minimum(a, 2.0) + minimum(2.0, a),
     "maximum with zero": lambda a, b, par, clock: copysign(1.0, maximum(a, 0.0)) + copysign(0.5, maximum(-0.0, a)),
     "clip": lambda a, b, par, clock: clip(a, -2.0, b),
-    "lower end of clip": lambda a, b, par, clock: clip(1.0, a, b),
     "lookup": lambda a, b, par, clock: lookup(par.table, a),
     "delayed": lambda a, b, par, clock: delayed(par.ring, clock, floor(a)),
     "uniform": lambda a, b, par, clock: uniform(3.0, a, b),
     "normal": lambda a, b, par, clock: normal(a, clock.k),
 }  # fmt: skip
-OF_BOTH = ("copysign", "minimum", "maximum", "clip", "lower end of clip", "uniform")
+OF_BOTH = ("copysign", "minimum", "maximum", "uniform")
 
 
 def same(found: Any, wanted: Any) -> None:
