@@ -1,8 +1,11 @@
 """The functions that a component's `step` may call, in plain Python.
 
 A step works on floats and tuples of floats. Plain Python runs it unchanged and is the oracle. The engine compiles the same source with its
-own version of each function below (libm for a single variant, branch-free polynomials for lanes). No function raises for a finite argument
-in its range, so that compiled lanes and plain Python take the same path.
+own version of each function below (libm for a single variant, branch-free polynomials for lanes).
+
+No function raises for a number, so that compiled code and plain Python take the same path. A NaN stays a NaN in every one of them. An
+argument without a result, such as the square root of -1, gives a NaN too. So do an index outside of a table and a delay longer than the
+past that is kept: the run stops and names the component.
 
 Conditions: `select(condition, a, b)` evaluates both sides and suits lanes; `if` is allowed too where the sides are cheap.
 """
@@ -67,13 +70,13 @@ class Ring:
 
 
 def exp(x: float) -> float:
-    """Return e**x; exactly 0 below -700, to avoid denormal numbers."""
-    return math.exp(min(x, 709.0)) if x > -700.0 else 0.0
+    """Return e**x; exactly 0 from -700 down, to avoid denormal numbers, and e**709 from 709 up."""
+    return 0.0 if x <= -700.0 else math.exp(minimum(x, 709.0))
 
 
 def log(x: float) -> float:
-    """Return the natural logarithm of a positive normal number."""
-    return math.log(x)
+    """Return the natural logarithm; -inf at 0, in lanes also of what is smaller than a normal number, and NaN below 0."""
+    return math.log(x) if x > 0.0 else -math.inf if x == 0.0 else math.nan
 
 
 def tanh(x: float) -> float:
@@ -83,17 +86,17 @@ def tanh(x: float) -> float:
 
 def sin(x: float) -> float:
     """Return the sine; |x| < 1e6 for full accuracy in lanes."""
-    return math.sin(x)
+    return math.sin(x) if math.isfinite(x) else math.nan
 
 
 def cos(x: float) -> float:
     """Return the cosine; |x| < 1e6 for full accuracy in lanes."""
-    return math.cos(x)
+    return math.cos(x) if math.isfinite(x) else math.nan
 
 
 def sqrt(x: float) -> float:
-    """Return the square root of a non-negative number."""
-    return math.sqrt(x)
+    """Return the square root; NaN below 0."""
+    return math.sqrt(x) if x >= 0.0 else math.nan
 
 
 def fabs(x: float) -> float:
@@ -112,23 +115,24 @@ def rint(x: float) -> float:
 
 
 def copysign(x: float, y: float) -> float:
-    """Return the magnitude of x with the sign of y."""
-    return math.copysign(x, y)
+    """Return the magnitude of x with the sign of y; NaN if y is."""
+    return math.copysign(x, y) if y == y else y
 
 
 def minimum(a: float, b: float) -> float:
-    """Return the smaller of two numbers."""
-    return a if a < b else b
+    """Return the smaller of two numbers, b if they are equal; NaN if either is."""
+    return (a if a < b else b) if a == a else a
 
 
 def maximum(a: float, b: float) -> float:
-    """Return the larger of two numbers."""
-    return a if a > b else b
+    """Return the larger of two numbers, b if they are equal; NaN if either is."""
+    return (a if a > b else b) if a == a else a
 
 
 def clip(x: float, low: float, high: float) -> float:
-    """Return x held between two bounds."""
-    return minimum(maximum(x, low), high)
+    """Return x held between two bounds; NaN if x is. A bound that is NaN does not bound."""
+    x = low if low > x else x
+    return high if high < x else x
 
 
 def select(condition: bool, a: float, b: float) -> float:
@@ -165,13 +169,14 @@ def lincomb(p: float, a: Vector, q: float, b: Vector) -> Vector:
 
 
 def lookup(table: Sequence[float], index: float) -> float:
-    """Return entry `index` of a read-only table; the index must lie inside it."""
-    return table[int(index)]
+    """Return the entry of a read-only table at the whole part of an index, NaN outside of the table."""
+    return table[int(index)] if -1.0 < index < len(table) else math.nan
 
 
 def delayed(ring: Ring, clock: Clock, n: float) -> float:
-    """Return the value of the ring port `n` whole ticks ago; n = 0 is now."""
-    return ring.values[int(clock.k - n) % len(ring.values)]
+    """Return the value of the ring port `n` whole ticks ago; n = 0 is now. NaN for a negative n, and beyond the oldest value kept."""
+    size = len(ring.values)
+    return ring.values[int(clock.k - n) % size] if -1.0 < n <= size - 1.0 else math.nan
 
 
 _MASK = (1 << 64) - 1
@@ -195,7 +200,11 @@ def uniform(stream: float, k: float, draw: float) -> float:
         Tick index.
     draw : float
         Index of the number within the tick.
+
+    Returns NaN if the three do not fit into 64 bits.
     """
+    if not fabs(stream) + fabs(k) + fabs(draw) < 2.0**63:
+        return math.nan
     z = _mix((int(stream) * 0x9E3779B97F4A7C15 + int(k) * 0xD1342543DE82EF95 + int(draw) * 0x2545F4914F6CDD1D) & _MASK)
     return ((z >> 12) + 0.5) * 2.0**-52
 

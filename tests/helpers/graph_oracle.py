@@ -189,6 +189,8 @@ class Oracle:
             return not args[0] if kind == "not" else args[0] and args[1] if kind == "and" else args[0] or args[1]
         if kind == "select":
             return args[1] if args[0] else args[2]
+        if kind == "size":
+            return self.known(float(len(self.tables[extra[1]])))
         if kind == "lookup":
             return self.known(self.tables[op.args[0].extra][self.index(args[0])])
         if kind == "bit":

@@ -26,7 +26,8 @@ _OPERATORS: dict[str, Callable[..., Any]] = {
 _FUNCTIONS: dict[str, Callable[..., Any]] = {
     "SEL": lambda condition, a, b: b if condition else a,
     "ABS": abs,
-    "SQRT": math.sqrt,
+    "SQRT": lambda x: math.sqrt(x) if x >= 0.0 else math.nan,
+    "TRUNC": int,
     "EXP": math.exp,
     "LN": math.log,
     "SIN": math.sin,
@@ -35,6 +36,13 @@ _FUNCTIONS: dict[str, Callable[..., Any]] = {
     "LINT_TO_LREAL": float,
 }
 _ZERO = {"LREAL": 0.0, "BOOL": False, "LINT": 0}
+
+
+def _flat(values: Any) -> Any:
+    """Yield the values of a list, which the parser nests."""
+    for value in values:
+        inner = getattr(value, "element", value)
+        yield from _flat(inner.elements) if hasattr(inner, "elements") else [inner]
 
 
 class _Exit(Exception):  # noqa: N818
@@ -77,7 +85,7 @@ class FunctionBlock:
                 first, last = (int(str(end)) for end in str(item.init.spec.subranges[0]).split(".."))
                 values = getattr(item.init.value, "elements", None) or getattr(item.init.value, "values", None)
                 assert first == 0
-                self.kept[name] = [0.0] * (last + 1) if not values else [self._value(value) for value in values]
+                self.kept[name] = [0.0] * (last + 1) if not values else [self._value(value) for value in _flat(values)]
             else:
                 self.kept[name] = _ZERO[kind] if item.init.value is None else self._value(item.init.value)
             if getattr(section, "attrs", None) is not None and "CONSTANT" in str(section.attrs):

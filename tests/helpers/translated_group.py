@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 from collections.abc import Callable
 from functools import cache
 from typing import Any
@@ -23,6 +24,12 @@ def in_machine_code(made: StepGraph) -> Any:
     return llvm_ir.loaded(llvm_ir.object_code(llvm_ir.source_of(made)), "step", llvm_ir.SIGNATURE)
 
 
+def tables_in_c(words: int, count: int) -> list[Any]:
+    """Return the arguments `tables` and `sizes` of a step in C from the words of a step in machine code."""
+    pairs = (ctypes.c_int64 * (2 * count)).from_address(words)
+    return [(ctypes.c_int64 * count)(*pairs[first::2]) for first in (0, 1)]
+
+
 class TranslatedGroup(InterpretedGroup):
     """One variant; `make` turns the graph of a step into a function with the arguments of `llvm_ir.SIGNATURE`.
 
@@ -37,7 +44,7 @@ class TranslatedGroup(InterpretedGroup):
         node = self.schedule.nodes[n]
         step, held = node.step, self.schedule.period / node.repeat
         tables = [np.ascontiguousarray(node.tables[name], dtype=float) for name in step.tables]
-        words = np.array([table.ctypes.data for table in tables], dtype=np.int64)
+        words = np.array([(table.ctypes.data, table.size) for table in tables], dtype=np.int64)
         par = self.parameters[n][:, 0].copy()
         for r in range(node.repeat):
             taken = np.array([s if isinstance(s, float) else float(self.signals[s, 0]) for s in self._sources[n]])

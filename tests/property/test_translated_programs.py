@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from graph_oracle import Bounded, Oracle, UnsureError
 from step_programs import TABLE, Writer, schedule_of, step_of
-from tests.helpers.translated_group import TranslatedGroup
+from tests.helpers.translated_group import TranslatedGroup, tables_in_c
 
 from contourlab.arrays import Array
 from contourlab.engine.gpu import gpu_of_process
@@ -164,7 +164,7 @@ def test_random_steps_in_c_compute_the_bits_of_plain_python(first: int, tmp_path
     texts = [c99.source_of(graph, step.name) for step, graph in graphs.items()]
     hashed = c99.HASH  # several steps in one file share it
     text = "\n".join(text.replace(hashed, "") for text in texts)
-    source.write_text("#include <stdint.h>\n" + hashed + text)
+    source.write_text("#include <math.h>\n#include <stdint.h>\n" + hashed + text)
     strict = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O1", "-ffp-contract=off", "-shared", "-fPIC")
     done = subprocess.run(["gcc", *strict, "-o", str(library), str(source), "-lm"], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
@@ -176,7 +176,7 @@ def test_random_steps_in_c_compute_the_bits_of_plain_python(first: int, tmp_path
 
         def call(par: int, tables: int, ring: int, x: int, inp: int, mask: int, k: float, t: float, dt: float, *after: int) -> None:
             words = [ctypes.c_void_p(word) for word in (par, x, inp)] + [ctypes.c_double(word) for word in (k, t, dt)]
-            words += [ctypes.c_void_p(tables), ctypes.c_void_p(ring), ctypes.c_int64(mask)]
+            words += [*tables_in_c(tables, 1), ctypes.c_void_p(ring), ctypes.c_int64(mask)]
             function(*words, *map(ctypes.c_void_p, after))
 
         return call

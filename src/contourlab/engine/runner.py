@@ -140,7 +140,7 @@ class CompiledGroup(Group):
     def __init__(self, schedule: Schedule, width: int, lanes: slice | Index) -> None:
         super().__init__(schedule, width, lanes)
         self._tables = [np.ascontiguousarray(node.tables[name], dtype=float) for node in schedule.nodes for name in node.step.tables]
-        self._addresses = np.array([table.ctypes.data for table in self._tables], dtype=np.int64)
+        self._tables_at = np.array([(table.ctypes.data, table.size) for table in self._tables], dtype=np.int64)
         n, first = len(schedule.nodes), tuple(self.borders)
         self._places = Rows(first[1 : n + 1], first[n + 1 : 2 * n + 1], first[2 * n + 1 :], tuple(map(len, self.rings)))
         self._loops: dict[tuple[int, ...], Any] = {}
@@ -155,7 +155,7 @@ class CompiledGroup(Group):
         log = aligned((len(external), len(log_rows), self.width)) if out is None else out
         # The tick loop has no strides for the log, and stores whole cache lines.
         assert log.flags.c_contiguous and (self.width == 1 or not log.size or log.ctypes.data % 64 == 0)
-        data = [array.ctypes.data for array in (self.memory, self._addresses, external)]
+        data = [array.ctypes.data for array in (self.memory, self._tables_at, external)]
         loop = self._loop(tuple(log_rows))
         for lane in range(0, self.width, VECTOR):
             loop(*data, *strides, log.ctypes.data, self.tick, len(external), self.schedule.period, lane)
@@ -255,9 +255,9 @@ class GpuGroup(CompiledGroup):
         self._rows, *self._table_memory = (gpu.memory(array.size) for array in (self.memory, *self._tables))
         for memory, values in zip((self._rows, *self._table_memory), (self.memory, *self._tables), strict=True):
             memory.write(values)
-        self._addresses = np.array([memory.address for memory in self._table_memory], dtype=np.int64)
-        self._table_list = gpu.memory(self._addresses.size)
-        self._table_list.write(self._addresses)
+        self._tables_at[:] = [(memory.address, table.size) for memory, table in zip(self._table_memory, self._tables, strict=True)]
+        self._table_list = gpu.memory(self._tables_at.size)
+        self._table_list.write(self._tables_at)
 
     def run(self, external: Array, log_rows: list[int], out: Array | None = None) -> Array:
         gpu, external = self._gpu, np.ascontiguousarray(external, dtype=float)

@@ -360,4 +360,4 @@ def test_primitives_never_raise(value):
     """Non-finite values pass through plain Python as through compiled code; the check of the loop finds them."""
     for function in (primitives.floor, primitives.rint):
         assert function(value) == value or math.isnan(value)
-    assert primitives.clip(math.nan, -1.0, 2.0) == -1.0
+    assert math.isnan(primitives.clip(math.nan, -1.0, 2.0))

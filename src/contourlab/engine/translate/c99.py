@@ -16,6 +16,7 @@ _TYPES = {CONDITION: "bool", TABLE: "const double *"}
 HASH = """
 static double uniform(double stream, double k, double draw)
 {
+    if (!(fabs(stream) + fabs(k) + fabs(draw) < 0x1p63)) return NAN;
     uint64_t z = (uint64_t)(int64_t)stream * 0x9E3779B97F4A7C15u + (uint64_t)(int64_t)k * 0xD1342543DE82EF95u
                + (uint64_t)(int64_t)draw * 0x2545F4914F6CDD1Du;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
@@ -48,7 +49,7 @@ def source_of(made: StepGraph, name: str = "") -> str:
     ends = [f"    x_next[{row}] = {writer.value(value)};" for row, value in enumerate(made.states)]
     ends += [f"    out[{row}] = {writer.value(value)};" for row, value in enumerate(made.outputs)]
     arguments = ["const double *par", "const double *x", "const double *inp", "double k", "double t", "double dt"]
-    arguments += ["const double *const *tables"] if step.tables else []
+    arguments += ["const double *const *tables", "const int64_t *sizes"] if step.tables else []
     arguments += ["const double *ring", "int64_t mask"] if step.ring else []
     arguments += ["double *x_next", "double *out"]
     unused = "".join(f" (void){argument.split('*')[-1].split()[-1]};" for argument in arguments)
@@ -59,7 +60,7 @@ def source_of(made: StepGraph, name: str = "") -> str:
             *_comment("x", [port.name for port in step.states for _ in range(port.rows)]),
             *_comment("inp", [port.name for port in step.inputs for _ in range(port.rows)]),
             *_comment("out", [port.name for port in step.outputs for _ in range(port.rows)]),
-            *_comment("tables", step.tables),
+            *_comment("tables, with their sizes", step.tables),
             *([f"   ring: past values of {step.ring}, at index tick & mask; store the present value first."] if step.ring else []),
             "*/",
             "#include <math.h>",
@@ -139,6 +140,8 @@ class Writer:
             return f"{self.functions[op.kind]}({', '.join(args)})"
         if op.kind in _LEAVES:
             return f"{_LEAVES[op.kind]}[{op.extra}]"
+        if op.kind == "size":
+            return "(double)mask + 1.0" if op.extra[0] == "ring" else f"(double)sizes[{op.extra[1]}]"
         if op.kind == "compare":
             return f"{args[0]} {self.symbols.get(op.extra, op.extra)} {args[1]}"
         if op.kind == "select":

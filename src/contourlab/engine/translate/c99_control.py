@@ -205,8 +205,9 @@ class ControlWriter(Writer):
             return self.input(made.inputs[op.extra])
         if op.kind == "before":
             return f"x_{made.states[op.extra].name}"
-        if op.kind == "table":
-            return made.array(op).name
+        if op.kind in ("table", "size"):
+            table = made.array(op)
+            return table.name if op.kind == "table" else literal(float(len(table.fields)))
         words = {"tick": self.tick, "time": f"({self.tick} * PERIOD)", "period": "PERIOD"}
         return words.get(op.kind) or super().value(op)
 

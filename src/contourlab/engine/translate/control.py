@@ -15,7 +15,7 @@ from contourlab.engine.translate.tick_graph import Rows, TickGraph, tick_graph
 
 LIBRARY = ("exp", "log", "tanh", "sin", "cos")
 """Operations that a mathematical library computes, each within about 1 ulp; all others are exact everywhere."""
-IN_PLACE = ("constant", "parameter", "external", "before", "table", "ring", "tick", "time", "period")
+IN_PLACE = ("constant", "parameter", "external", "before", "table", "size", "ring", "tick", "time", "period")
 """Kinds of operations that are printed without a variable of their own."""
 
 
@@ -121,8 +121,8 @@ class Control:
 
     def array(self, op: Op) -> Memory:
         """Return the table, ring or bank that an operation takes or stores in."""
-        if op.kind == "table":
-            return next(table for table in self.tables if table.first == op.extra)
+        if op.kind in ("table", "size"):
+            return next(table for table in self.tables if table.first == (op.extra if op.kind == "table" else op.extra[1]))
         row = op.extra[0]
         return next(memory for memory in (*self.rings, *self.banks) if 0 <= row - memory.first < len(memory.fields))
 

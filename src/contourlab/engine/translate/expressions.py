@@ -152,6 +152,8 @@ class Expressions:
             raise
         except Exception as error:  # Python itself may refuse what it computes now
             said = str(error) if isinstance(error, MismatchError) else error_text(error)
+            if frame.file == language.__file__:
+                raise MismatchError(f"{frame.title}: {said}") from error  # the line that calls a primitive is at fault
             raise EngineError(f"{frame.title}: {said}", file=frame.file, line=getattr(error, "line", node.lineno)) from error
         finally:
             self._depth -= 1

@@ -41,7 +41,7 @@ _COMPARED: dict[str, Callable[[float, float], bool]] = {
 }
 _COSTS = {"fdiv": 8, "sqrt": 10, "exp": 40, "tanh": 50, "log": 40, "sin": 40, "cos": 40, "uniform": 15}
 _KEEPS_WHOLE = ("fadd", "fsub", "fmul", "fneg")
-_FIXED = ("constant", "parameter", "table", "period", "dt")
+_FIXED = ("constant", "parameter", "table", "size", "period", "dt")
 """Values that are the same in every tick; what is computed from them alone is computed once."""
 LARGEST = 100_000
 """Most operations; the largest of the shipped scenarios has 10 000."""
@@ -161,7 +161,8 @@ class Graph:
             return self.op("select", (value, self.constant(1.0), self.constant(0.0)))
         if isinstance(value, (int, float)):
             return self.constant(float(value))
-        raise MismatchError(f"a number is needed, not {value!r}")
+        cure = getattr(value, "cure", "write float(...) around it" if hasattr(value, "dtype") else "write a plain number")
+        raise MismatchError(f"a number is needed, not {value!r}: {cure}")
 
     def condition(self, value: Any) -> Op | bool:
         """Return the truth of a value."""

@@ -30,6 +30,9 @@ class _StepWriter(Writer):
 
     _t = _dt = _ring = _k
 
+    def _size(self, op: Op, args: Sequence[str]) -> str:
+        return self.let(f"sitofp i64 {self.let('add i64 %mask, 1')} to double") if op.extra[0] == "ring" else super()._size(op, args)
+
     def _delayed(self, op: Op, args: Sequence[str]) -> str:
         return self.gather("%ring", self.let(f"and i64 {self.truncated(args[0])}, %mask"))
 
@@ -37,7 +40,8 @@ class _StepWriter(Writer):
 def source_of(made: StepGraph) -> str:
     """Return the LLVM IR of a step: a function ``step(par, tables, ring, x, inp, mask, k, t, dt, next, out)`` of one variant.
 
-    `ring` is the past of the ring port with ``mask + 1`` values, a power of two. The caller stores the present value first.
+    `tables` has for each table its address and its size. `ring` is the past of the ring port with ``mask + 1`` values, a
+    power of two. The caller stores the present value first.
     """
     writer = _StepWriter()
     writer.start("entry")

@@ -153,8 +153,14 @@ class Writer:
         return self.let(f"select {self.truth} {args[0]}, {kind} {args[1]}, {kind} {args[2]}")
 
     def _table(self, op: Op, args: Sequence[str]) -> str:
-        place = self.let(f"getelementptr ptr, ptr %tables, i64 {op.extra}")
-        return self.let(f"load ptr, ptr {place}, align 8")
+        return self._of_table("ptr", 2 * op.extra)
+
+    def _size(self, op: Op, args: Sequence[str]) -> str:
+        return self.spread(self.let(f"sitofp i64 {self._of_table('i64', 2 * op.extra[1] + 1)} to double"))
+
+    def _of_table(self, kind: str, place: int) -> str:
+        """Return a word of ``%tables``: for each table its address and its size."""
+        return self.let(f"load {kind}, ptr {self.let(f'getelementptr i64, ptr %tables, i64 {place}')}, align 8")
 
     def _lookup(self, op: Op, args: Sequence[str]) -> str:
         return self.gather(args[0], self.truncated(args[1]))

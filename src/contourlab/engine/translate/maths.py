@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
+from functools import reduce
 from typing import Any
 
 from contourlab import primitives
@@ -20,20 +22,45 @@ def _arithmetic(name: str) -> Primitive:
     return lambda run, *values: run.graph.arithmetic(name, *values)
 
 
-def _exp(run: Any, x: Any) -> Any:
-    graph = run.graph
-    if not isinstance(x, Op):
-        return primitives.exp(x)
-    below = graph.select(graph.compare("<", 709.0, x), 709.0, x)
-    return graph.branch(graph.compare(">", x, -700.0), lambda: graph.op("exp", [graph.number(below)]), lambda: 0.0)
+def _exp(function: Primitive) -> Primitive:
+    """Return exp that calls the function only where exp is not 0: friction laws ask mostly for exp of very negative numbers."""
+
+    def exp(run: Any, x: Any) -> Any:
+        if not isinstance(x, Op):
+            return primitives.exp(x)
+        return run.graph.branch(run.graph.compare("<=", x, -700.0), lambda: 0.0, lambda: function(run, x))
+
+    return exp
+
+
+def _inside(graph: Any, index: Any, sign: str, end: Any, read: Callable[[Any], Op]) -> Any:
+    """Return ``read(index)``, and NaN where the index is not above -1 or not below the end."""
+    inside = graph.logic("and", graph.compare(">", index, -1.0), graph.compare(sign, index, end))
+    return graph.select(inside, read(graph.select(inside, index, 0.0)), math.nan)
 
 
 def _lookup(run: Any, table: Op, index: Any) -> Any:
-    return run.graph.op("lookup", [table, run.graph.number(index)])
+    graph = run.graph
+    size = graph.op("size", extra=("table", table.extra))
+    return _inside(graph, index, "<", size, lambda at: graph.op("lookup", [table, graph.number(at)]))
 
 
 def _delayed(run: Any, ring: Op, clock: Any, ticks: Any) -> Any:
-    return run.graph.op("delayed", [run.graph.arithmetic("fsub", clock[0], ticks)], extra=ring.extra)
+    graph = run.graph
+    size = float(ring.extra[1]) if isinstance(ring.extra, tuple) else graph.op("size", extra=("ring", ring.extra))
+    oldest = graph.arithmetic("fsub", size, 1.0)
+    return _inside(graph, ticks, "<=", oldest, lambda n: graph.op("delayed", [graph.arithmetic("fsub", clock[0], n)], extra=ring.extra))
+
+
+def _copysign(run: Any, x: Any, y: Any) -> Any:
+    return run.graph.select(run.graph.compare("==", y, y), run.graph.arithmetic("copysign", x, y), y)
+
+
+def _uniform(run: Any, *values: Any) -> Any:
+    graph = run.graph
+    sizes = (graph.arithmetic("fabs", value) for value in values)
+    whole = graph.compare("<", reduce(lambda a, b: graph.arithmetic("fadd", a, b), sizes), 2.0**63)
+    return graph.select(whole, graph.op("uniform", [graph.number(value) for value in values]), math.nan)
 
 
 def _select(run: Any, condition: Any, a: Any, b: Any) -> Any:
@@ -41,11 +68,12 @@ def _select(run: Any, condition: Any, a: Any, b: Any) -> Any:
 
 
 EXACT: Mapping[Any, Primitive] = {
-    primitives.sqrt: _arithmetic("sqrt"),
+    primitives.sqrt: lambda run, x: run.graph.arithmetic("sqrt", run.graph.number(x)),
     primitives.fabs: _arithmetic("fabs"),
-    primitives.copysign: _arithmetic("copysign"),
-    **{getattr(primitives, name): _operation(name) for name in ("floor", "rint", "log", "tanh", "sin", "cos", "uniform")},
-    primitives.exp: _exp,
+    primitives.copysign: _copysign,
+    **{getattr(primitives, name): _operation(name) for name in ("floor", "rint", "log", "tanh", "sin", "cos")},
+    primitives.uniform: _uniform,
+    primitives.exp: _exp(lambda run, x: _operation("exp")(run, run.graph.select(run.graph.compare("<", 709.0, x), 709.0, x))),
     primitives.select: _select,
     primitives.lookup: _lookup,
     primitives.delayed: _delayed,
@@ -55,14 +83,6 @@ EXACT: Mapping[Any, Primitive] = {
 
 def _polynomial(function: Primitive) -> Primitive:
     return lambda run, x: run.call(function, [x])
-
-
-def _saturated_exp(run: Any, x: Any) -> Any:
-    """Return the polynomial of exp where it is not 0: friction laws ask mostly for exp of very negative numbers."""
-    graph = run.graph
-    if not isinstance(x, Op):
-        return primitives.exp(x)
-    return graph.branch(graph.compare(">", x, -700.0), lambda: run.call(polynomials.exp, [x]), lambda: 0.0)
 
 
 def _saturated(function: Primitive) -> Primitive:
@@ -92,7 +112,7 @@ SINGLE: Mapping[Any, Primitive] = {**EXACT, **_BITS, **_TURNS, primitives.tanh: 
 """For one variant: sine and cosine together are faster as polynomials than from the library."""
 LANES: Mapping[Any, Primitive] = {
     **SINGLE,
-    primitives.exp: _saturated_exp,
+    primitives.exp: _exp(_polynomial(polynomials.exp)),
     primitives.tanh: _saturated(_polynomial(polynomials.tanh)),
     primitives.log: _polynomial(polynomials.log),
 }

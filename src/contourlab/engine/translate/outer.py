@@ -10,6 +10,8 @@ import builtins
 import hashlib
 import operator
 from collections.abc import Callable, Mapping, Sequence
+from enum import Enum
+from numbers import Real
 from types import BuiltinFunctionType, CodeType, FunctionType
 from typing import Any, NamedTuple, NoReturn
 
@@ -68,6 +70,13 @@ class Outer:
         rest = dict(zip(fields[len(fields) - len(defaults) :], defaults, strict=True))
         return self.value(*args, **named, **{field: rest[field] for field in fields[len(args) :] if field in rest and field not in named})
 
+    @property
+    def cure(self) -> str:
+        """What to write where a number is needed."""
+        if isinstance(self.value, Enum):
+            return "write .value behind it"
+        return "make it a plain float where it is defined" if isinstance(self.value, Real) else "read numbers from it"
+
     def __repr__(self) -> str:
         return str(getattr(self.value, "__name__", f"a {type(self.value).__name__}"))
 
@@ -83,7 +92,7 @@ class Outer:
         return hash(self.value)
 
     def _whole(self, *_: Any) -> NoReturn:
-        raise MismatchError(f"a step cannot compute with {self!r} as a whole: read numbers from it")
+        raise MismatchError(f"a step cannot compute with {self!r} as a whole: {self.cure}")
 
     __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = __truediv__ = __rtruediv__ = __pow__ = __rpow__ = _whole
     __mod__ = __rmod__ = __floordiv__ = __rfloordiv__ = __neg__ = __pos__ = __float__ = __index__ = _whole

@@ -64,11 +64,11 @@ def _expm1_reduced(x: float) -> tuple[float, float]:
 
 def exp(x: float) -> float:
     n, p = _expm1_reduced(clip(x, -700.0, 709.0))
-    return select(x > -700.0, pow2(n) * (1.0 + p), 0.0)
+    return select(x <= -700.0, 0.0, pow2(n) * (1.0 + p))
 
 
 def tanh(x: float) -> float:
-    n, p = _expm1_reduced(2.0 * minimum(20.0, fabs(x)))  # keeps NaN
+    n, p = _expm1_reduced(2.0 * minimum(fabs(x), 20.0))
     s = pow2(n)
     e = fma(s, p, s - 1.0)
     return copysign(e / (e + 2.0), x)
@@ -95,7 +95,8 @@ def log(x: float) -> float:
     q = fma(q, z, 1.0 / 5.0)
     q = fma(q, z, 1.0 / 3.0)
     q = fma(q, z, 1.0)
-    return fma(e, 1.90821492927058770002e-10, 2.0 * f * q) + e * 6.93147180369123816490e-01
+    found = fma(e, 1.90821492927058770002e-10, 2.0 * f * q) + e * 6.93147180369123816490e-01
+    return select(2.2250738585072014e-308 <= x < math.inf, found, select(x >= 0.0, copysign(math.inf, x - 1.0), math.nan))
 
 
 def _sincos_reduced(x: float) -> tuple[float, float, float]:

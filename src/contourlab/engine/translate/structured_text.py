@@ -150,6 +150,8 @@ class _Writer(ControlWriter):
         return input_name(field.name)
 
     def value(self, op: Op) -> str:
+        if op.kind == "constant" and op.extra != op.extra:
+            return "SQRT(-1.0)"
         if op.kind == "constant":
             return str(op.extra).upper() if op.type == CONDITION else literal(op.extra)
         return super().value(op)
@@ -165,7 +167,7 @@ class _Writer(ControlWriter):
         if op.kind == "copysign":
             return f"SEL({args[1]} < 0.0, ABS({args[0]}), -ABS({args[0]}))"
         if op.kind == "lookup":
-            return f"{args[0]}[LREAL_TO_LINT({args[1]})]"
+            return f"{args[0]}[TRUNC({args[1]})]"
         if op.kind == "uniform":
             raise MismatchError("random numbers: Structured Text has none")
         return super().text(op, *args)

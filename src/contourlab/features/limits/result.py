@@ -119,7 +119,7 @@ class LimitTest:
             unit = UNITS[peak.kind]
             limit = NONE if peak.limit is None else figure(peak.limit, unit)
             use = NONE if peak.use is None else f"{100.0 * peak.use:.0f} %"
-            resolution = figure(peak.resolution, unit, 2) if peak.resolution > 1e-3 * peak.value else ""
+            resolution = figure(peak.resolution, unit, 2) if 0.0 < 1e-3 * peak.value < peak.resolution else ""
             largest = figure(peak.value, unit)
             cells = (f"{largest.split()[0]} +- {resolution}" if resolution else largest, limit, use, f"{number(peak.time, 5)} s")
             table.add(peak.axis, peak.kind, *cells, _line(peak.line))

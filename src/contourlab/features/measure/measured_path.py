@@ -154,6 +154,8 @@ def last_lap(path: Path, along: Array) -> int | None:
     return None
 
 
+NEXT = 1.5
+"""Longest way from the last sample to the first of a closed path, in steps between samples."""
 STRAIGHT = 10e-9
 """Largest distance [m] of a sample from the path, far below any encoder's resolution."""
 
@@ -175,7 +177,8 @@ def moving(reference: Array) -> tuple[int, int]:
 def path_of_samples(positions: Array) -> tuple[Path, Array]:
     """Return the polygon through positions (n, n_axis) [m], and the arc length [m] of each sample.
 
-    Samples within ten nanometres of a line between others are dropped.
+    Samples within ten nanometres of a line between others are dropped. The path is closed where the motion begins and ends in motion and
+    the first sample could follow the last: what leads or lags is then on the path, beyond the samples.
 
     Raises
     ------
@@ -189,7 +192,10 @@ def path_of_samples(positions: Array) -> tuple[Path, Array]:
     points = positions[new]
     arc = _arc_length(points)
     kept = polygon_corners(points, STRAIGHT)
-    path = Path(Line.many(points[kept][:-1], points[kept][1:]))
+    gap, first, last = np.linalg.norm(positions[[0, 1, -1]] - positions[[-1, 0, -2]], axis=1)
+    closed = bool(0.0 < gap <= NEXT * min(first, last))
+    corners = points[np.append(kept, 0) if closed else kept]
+    path = Path(Line.many(corners[:-1], corners[1:]), closed=closed)
     # Chords are a little shorter than the samples between them: use the arc length of the path.
     along = np.interp(arc, arc[kept], _arc_length(points[kept]))
     return path, along[np.cumsum(new) - 1]

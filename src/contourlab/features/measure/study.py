@@ -105,13 +105,18 @@ def measure(
     motion = Reference.from_samples(reference, result.servo_period, path, arc_length=along)
     judged = judge(_with_motion(run, position, reference, along), motion)
     window = moving(reference)
+    stated = _stated(run) if of_samples else None
     if of_samples:
+        begin, end = window
         window, left_out = _on_the_path(judged, motion, window)
+        if stated is not None:
+            kept = window[0] if window[0] > begin else 0, window[1] if window[1] < end else run.n_sample
+            ranges = ((max(first, kept[0]), min(last, kept[1])) for first, last in stated.ranges)
+            stated = stated._replace(ranges=tuple(part for part in ranges if part[0] < part[1]) or (window,))
         findings += [finding("CL408", samples=left_out)] if left_out else []
         _check_near(judged["contour_error"][slice(*window)], path, position)
         findings += _last_lap_findings(judged, motion, window)
     findings += _outlier_findings(judged, window)
-    stated = _stated(run) if of_samples else None
     if stated is not None:
         window = stated.ranges[0][0], stated.ranges[-1][1]
     metrics = _known_metrics(summarise(judged, motion, stated or Judged((window,), "moving part")), run, None if stated else window)
@@ -237,7 +242,7 @@ def _on_the_path(judged: Result, reference: Reference, window: tuple[int, int]) 
     before, beyond = (foot <= 0.0) & (behind < -STILL), (foot >= path.length) & (ahead > STILL)
     first = int(np.argmin(before)) if start == 0 and not before.all() else start
     last = stop - int(np.argmin(beyond[:stop][::-1])) if stop >= len(foot) - 1 and not beyond.all() else stop
-    if last - first < 2:
+    if path.closed or last - first < 2:
         return window, 0
     return (first, last), first - start + stop - last
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.helpers.translated_group import Maker, TranslatedGroup, in_machine_code
+from tests.helpers.translated_group import Maker, TranslatedGroup, in_machine_code, tables_in_c
 
 from contourlab.components.conformance import PERIOD, subject
 from contourlab.components.contract import Component
@@ -87,7 +87,7 @@ def in_c(folder: Path, *flags: str) -> Maker:
         def call(par: int, tables: int, ring: int, x: int, inp: int, mask: int, *rest: float) -> None:
             *time, after, out = rest
             words = [*map(ctypes.c_void_p, (par, x, inp)), *map(ctypes.c_double, time)]
-            words += [ctypes.c_void_p(tables)] if step.tables else []
+            words += tables_in_c(tables, len(step.tables)) if step.tables else []
             words += [ctypes.c_void_p(ring), ctypes.c_int64(mask)] if step.ring else []
             function(*words, ctypes.c_void_p(int(after)), ctypes.c_void_p(int(out)))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import enum
 import importlib.util
 import math
 import struct
@@ -327,7 +328,7 @@ def test_what_decides_is_computed_first() -> None:
     step = Step("made", found, tables=("table",), inputs=(Port("a"),), outputs=(Port("y"),))
     native, table = in_machine_code(graph_of(step)), np.arange(4.0)
     for a, wanted in ((1.0, -1e15), (-1.0, 3.0)):
-        tables, inputs, out = np.array([table.ctypes.data]), np.array([a]), np.empty(1)
+        tables, inputs, out = np.array([table.ctypes.data, 4]), np.array([a]), np.empty(1)
         native(None, tables.ctypes.data, None, None, inputs.ctypes.data, 0, 0.0, 0.0, 1e-3, None, out.ctypes.data)
         assert out[0] == wanted
 
@@ -385,3 +386,31 @@ def test_a_file_that_changed_since_its_import_is_refused(tmp_path: Path) -> None
     file.write_text("def value(a, b):\n    return a * 71.0\n")
     with pytest.raises(EngineError, match=r"edited\.py:1: value has changed"):
         graph_of(step_of(module.value))
+
+
+class Gear(enum.IntEnum):
+    LOW = 2
+
+
+class Ratio(float):
+    pass
+
+
+SINGLE_PRECISION, COUNTED, RATIO = np.float32(2.5), np.int64(3), Ratio(2.0)
+CURED = [
+    (lambda a, b: a * SINGLE_PRECISION, lambda a, b: a * float(SINGLE_PRECISION), "float(...)"),
+    (lambda a, b: minimum(a, COUNTED), lambda a, b: minimum(a, float(COUNTED)), "float(...)"),
+    (lambda a, b: a * Gear.LOW, lambda a, b: a * Gear.LOW.value, ".value"),
+    (lambda a, b: a if a > Gear.LOW else 2.0 * Gear.LOW, lambda a, b: a if a > Gear.LOW.value else 2.0 * Gear.LOW.value, ".value"),
+    (lambda a, b: 2.0 * Gear.LOW, lambda a, b: 2.0 * Gear.LOW.value, ".value"),
+    (lambda a, b: a * RATIO, lambda a, b: a * 2.0, "plain float"),
+]
+
+
+@pytest.mark.parametrize(("refused", "cure", "words"), CURED)
+def test_an_outer_number_of_another_kind_is_refused_with_its_cure(refused: Any, cure: Any, words: str) -> None:
+    with pytest.raises(EngineError) as refusal:
+        graph_of(step_of(refused))
+    assert (refusal.value.file, refusal.value.line) == (__file__, refused.__code__.co_firstlineno)
+    assert words in str(refusal.value)
+    assert compiled(cure)(3.0, 1.0) == refused(3.0, 1.0)

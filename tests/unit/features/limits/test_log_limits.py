@@ -10,7 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from contourlab.features.limits.annotate import annotated
-from contourlab.features.limits.log_limits import control_samples, course, moving_part, position_error
+from contourlab.features.limits.log_limits import AxisPeak, control_samples, course, moving_part, position_error
+from contourlab.features.limits.result import LimitTest
 
 PERIOD = 1e-3
 TIME = PERIOD * np.arange(4000)
@@ -89,3 +90,12 @@ def test_comments_leave_active_lines_alone(tmp_path: object) -> None:
     file.write_bytes(b"G1 X1 F100\r\n(MSG, look)\nG1 X2 ; old\nO100 CALL\nG1 X3 (MSG, look)\n")
     content, skipped = annotated(file, [(1, "a"), (2, "b"), (3, "c"), (4, "d"), (5, "e"), (9, "f")])
     assert content == b"G1 X1 F100 (a)\r\n(MSG, look)\nG1 X2 ; old (c)\nO100 CALL\nG1 X3 (MSG, look)\n" and skipped == 4
+
+
+@pytest.mark.parametrize(
+    ("value", "resolution", "has_interval"), [(0.0, 4e-6, False), (0.0, 0.0, False), (2.0, 0.1, True), (2.0, 1e-3, False)]
+)
+def test_an_axis_at_rest_has_no_interval(value: float, resolution: float, has_interval: bool) -> None:
+    peak = AxisPeak("z", "jerk", value, resolution, PERIOD, 100.0, value / 100.0, 0.0)
+    test = LimitTest("part.ngc", "plan", ("z",), PERIOD, 1.0, "m", 0.005, True, (peak,), (), ())
+    assert ("+-" in test.text) == has_interval
