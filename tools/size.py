@@ -16,8 +16,8 @@ BUDGETS = {
     "cli": 1803,
     "components": 5513,
     "contours": 1669,
-    "engine": 3436,
-    "features": 19555,
+    "engine": 3471,
+    "features": 19563,
     "feed": 2372,
     "findings": 55,
     "geometry": 2012,
@@ -31,7 +31,7 @@ BUDGETS = {
     "result": 357,
     "scenario": 2206,
     "study": 1106,
-    "without papers": 55828,
+    "without papers": 55877,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 
