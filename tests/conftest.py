@@ -12,6 +12,7 @@ import pytest
 from host_gpu import HostGpu
 from hypothesis import settings
 from once import once
+from processor_time import ProcessorTimes
 from schemas import check_results
 
 from contourlab.__main__ import LINEAR_ALGEBRA
@@ -23,6 +24,9 @@ os.environ["CONTOURLAB_PROGRESS"] = "0"  # tests read standard error
 # One thread, as in the command: processes that share processors would wait for each other's threads.
 for library in LINEAR_ALGEBRA:
     os.environ.setdefault(library, "1")
+# Python's byte code is kept too: without it each worker rewrites every assertion, and each command compiles the package again.
+sys.dont_write_bytecode = False
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 # Background processes of a shell, and their children, ignore Ctrl-C; tests send it.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
@@ -34,6 +38,11 @@ settings.load_profile("ci" if os.environ.get("CI") else "people")
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--slow", action="store_true", help="run the tests marked slow too")
+    parser.addoption("--processor-times", metavar="FILE", help="write the processor time of each test to a JSON file")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    config.pluginmanager.register(ProcessorTimes())
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
