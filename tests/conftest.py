@@ -6,7 +6,6 @@ import signal
 import subprocess
 import sys
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 from host_gpu import HostGpu
@@ -55,15 +54,6 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     for item in items:
         if item.get_closest_marker("slow"):
             item.add_marker(skip)
-
-
-@pytest.fixture(scope="session")
-def shared() -> Path:
-    """The folder of reference data next to the repository; tests skip without it."""
-    folder = Path(__file__).parents[1].parent / "shared"
-    if not folder.is_dir():
-        pytest.skip("the shared reference data are not next to the repository")
-    return folder
 
 
 @pytest.fixture(scope="session")

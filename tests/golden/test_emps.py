@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from bands import check_each_row_can_fail
+from reference_data import reference_file
 
 from contourlab.cli.main import main
 from contourlab.papers.emps.simulation import axis_of, simulate_emps, simulate_in_engine
@@ -41,11 +42,8 @@ DEVIATIONS_DIRECTED = {"M": 0.0827, "Fv+": 1.2326, "Fc+": 0.1088, "Fv-": 1.2346,
 
 
 @pytest.fixture(scope="module")
-def log(shared: Path) -> Path:
-    file = shared / "data" / "emps" / "DATA_EMPS.mat"
-    if not file.is_file():
-        pytest.skip("the EMPS log is not among the shared reference data")
-    return file
+def log() -> Path:
+    return reference_file("data/emps/DATA_EMPS.mat")
 
 
 @pytest.fixture(scope="module")

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from bands import check_each_row_can_fail
+from reference_data import reference_file
 
 from contourlab.cli.main import main
 from contourlab.errors import LogError
@@ -19,11 +20,8 @@ Table = dict[tuple[str, str], Row]
 
 
 @pytest.fixture(scope="module")
-def folder(shared: Path) -> Path:
-    found = shared / "data" / "ubc-xy-table"
-    if not (found / "line_circle_lli.mat").is_file():
-        pytest.skip("the logs of the UBC table are not among the shared reference data")
-    return found
+def folder() -> Path:
+    return reference_file("data/ubc-xy-table/line_circle_lli.mat").parent
 
 
 @pytest.fixture(scope="module")
