@@ -60,15 +60,15 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 def reproduction(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> tuple[int, str, str]:
     """Exit code, output and error of ``contourlab reproduce ghaffari --json``; it takes a minute and runs once for all tests."""
 
-    def run() -> list[object]:
+    def run() -> tuple[int, str, str]:
         place = tmp_path_factory.mktemp("ghaffari")
         words = [sys.executable, "-m", "contourlab", "reproduce", "ghaffari", "--json"]
         done = subprocess.run(words, cwd=place, capture_output=True, encoding="utf-8", timeout=900)
         assert not any(place.iterdir()), "the reproduction leaves nothing behind"
-        return [done.returncode, done.stdout, done.stderr]
+        return done.returncode, done.stdout, done.stderr
 
-    code, out, err = once(tmp_path_factory, worker_id, "ghaffari", run)
-    return code, out, err
+    found: tuple[int, str, str] = once(tmp_path_factory, worker_id, "ghaffari", run)
+    return found
 
 
 @pytest.fixture(params=["stand-in", "real"])

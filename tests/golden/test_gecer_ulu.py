@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from typing import Any
 
 import numpy as np
 import pytest
@@ -29,7 +30,6 @@ from contourlab.papers.gecer_ulu.setup import (
 from contourlab.papers.gecer_ulu.study import PARTS
 from contourlab.papers.gecer_ulu.tables import SLOW_FEED, SLOW_KAPPA, SLOW_RATIO, figures, slow_rows, true_figures
 from contourlab.papers.rows import Row, read_bands
-from contourlab.papers.run import run_parts
 from contourlab.scenario import BUILTIN, builtin_file, chosen, load_scenario
 
 Array = NDArray[np.float64]
@@ -222,9 +222,10 @@ def test_the_counting_machine_differs_only_in_its_encoder() -> None:
 
 
 @pytest.fixture(scope="module")
-def rows() -> list[Row]:
+def rows(computed: Any) -> list[Row]:
     """All rows, with their bands."""
-    return run_parts(PARTS, read_bands("gecer_ulu"))
+    made: list[Row] = computed("gecer_ulu", PARTS)
+    return made
 
 
 @pytest.mark.slow

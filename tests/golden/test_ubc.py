@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 from bands import check_each_row_can_fail
@@ -13,6 +14,7 @@ from contourlab.cli.main import main
 from contourlab.errors import LogError
 from contourlab.papers.rows import Row, read_bands
 from contourlab.papers.run import run_parts
+from contourlab.papers.ubc import study
 from contourlab.papers.ubc.runs import left_out, read_runs
 from contourlab.papers.ubc.study import MEASURED, parts_of
 
@@ -25,11 +27,8 @@ def folder() -> Path:
 
 
 @pytest.fixture(scope="module")
-def table(folder: Path) -> Table:
-    rows = run_parts(parts_of(folder, with_unseen=False), read_bands("ubc"))
-    found = {(row.name, row.case): row for row in rows}
-    assert len(found) == len(rows), "two rows share name and case"
-    return found
+def table(folder: Path, computed: Any) -> Table:
+    return {(row.name, row.case): row for row in computed("ubc", parts_of(folder, with_unseen=False))}
 
 
 @pytest.mark.slow
@@ -73,7 +72,7 @@ def test_every_row_can_fail_and_what_was_fitted_is_an_input(table: Table) -> Non
 
 @pytest.mark.slow
 def test_the_machine_also_explains_unseen_runs(folder: Path) -> None:
-    found = run_parts(parts_of(folder), read_bands("ubc"))
+    found = run_parts(parts_of(folder)[len(parts_of(folder, with_unseen=False)) :], read_bands("ubc"))
     check_each_row_can_fail(found)
     rows = [row for row in found if row.name.startswith("unseen")]
     explained = [row.here for row in rows if row.name == "unseen: variance explained"]
@@ -97,7 +96,11 @@ def test_the_interval_of_runs_left_out_covers_later_runs(folder: Path) -> None:
 
 
 @pytest.mark.slow
-def test_the_command_prints_json_and_draws(folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_prints_json_and_draws(
+    table: Table, folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    parts = {(folder, False): [("rows", table.values)]}
+    monkeypatch.setattr(study, "parts_of", lambda place, with_unseen, stage: parts[place, with_unseen])
     words = ["reproduce", "ubc", "--log-folder", str(folder), "--no-unseen", "--json", "--plots", "svg", "--out", str(tmp_path / "seen")]
     assert main(words) == 0
     rows = json.loads(capsys.readouterr().out)
