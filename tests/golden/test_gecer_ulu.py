@@ -99,6 +99,7 @@ def plain(kappa: float, trials: int = 30, ratio: float = 0.03, gamma: float = 0.
     return rms(error[:, 0]), rms(error[:, 1]), rms(-normal[:, 0] * error[:, 0] + normal[:, 1] * error[:, 1])
 
 
+@pytest.mark.slow
 def test_all_of_table_2_is_met_within_18_percent_under_the_stated_reading() -> None:
     found = figures(SIMULATION)
     for scheme, golden in HERE.items():
@@ -155,6 +156,7 @@ def test_slow_motion_of_unlike_axes_gives_the_first_two_rows_by_statics() -> Non
 
 
 @pytest.mark.parametrize("seed", [0, 1])
+@pytest.mark.slow
 def test_the_experiment_ends_at_the_noise_and_not_below(seed: int) -> None:
     alone, coupled = course(EXPERIMENT, 0.0, 30, seed), course(EXPERIMENT, KAPPA, 30, seed)
     assert 17.0 < coupled.rms(30)[2] < alone.rms(30)[2] < 30.0
@@ -170,6 +172,7 @@ def test_counting_adds_its_variance_to_the_lag() -> None:
     assert math.hypot(121.53, math.sqrt((1000.0**2 - 25.0**2) / 12.0)) == pytest.approx(312.14, rel=5e-3)
 
 
+@pytest.mark.slow
 def test_the_contour_error_is_largest_just_after_the_turn_of_fig_10() -> None:
     seen = turn(SIMULATION)
     assert seen.time[100] == 0.0 and seen.reference[100] == pytest.approx((0.072e-6, 0.82e-6), abs=4e-9)

@@ -73,6 +73,7 @@ def test_twice_the_gap_about_doubles_the_error(contact: dict[str, Array]) -> Non
         assert circular(name, replace(TO_FLANK, gap=50e-6)).axis_error * UM == pytest.approx(2.0 * contact[name], rel=0.25)
 
 
+@pytest.mark.slow
 def test_scheme_one_as_printed_runs_away_and_with_the_reference_it_does_not() -> None:
     assert 0.1 < circular("I", Setting(follows_load=True)).diverged < 2.0
     assert 0.1 < circular("I", replace(TO_FLANK, follows_load=True)).diverged < 2.0
@@ -95,6 +96,7 @@ def test_closed_over_the_loads_the_cascade_hunts_in_proportion_to_the_gap() -> N
     assert looser == pytest.approx(2.0 * loose, rel=0.1)
 
 
+@pytest.mark.slow
 def test_a_free_load_is_caught_at_the_speed_of_its_closed_form() -> None:
     """A stiff law keeps the motor on the reference. The load leaves its flank, and the ripple is its flight through the gap."""
     found = circular("I", replace(TO_FLANK, shaft_damping=1.0))

@@ -56,6 +56,7 @@ def test_its_contour_errors_are_those_measured(table: Table) -> None:
             assert row.paper == pytest.approx(MEASURED[run][2 if "rms" in name else 3], rel=0.01)
 
 
+@pytest.mark.slow
 def test_the_library_keeps_its_documented_figures(table: Table) -> None:
     """As documented in docs/how-to/refinement.md; a change of the engine or the files shows here."""
     kept = {("lead-lag", "x"): 98.70, ("lead-lag", "y"): 98.29, ("pole-placement", "x"): 99.998, ("pole-placement", "y"): 99.995}
@@ -65,6 +66,7 @@ def test_the_library_keeps_its_documented_figures(table: Table) -> None:
     assert table["simulated contour rms", "pole-placement"].here == pytest.approx(46.1, abs=0.3)
 
 
+@pytest.mark.slow
 def test_every_row_can_fail_and_what_was_fitted_is_an_input(table: Table) -> None:
     check_each_row_can_fail([*table.values()])
     assert {row.kind for row in table.values() if row.paper is not None} == {"identity", "input"}

@@ -183,6 +183,7 @@ def test_a_velocity_drive_is_named_after_its_log(made: bench.Made, tmp_path: Pat
     assert (code, result["pid"], [file.name for file in out.iterdir()]) == (1, {}, ["report.html"])
 
 
+@pytest.mark.slow
 def test_no_diff_while_an_axis_has_no_answer(
     made: bench.Made, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

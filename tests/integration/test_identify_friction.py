@@ -39,9 +39,7 @@ def test_an_axis_that_slows_down_without_stopping_has_no_friction_of_its_own_the
 
 
 @pytest.mark.slow
-def test_friction_of_the_measured_table(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_friction_of_the_measured_table(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.chdir(tmp_path)
     logs = [str(reference_file(f"data/ubc-xy-table/friction_{v}_mmps.mat")) for v in (10, 120, 160, 200, 20, 50, 5, 80)]
     words = [*logs, "--column", "reference.x=CH1in [mm]", *UBC, "--full-scale", "10 V"]
