@@ -4,6 +4,7 @@
 PYTHON ?= python3
 VENV ?= .venv
 WORKERS ?= 2
+CONSTRAINTS ?= constraints.txt
 ARGS ?=
 PROGRAMS ?=
 MINUTES ?= 10
@@ -12,10 +13,10 @@ BIN := $(VENV)/bin
 RUNTIME := $(VENV)/.runtime
 STAMP := $(VENV)/.installed
 SITE := $(VENV)/.site
-PIP := $(BIN)/python -m pip install --disable-pip-version-check -c constraints.txt
+PIP := $(BIN)/python -m pip install --disable-pip-version-check -c $(CONSTRAINTS)
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo programs learning backlash sweep-demo test check lint types imports size doctests docs package bench fuzz clean
+.PHONY: help install site demo programs learning backlash sweep-demo test check lint types imports size doctests docs package bench fuzz clean
 
 help:
 	@echo "make demo     run the demonstration; results in results/demo"
@@ -34,9 +35,9 @@ help:
 	@echo "make clean    remove $(VENV) and all generated files"
 
 # Rebuilt only when the package lists change: first the packages of the demonstration, then those of tests and extras.
-$(RUNTIME): pyproject.toml constraints.txt
+$(RUNTIME): pyproject.toml $(CONSTRAINTS)
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || { \
-	  echo "contourlab needs Python 3.11 or newer; '$(PYTHON)' is: $$($(PYTHON) --version 2>&1 || true)" >&2; \
+	  echo "contourlab needs Python 3.11 to 3.14; '$(PYTHON)' is: $$($(PYTHON) --version 2>&1 || true)" >&2; \
 	  echo "Install one and name it: make PYTHON=python3.11 $(MAKECMDGOALS)" >&2; exit 1; }
 	@$(BIN)/python -m pip --version >/dev/null 2>&1 || $(PYTHON) -m venv --clear $(VENV) || { \
 	  rm -rf $(VENV); \
@@ -57,6 +58,8 @@ $(SITE): $(RUNTIME)
 	@touch $@
 
 install: $(STAMP)
+
+site: $(SITE)
 
 demo: $(RUNTIME)
 	$(BIN)/contourlab demo $(ARGS)

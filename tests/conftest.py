@@ -6,12 +6,12 @@ import signal
 import subprocess
 import sys
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 from host_gpu import HostGpu
 from hypothesis import settings
 from once import once
+from processor_time import ProcessorTimes
 from schemas import check_results
 
 from contourlab.__main__ import LINEAR_ALGEBRA
@@ -23,6 +23,9 @@ os.environ["CONTOURLAB_PROGRESS"] = "0"  # tests read standard error
 # One thread, as in the command: processes that share processors would wait for each other's threads.
 for library in LINEAR_ALGEBRA:
     os.environ.setdefault(library, "1")
+# Python's byte code is kept too: without it each worker rewrites every assertion, and each command compiles the package again.
+sys.dont_write_bytecode = False
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 # Background processes of a shell, and their children, ignore Ctrl-C; tests send it.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
@@ -34,6 +37,11 @@ settings.load_profile("ci" if os.environ.get("CI") else "people")
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--slow", action="store_true", help="run the tests marked slow too")
+    parser.addoption("--processor-times", metavar="FILE", help="write the processor time of each test to a JSON file")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    config.pluginmanager.register(ProcessorTimes())
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
@@ -49,27 +57,18 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 @pytest.fixture(scope="session")
-def shared() -> Path:
-    """The folder of reference data next to the repository; tests skip without it."""
-    folder = Path(__file__).parents[1].parent / "shared"
-    if not folder.is_dir():
-        pytest.skip("the shared reference data are not next to the repository")
-    return folder
-
-
-@pytest.fixture(scope="session")
 def reproduction(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> tuple[int, str, str]:
     """Exit code, output and error of ``contourlab reproduce ghaffari --json``; it takes a minute and runs once for all tests."""
 
-    def run() -> list[object]:
+    def run() -> tuple[int, str, str]:
         place = tmp_path_factory.mktemp("ghaffari")
         words = [sys.executable, "-m", "contourlab", "reproduce", "ghaffari", "--json"]
         done = subprocess.run(words, cwd=place, capture_output=True, encoding="utf-8", timeout=900)
         assert not any(place.iterdir()), "the reproduction leaves nothing behind"
-        return [done.returncode, done.stdout, done.stderr]
+        return done.returncode, done.stdout, done.stderr
 
-    code, out, err = once(tmp_path_factory, worker_id, "ghaffari", run)
-    return code, out, err
+    found: tuple[int, str, str] = once(tmp_path_factory, worker_id, "ghaffari", run)
+    return found
 
 
 @pytest.fixture(params=["stand-in", "real"])

@@ -3,11 +3,31 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import pytest
+from once import once
+
+from contourlab.papers.rows import Part, Row, read_bands
+from contourlab.papers.run import run_parts
 
 Rows = dict[tuple[str, str], dict[str, Any]]
+
+
+Computed = Callable[[str, Iterable[Part]], list[Row]]
+
+
+@pytest.fixture(scope="session")
+def computed(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Computed:
+    """Compute the rows of a paper's parts, once for all workers."""
+
+    def rows_of(paper: str, parts: Iterable[Part]) -> list[Row]:
+        rows: list[Row] = once(tmp_path_factory, worker_id, f"rows of {paper}", lambda: run_parts(parts, read_bands(paper)))
+        assert len({(row.name, row.case) for row in rows}) == len(rows), "two rows share name and case"
+        return rows
+
+    return rows_of
 
 
 @pytest.fixture(scope="session")

@@ -5,12 +5,15 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from bands import check_each_row_can_fail
+from reference_data import reference_file
 
 from contourlab.cli.main import main
+from contourlab.papers.emps import study
 from contourlab.papers.emps.simulation import axis_of, simulate_emps, simulate_in_engine
 from contourlab.papers.emps.study import identified, parts_of
 from contourlab.papers.rows import Row, read_bands
@@ -41,19 +44,13 @@ DEVIATIONS_DIRECTED = {"M": 0.0827, "Fv+": 1.2326, "Fc+": 0.1088, "Fv-": 1.2346,
 
 
 @pytest.fixture(scope="module")
-def log(shared: Path) -> Path:
-    file = shared / "data" / "emps" / "DATA_EMPS.mat"
-    if not file.is_file():
-        pytest.skip("the EMPS log is not among the shared reference data")
-    return file
+def log() -> Path:
+    return reference_file("data/emps/DATA_EMPS.mat")
 
 
 @pytest.fixture(scope="module")
-def table(log: Path) -> Table:
-    found = run_parts(parts_of(log), read_bands("emps"))
-    by_name = {(row.name, row.case): row for row in found}
-    assert len(by_name) == len(found), "two rows share name and case"
-    return by_name
+def table(log: Path, computed: Any) -> Table:
+    return {(row.name, row.case): row for row in computed("emps", parts_of(log))}
 
 
 @pytest.mark.parametrize("line", PUBLISHED.split("\n")[1:-1])
@@ -145,9 +142,11 @@ def test_every_row_can_fail_and_those_that_differ_say_why(table: Table) -> None:
 
 
 @pytest.mark.slow
-def test_a_second_log_is_validated_with_the_parameters_of_the_first(log: Path) -> None:
+def test_a_second_log_is_validated_with_the_parameters_of_the_first(table: Table, log: Path) -> None:
     """The same log gives its own error again. The published second log is not in the shared data."""
-    rows = {(row.name, row.case): row for row in run_parts(parts_of(log, log), read_bands("emps"))}
+    second = [part for part in parts_of(log, log) if "second record" in part[0]]
+    rows = table | {(row.name, row.case): row for row in run_parts(second, read_bands("emps"))}
+    assert len(second) == 2 and len(rows) > len(table)
     assert rows["cross-validation relative error", ALIKE].here == pytest.approx(rows["relative error", ALIKE].here, rel=1e-12)
     assert rows["cross-validation relative error", ALIKE].paper == 5.9824
     assert rows["cross-validation relative error", DIRECTED].here == pytest.approx(3.1117, abs=5e-5)
@@ -173,7 +172,11 @@ def test_the_published_validation_agrees_where_its_log_is_there(log: Path) -> No
 
 
 @pytest.mark.slow
-def test_the_command_prints_json_and_draws(log: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_prints_json_and_draws(
+    table: Table, log: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    parts = {(log, None): [("rows", table.values)]}
+    monkeypatch.setattr(study, "parts_of", lambda *logs: parts[logs])
     assert main(["reproduce", "emps", "--log", str(log), "--json", "--plots", "svg", "--out", str(tmp_path / "seen")]) == 0
     rows = json.loads(capsys.readouterr().out)
     for name in ("M", "Fv", "Fc", "offset", "relative error"):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from typing import Any
 
 import numpy as np
 import pytest
@@ -29,7 +30,6 @@ from contourlab.papers.gecer_ulu.setup import (
 from contourlab.papers.gecer_ulu.study import PARTS
 from contourlab.papers.gecer_ulu.tables import SLOW_FEED, SLOW_KAPPA, SLOW_RATIO, figures, slow_rows, true_figures
 from contourlab.papers.rows import Row, read_bands
-from contourlab.papers.run import run_parts
 from contourlab.scenario import BUILTIN, builtin_file, chosen, load_scenario
 
 Array = NDArray[np.float64]
@@ -99,6 +99,7 @@ def plain(kappa: float, trials: int = 30, ratio: float = 0.03, gamma: float = 0.
     return rms(error[:, 0]), rms(error[:, 1]), rms(-normal[:, 0] * error[:, 0] + normal[:, 1] * error[:, 1])
 
 
+@pytest.mark.slow
 def test_all_of_table_2_is_met_within_18_percent_under_the_stated_reading() -> None:
     found = figures(SIMULATION)
     for scheme, golden in HERE.items():
@@ -155,6 +156,7 @@ def test_slow_motion_of_unlike_axes_gives_the_first_two_rows_by_statics() -> Non
 
 
 @pytest.mark.parametrize("seed", [0, 1])
+@pytest.mark.slow
 def test_the_experiment_ends_at_the_noise_and_not_below(seed: int) -> None:
     alone, coupled = course(EXPERIMENT, 0.0, 30, seed), course(EXPERIMENT, KAPPA, 30, seed)
     assert 17.0 < coupled.rms(30)[2] < alone.rms(30)[2] < 30.0
@@ -170,6 +172,7 @@ def test_counting_adds_its_variance_to_the_lag() -> None:
     assert math.hypot(121.53, math.sqrt((1000.0**2 - 25.0**2) / 12.0)) == pytest.approx(312.14, rel=5e-3)
 
 
+@pytest.mark.slow
 def test_the_contour_error_is_largest_just_after_the_turn_of_fig_10() -> None:
     seen = turn(SIMULATION)
     assert seen.time[100] == 0.0 and seen.reference[100] == pytest.approx((0.072e-6, 0.82e-6), abs=4e-9)
@@ -222,9 +225,10 @@ def test_the_counting_machine_differs_only_in_its_encoder() -> None:
 
 
 @pytest.fixture(scope="module")
-def rows() -> list[Row]:
+def rows(computed: Any) -> list[Row]:
     """All rows, with their bands."""
-    return run_parts(PARTS, read_bands("gecer_ulu"))
+    made: list[Row] = computed("gecer_ulu", PARTS)
+    return made
 
 
 @pytest.mark.slow

@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from reference_data import reference_file
 from scipy.io import loadmat
 
 from contourlab.metrics import backlash_from_circle, lost_motion_from_pair
 
 
-def test_a_position_controller_is_a_spring_without_a_gap(shared: Path) -> None:
+def test_a_position_controller_is_a_spring_without_a_gap() -> None:
     """EMPS: force = g_tau k_v (k_p (q_r - q) - q'): q is pushed by q_r - q'/k_p with the stiffness g_tau k_v k_p and no free travel.
 
     Friction winds it up by 59 um there and back; only the force shows that this is not a gap.
     """
-    data = loadmat(shared / "data" / "emps" / "DATA_EMPS.mat", simplify_cells=True)
+    data = loadmat(reference_file("data/emps/DATA_EMPS.mat"), simplify_cells=True)
     q, reference, voltage, kp, kv, gain = (
         np.asarray(data[name], dtype=float).squeeze() for name in ("qm", "qg", "vir", "kp", "kv", "gtau")
     )
@@ -36,12 +36,12 @@ def test_a_position_controller_is_a_spring_without_a_gap(shared: Path) -> None:
     assert known.gap == pytest.approx(0.0, abs=0.05e-6)
 
 
-def test_on_a_circle_friction_without_integral_action_looks_like_backlash(shared: Path) -> None:
+def test_on_a_circle_friction_without_integral_action_looks_like_backlash() -> None:
     """The table with state feedback at 20 and 21 Hz: Coulomb friction of 0.2 to 0.3 N m on J w^2 looks like backlash of twice its angle.
 
     A pitch of 10 mm converts radians to metres. The circle is run once, in one direction, from rest to rest: the deviations are large.
     """
-    data: Any = loadmat(shared / "data" / "ubc-xy-table" / "line_circle_pp.mat", simplify_cells=True)["pp"]
+    data: Any = loadmat(reference_file("data/ubc-xy-table/line_circle_pp.mat"), simplify_cells=True)["pp"]
     signals = [1e-3 * np.asarray(signal["Data"], dtype=float) for signal in data["Y"]]
     position, reference = np.column_stack(signals[:2]), np.column_stack(signals[2:4])
     centre, radius = np.array([0.09, 0.03]), 0.03

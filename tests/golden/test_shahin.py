@@ -7,6 +7,7 @@ import math
 import re
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -15,8 +16,8 @@ from bands import check_each_row_can_fail, check_page
 from contourlab.arrays import Array
 from contourlab.cli.main import main
 from contourlab.errors import MissingPackageError
-from contourlab.papers.rows import Row, read_bands
-from contourlab.papers.run import conclusion, run_parts
+from contourlab.papers.rows import Row
+from contourlab.papers.run import conclusion
 from contourlab.papers.shahin import common_lyapunov, study, theory
 from contourlab.papers.shahin import setup as setup
 from contourlab.papers.shahin.common_lyapunov import common_quadratic
@@ -72,6 +73,7 @@ def test_twice_the_gap_about_doubles_the_error(contact: dict[str, Array]) -> Non
         assert circular(name, replace(TO_FLANK, gap=50e-6)).axis_error * UM == pytest.approx(2.0 * contact[name], rel=0.25)
 
 
+@pytest.mark.slow
 def test_scheme_one_as_printed_runs_away_and_with_the_reference_it_does_not() -> None:
     assert 0.1 < circular("I", Setting(follows_load=True)).diverged < 2.0
     assert 0.1 < circular("I", replace(TO_FLANK, follows_load=True)).diverged < 2.0
@@ -94,6 +96,7 @@ def test_closed_over_the_loads_the_cascade_hunts_in_proportion_to_the_gap() -> N
     assert looser == pytest.approx(2.0 * loose, rel=0.1)
 
 
+@pytest.mark.slow
 def test_a_free_load_is_caught_at_the_speed_of_its_closed_form() -> None:
     """A stiff law keeps the motor on the reference. The load leaves its flank, and the ripple is its flight through the gap."""
     found = circular("I", replace(TO_FLANK, shaft_damping=1.0))
@@ -121,9 +124,10 @@ def test_no_common_quadratic_function_exists_for_any_gains_of_the_motor() -> Non
 
 
 @pytest.fixture(scope="module")
-def rows() -> list[Row]:
+def rows(computed: Any) -> list[Row]:
     """Every row of the reproduction; takes a minute."""
-    return run_parts(PARTS, read_bands("shahin"))
+    made: list[Row] = computed("shahin", PARTS)
+    return made
 
 
 @pytest.mark.slow
@@ -180,7 +184,8 @@ def test_every_row_can_fail_and_the_page_shows_the_table(rows: list[Row]) -> Non
 
 
 @pytest.mark.slow
-def test_the_command_passes_and_draws(tmp_path: Path) -> None:
+def test_the_command_passes_and_draws(rows: list[Row], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(study, "PARTS", (("rows", lambda: rows),))
     assert main(["reproduce", "shahin", "--json", "--plots", "svg", "--out", str(tmp_path / "seen")]) == 0
     drawn = {file.name for file in (tmp_path / "seen").iterdir()}
     assert drawn == {f"shahin-fig-{number}.svg" for number in ("7-8", 9, 10, 11, 12, 13)}

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 from bands import check_each_row_can_fail
+from reference_data import reference_file
 
 from contourlab.cli.main import main
 from contourlab.errors import LogError
 from contourlab.papers.rows import Row, read_bands
 from contourlab.papers.run import run_parts
+from contourlab.papers.ubc import study
 from contourlab.papers.ubc.runs import left_out, read_runs
 from contourlab.papers.ubc.study import MEASURED, parts_of
 
@@ -19,19 +22,13 @@ Table = dict[tuple[str, str], Row]
 
 
 @pytest.fixture(scope="module")
-def folder(shared: Path) -> Path:
-    found = shared / "data" / "ubc-xy-table"
-    if not (found / "line_circle_lli.mat").is_file():
-        pytest.skip("the logs of the UBC table are not among the shared reference data")
-    return found
+def folder() -> Path:
+    return reference_file("data/ubc-xy-table/line_circle_lli.mat").parent
 
 
 @pytest.fixture(scope="module")
-def table(folder: Path) -> Table:
-    rows = run_parts(parts_of(folder, with_unseen=False), read_bands("ubc"))
-    found = {(row.name, row.case): row for row in rows}
-    assert len(found) == len(rows), "two rows share name and case"
-    return found
+def table(folder: Path, computed: Any) -> Table:
+    return {(row.name, row.case): row for row in computed("ubc", parts_of(folder, with_unseen=False))}
 
 
 @pytest.mark.slow
@@ -59,6 +56,7 @@ def test_its_contour_errors_are_those_measured(table: Table) -> None:
             assert row.paper == pytest.approx(MEASURED[run][2 if "rms" in name else 3], rel=0.01)
 
 
+@pytest.mark.slow
 def test_the_library_keeps_its_documented_figures(table: Table) -> None:
     """As documented in docs/how-to/refinement.md; a change of the engine or the files shows here."""
     kept = {("lead-lag", "x"): 98.70, ("lead-lag", "y"): 98.29, ("pole-placement", "x"): 99.998, ("pole-placement", "y"): 99.995}
@@ -68,6 +66,7 @@ def test_the_library_keeps_its_documented_figures(table: Table) -> None:
     assert table["simulated contour rms", "pole-placement"].here == pytest.approx(46.1, abs=0.3)
 
 
+@pytest.mark.slow
 def test_every_row_can_fail_and_what_was_fitted_is_an_input(table: Table) -> None:
     check_each_row_can_fail([*table.values()])
     assert {row.kind for row in table.values() if row.paper is not None} == {"identity", "input"}
@@ -75,7 +74,7 @@ def test_every_row_can_fail_and_what_was_fitted_is_an_input(table: Table) -> Non
 
 @pytest.mark.slow
 def test_the_machine_also_explains_unseen_runs(folder: Path) -> None:
-    found = run_parts(parts_of(folder), read_bands("ubc"))
+    found = run_parts(parts_of(folder)[len(parts_of(folder, with_unseen=False)) :], read_bands("ubc"))
     check_each_row_can_fail(found)
     rows = [row for row in found if row.name.startswith("unseen")]
     explained = [row.here for row in rows if row.name == "unseen: variance explained"]
@@ -99,7 +98,11 @@ def test_the_interval_of_runs_left_out_covers_later_runs(folder: Path) -> None:
 
 
 @pytest.mark.slow
-def test_the_command_prints_json_and_draws(folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_prints_json_and_draws(
+    table: Table, folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    parts = {(folder, False): [("rows", table.values)]}
+    monkeypatch.setattr(study, "parts_of", lambda place, with_unseen, stage: parts[place, with_unseen])
     words = ["reproduce", "ubc", "--log-folder", str(folder), "--no-unseen", "--json", "--plots", "svg", "--out", str(tmp_path / "seen")]
     assert main(words) == 0
     rows = json.loads(capsys.readouterr().out)

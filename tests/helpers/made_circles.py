@@ -36,15 +36,16 @@ def positions(clockwise: bool, start: float = 0.3, noise: float = 2e-8, turns: f
 
 def behind(motor: Array, gap: float, held: float = math.inf) -> Array:
     """Return the position of a load (n,) that its motor carries with the flanks of a gap; friction slows it by `held` [m/s^2]."""
-    load, at, speed, before = np.empty_like(motor), float(motor[0]), 0.0, float(motor[0])
-    for k, x in enumerate(motor):
+    load, at, speed, before = list[float](), float(motor[0]), 0.0, float(motor[0])
+    for x in motor.tolist():  # floats of Python are faster here, with the same bits
         speed -= min(max(speed, -held * PERIOD), held * PERIOD)
         free = at + speed * PERIOD
         at = min(max(free, x - 0.5 * gap), x + 0.5 * gap)
         if at != free:
             speed = (x - before) / PERIOD  # an impact without a bounce
-        load[k], before = at, x
-    return load
+        load.append(at)
+        before = x
+    return np.array(load)
 
 
 def runs_behind(gaps: tuple[float, float], noise: float = 2e-7, held: float = math.inf, **size: float) -> list[CircleRun]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import json
+import pickle
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -15,7 +15,7 @@ PATIENCE = 1200.0
 
 
 def once(factory: pytest.TempPathFactory, worker: str, name: str, make: Callable[[], Any]) -> Any:
-    """Return the result of `make` as JSON values: the first process computes it, the others read it.
+    """Return the result of `make`: the first process computes and pickles it, the others read it.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ def once(factory: pytest.TempPathFactory, worker: str, name: str, make: Callable
     """
     base = factory.getbasetemp()
     folder = base if worker == "master" else base.parent
-    result, claim = folder / f"{name}.json", folder / f"{name}.claimed"
+    result, claim = folder / f"{name}.pickle", folder / f"{name}.claimed"
     try:
         claim.mkdir()
     except FileExistsError:
@@ -40,9 +40,9 @@ def once(factory: pytest.TempPathFactory, worker: str, name: str, make: Callable
         raise
     finally:
         part = result.with_suffix(".part")
-        part.write_text(json.dumps(record), encoding="utf-8")
+        part.write_bytes(pickle.dumps(record))
         part.replace(result)
-    return json.loads(result.read_text(encoding="utf-8"))["made"]
+    return record["made"]
 
 
 def _awaited(result: Path) -> Any:
@@ -51,7 +51,7 @@ def _awaited(result: Path) -> Any:
         if time.monotonic() > end:
             pytest.fail(f"{result.name} was not made by another process within {PATIENCE:g} s")
         time.sleep(0.2)
-    record = json.loads(result.read_text(encoding="utf-8"))
+    record = pickle.loads(result.read_bytes())
     if "failed" in record:
         pytest.fail(f"{result.name} failed in another process: {record['failed']}")
     return record["made"]

@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 from types import ModuleType
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 
@@ -138,11 +139,12 @@ def write(folder: Path, kind: str, value: str) -> None:
 
 
 def imported(file: Path) -> ModuleType:
-    """Import a file anew."""
+    """Import a file anew: byte code of an edit in the same second would pass for that of the file."""
     spec = importlib.util.spec_from_file_location(file.stem, file)
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
+    with patch.object(sys, "dont_write_bytecode", True):
+        spec.loader.exec_module(module)
     return module
 
 

@@ -15,12 +15,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from reference_data import SHARED
 
 from contourlab.errors import ProgramError
 from contourlab.geometry import Nurbs
 from contourlab.program import Arc, Dwell, Feed, Move, Reader, Reading, Spline, Traverse
 
-SHARED = Path(__file__).parents[2].parent / "shared"
 TOOL = SHARED / "tools" / "rs274_oracle.py"
 NEEDED = [
     pytest.mark.oracle,

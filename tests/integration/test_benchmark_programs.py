@@ -36,6 +36,7 @@ def write_parts(folder: Path) -> Path:
     return parts
 
 
+@pytest.mark.slow
 def test_the_command_repeats_the_run(programs: ModuleType, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     parts = write_parts(tmp_path)
     row = programs.run(parts / "b.ngc", tmp_path / "out")

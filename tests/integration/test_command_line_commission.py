@@ -7,6 +7,7 @@ from typing import Any
 import made_commission as bench
 import numpy as np
 import pytest
+from reference_data import reference_file
 
 from contourlab.analysis.identification.gauss_newton import DescentSettings
 from contourlab.cli.main import main
@@ -56,7 +57,6 @@ def test_unknown_control_is_refused_before_any_work(made: bench.Made, tmp_path: 
 
 # --- what the loop is closed on -------------------------------------------------------------------------------------------------------
 
-REPRO = Path(__file__).parents[3] / "shared" / "repro"
 FIELD = ("m.ini", "a.hal", "xy")
 STEPPERS = {"trial3": ("router.ini", "router.hal", "xyz"), "field/stepgen": FIELD, "field/p-zero": FIELD}
 
@@ -92,10 +92,8 @@ def step_log(file: Path, axes: str) -> Path:
 @pytest.mark.parametrize("logged", [False, True])
 def test_loops_around_step_generators_get_no_gains(folder: str, logged: bool, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     ini, hal, axes = STEPPERS[folder]
-    if not (REPRO / folder).is_dir():
-        pytest.skip("needs the reference data")
     out = tmp_path / "out"
-    words: list[object] = [REPRO / folder / ini, REPRO / folder / hal, "--out", out]
+    words: list[object] = [reference_file("repro", folder, ini), reference_file("repro", folder, hal), "--out", out]
     if logged:
         out.mkdir()
         (out / "gains.diff").write_text("of an earlier answer")
@@ -112,9 +110,7 @@ def test_loops_around_step_generators_get_no_gains(folder: str, logged: bool, tm
 
 
 def test_an_empty_hal_file_refuses_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    folder = REPRO / "field" / "empty-hal"
-    if not folder.is_dir():
-        pytest.skip("needs the reference data")
+    folder = reference_file("repro/field/empty-hal/a.hal").parent
     code, result = called(capsys, folder / "m.ini", folder / "a.hal", "--out", tmp_path)
     assert (code, {axis["loop"] for axis in result["axes"].values()}) == (1, {"step generator"})
 
@@ -187,6 +183,7 @@ def test_a_velocity_drive_is_named_after_its_log(made: bench.Made, tmp_path: Pat
     assert (code, result["pid"], [file.name for file in out.iterdir()]) == (1, {}, ["report.html"])
 
 
+@pytest.mark.slow
 def test_no_diff_while_an_axis_has_no_answer(
     made: bench.Made, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

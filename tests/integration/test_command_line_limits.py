@@ -11,6 +11,7 @@ from typing import Any
 import made_circles
 import numpy as np
 import pytest
+from reference_data import SHARED, part_programs
 
 from contourlab.cli.main import main
 from contourlab.errors import ProgramError
@@ -18,7 +19,6 @@ from contourlab.features.limits.annotate import moves_of
 from contourlab.program import Reading
 
 PROGRAM = "G21 G90 G17 G61\nG0 X10 Y0\n(a comment)\nG1 X30 F1200 ; cut\nG3 X30 Y0 I-30 J0\nM2\n"
-SHARED = Path(__file__).parents[2].parent / "shared" / "gcode"
 
 
 @pytest.fixture(autouse=True)
@@ -130,12 +130,11 @@ SLOW = ("3D_Chips", "8x_gear", "HSM_test", "heart.ngc", "flowsnake", "cds.ngc", 
 @pytest.mark.parametrize(
     "name",
     [
-        pytest.param(file.name, marks=[pytest.mark.slow] if any(word in file.name for word in SLOW) else [])
-        for file in sorted(SHARED.glob("*.n*c")) + sorted(SHARED.glob("*.gcode"))
+        pytest.param(file.name, marks=[pytest.mark.slow] if any(word in file.name for word in SLOW) else []) for file in part_programs()
     ],
 )
 def test_annotated_real_programs_have_the_same_moves(name: str, capsys: pytest.CaptureFixture[str]) -> None:
-    file = SHARED / name
+    file = SHARED / "gcode" / name
     reading = Reading(require_end=False)
     try:
         moves = moves_of(file, reading)

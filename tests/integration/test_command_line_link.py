@@ -53,6 +53,7 @@ def scheme(capsys: pytest.CaptureFixture[str], *words: str) -> dict[str, Any]:
     return found
 
 
+@pytest.mark.slow
 def test_the_smallest_message_rate_is_printed(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
     said = output(capsys, circle, "--division", "observer", "--vary", "message-period,delay", "--longest", "20 ms")
     assert "9.986 um undivided, 10.98 um allowed" in said
@@ -77,6 +78,7 @@ def test_an_interrupt_keeps_the_divisions_that_ended(
     assert [one["division"] for one in kept["schemes"]["base"]["divisions"]] == ["drive"]
 
 
+@pytest.mark.slow
 def test_json_alone_holds_curves_and_limits(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
     words = (
         circle,
@@ -105,6 +107,7 @@ def test_json_alone_holds_curves_and_limits(circle: str, capsys: pytest.CaptureF
     assert controller["local_parameters"]["1"]
 
 
+@pytest.mark.slow
 def test_a_sweep_that_ends_early_says_so(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
     """A delay beyond 1 ms never holds here: the sweep need not test every delay up to --longest."""
     words = (circle, "--division", "observer", "--ways", "both", "--vary", "delay", "--json", "--longest")
@@ -145,6 +148,7 @@ def test_if_nothing_holds_the_reason_is_reported(circle: str, capsys: pytest.Cap
 
 
 @pytest.mark.parametrize("chance", [("--jitter", "0.3 ms"), ("--loss", "1 %")])
+@pytest.mark.slow
 def test_no_margin_under_jitter_and_loss_is_explained(circle: str, chance: tuple[str, str], capsys: pytest.CaptureFixture[str]) -> None:
     words = (circle, "--division", "observer", "--vary", "delay", "--longest", "3 ms", "--seeds", "1", *chance)
     said = output(capsys, *words)
@@ -223,6 +227,7 @@ def test_a_loop_that_runs_away_undivided_is_3_and_says_where(circle: str, tmp_pa
     assert not Path("results").exists()
 
 
+@pytest.mark.slow
 def test_one_axis_may_be_divided_alone(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
     """The swapped axis has a network, the others are wired."""
     words = (circle, "--division", "observer", "--ways", "both", "--vary", "delay", "--longest", "8 ms", "--json")

@@ -90,6 +90,7 @@ def parameters(found: dict[str, Any]) -> dict[str, dict[str, Any]]:
     return {one["sought"]["label"]: one for one in found["result"]["parameters"]}
 
 
+@pytest.mark.slow
 def test_a_machine_comes_out_of_a_log(scene: Path, tmp_path: Path, as_json: AsJson) -> None:
     out = tmp_path / "machine.toml"
     more = ["--write", str(out), "--plots", "svg", "--out", str(tmp_path / "seen"), "--validation", str(scene / "log.csv")]

@@ -113,6 +113,7 @@ def test_the_text_shows_the_search_and_drive_terms(tmp_path: Path, capsys: pytes
     assert {path.name for path in (tmp_path / "pictures" / "plots").iterdir()} == {"tune-course.svg", "tune-lines.svg", "tune-error.svg"}
 
 
+@pytest.mark.slow
 def test_an_interrupted_search_keeps_what_one_parameter_at_a_time_found(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

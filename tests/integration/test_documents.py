@@ -94,7 +94,7 @@ def test_the_page_of_the_package_index_has_no_relative_links_and_its_python_runs
     assert 10e-6 < float(capsys.readouterr().out) < 100e-6
 
 
-@pytest.mark.parametrize("guide", ["axis-control", "learning", "network-link"])
+@pytest.mark.parametrize("guide", ["axis-control", *(pytest.param(name, marks=pytest.mark.slow) for name in ("learning", "network-link"))])
 def test_the_scenarios_and_the_python_of_a_guide_run(guide: str, folder: Path) -> None:
     page = f"docs/how-to/{guide}.md"
     named = {name[1]: text for text in blocks(page, "toml") if (name := re.match(r"# (\S+\.toml)\n", text))}

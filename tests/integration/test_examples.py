@@ -73,7 +73,6 @@ CLAIMS = {
     "gain-sweep": "best < 0.5 * error[0, -1], best.bandwidth == 500.0, 2 * best.gain <= limit[-1]",
 }
 """Expressions that are true at the end of a notebook."""
-SLOW = ("contour_error", "production_line")
 
 
 def test_every_example_is_here() -> None:
@@ -82,7 +81,8 @@ def test_every_example_is_here() -> None:
 
 
 @pytest.mark.filterwarnings("ignore:FigureCanvasAgg is non-interactive:UserWarning")
-@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] * (name in SLOW)) for name in SCRIPTS])
+@pytest.mark.parametrize("name", SCRIPTS)
+@pytest.mark.slow
 def test_script(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     import matplotlib.pyplot as plt
 

@@ -10,6 +10,7 @@ from shutil import copytree
 import numpy as np
 import pytest
 from identified_logs import codes
+from reference_data import reference_file
 from typed_commands import AsJson, Refused
 
 from contourlab.cli.main import main
@@ -86,8 +87,8 @@ def test_a_command_in_millivolts_is_in_volts(tmp_path: Path, as_json: AsJson, re
     assert "--gain" in said and "N/V" in said
 
 
-def test_the_measured_axis(shared: Path, tmp_path: Path, as_json: AsJson) -> None:
-    log = shared / "data" / "emps" / "DATA_EMPS.mat"
+def test_the_measured_axis(tmp_path: Path, as_json: AsJson) -> None:
+    log = reference_file("data/emps/DATA_EMPS.mat")
     words = [
         "--column",
         "position.x=qm [m]",
@@ -107,7 +108,7 @@ def test_the_measured_axis(shared: Path, tmp_path: Path, as_json: AsJson) -> Non
 @pytest.mark.parametrize("asked", [[], ["--column", "reference.x=qg [m]"]])
 @pytest.mark.slow
 def test_the_measured_axis_can_repeat_its_motion(
-    shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str, asked: list[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str, asked: list[str]
 ) -> None:
     """The built-in scenario of the same motion with the written file: planned as fast as the log and faster, it never saturates."""
     from contourlab.loop import simulate
@@ -115,7 +116,7 @@ def test_the_measured_axis_can_repeat_its_motion(
 
     folder = tmp_path / "emps"
     copytree(Path(str(files("contourlab.machines") / "emps")), folder)
-    log = shared / "data" / "emps" / "DATA_EMPS.mat"
+    log = reference_file("data/emps/DATA_EMPS.mat")
     words = ["--column", "position.x=qm [m]", "--column", "command.x=vir [V]", *asked, "--gain", "35.15065188 N/V", "--model", model]
     assert main(["identify", str(log), *words, "--write", str(folder / "axis.toml")]) == 0
     scenario = load_scenario(folder / "there-and-back.toml")
@@ -187,8 +188,8 @@ def test_validation_with_the_same_samples_is_reported(tmp_path: Path, as_json: A
 
 
 @pytest.mark.slow
-def test_the_reference_in_place_of_the_position_makes_no_axis(shared: Path, tmp_path: Path, as_json: AsJson) -> None:
-    log, out = shared / "data" / "emps" / "DATA_EMPS.mat", tmp_path / "axis.toml"
+def test_the_reference_in_place_of_the_position_makes_no_axis(tmp_path: Path, as_json: AsJson) -> None:
+    log, out = reference_file("data/emps/DATA_EMPS.mat"), tmp_path / "axis.toml"
     words = ["identify", str(log), "--column", "position.x=qg [m]", "--column", "command.x=vir [V]", "--gain", "35 N/V"]
     found = as_json(*words, "--write", out, code=1)
     assert not out.exists()

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from identified_logs import PERIOD, PLANT, TIME, UBC, codes, driven, found_by, jogged, ramped, written
+from reference_data import reference_file
 
 from contourlab.analysis.identification.first_order_motion import first_order_motion
 from contourlab.scenario.load import load_axis
@@ -38,12 +39,9 @@ def test_an_axis_that_slows_down_without_stopping_has_no_friction_of_its_own_the
 
 
 @pytest.mark.slow
-def test_friction_of_the_measured_table(
-    shared: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_friction_of_the_measured_table(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.chdir(tmp_path)
-    logs = sorted(str(file) for file in (shared / "data" / "ubc-xy-table").glob("friction_*_mmps.mat"))
-    assert len(logs) == 8
+    logs = [str(reference_file(f"data/ubc-xy-table/friction_{v}_mmps.mat")) for v in (10, 120, 160, 200, 20, 50, 5, 80)]
     words = [*logs, "--column", "reference.x=CH1in [mm]", *UBC, "--full-scale", "10 V"]
     words += ["--model", "friction", "--plots", "png", "--write", "friction.toml"]
     found = found_by(words, capsys)

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from identified_logs import PERIOD, PLANT, SCENARIO, TIME, UBC, codes, driven, found_by, jogged, stepped, steps, written
+from reference_data import reference_file
 from typed_commands import Refused
 
 from contourlab.analysis.identification.first_order import closed_loop_position
@@ -62,8 +63,8 @@ def test_a_log_given_twice_is_refused_and_one_of_the_same_samples_reported(
 
 
 @pytest.mark.slow
-def test_sines_of_the_measured_table(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    logs = [str(shared / "data" / "ubc-xy-table" / f"sine_{f}Hz.mat") for f in (1, 4, 10, 30, 50, 70)]
+def test_sines_of_the_measured_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    logs = [str(reference_file(f"data/ubc-xy-table/sine_{f}Hz.mat")) for f in (1, 4, 10, 30, 50, 70)]
     out = tmp_path / "axis.toml"
     found = found_by([*logs, *UBC, "--model", "linear-motor", "--write", str(out)], capsys)
     assert [point["frequency"] for point in found["details"]["points"]] == pytest.approx([4.0, 10.0, 30.0, 50.0, 70.0], rel=2e-3)
@@ -266,10 +267,11 @@ def test_logs_of_one_name_are_named_by_their_folders(tmp_path: Path, capsys: pyt
 )
 @pytest.mark.slow
 def test_pictures_have_points_labels_and_a_folder(
-    shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str, more: list[str], files: list[str], labels: list[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str, more: list[str], files: list[str], labels: list[str]
 ) -> None:
-    name = "friction_*_mmps.mat" if model == "friction" else "sine_[13457]0Hz.mat"
-    logs = sorted(str(file) for file in (shared / "data" / "ubc-xy-table").glob(name))
+    speeds, rates = (10, 120, 160, 200, 20, 50, 5, 80), (10, 30, 50, 70)
+    names = [f"friction_{v}_mmps" for v in speeds] if model == "friction" else [f"sine_{f}Hz" for f in rates]
+    logs = [str(reference_file(f"data/ubc-xy-table/{name}.mat")) for name in names]
     assert main(["identify", *logs, *UBC, "--model", model, *more, "--plots", "svg", "--out", str(tmp_path / "seen")]) == 0
     assert sorted(file.stem for file in (tmp_path / "seen" / "plots").iterdir()) == files
     drawn = "".join((tmp_path / "seen" / "plots" / f"{file}.svg").read_text() for file in files)

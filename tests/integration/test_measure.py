@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from reference_data import reference_file
 from typed_commands import AsJson, Refused
 
 from contourlab.cli.main import main
@@ -41,9 +42,9 @@ def run_of(position: np.ndarray, reference: np.ndarray | None) -> Result:
 )
 @pytest.mark.slow
 def test_the_measured_runs_of_the_table(
-    shared: Path, tmp_path: Path, as_json: AsJson, file: str, rms: float, largest: float, tracking: tuple[float, float]
+    tmp_path: Path, as_json: AsJson, file: str, rms: float, largest: float, tracking: tuple[float, float]
 ) -> None:
-    log = shared / "data" / "ubc-xy-table" / f"line_circle_{file}.mat"
+    log = reference_file(f"data/ubc-xy-table/line_circle_{file}.mat")
     found = as_json("measure", log, "--out", tmp_path / "out")
     metrics = found["schemes"][f"line_circle_{file}"]["metrics"]
     assert metrics["contour_error"]["rms"] * 1e6 == pytest.approx(rms, rel=0.01)
@@ -109,7 +110,6 @@ BY_AXIS = [
 )
 @pytest.mark.slow
 def test_the_same_run_in_other_forms(
-    shared: Path,
     tmp_path: Path,
     as_json: AsJson,
     name: str,
@@ -117,7 +117,7 @@ def test_the_same_run_in_other_forms(
     words: list[str],
 ) -> None:
     """Every tenth sample of the table's pole-placement run: the contour error does not depend on the log's format."""
-    record = read_record(shared / "data" / "ubc-xy-table" / "line_circle_pp.mat")
+    record = read_record(reference_file("data/ubc-xy-table/line_circle_pp.mat"))
     (tmp_path / name).write_text(written(np.column_stack([channel.values[::10] for channel in record.channels])))
     found = as_json("measure", tmp_path / name, *words, "--out", tmp_path / "out")["schemes"][Path(name).stem]
     assert (found["servo_period"], found["n_sample"]) == (1e-3, 3900)
@@ -304,9 +304,8 @@ def test_each_next_command_runs_as_printed(tmp_path: Path, capsys: pytest.Captur
 
 
 @pytest.mark.slow
-def test_two_measured_runs_side_by_side(shared: Path, tmp_path: Path, as_json: AsJson, capsys: pytest.CaptureFixture[str]) -> None:
-    folder = shared / "data" / "ubc-xy-table"
-    logs = [str(folder / f"line_circle_{name}.mat") for name in ("lli", "pp")]
+def test_two_measured_runs_side_by_side(tmp_path: Path, as_json: AsJson, capsys: pytest.CaptureFixture[str]) -> None:
+    logs = [str(reference_file(f"data/ubc-xy-table/line_circle_{name}.mat")) for name in ("lli", "pp")]
     found = as_json("compare", *logs, "--out", tmp_path / "both")["schemes"]
     assert [run["metrics"]["contour_error"]["rms"] for run in found.values()] == pytest.approx([84.76e-6, 48.3e-6], rel=0.01)
     assert main(["compare", *logs, "--out", str(tmp_path / "both")]) == 0

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from reference_data import reference_file
 from typed_commands import Run
 
 MASSES = (20.0, 30.0, 24.0, 12.0, 16.0)
@@ -118,8 +119,8 @@ def test_more_axes_are_analysed(contourlab: Run, tmp_path: Path, n: int, contour
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("machine", "left"), [("xyz", 0.4), ("xyz-with-errors", 0.55)])
-def test_a_part_program_of_three_axes_is_learned(contourlab: Run, tmp_path: Path, shared: Path, machine: str, left: float) -> None:
-    program = shared / "gcode" / "linuxcnc__nc_files_3dtest.ngc"
+def test_a_part_program_of_three_axes_is_learned(contourlab: Run, tmp_path: Path, machine: str, left: float) -> None:
+    program = reference_file("gcode/linuxcnc__nc_files_3dtest.ngc")
     (tmp_path / "part.toml").write_text(REAL_PART.format(machine=machine, program=program.as_posix()), encoding="utf-8")
     found = schemes_of(contourlab("learn", "part.toml", "--signals", "part_error", "--json"))
     before, after = (found[name]["metrics"] for name in ("before learning", "after learning"))

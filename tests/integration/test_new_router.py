@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from reference_data import reference_file
 
 import contourlab as cl
 from contourlab.features.machines.answers import read_answers
@@ -15,10 +16,8 @@ from contourlab.scenario import Case, scenario_from_parts
 
 
 @pytest.fixture
-def case(shared: Path, tmp_path: Path) -> Case:
-    folder = shared / "repro" / "router"
-    if not folder.is_dir():
-        pytest.skip("the shared reference data have no router")
+def case(tmp_path: Path) -> Case:
+    folder = reference_file("repro/router/answers.toml").parent
     write_machine(new_machine(read_answers(folder / "answers.toml")), tmp_path)
     return scenario_from_parts(folder / "part.ngc", tmp_path / "machine.toml", tmp_path / "controller.toml").cases()[0]
 

@@ -53,6 +53,7 @@ def test_a_search_finds_better_variants(capsys: Capture, sampler: str) -> None:
     assert main(["sweep", "worst", "store", "--rerun", str(np.argmin(errors)), "--out", "best"]) in (0, 1)
 
 
+@pytest.mark.slow
 def test_several_figures_give_a_front(capsys: Capture) -> None:
     Path("study.toml").write_text(STUDY.replace('scheme = "all of it"\n', "") + CHOICES)
     found = asked(capsys, "optimise", "study.toml", "--out", "store", *BOTH, *SMALL)

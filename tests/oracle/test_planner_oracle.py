@@ -8,12 +8,13 @@ from types import ModuleType
 import numpy as np
 import pytest
 from program_oracle import load_module
+from reference_data import SHARED
 
 from contourlab.feed import LimitReport, Reference, limit_report, plan
 from contourlab.program import Program, parse_program
 
 BENCHMARK = Path(__file__).parents[2] / "benchmarks" / "linuxcnc.py"
-TOOL = Path(__file__).parents[2].parent / "shared" / "tools" / "planner_oracle.py"
+TOOL = SHARED / "tools" / "planner_oracle.py"
 PERIOD = 1e-3
 HEAD = "G21 G90 G17 F6000\n"
 PROGRAMS = {

@@ -8,21 +8,21 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
-from program_oracle import NEEDED, SHARED, compare, difference, load_oracle, our_moves, their_moves
+from program_oracle import NEEDED, compare, difference, load_oracle, our_moves, their_moves
+from reference_data import part_programs
 
 from contourlab.errors import ProgramEndError, ProgramError
 from contourlab.program import read_program
 
 pytestmark = NEEDED
 
-GCODE, INSTALLED = SHARED / "gcode", Path("/usr/share/linuxcnc/ncfiles")
-FILES = {
-    str(path.relative_to(root)): path
-    for root in (GCODE, INSTALLED)
-    for path in sorted(root.rglob("*"))
-    if path.suffix in {".ngc", ".nc", ".gcode"}
+INSTALLED = Path("/usr/share/linuxcnc/ncfiles")
+FILES = {file.name: file for file in part_programs()}
+FILES |= {
+    str(file.relative_to(INSTALLED)): file
+    for file in sorted(INSTALLED.rglob("*"))
+    if file.suffix in {".ngc", ".nc", ".gcode"} and f"linuxcnc__nc_files_{file.name}" not in FILES
 }
-FILES = {key: file for key, file in FILES.items() if file.parent == GCODE or not (GCODE / f"linuxcnc__nc_files_{file.name}").is_file()}
 
 UNSUPPORTED = {
     "cncjs__examples_gcode_helical-thread-milling.gcode": "G42",
@@ -88,7 +88,7 @@ def test_unsupported_words_are_reported_at_their_place(key: str) -> None:
 
 
 def test_the_list_of_unsupported_files_is_up_to_date() -> None:
-    if not INSTALLED.is_dir() or not GCODE.is_dir():
+    if not INSTALLED.is_dir() or not part_programs():
         pytest.skip("one of the two collections is not there")
     assert FILES.keys() >= UNSUPPORTED.keys() | ONLY_CLOSING_PERCENT
     assert len(OTHERS) > 150
@@ -105,7 +105,7 @@ def test_a_percent_that_only_closes_is_refused(name: str) -> None:
 
 GIVES_UP = {"linuxcnc__nc_files_3D_Chips.ngc"}
 """Outside LinuxCNC the module stops at a word in these files."""
-DOUBLES = [key for key, file in FILES.items() if file.parent == GCODE and key in OTHERS and key not in GIVES_UP]
+DOUBLES = [file.name for file in part_programs() if file.name in OTHERS and file.name not in GIVES_UP]
 
 
 @pytest.mark.parametrize("key", DOUBLES)

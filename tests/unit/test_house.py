@@ -10,6 +10,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from each import each
 
 import contourlab
 from contourlab import errors
@@ -41,7 +42,7 @@ def project_files() -> list[Path]:
     return [path for path in found if path.is_file() and path.suffix in TEXT and ".egg-info" not in str(path)]
 
 
-@pytest.mark.parametrize("path", MODULES, ids=lambda path: path.relative_to(SOURCE).as_posix())
+@each("path", MODULES)
 def test_a_module_defines_a_constant_once(path: Path):
     body = ast.parse(path.read_text(encoding="utf-8")).body
     targets = [target for line in body if isinstance(line, ast.Assign) for target in line.targets]
@@ -53,12 +54,6 @@ def test_no_two_test_files_share_a_name():
     """Pytest would refuse to collect the second one."""
     names = [path.name for path in (ROOT / "tests").rglob("test_*.py")]
     assert sorted(set(names)) == sorted(names)
-
-
-def test_rooms_import_in_their_order():
-    linter = Path(sys.executable).with_name("lint-imports")
-    done = subprocess.run([linter, "--no-cache"], cwd=ROOT, capture_output=True, text=True, timeout=120)
-    assert done.returncode == 0, done.stdout[-3000:] + done.stderr[-1000:]
 
 
 def test_the_version_is_the_same_everywhere():

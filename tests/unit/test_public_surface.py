@@ -15,7 +15,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-import pytest
+from each import each
 from numpydoc.docscrape import NumpyDocString, get_doc_object
 from numpydoc.validate import validate
 
@@ -100,13 +100,13 @@ def allowed(function: Any) -> set[str]:
     return {name for name in errors.__all__ if issubclass(getattr(errors, name), kinds)}
 
 
-@pytest.mark.parametrize("name", NAMES)
+@each("name", NAMES)
 def test_a_name_is_at_home_where_it_is_looked_up(name: str):
     home = importlib.import_module(contourlab._WHERE[name])
     assert getattr(home, name) is thing(name)
 
 
-@pytest.mark.parametrize("name", [*NAMES, *TYPES])
+@each("name", [*NAMES, *TYPES])
 def test_a_docstring_has_numpys_form_and_is_complete(name: str):
     target = thing(name)
     if inspect.isfunction(target):
@@ -121,7 +121,7 @@ def test_a_docstring_has_numpys_form_and_is_complete(name: str):
             assert re.search(r"\((n|\d|order)", inspect.getdoc(function)), f"{member}: no shape"
 
 
-@pytest.mark.parametrize("name", [*NAMES, *TYPES])
+@each("name", [*NAMES, *TYPES])
 def test_a_physical_quantity_has_a_unit_and_an_array_a_shape(name: str):
     target = thing(name)
     entries = documented(target)
@@ -133,7 +133,7 @@ def test_a_physical_quantity_has_a_unit_and_an_array_a_shape(name: str):
             assert re.search(r"\[[^\]]+\]", text), parameter.name
 
 
-@pytest.mark.parametrize("name", [*NAMES, *TYPES])
+@each("name", [*NAMES, *TYPES])
 def test_a_docstring_names_the_errors(name: str):
     target = thing(name)
     functions = [target] if inspect.isfunction(target) else [function_of(member) for _, member in members(target)]

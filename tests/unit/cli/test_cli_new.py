@@ -4,6 +4,7 @@ import io
 import tomllib
 
 import pytest
+from reference_data import reference_file
 
 from contourlab.cli.main import main
 from contourlab.scenario import load_machine
@@ -180,11 +181,9 @@ def test_a_missing_file_of_answers_exits_with_2(tmp_path, capsys):
     assert "none.toml: " in capsys.readouterr().err
 
 
-def test_answers_typed_before_there_was_a_question_name_it(tmp_path, monkeypatch, capsys, shared):
+def test_answers_typed_before_there_was_a_question_name_it(tmp_path, monkeypatch, capsys):
     """A file of answers that ends early is refused with the question it lacks; with the rest the machine is made."""
-    file = shared / "repro" / "trial3" / "ans.txt"
-    if not file.is_file():
-        pytest.skip("the shared reference data have no answers")
+    file = reference_file("repro/trial3/ans.txt")
     lines = file.read_text(encoding="utf-8").splitlines()
     for more, key in (([], "z.unbalanced_mass"), (["6"], "travel")):
         monkeypatch.setattr("sys.stdin", io.StringIO("\n".join([*lines, *more]) + "\n"))

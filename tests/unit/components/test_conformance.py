@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import pytest
+from each import each
 
 from contourlab.components.conformance import check_component
 from contourlab.components.contract import FAMILIES, Component
 from contourlab.components.registry import component, components
 from contourlab.loop.machine import Axis, AxisController, Controller
 
-EVERY = [pytest.param(kind, id=f"{kind.family}/{kind.kind}") for kind in components()]
+
+def named(kind: type[Component]) -> str:
+    return f"{kind.family}/{kind.kind}"
 
 
-@pytest.mark.parametrize("kind", EVERY)
+@pytest.mark.parametrize("kind", components(), ids=named)
 @pytest.mark.slow
 def test_a_component_keeps_the_contract(kind: type[Component]) -> None:
     checks = check_component(kind)
@@ -41,13 +44,13 @@ def test_every_family_has_a_component() -> None:
     assert {kind.family for kind in components()} == set(FAMILIES)
 
 
-@pytest.mark.parametrize("kind", EVERY)
+@each("kind", components(), named)
 def test_a_component_names_its_source(kind: type[Component]) -> None:
     ideal = {("sensor", "ideal"), ("velocity", "true"), ("friction", "none"), ("disturbance", "constant"), ("disturbance", "sine")}
     assert kind.reference or (kind.family, kind.kind) in ideal | {("disturbance", "table")}
 
 
-@pytest.mark.parametrize("kind", EVERY)
+@each("kind", components(), named)
 def test_an_example_survives_a_round_trip_through_its_values(kind: type[Component]) -> None:
     part = kind(**kind.example)
     again = kind(**part.values())

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from component_rig import make
+from each import each
 from hypothesis import given
 from hypothesis import strategies as st
 from refusals import refuses
@@ -36,7 +37,10 @@ class Sample(Component):
 NUMBERS = [
     (kind, parameter) for kind in components() for parameter in kind.parameters.values() if not parameter.choices and not parameter.vector
 ]
-NAMES = [f"{kind.family}/{kind.kind}.{parameter.name}" for kind, parameter in NUMBERS]
+
+
+def named(kind: type[Component], parameter: Parameter | None = None, value: float | None = None) -> str:
+    return ".".join([f"{kind.family}/{kind.kind}", *([parameter.name] if parameter else []), *([] if value is None else [f"{value:g}"])])
 
 
 def refused(kind: type[Component], **values: Any) -> ParameterError:
@@ -48,8 +52,7 @@ def refused(kind: type[Component], **values: Any) -> ParameterError:
 # --- every parameter of every component ------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("kind", "parameter"), NUMBERS, ids=NAMES)
-@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf])
+@each("kind, parameter, value", [(*one, value) for value in (math.nan, math.inf, -math.inf) for one in NUMBERS], named)
 def test_numbers_that_are_not_finite_are_refused_by_name(kind: type[Component], parameter: Parameter, value: float) -> None:
     if value == math.inf == parameter.default:
         try:
@@ -64,7 +67,7 @@ def test_numbers_that_are_not_finite_are_refused_by_name(kind: type[Component], 
     assert "{" not in str(error)
 
 
-@pytest.mark.parametrize(("kind", "parameter"), NUMBERS, ids=NAMES)
+@each("kind, parameter", NUMBERS, named)
 def test_the_bounds_hold_to_the_last_bit(kind: type[Component], parameter: Parameter) -> None:
     for bound, beyond in ((parameter.minimum, -math.inf), (parameter.maximum, math.inf)):
         if not math.isfinite(bound):
@@ -81,7 +84,7 @@ def test_the_bounds_hold_to_the_last_bit(kind: type[Component], parameter: Param
                 assert f"{inside:g}" in f"{error} {inside:g}" and error.bound != parameter.bound
 
 
-@pytest.mark.parametrize(("kind", "parameter"), NUMBERS, ids=NAMES)
+@each("kind, parameter", NUMBERS, named)
 def test_units_are_read_and_agree_with_the_displayed_ones(kind: type[Component], parameter: Parameter) -> None:
     for command, force in (("A", "N"), ("full_scale", "full_scale")):
         known = parameter.for_plant(command, force)
@@ -91,7 +94,7 @@ def test_units_are_read_and_agree_with_the_displayed_ones(kind: type[Component],
             assert to_si(f"1 {known.display}", known.unit) > 0.0
 
 
-@pytest.mark.parametrize("kind", [pytest.param(k, id=f"{k.family}/{k.kind}") for k in components()])
+@each("kind", components(), named)
 def test_a_missing_value_without_default_is_requested(kind: type[Component]) -> None:
     for name, parameter in kind.parameters.items():
         if parameter.default is None:
@@ -100,7 +103,7 @@ def test_a_missing_value_without_default_is_requested(kind: type[Component]) -> 
                 kind(**given)
 
 
-@pytest.mark.parametrize("kind", [pytest.param(k, id=f"{k.family}/{k.kind}") for k in components()])
+@each("kind", components(), named)
 def test_unknown_names_are_answered_with_those_there_are(kind: type[Component]) -> None:
     answer = f"use one of {', '.join(kind.parameters)}" if kind.parameters else "none is allowed here"
     with pytest.raises(ComponentError, match=rf"{kind.kind}: no parameter 'xyzzy': {answer}$"):

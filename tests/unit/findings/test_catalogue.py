@@ -8,6 +8,7 @@ import string
 from pathlib import Path
 
 import pytest
+from each import each
 
 import contourlab
 from contourlab.app.json_values import json_values
@@ -32,7 +33,7 @@ def made() -> list[tuple[str, str, set[str]]]:
     return calls
 
 
-@pytest.mark.parametrize("code", catalogue())
+@each("code", catalogue())
 def test_an_entry_is_complete(code: str):
     entry = catalogue()[code]
     assert re.fullmatch(r"CL[1-9]\d\d", code)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 import math
-from pathlib import Path as File
 
 import numpy as np
 import pytest
+from reference_data import reference_file
 from scipy.interpolate import BSpline as ScipySpline
 from scipy.interpolate import make_interp_spline
 
@@ -91,8 +91,8 @@ def test_scaling_the_parameter_changes_nothing(scale: float, shift: float) -> No
     np.testing.assert_allclose(b.position(np.minimum(s, b.length)), a.position(s), rtol=0, atol=10 * digits)
 
 
-def test_the_butterfly_agrees_with_its_data(shared: File) -> None:
-    data = json.loads((shared / "data" / "contours" / "butterfly_nurbs.json").read_text(encoding="utf-8"))
+def test_the_butterfly_agrees_with_its_data() -> None:
+    data = json.loads(reference_file("data/contours/butterfly_nurbs.json").read_text(encoding="utf-8"))
     points, weights, knots = (np.array(data[name], dtype=float) for name in ("control_points", "weights", "knots"))
     # This source leaves the contour open by 1 um, one unit of its last digit.
     assert points[-1] == pytest.approx(points[0], abs=1.0001e-3)
@@ -133,8 +133,8 @@ def test_the_length_of_the_butterfly_by_another_quadrature() -> None:
     assert (16.0 * once[1] - once[0]) / 15.0 == pytest.approx(curve.length, rel=1e-11)
 
 
-def test_the_fan_as_a_spline_through_its_way_points(shared: File) -> None:
-    data = json.loads((shared / "data" / "contours" / "fan_waypoints.json").read_text(encoding="utf-8"))
+def test_the_fan_as_a_spline_through_its_way_points() -> None:
+    data = json.loads(reference_file("data/contours/fan_waypoints.json").read_text(encoding="utf-8"))
     points = np.column_stack([data["x"], data["y"]])
     chord = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
     cubic = make_interp_spline(chord, points, k=3, bc_type="periodic")

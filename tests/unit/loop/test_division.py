@@ -61,9 +61,20 @@ def filtered() -> cl.Controller:
 CONTROLLERS = {"modified reference": control, "cross-coupled": crossed, "predictor": predicted, "feedforward": fed, "filters": filtered}
 
 
+INSTANT = [Network(), Network(message_period=PERIOD), Network(between="extrapolate"), IdealLink()]
+
+
 @pytest.mark.parametrize("division", DIVISIONS)
-@pytest.mark.parametrize("name", CONTROLLERS)
-@pytest.mark.parametrize("link", [Network(), Network(message_period=PERIOD), Network(between="extrapolate"), IdealLink()], ids=repr)
+@pytest.mark.parametrize(
+    ("name", "link"),
+    [
+        pytest.param(
+            name, link, marks=[] if name == "modified reference" or link == INSTANT[0] else [pytest.mark.slow], id=f"{name}-{link}"
+        )
+        for name in CONTROLLERS
+        for link in INSTANT
+    ],
+)
 def test_an_instant_link_changes_no_bit(division: str, name: str, link: Any, circle: cl.Reference) -> None:
     """With sticking friction, noise, counts and late commands."""
     controller = CONTROLLERS[name]()

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from each import each
 from tests.helpers.translated_group import Maker, TranslatedGroup, in_machine_code, tables_in_c
 
 from contourlab.components.conformance import PERIOD, subject
@@ -52,8 +53,8 @@ def assert_same_bits(schedule: Schedule, scale: float, make: Maker = in_machine_
         np.testing.assert_array_equal(one, other)
 
 
-@pytest.mark.parametrize("scale", [0.01, 1.0, 100.0])
 @pytest.mark.parametrize("kind", KINDS, ids=named)
+@each("scale", [0.01, 1.0, 100.0])
 def test_a_component_is_translated_bit_for_bit(kind: type[Component], scale: float) -> None:
     part = kind(**kind.example)
     step, values, tables = subject(part)
@@ -105,7 +106,7 @@ def test_c99_computes_the_same_bits(kind: type[Component], tmp_path: Path) -> No
     assert_same_bits(alone(step, values, tables, part.ring_length(PERIOD)), 1.0, in_c(tmp_path))
 
 
-@pytest.mark.parametrize("kind", KINDS, ids=named)
+@each("kind", KINDS, named)
 def test_the_graph_stays_small(kind: type[Component]) -> None:
     """Loops stay loops: no step is written out into thousands of operations."""
     made = graph_of(subject(kind(**kind.example))[0])

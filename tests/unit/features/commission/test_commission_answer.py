@@ -53,6 +53,7 @@ def test_axes_are_recovered(answered: tuple[Commissioned, Path], axis: str) -> N
     assert found.simulated == pytest.approx(found.measured, rel=0.02)
 
 
+@pytest.mark.slow
 def test_gains_do_what_is_predicted(made: bench.Made, answered: tuple[Commissioned, Path]) -> None:
     result = answered[0]
     assert result.passed
@@ -67,6 +68,7 @@ def test_gains_do_what_is_predicted(made: bench.Made, answered: tuple[Commission
                 assert reached < 0.1 * result.predicted[axis].before
 
 
+@pytest.mark.slow
 def test_diff_leads_to_the_proposed_gains(made: bench.Made, answered: tuple[Commissioned, Path], tmp_path: Path) -> None:
     result, folder = answered
     diff = (folder / "gains.diff").read_text()
@@ -91,6 +93,7 @@ def test_diff_leads_to_the_proposed_gains(made: bench.Made, answered: tuple[Comm
     assert {axis.name: axis.gains for axis in setup.axes} == {axis: pytest.approx(gains) for axis, gains in result.pid.items()}
 
 
+@pytest.mark.slow
 def test_json_has_gains_and_prediction(answered: tuple[Commissioned, Path]) -> None:
     values = json_values(answered[0])
     assert set(values["pid"]["x"]) == {"Pgain", "Igain", "Dgain", "FF0", "FF1", "FF2", "FF3"}
@@ -103,11 +106,13 @@ def test_json_has_gains_and_prediction(answered: tuple[Commissioned, Path]) -> N
     assert kv["values"]["x"] == pytest.approx(gains["Pgain"] / (gains["Dgain"] + 1e-3 * model.damping / model.gain), rel=0.02)
 
 
+@pytest.mark.slow
 def test_safe_values_lie_half_way(answered: tuple[Commissioned, Path]) -> None:
     result = answered[0]
     assert result.safe["x"]["Pgain"] == pytest.approx(0.5 * (0.8 + result.pid["x"]["Pgain"]), rel=1e-4)
 
 
+@pytest.mark.slow
 def test_report_and_picture(answered: tuple[Commissioned, Path]) -> None:
     page = (answered[1] / "report.html").read_text()
     assert "data:image/png" in page

@@ -109,12 +109,14 @@ def test_axes_of_different_gain_need_one_local_parameter(unequal: SwapStudy) -> 
     assert [values[AHEAD] for values in study.recommended.parameters] == pytest.approx([1.0, 2.0], rel=0.05)
 
 
+@pytest.mark.slow
 def test_the_best_value_considers_every_search(unequal: SwapStudy) -> None:
     assert (unequal.variants.best <= [optimum.value for optimum in unequal.optima]).all()
     for choice in unequal.choices:
         assert (choice.losses >= 0.0).all()
 
 
+@pytest.mark.slow
 def test_more_local_parameters_never_lose_more(unequal: SwapStudy) -> None:
     for less in unequal.choices:
         for more in unequal.choices:

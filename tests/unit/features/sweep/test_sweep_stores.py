@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import errno
 import io
+import itertools
 import json
 import math
 import os
@@ -18,7 +20,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from each import each
 from made_studies import STUDY, as_older, asked, exported, forged, made_study
+from once import once
 
 from contourlab import load_scenario, simulate_batch
 from contourlab.cli.main import main
@@ -36,10 +40,25 @@ def study(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return made_study(tmp_path)
 
 
+@pytest.fixture(scope="session")
+def finished(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
+    """A finished store, made once for all workers; nobody changes it."""
+
+    def run() -> Path:
+        folder = tmp_path_factory.mktemp("study")
+        made_study(folder)
+        with contextlib.chdir(folder):
+            assert main(["sweep", "study.toml", "--out", "whole"]) == 0
+        return folder / "whole"
+
+    store: Path = once(tmp_path_factory, worker_id, "finished study", run)
+    return store
+
+
 @pytest.fixture
-def whole(study: Path) -> Path:
-    """A finished store."""
-    assert main(["sweep", "study.toml", "--out", "whole"]) == 0
+def whole(study: Path, finished: Path) -> Path:
+    """A copy of the finished store, to damage."""
+    shutil.copytree(finished, "whole")
     return Path("whole")
 
 
@@ -169,9 +188,9 @@ def test_an_edited_manifest_is_refused_by_every_command(whole: Path, capsys: Cap
     texts = [json.dumps(edited) for edited in edits(fields)]
     texts += [json.dumps(fields).replace("1695", "1696"), "", "{", "[]", "null", "[" * 100_000, '{"schema": NaN}', "\x00"]
     assert len(texts) > 200
-    for text in texts:
+    for number, text in enumerate(texts):  # each key by all commands, each text by three of them
         (whole / "manifest.json").write_text(text)
-        for words in READERS:
+        for words in [READERS[(number + step) % len(READERS)] for step in (0, 3, 6)] if number < len(texts) - 8 else READERS:
             assert main(["sweep", *words]) == 2, (words, text[:300])
             assert "manifest.json" in capsys.readouterr().err
 
@@ -309,8 +328,7 @@ def test_a_query_beyond_its_limit_names_the_option(whole: Path, capsys: Capture,
     assert main(["sweep", "query", "whole", "SELECT 1", option, limit]) == 0
 
 
-@pytest.mark.parametrize("limit", ["0", "2", "2 zz", "-3 s", "2 mm", "-1 GB"])
-@pytest.mark.parametrize("option", ["--memory", "--time"])
+@each("option, limit", itertools.product(["--memory", "--time"], ["0", "2", "2 zz", "-3 s", "2 mm", "-1 GB"]), "{} {}".format)
 def test_a_limit_of_a_query_that_is_none_names_its_option(whole: Path, capsys: Capture, option: str, limit: str) -> None:
     assert main(["sweep", "query", "whole", "SELECT 1", option, limit]) == 2
     assert option in capsys.readouterr().err
