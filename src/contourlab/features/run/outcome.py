@@ -27,7 +27,7 @@ from contourlab.features.run.trust.interval import part_interval
 from contourlab.features.run.trust.provenance import numbers_of, trust_of
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import LimitReport, Reference, limit_report
-from contourlab.feed.binding import NEAR_FEED
+from contourlab.feed.planner import NEAR_FEED
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.loop.feeding import Feed
