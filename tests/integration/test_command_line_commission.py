@@ -8,7 +8,7 @@ import made_commission as bench
 import numpy as np
 import pytest
 
-from contourlab.analysis.identification.gauss_newton import DescentSettings
+from contourlab.analysis.identification.least_squares import DescentSettings
 from contourlab.cli.main import main
 
 

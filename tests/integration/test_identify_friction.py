@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from identified_logs import PERIOD, PLANT, TIME, UBC, codes, driven, found_by, jogged, ramped, written
 
-from contourlab.analysis.identification.first_order_motion import first_order_motion
+from contourlab.analysis.identification.first_order import first_order_motion
 from contourlab.scenario.load import load_axis
 
 

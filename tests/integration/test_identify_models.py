@@ -9,8 +9,7 @@ import pytest
 from identified_logs import PERIOD, PLANT, SCENARIO, TIME, UBC, codes, driven, found_by, jogged, stepped, steps, written
 from typed_commands import Refused
 
-from contourlab.analysis.identification.first_order import closed_loop_position
-from contourlab.analysis.identification.first_order_motion import first_order_motion
+from contourlab.analysis.identification.first_order import closed_loop_position, first_order_motion
 from contourlab.cli.main import main
 from contourlab.loop import Machine
 from contourlab.scenario.load import load_axis
@@ -140,7 +139,7 @@ def test_a_gain_per_another_unit_is_refused(tmp_path: Path, refused: Refused, mo
 @pytest.mark.slow
 def test_deviations_are_the_spread_over_many_logs() -> None:
     """Thirty noisy logs of one axis in open loop, and thirty frequency responses of one drive by five sines."""
-    from contourlab.analysis.identification.drive_models import held_response, linear_motor
+    from contourlab.analysis.identification.drive_fit import held_response, linear_motor
     from contourlab.analysis.identification.first_order import identify_first_order
     from contourlab.features.identify.frequency import identify_linear_motor
     from contourlab.features.identify.records import AxisRecord

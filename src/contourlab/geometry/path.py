@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Sequence
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,7 +14,7 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import GeometryError
 from contourlab.geometry.curve import Curve, CurveSequence
 from contourlab.geometry.foot_point import FootPoint, foot_point
-from contourlab.geometry.line_and_arc import Arc, Arcs, Line, Lines
+from contourlab.geometry.line_and_arc import Arcs, Lines
 from contourlab.geometry.table import PathTable, path_table
 
 JOIN_TOLERANCE = 1e-9
@@ -144,15 +145,15 @@ def boxes(path: Path) -> tuple[Array, Array]:
     Lines, arcs and helices have a closed form; bisection between samples finds the extremes of other curves.
     """
     low, high = np.minimum(path.starts[0], path.ends[0]), np.maximum(path.starts[0], path.ends[0])
-    for i, curve in enumerate(path.curves):
-        if isinstance(curve, Line):
-            continue
-        points = _arc_extremes(curve) if isinstance(curve, Arc) else _turning_points(curve)
-        low[i], high[i] = np.minimum(low[i], points.min(axis=0)), np.maximum(high[i], points.max(axis=0))
+    for batch, numbers in path.kinds:
+        extremes = _arc_extremes if isinstance(batch, Arcs) else _turning_points
+        for i in () if isinstance(batch, Lines) else numbers.tolist():
+            points = extremes(path.curves[i])
+            low[i], high[i] = np.minimum(low[i], points.min(axis=0)), np.maximum(high[i], points.max(axis=0))
     return low, high
 
 
-def _arc_extremes(arc: Arc) -> Array:
+def _arc_extremes(arc: Any) -> Array:
     """Return the points (n, n_axis) of an arc or helix where a coordinate may be extreme, ends included."""
     slope = arc.rise / arc.length / (arc.radius * arc.rate)
     # Each coordinate, radius (u cos + v sin) + pitch * angle, is extreme where v cos - u sin = -slope.
