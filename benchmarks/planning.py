@@ -46,7 +46,7 @@ from rich.table import Table
 from contourlab.app.precompile import precompile
 from contourlab.errors import ContourlabError
 from contourlab.feed import AxisLimits, Reference, Route, blended, limit_report, plan, route_from_path
-from contourlab.feed.junctions import junctions
+from contourlab.feed.route import junctions
 from contourlab.geometry import Line, contour
 from contourlab.geometry import Path as Curves
 from contourlab.program import Arc, Dwell, Program

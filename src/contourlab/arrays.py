@@ -29,6 +29,15 @@ def true_spans(mask: Flags) -> list[tuple[int, int]]:
     return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
+def ranges(first: Index, count: Index) -> Index:
+    """Return `count` successive numbers from each `first`, one range after another.
+
+    >>> ranges(np.array([10, 20]), np.array([2, 3])).tolist()
+    [10, 11, 20, 21, 22]
+    """
+    return np.repeat(first - (np.cumsum(count) - count), count) + np.arange(int(count.sum()))
+
+
 def free_memory() -> float:
     """Return the memory that is available [bytes]; inf where the system does not tell."""
     try:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from contourlab.analysis.identification.first_order_motion import first_order_motion
+from contourlab.analysis.identification.first_order import first_order_motion
 from contourlab.cli.main import main
 
 PERIOD = 1e-3

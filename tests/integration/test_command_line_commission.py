@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from reference_data import reference_file
 
-from contourlab.analysis.identification.gauss_newton import DescentSettings
+from contourlab.analysis.identification.least_squares import DescentSettings
 from contourlab.cli.main import main
 
 

@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 from identified_logs import codes
 
-from contourlab.analysis.identification.first_order import closed_loop_position
-from contourlab.analysis.identification.first_order_motion import first_order_motion
+from contourlab.analysis.identification.first_order import closed_loop_position, first_order_motion
 from contourlab.cli.main import main
 
 PERIOD = 1e-3
@@ -188,7 +187,7 @@ def test_nothing_is_fitted_across_a_long_gap(tmp_path: Path, capsys: pytest.Capt
 
 
 def test_columns_that_are_exchanged_are_no_response(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    from contourlab.analysis.identification.drive_models import held_response, linear_motor
+    from contourlab.analysis.identification.drive_fit import held_response, linear_motor
 
     lap = 1000
     lines = np.arange(1, 301)

@@ -9,7 +9,7 @@ import pytest
 from identified_logs import PERIOD, PLANT, TIME, UBC, codes, driven, found_by, jogged, ramped, written
 from reference_data import reference_file
 
-from contourlab.analysis.identification.first_order_motion import first_order_motion
+from contourlab.analysis.identification.first_order import first_order_motion
 from contourlab.scenario.load import load_axis
 
 

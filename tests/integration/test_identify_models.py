@@ -10,8 +10,7 @@ from identified_logs import PERIOD, PLANT, SCENARIO, TIME, UBC, codes, driven, f
 from reference_data import reference_file
 from typed_commands import Refused
 
-from contourlab.analysis.identification.first_order import closed_loop_position
-from contourlab.analysis.identification.first_order_motion import first_order_motion
+from contourlab.analysis.identification.first_order import closed_loop_position, first_order_motion
 from contourlab.cli.main import main
 from contourlab.loop import Machine
 from contourlab.scenario.load import load_axis
@@ -141,7 +140,7 @@ def test_a_gain_per_another_unit_is_refused(tmp_path: Path, refused: Refused, mo
 @pytest.mark.slow
 def test_deviations_are_the_spread_over_many_logs() -> None:
     """Thirty noisy logs of one axis in open loop, and thirty frequency responses of one drive by five sines."""
-    from contourlab.analysis.identification.drive_models import held_response, linear_motor
+    from contourlab.analysis.identification.drive_fit import held_response, linear_motor
     from contourlab.analysis.identification.first_order import identify_first_order
     from contourlab.features.identify.frequency import identify_linear_motor
     from contourlab.features.identify.records import AxisRecord

@@ -15,7 +15,7 @@ from contourlab.scenario.load import load_axis
 
 def shaken(tmp_path: Path, side: str) -> tuple[str, dict[str, float]]:
     """Write the log of motor 4, load 3 kg and a shaft at 60 Hz, built from its lines: a multisine of ten periods."""
-    from contourlab.analysis.identification.drive_models import held_response, two_inertia
+    from contourlab.analysis.identification.drive_fit import held_response, two_inertia
 
     period, lap = PERIOD, 2000
     true = {"motor_mass": 4.0, "load_mass": 3.0, "stiffness": 2.4e5, "shaft_damping": 60.0, "damping": 40.0, "delay": 0.0}

@@ -9,8 +9,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from contourlab.feed import AxisLimits, Reference, Route, limit_report, plan, route_from_path
-from contourlab.feed.junctions import MOST_KINK, junctions
-from contourlab.feed.scurve import ramp_distance, reachable_speed
+from contourlab.feed.bounds import ramp_distance, reachable_speed
+from contourlab.feed.route import MOST_KINK, junctions
 from contourlab.geometry import Arc, Line, Path
 
 PERIOD = 1e-3

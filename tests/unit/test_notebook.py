@@ -9,7 +9,7 @@ import pytest
 
 import contourlab as cl
 from contourlab.errors import FeedError, ParameterError, ResultError
-from contourlab.geometry.line import Line
+from contourlab.geometry.line_and_arc import Line
 from contourlab.notebook import MOST_POINTS
 
 

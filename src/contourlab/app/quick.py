@@ -9,7 +9,7 @@ from time import process_time
 
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference
-from contourlab.feed.judged import WHOLE, Judged
+from contourlab.feed.profile import WHOLE, Judged
 from contourlab.feed.reference import CHUNK
 
 PLANNED = 40.0

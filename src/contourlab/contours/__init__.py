@@ -1,7 +1,7 @@
 """Contours from files: DXF and SVG drawings, and lists of points.
 
-Readers: `dxf`, `svg` (with `svg_syntax`) and `points`; `reader` picks one by the file's suffix. `shapes` makes the curves,
-`chains` joins those that meet, `drawing` is the result. `fit` fits a path to points, with `polygon` and `spline_fit`.
+Readers: `dxf`, `svg` and `points`; `reader` picks one by the file's suffix. `shapes` makes the curves, `drawing` joins those that meet.
+`fit` fits a path to points.
 """
 
 from contourlab.contours.drawing import Drawing, unit_size

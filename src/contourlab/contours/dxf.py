@@ -248,25 +248,22 @@ def _spline(entity: Any) -> list[Shape]:
 
 def _lwpolyline(entity: Any) -> list[Shape]:
     rows = [(x, y, entity.dxf.get("elevation", 0.0), bulge) for x, y, bulge in entity.get_points("xyb")]
-    return list(_through(rows, bool(entity.closed), _axes(entity)))
+    return list(_through(rows, bool(entity.closed), np.array(_axes(entity))))
 
 
 def _polyline(entity: Any) -> list[Shape]:
-    frame, flat = np.eye(3), entity.is_2d_polyline
+    flat = entity.is_2d_polyline
     level = entity.dxf.elevation.z if flat and entity.dxf.hasattr("elevation") else None
     rows = []
     for vertex in entity.vertices:
-        if vertex.dxf.get("flags", 0) & SPLINE_FRAME:
-            continue
-        place = vertex.dxf.location
-        rows.append((place.x, place.y, place.z if level is None else level, vertex.dxf.get("bulge", 0.0) if flat else 0.0))
-    axes = _axes(entity) if flat else (frame[0], frame[1], frame[2])
-    return list(_through(rows, bool(entity.is_closed), axes))
+        if not vertex.dxf.get("flags", 0) & SPLINE_FRAME:
+            place = vertex.dxf.location
+            rows.append((place.x, place.y, place.z if level is None else level, vertex.dxf.get("bulge", 0.0) if flat else 0.0))
+    return list(_through(rows, bool(entity.is_closed), np.array(_axes(entity)) if flat else np.eye(3)))
 
 
-def _through(rows: list[tuple[float, float, float, float]], closed: bool, axes: tuple[Array, Array, Array]) -> Iterator[Shape]:
-    """Yield lines and arcs through vertices (x, y, z, bulge) in the entity's coordinates."""
-    frame = np.array(axes)
+def _through(rows: list[tuple[float, float, float, float]], closed: bool, frame: Array) -> Iterator[Shape]:
+    """Yield lines and arcs through vertices (x, y, z, bulge) in the entity's coordinates, whose axes are the rows of `frame`."""
     pairs = zip(rows, rows[1:] + rows[:1] if closed else rows[1:], strict=False)
     for (*first, bulge), (*second, _) in pairs:
         a, b = np.array(first) @ frame, np.array(second) @ frame
@@ -277,12 +274,9 @@ def _through(rows: list[tuple[float, float, float, float]], closed: bool, axes: 
         if abs(bulge) <= 1e-11:
             yield LineShape(a, b)
             continue
-        left = np.cross(axes[2], (b - a) / chord)
-        height = 0.25 * chord * (1.0 - bulge**2) / bulge
-        centre = 0.5 * (a + b) + height * left
-        spoke = a - centre
-        side = np.cross(axes[2], spoke)
-        yield ConicShape(centre, spoke, side, 0.0, 4.0 * math.atan(bulge))
+        left = np.cross(frame[2], (b - a) / chord)
+        centre = 0.5 * (a + b) + 0.25 * chord * (1.0 - bulge**2) / bulge * left
+        yield ConicShape(centre, a - centre, np.cross(frame[2], a - centre), 0.0, 4.0 * math.atan(bulge))
 
 
 READERS: dict[str, Callable[[Any], list[Shape]]] = {

@@ -67,7 +67,8 @@ def read_points(
         raise GeometryError(f"{path}:{rows[i + 1][0]}: repeats the point of line {rows[i][0]}: delete one of them")
     if len(points) < 2:
         raise GeometryError(f"{path}: needs at least two points, but has {len(points)}")
-    points = points[:, _order(names)]
+    if set(names) <= {"x", "y", "z"}:  # else the columns keep their order
+        points = points[:, np.argsort(names)]
     lines = [line for line, _ in rows]
     if reverse:
         points, lines = points[::-1], lines[::-1]
@@ -136,11 +137,6 @@ def _factor(name: str, own: str | None, unit: str | None, path: File, line: int)
             cure = "write for example mm" if name in ("x", "y", "z") else "delete the column"
             raise GeometryError(f"{path}:{line}: column {name} is in {own}, which is not a unit of length: {cure}") from error
         raise
-
-
-def _order(names: list[str]) -> list[int]:
-    """Return the columns in the order of the axes: x, y and z by name, others as in the file."""
-    return sorted(range(len(names)), key=lambda i: names[i]) if set(names) <= {"x", "y", "z"} else list(range(len(names)))
 
 
 def _numbers(cells: list[str], n: int, path: File, line: int) -> list[float]:

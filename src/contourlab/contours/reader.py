@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import math
 import numbers
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path as File
 
-from contourlab.contours.drawing import Drawing
 from contourlab.contours.dxf import read_dxf
 from contourlab.contours.points import CORNER_ANGLE, read_points
 from contourlab.contours.svg import read_svg
@@ -109,11 +108,8 @@ def study_contour(
 ) -> ContourReading:
     """Read a contour like `read_contour`, and return it with notes."""
     path = File(file)
-    _check_choices(chain, ignore)
-    given = {"layer": layer, "chain": chain, "axes": axes, "ignore": tuple(ignore) or None, "corner_angle": corner_angle}
-    suffix = _checked(path, [name for name, value in given.items() if value is not None], scale)
-    if axes not in (None, 2, 3):
-        raise GeometryError(f"axes = {axes!r}: write 2 or 3")
+    given = {"layer": layer, "chain": chain, "axes": axes, "ignore": ignore, "corner_angle": corner_angle}
+    suffix = _checked(path, given, scale)
     if suffix in (".csv", ".txt"):
         angle = CORNER_ANGLE if corner_angle is None else corner_angle
         fit = read_points(path, unit=unit, tolerance=tolerance, corner_angle=angle, scale=scale, reverse=reverse)
@@ -122,24 +118,29 @@ def study_contour(
         drawing = read_dxf(path, unit=unit, tolerance=tolerance, layer=layer, scale=scale, axes=axes or 2)
     else:
         drawing = read_svg(path, unit=unit, tolerance=tolerance, scale=scale)
-    return _of_drawing(drawing, chain, ignore, reverse)
+    drawing.refuse_left_out(ignore)
+    contour = drawing.chosen(chain)
+    left_out = dict.fromkeys(f"left out: {item.kind}" for item in drawing.left_out)
+    try:
+        return ContourReading((contour.backwards() if reverse else contour).path, (*left_out, *drawing.notes))
+    except GeometryError as error:
+        raise GeometryError(f"{path}: {error}") from error
 
 
-def _check_choices(chain: object, ignore: object) -> None:
+def _checked(path: File, given: Mapping[str, object], scale: float) -> str:
+    """Return the suffix of a file that exists, and takes the options given."""
+    chain, ignore = given["chain"], given["ignore"]
     if chain is not None and (isinstance(chain, bool) or not isinstance(chain, numbers.Integral)):
         raise GeometryError(f"chain = {chain!r}: write a whole number, counted from 1")
     if isinstance(ignore, str):
         raise GeometryError(f'ignore = "{ignore}": write a list: ignore = ["{ignore}"]')
     if not isinstance(ignore, Iterable) or not all(isinstance(kind, str) for kind in ignore):
         raise GeometryError(f'ignore = {ignore!r}: write a list of kinds, such as ["TEXT"]')
-
-
-def _checked(path: File, given: Sequence[str], scale: float) -> str:
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
         raise GeometryError(f"{path}: unknown suffix: use one of {', '.join(SUFFIXES)}")
-    for name in given:
-        if name not in SUFFIXES[suffix]:
+    for name, value in given.items():
+        if value is not None and (name != "ignore" or value) and name not in SUFFIXES[suffix]:
             raise GeometryError(f"{path}: {name} does not apply to a {suffix} file: delete it")
     if not (scale > 0.0 and math.isfinite(scale)):
         raise GeometryError(f"scale = {scale!r}: must be > 0 and finite")
@@ -149,16 +150,6 @@ def _checked(path: File, given: Sequence[str], scale: float) -> str:
         raise GeometryError(f"{str(path)!r} is not a file name: {error}") from error
     if not there:
         raise GeometryError(f"no file {str(path)!r}")
+    if given["axes"] not in (None, 2, 3):
+        raise GeometryError(f"axes = {given['axes']!r}: write 2 or 3")
     return suffix
-
-
-def _of_drawing(drawing: Drawing, chain: int | None, ignore: Sequence[str], reverse: bool) -> ContourReading:
-    drawing.refuse_left_out(ignore)
-    contour = drawing.chosen(chain)
-    if reverse:
-        contour = contour.backwards()
-    left_out = dict.fromkeys(f"left out: {item.kind}" for item in drawing.left_out)
-    try:
-        return ContourReading(contour.path, (*left_out, *drawing.notes))
-    except GeometryError as error:
-        raise GeometryError(f"{drawing.file}: {error}") from error

@@ -140,7 +140,11 @@ def spline_curves(degree: int, points: Array, knots: Array, weights: Array | Non
         weights = None
     t = _settled(knots)
     if _is_straight(points):
-        return [Line(points[0], points[-1])] if _starts_and_ends_at_points(degree, t) else [_line(degree, points, t, weights)]
+        ends = points[[0, -1]]
+        if not _starts_and_ends_at_points(degree, t):
+            whole = BSpline(degree, points, t) if weights is None else Nurbs(degree, points, t, weights)
+            ends = whole.raw(np.array([whole.first, whole.last]), 0)[0]
+        return [Line(*ends)]
     lifted = points if weights is None else np.column_stack([points * weights[:, None], weights])
     lifted, t = _without_gaps(degree, lifted, t)
     inner, count = inner_knots(degree, t)
@@ -185,12 +189,6 @@ def _is_straight(points: Array) -> bool:
 
 def _starts_and_ends_at_points(degree: int, t: Array) -> bool:
     return bool(t[0] == t[degree] and t[-1] == t[-degree - 1])
-
-
-def _line(degree: int, points: Array, t: Array, weights: Array | None) -> Line:
-    whole = BSpline(degree, points, t) if weights is None else Nurbs(degree, points, t, weights)
-    ends = whole.raw(np.array([whole.first, whole.last]), 0)[0]
-    return Line(ends[0], ends[1])
 
 
 def _smoothly_joined(degree: int, pieces: list[tuple[Array, Array]], rational: bool) -> list[tuple[Array, Array]]:

@@ -1,4 +1,14 @@
-"""Convert axis limits to limits along the path.
+"""Axis limits as limits along the path, and speed changes within them, in closed form.
+
+A *ramp* raises the speed from v0 to v1 without acceleration at either end: the acceleration rises with the jerk `rise`, stays at its peak,
+and falls with the jerk `taper`. Braking is the same ramp backwards in time: `rise` acts at the low speed, `taper` at the high one. With
+Delta = v1 - v0 and the peak
+
+    a = min(A, sqrt(2 Delta / (1/rise + 1/taper)))
+
+the three phases last a/rise, Delta/a - (a/rise + a/taper)/2 and a/taper.
+
+A *move* over a given length is a ramp up, a cruise at constant speed and a ramp down: at most seven spans.
 
 Along r(s) an axis moves with
 
@@ -7,7 +17,7 @@ Along r(s) an axis moves with
     jerk          t j + 3 k v a + c v^3
 
 A *piece* of the path gets four numbers: a speed ceiling V, an acceleration A, and two jerks, `rise` (at the low end of a speed change) and
-`taper` (at its high end). Every ramp of `scurve` within them keeps |a| below min(A, sqrt(2 taper (V - v))) at the speed v: the tangential
+`taper` (at its high end). Every ramp within them keeps |a| below min(A, sqrt(2 taper (V - v))) at the speed v: the tangential
 acceleration falls as turning takes more of the limit. The limits hold at every sample of the piece if
 
     |t| min(A, sqrt(2 taper (V - v))) + |k| v^2 <= limit of acceleration    for all v in [0, V]
@@ -26,8 +36,190 @@ import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
 from contourlab.feed.limits import AxisLimits
-from contourlab.feed.scurve import cruise_speed, ramp_distance, ramp_time
 from contourlab.native.kernel import kernel
+
+N_BISECTION = 80  # enough for the last bit of any speed above 1e-8 of the bracket
+N_SPAN = 7  # of a move
+
+
+class Ramps(NamedTuple):
+    """Peak acceleration [m/s^2], durations of the three phases [s] and distance [m] of ramps (n,)."""
+
+    peak: Array
+    rise_time: Array
+    hold_time: Array
+    taper_time: Array
+    distance: Array
+
+
+def ramps(low: Array, high: Array, acceleration: Array, rise: Array, taper: Array) -> Ramps:
+    """Return the ramps from the speeds `low` to the speeds `high`.
+
+    Parameters
+    ----------
+    low, high : ndarray (n,) [m/s], 0 <= low <= high
+    acceleration : ndarray (n,) [m/s^2], > 0; may be inf where the jerks are finite
+    rise, taper : ndarray (n,) [m/s^3], > 0; may be inf
+    """
+    gain = np.maximum(high - low, 0.0)
+    softness = 1.0 / rise + 1.0 / taper
+    with np.errstate(divide="ignore", invalid="ignore"):
+        peak = np.where(gain > 0.0, np.minimum(acceleration, np.sqrt(2.0 * gain / softness)), 0.0)
+        total = np.where(gain > 0.0, gain / peak, 0.0)
+    rise_time, taper_time = peak / rise, peak / taper
+    hold_time = np.maximum(total - 0.5 * (rise_time + taper_time), 0.0)
+    after_rise = low + 0.5 * peak * rise_time
+    distance = (
+        rise_time * (low + peak * rise_time / 6.0)
+        + hold_time * (after_rise + 0.5 * peak * hold_time)
+        + taper_time * (after_rise + peak * (hold_time + taper_time / 3.0))
+    )
+    return Ramps(peak, rise_time, hold_time, taper_time, distance)
+
+
+def _peak(gain: float, acceleration: float, softness: float) -> float:
+    return acceleration if 2.0 * gain >= acceleration * acceleration * softness else math.sqrt(2.0 * gain / softness)
+
+
+def ramp_distance(low: float, high: float, acceleration: float, rise: float, taper: float) -> float:
+    """Return the distance of one ramp [m], as `ramps`."""
+    gain = high - low
+    if gain <= 1e-200:  # avoid underflow
+        return 0.0
+    peak = _peak(gain, acceleration, 1.0 / rise + 1.0 / taper)
+    up, down = peak / rise, peak / taper
+    hold = max(gain / peak - 0.5 * (up + down), 0.0)
+    after = low + 0.5 * peak * up
+    return up * (low + peak * up / 6.0) + hold * (after + 0.5 * peak * hold) + down * (after + peak * (hold + down / 3.0))
+
+
+def ramp_time(low: float, high: float, acceleration: float, rise: float, taper: float) -> float:
+    """Return the duration of one ramp [s], as `ramps`."""
+    gain, softness = high - low, 1.0 / rise + 1.0 / taper
+    if gain <= 1e-200:
+        return 0.0
+    peak = _peak(gain, acceleration, softness)
+    return 0.5 * peak * softness + max(gain / peak, 0.5 * peak * softness)
+
+
+def reachable_speed(low: float, ceiling: float, room: float, acceleration: float, rise: float, taper: float) -> float:
+    """Return the highest speed up to `ceiling` [m/s] that one ramp from `low` reaches within `room` [m]; rounded down, at least `low`."""
+    if ceiling <= low or ramp_distance(low, ceiling, acceleration, rise, taper) <= room:
+        return max(ceiling, low)
+    below, above = low, ceiling
+    for _ in range(N_BISECTION):
+        middle = 0.5 * (below + above)
+        if above - below <= 4e-16 * above:
+            break
+        if ramp_distance(low, middle, acceleration, rise, taper) <= room:
+            below = middle
+        else:
+            above = middle
+    return below
+
+
+def border_speeds(length: Array, ceiling: Array, acceleration: Array, rise: Array, taper: Array) -> Array:
+    """Return the highest speeds (n + 1,) [m/s] at the borders of n pieces that every piece permits, by a forward and a backward pass.
+
+    Parameters
+    ----------
+    length : ndarray (n,) [m]
+    ceiling : ndarray (n + 1,) [m/s]
+        Largest speed at each border; 0 at both ends.
+    acceleration, rise, taper : ndarray (n,)
+        Of the pieces, as for `ramps`.
+    """
+    speed = ceiling.copy()
+    _border_speeds(*map(np.ascontiguousarray, (length, acceleration, rise, taper)), speed)
+    return speed
+
+
+def peak_speed(length: Array, start: Array, end: Array, ceiling: Array, acceleration: Array, rise: Array, taper: Array) -> Array:
+    """Return the highest cruise speed (n,) [m/s] of moves over `length`; the speeds `start` and `end` must be reachable from each other."""
+    parts = np.broadcast_arrays(length, start, end, ceiling, acceleration, rise, taper)
+    flat = [np.ascontiguousarray(part, dtype=float).ravel() for part in parts]
+    found = np.empty(flat[0].size)
+    _peak_speeds(*flat, found)
+    return found.reshape(parts[0].shape)
+
+
+@kernel("f8[:] f8[:] f8[:] f8[:] f8[:]")
+def _border_speeds(length, acceleration, rise, taper, speed):
+    for i in range(length.size):
+        if speed[i + 1] > speed[i]:
+            speed[i + 1] = reachable_speed(speed[i], speed[i + 1], length[i], acceleration[i], rise[i], taper[i])
+    for i in range(length.size - 1, -1, -1):
+        if speed[i] > speed[i + 1]:
+            speed[i] = reachable_speed(speed[i + 1], speed[i], length[i], acceleration[i], rise[i], taper[i])
+
+
+@kernel("f8[:] f8[:] f8[:] f8[:] f8[:] f8[:] f8[:] f8[:]")
+def _peak_speeds(length, start, end, ceiling, acceleration, rise, taper, found):
+    for i in range(length.size):
+        found[i] = cruise_speed(length[i], start[i], end[i], ceiling[i], acceleration[i], rise[i], taper[i])
+
+
+def cruise_speed(length: float, start: float, end: float, ceiling: float, acceleration: float, rise: float, taper: float) -> float:
+    """Return the highest cruise speed of one move [m/s], as `peak_speed`."""
+    shape = acceleration, rise, taper
+    below = max(start, end)
+    above = max(ceiling, below)
+    left = _room_left(length, start, end, above, shape)
+    if left >= 0.0:
+        return above
+    lacking, room, side = left, _room_left(length, start, end, below, shape), 0
+    for _ in range(N_BISECTION):
+        if above - below <= 4e-16 * above:
+            break
+        # False position; an end that stays twice is halved in weight (the Illinois rule).
+        middle = below + (above - below) * room / (room - lacking)
+        if not below < middle < above:
+            middle = 0.5 * (below + above)
+        left = _room_left(length, start, end, middle, shape)
+        if left >= 0.0:
+            below, room, lacking, side = middle, left, 0.5 * lacking if side == 1 else lacking, 1
+        else:
+            above, lacking, room, side = middle, left, 0.5 * room if side == -1 else room, -1
+    return below
+
+
+def _room_left(length: float, start: float, end: float, speed: float, shape: tuple[float, float, float]) -> float:
+    """Return what a move over a length leaves of it after the ramps up to a speed and down again."""
+    return length - (ramp_distance(start, speed, shape[0], shape[1], shape[2]) + ramp_distance(end, speed, shape[0], shape[1], shape[2]))
+
+
+def move_spans(
+    length: Array, start: Array, peak: Array, end: Array, acceleration: Array, rise: Array, taper: Array
+) -> tuple[Array, Array, Array, Array, Array]:
+    """Return the seven spans of each move (n,) with cruise speed `peak`; unused spans last 0 s.
+
+    Returns
+    -------
+    duration, s0, v0, a0, j : ndarray (n, 7)
+        s0 is counted from the start of the move.
+    """
+    up = ramps(start, peak, acceleration, rise, taper)
+    down = ramps(end, peak, acceleration, rise, taper)
+    cruise = np.maximum(length - up.distance - down.distance, 0.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        cruise_time = np.where(cruise > 0.0, cruise / peak, 0.0)
+    zero = np.zeros_like(peak)
+    duration = np.stack([up.rise_time, up.hold_time, up.taper_time, cruise_time, down.taper_time, down.hold_time, down.rise_time], -1)
+    a0 = np.stack([zero, up.peak, up.peak, zero, zero, -down.peak, -down.peak], -1)
+    # An infinite jerk acts for no time; write it as 0 to avoid inf * 0.
+    rise, taper = np.where(np.isinf(rise), 0.0, rise), np.where(np.isinf(taper), 0.0, taper)
+    j = np.stack([rise, zero, -taper, zero, -taper, zero, rise], -1)
+    low = start + 0.5 * up.peak * up.rise_time
+    exit_ = end + 0.5 * down.peak * down.rise_time
+    v0 = np.stack([start, low, low + up.peak * up.hold_time, peak, peak, exit_ + down.peak * down.hold_time, exit_], -1)
+    step = duration * (v0 + duration * (a0 / 2.0 + duration * j / 6.0))
+    s0 = np.zeros_like(step)
+    np.cumsum(step[:, :3], axis=1, out=s0[:, 1:4])
+    # Count the second half from the far end, which is known exactly.
+    s0[:, 4] = length - down.distance
+    s0[:, 5] = s0[:, 4] + step[:, 4]
+    s0[:, 6] = length - step[:, 6]
+    return duration, s0, v0, a0, j
 
 
 class Samples(NamedTuple):

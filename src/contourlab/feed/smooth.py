@@ -23,10 +23,10 @@ from typing import NamedTuple
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index, across
-from contourlab.feed import kernels, speed_profile
+from contourlab.feed import kernels
 from contourlab.feed.kernels import LOWERED, MOVED
 from contourlab.feed.limits import AxisLimits
-from contourlab.feed.segments import SegmentSamples
+from contourlab.feed.pieces import SegmentSamples
 from contourlab.geometry import Path
 from contourlab.threads import in_threads
 
@@ -70,39 +70,6 @@ class _Blocks(NamedTuple):
     free: Index
 
 
-class _Grid(NamedTuple):
-    """Time steps.
-
-    time : ndarray (n,)
-        Time at the samples, from the start of the block.
-    duration, n_step, first : ndarray (n_block,)
-        Duration of each block, its number of steps, and its first step.
-    begin : ndarray (n_segment + 1,)
-        First step of each segment.
-    """
-
-    time: Array
-    duration: Array
-    n_step: Index
-    first: Index
-    begin: Index
-
-
-class _Memory(NamedTuple):
-    """Arrays (n,) that the kernel `reach` keeps from call to call."""
-
-    reference: Array
-    ceiling: Array
-    behind: Array
-    square: Array
-
-
-def _memory(n: int, *, separate: bool) -> _Memory:
-    """Return the memory of a first call; `separate` if the ceiling is not the reference."""
-    reference, behind, square, ceiling = (np.full(n, np.nan) for _ in range(4))
-    return _Memory(reference, ceiling if separate else reference, behind, square)
-
-
 class _Planner:
     """Arrays that the correction rounds of one period share.
 
@@ -121,8 +88,10 @@ class _Planner:
         self.flags = np.zeros(n, dtype=np.int64)
         self.half = 0.5 * period * (STEPS + 2) / STEPS  # of the averaging window
         self.parts = np.ones((3, n))
-        self.first = _memory(n, separate=False)
-        self.second = _memory(n, separate=True) if period > 0.0 else self.first
+        # What the kernel `reach` keeps from call to call; of the first the ceiling is the reference.
+        reference, behind, square = np.full((3, n), np.nan)
+        self.first = (reference, reference, behind, square)
+        self.second = tuple(np.full((4, n), np.nan)) if period > 0.0 else self.first
         first, last = self.begin[:-1], self.begin[1:] - 1
         self.blocks = _Blocks(first, last, np.ones_like(first))  # whole segments, until `divide`
         self.divided = False
@@ -136,16 +105,16 @@ class _Planner:
             wide = np.empty_like(ceiling)
             kernels.spread(self.place[0], ceiling, self.half, wide, np.empty(ceiling.size, dtype=np.int64))
             self._reach(wide, wide, self.first)
-            speed = np.sqrt(self.first.square, out=ceiling)
+            speed = np.sqrt(self.first[-1], out=ceiling)
             kernels.flatten(self.place[0], speed, self.period * (STEPS + 1) / STEPS, wide)
             # Now evaluate the jerk limits close to the final speed.
             speed *= 1.05
             speed += 1e-9
             self._reach(np.minimum(wide, speed, out=speed), wide, self.second)
         self.flags &= ~LOWERED
-        return self.second.square
+        return self.second[-1]
 
-    def _reach(self, reference: Array, ceiling: Array, memory: _Memory) -> None:
+    def _reach(self, reference: Array, ceiling: Array, memory: tuple[Array, ...]) -> None:
         limits = self.acceleration, self.jerk, self.period
         kernels.reach(*self.place, self.parts[0], self.parts[1], reference, ceiling, *limits, *memory, self.flags)
 
@@ -155,7 +124,7 @@ class _Planner:
         here, worst = np.empty((3, 1, self.velocity.size)), np.empty(4)
         count = np.zeros(1, dtype=np.int64)
         motion = *self.place, self.samples.ceiling, self.begin, spans, begin.astype(np.int64)
-        speed_profile.demand(*motion, *self.inverse, PER_SPAN, 1.0 + ROUNDING, watched, here, worst, peak, faults, count)
+        kernels.demand(*motion, *self.inverse, PER_SPAN, 1.0 + ROUNDING, watched, here, worst, peak, faults, count)
         return peak, faults[: int(count[0])]
 
     def changed(self, faults: Array) -> Index:
@@ -210,7 +179,7 @@ class _Planner:
     def _clock(self, square: Array) -> tuple[Array, Array, Index]:
         n_block = self.blocks.first.size
         time, duration, count = np.empty_like(square), np.empty(n_block), np.zeros(n_block, dtype=np.int64)
-        speed_profile.clock(self.place[0], square, *self.blocks, self.period / STEPS, time, duration, count)
+        kernels.clock(self.place[0], square, *self.blocks, self.period / STEPS, time, duration, count)
         return time, duration, count
 
     def spans(self, square: Array) -> tuple[Array, Index]:
@@ -220,7 +189,7 @@ class _Planner:
     def duration(self) -> float:
         """Return the duration of all motions before any correction [s]."""
         square = self.square()
-        return int(self._grid(square).begin[-1]) * self.period / STEPS if self.period > 0.0 else float(self._plain(square)[0][:, 0].sum())
+        return int(self._grid(square)[-1][-1]) * self.period / STEPS if self.period > 0.0 else float(self._plain(square)[0][:, 0].sum())
 
     def _plain(self, square: Array) -> tuple[Array, Index]:
         """Return spans of constant acceleration, one for each interval, and the first span of each segment."""
@@ -232,8 +201,18 @@ class _Planner:
         spans = [duration, self.place[0][:-1][moves], speed[:-1][moves], acceleration, np.zeros_like(acceleration)]
         return np.stack(spans, axis=-1), np.append(0, np.cumsum(moves))[np.append(self.begin[:-1], moves.size)]
 
-    def _grid(self, square: Array) -> _Grid:
-        """Lay a grid of time steps over the blocks of all segments."""
+    def _grid(self, square: Array) -> tuple[Array, Array, Index, Index, Index]:
+        """Lay a grid of time steps over the blocks of all segments.
+
+        Returns
+        -------
+        time : ndarray (n,)
+            At the samples, from the start of the block.
+        duration, first, n_step : ndarray (n_block,)
+            Duration of each block, its first step, and its number of steps.
+        begin : ndarray (n_segment + 1,)
+            First step of each segment.
+        """
         if not self.divided:
             self.divide(square)
         time, duration, count = self._clock(square)
@@ -241,16 +220,15 @@ class _Planner:
         # Zeros after each segment keep its averages out of the next.
         begin = np.append(0, np.cumsum(np.add.reduceat(count, first_block) + STEPS + 1))
         shift = np.repeat((STEPS + 1) * np.arange(first_block.size), np.diff(np.append(first_block, count.size)))
-        return _Grid(time, duration, count, np.cumsum(count) - count + shift, begin)
+        return time, duration, np.cumsum(count) - count + shift, count, begin
 
     def _averaged(self, square: Array) -> tuple[Array, Index]:
         """Return spans of constant jerk, one for each time step, and the first span of each segment."""
-        grid = self._grid(square)
+        time, *steps, begin = self._grid(square)
         h, arc_length, blocks = self.period / STEPS, self.place[0], self.blocks
-        first, last, begin = self.begin[:-1], self.begin[1:] - 1, grid.begin
-        mean = np.zeros(int(begin[-1]))
-        speed_profile.steps(arc_length, square, grid.time, blocks.first, blocks.last, grid.duration, grid.first, grid.n_step, h, mean)
-        del grid
+        first, last, mean = self.begin[:-1], self.begin[1:] - 1, np.zeros(int(begin[-1]))
+        kernels.steps(arc_length, square, time, blocks.first, blocks.last, *steps, h, mean)
+        del time, steps
         padded = np.concatenate([np.zeros(STEPS + 1), mean])
         box = padded[2 : 2 + mean.size].copy()
         for k in range(1, STEPS):
@@ -279,7 +257,7 @@ def _check_on_path(planner: _Planner, spans: Array, begin: Index) -> tuple[Array
 
 
 def _needed(planner: _Planner, spans: Array, per_span: int) -> Array:
-    """Return rows of a fault, as in `speed_profile.demand` without the sample, for the worst place of each span."""
+    """Return rows of a fault, as in `kernels.demand` without the sample, for the worst place of each span."""
     dt = (spans[:, :1] * np.linspace(1e-9, 1.0 - 1e-9, per_span)).ravel()
     s0, v0, a0, j = (np.repeat(column, per_span) for column in spans[:, 1:].T)
     place = s0 + dt * (v0 + dt * (a0 / 2.0 + dt * j / 6.0))
@@ -311,12 +289,6 @@ def _corrected(planner: _Planner) -> SmoothMotion:
     return SmoothMotion(spans, begin, peak <= 1.0 + CLOSE)
 
 
-def _least_time(samples: SegmentSamples, limits: AxisLimits) -> float:
-    """Return a lower bound of the duration of any motion [s]."""
-    fastest = np.maximum(np.minimum(samples.ceiling, float(np.linalg.norm(limits.velocity))), 1e-12)
-    return float(np.sum(np.diff(samples.arc_length) / np.minimum(fastest[1:], fastest[:-1])))
-
-
 def smooth_motions(path: Path, samples: SegmentSamples, limits: AxisLimits) -> list[SmoothMotion]:
     """Plan segments from rest to rest, once for each averaging period; return nothing if an axis has no acceleration limit.
 
@@ -328,7 +300,9 @@ def smooth_motions(path: Path, samples: SegmentSamples, limits: AxisLimits) -> l
     if not np.all(np.isfinite(limits.acceleration)):
         return []
     unit = float(np.max(limits.acceleration / limits.jerk))
-    shortest = STEPS * _least_time(samples, limits) / (MOST_SPANS[0] * samples.arc_length.size + MOST_SPANS[1])
+    fastest = np.maximum(np.minimum(samples.ceiling, float(np.linalg.norm(limits.velocity))), 1e-12)
+    least_time = float(np.sum(np.diff(samples.arc_length) / np.minimum(fastest[1:], fastest[:-1])))
+    shortest = STEPS * least_time / (MOST_SPANS[0] * samples.arc_length.size + MOST_SPANS[1])
     # Without a jerk limit, a short average is still better where the plain motion needs corrections.
     periods = sorted({max(part * unit, shortest) for part in PERIODS}) if unit > 0.0 else [0.0, shortest]
     # Each thread needs memory of its own.

@@ -11,10 +11,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from contourlab.arrays import Array, Flags, Index
-from contourlab.feed.junctions import KINK_TIME, MOST_KINK, curvature_jump, direction_jump
+from contourlab.arrays import Array, Flags, Index, ranges
 from contourlab.feed.limits import AxisLimits
 from contourlab.feed.reference import Reference
+from contourlab.feed.route import KINK_TIME, MOST_KINK, curvature_jump, direction_jump
 from contourlab.geometry import Path
 
 BLOCK = 65536  # samples per pass
@@ -79,7 +79,7 @@ class LimitReport:
         Steps of acceleration where the curvature jumps (line to arc), compared with the acceleration limit, because no finite jerk limit
         can hold there without a stop. Without a jerk limit this limit is inf.
     kink : tuple of Worst
-        Steps of velocity [m/s] where the direction jumps by up to `contourlab.feed.junctions.MOST_KINK`, compared with the acceleration
+        Steps of velocity [m/s] where the direction jumps by up to `contourlab.feed.route.MOST_KINK`, compared with the acceleration
         limit times `KINK_TIME`.
     n_kink : int
         Number of kinks passed.
@@ -162,9 +162,7 @@ class _Jumps(NamedTuple):
     def largest(self, before: Index, after: Index) -> Array:
         """Return the largest jumps (m, n_axis) between two different numbers of jumps passed (m,)."""
         low, count = np.minimum(before, after), np.abs(after - before)
-        first = np.cumsum(count) - count
-        which = np.repeat(low - first, count) + np.arange(int(count.sum()))
-        return np.asarray(np.maximum.reduceat(self.size[which % self.place.size], first))
+        return np.asarray(np.maximum.reduceat(self.size[ranges(low, count) % self.place.size], np.cumsum(count) - count))
 
 
 def _jumps(path: Path, step: Array, counted: Flags) -> _Jumps:

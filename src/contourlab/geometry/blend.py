@@ -51,16 +51,12 @@ def quintic_bezier(points: ArrayLike) -> Array:
     return coefficients
 
 
-def _powers(c: Array, u: Array, order: int) -> Array:
-    """Return quintics with coefficients (6, n_axis, ...) and their derivatives at u (...): (order + 1, n_axis, ...)."""
-    values = [c[0] + u * (c[1] + u * (c[2] + u * (c[3] + u * (c[4] + u * c[5]))))]
-    if order > 0:
-        values.append(c[1] + u * (2.0 * c[2] + u * (3.0 * c[3] + u * (4.0 * c[4] + u * (5.0 * c[5])))))
-    if order > 1:
-        values.append(2.0 * c[2] + u * (6.0 * c[3] + u * (12.0 * c[4] + u * (20.0 * c[5]))))
-    if order > 2:
-        values.append(6.0 * c[3] + u * (24.0 * c[4] + u * (60.0 * c[5])))
-    return np.array(values)
+def _powers(c: Array, u: Array) -> Array:
+    """Return quintics with coefficients (6, n_axis, ...) and three derivatives at u (...): (4, n_axis, ...)."""
+    value = c[0] + u * (c[1] + u * (c[2] + u * (c[3] + u * (c[4] + u * c[5]))))
+    first = c[1] + u * (2.0 * c[2] + u * (3.0 * c[3] + u * (4.0 * c[4] + u * (5.0 * c[5]))))
+    second = 2.0 * c[2] + u * (6.0 * c[3] + u * (12.0 * c[4] + u * (20.0 * c[5])))
+    return np.array([value, first, second, 6.0 * c[3] + u * (24.0 * c[4] + u * (60.0 * c[5]))])
 
 
 def shapes(coefficients: Array, u: Array) -> tuple[Array, Array]:
@@ -79,7 +75,7 @@ def shapes(coefficients: Array, u: Array) -> tuple[Array, Array]:
         |dr/du|.
     """
     n, m, n_axis = len(coefficients), u.size, coefficients.shape[2]
-    raw = _powers(np.moveaxis(coefficients, 0, 2)[..., None], u, 3)  # (4, n_axis, n, m)
+    raw = _powers(np.moveaxis(coefficients, 0, 2)[..., None], u)  # (4, n_axis, n, m)
     derivatives = np.moveaxis(raw, 1, 3).reshape(4, n * m, n_axis)
     speed = np.linalg.norm(derivatives[1], axis=1).reshape(n, m)
     return by_arc_length(derivatives, 3).reshape(4, n, m, n_axis), speed
@@ -251,11 +247,10 @@ class Blends(CurveBatch):
         return found
 
     def smallest_radii(self) -> Array:
-        n, u = self.length.size, np.linspace(0.0, 1.0, 65)
-        bend = np.zeros(n)
-        coefficients = np.moveaxis(self._shape[0], 0, 2)
-        for at in u:
-            raw = _powers(coefficients, np.full(n, at), 2)
+        n = self.length.size
+        bend, coefficients = np.zeros(n), np.moveaxis(self._shape[0], 0, 2)
+        for u in np.linspace(0.0, 1.0, 65):
+            raw = _powers(coefficients, np.full(n, u))
             bend = np.maximum(bend, np.linalg.norm(by_arc_length(raw.transpose(0, 2, 1), 2)[2], axis=1))
         return np.asarray(np.divide(1.0, bend, out=np.full(n, np.inf), where=bend > 0.0))
 

@@ -3,22 +3,267 @@
 In a window around the progress of a sample, each curve in reach gives its closest point: lines and flat arcs in closed form, other curves
 by sampling and a bracketed Newton iteration. The foot point is the nearest of these; ties go to the one nearest to the progress, which
 selects the right branch where the path crosses itself.
+
+Distances to junctions alone find the curves in reach. A part of the path with length L, whose ends lie d and e from the point, is nowhere
+closer than (d + e - L) / 2. It is excluded if a junction is closer. The search halves parts, the better half first, until single curves
+remain: a few out of thousands, after some tens of distances.
 """
 
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.arrays import Array, Index
+from contourlab.arrays import Array, Index, ranges
 from contourlab.errors import GeometryError
-from contourlab.geometry.bracketing import Bends, brackets
-from contourlab.geometry.broad_phase import curves_in_reach
-from contourlab.geometry.curve_sequence import CurveSequence
+from contourlab.geometry.curve import CurveSequence
 from contourlab.geometry.table import PathTable, path_table
+from contourlab.native.kernel import kernel
 from contourlab.threads import in_threads
+
+_FEW = 4
+"""Up to this mean number of curves per sample, all curves are candidates."""
+_DEPTH = 128
+_JUNCTION_SLACK = 1e-9
+"""Error of arc lengths and distances [m]."""
+
+
+def curves_in_reach(path: CurveSequence, points: Array, around: Array, window: Array) -> tuple[Index, Index, Array, Array, Array]:
+    """Return pairs of a sample and a curve in its window that may hold the closest point.
+
+    Parameters
+    ----------
+    points : ndarray (n, n_axis) [m]
+    around, window : ndarray (n,) [m]
+        Progress along the path, and largest distance from it.
+
+    Returns
+    -------
+    sample, curve : ndarray (k,)
+        Sorted by sample, then by curve.
+    lap : ndarray (k,)
+    low, high : ndarray (k,) [m]
+        Range of arc length along the curve that lies in the window.
+    """
+    first, last = around - window, around + window
+    if path.closed:
+        # Half a lap on either side is the whole path.
+        first, last = np.maximum(first, around - 0.5 * path.length), np.minimum(last, around + 0.5 * path.length)
+    else:
+        first, last = np.clip(first, 0.0, path.length), np.clip(last, 0.0, path.length)
+    begin, final = _numbers(path, first), _numbers(path, last)
+    count = final - begin + 1
+    if count.sum() > _FEW * count.size:
+        sample, number = _searched(path, points, begin, final)
+    else:
+        sample, number = np.repeat(np.arange(around.size), count), ranges(begin, count)
+    lap, curve = np.divmod(number, len(path.curves))
+    offset = lap * path.length + path.breaks[curve]
+    span = np.diff(path.breaks)[curve]
+    low, high = (np.clip(end[sample] - offset, 0.0, span) for end in (first, last))
+    return sample, curve, lap.astype(float), low, high
+
+
+def _numbers(path: CurveSequence, s: Array) -> Index:
+    """Return the curve of each arc length, counted over laps."""
+    m = len(path.curves)
+    lap = np.floor(s / path.length) if path.closed else np.zeros(s.size)
+    curve = np.searchsorted(path.breaks, s - lap * path.length, side="right") - 1
+    return np.clip(curve, 0, m - 1) + (lap * m).astype(np.int64)
+
+
+def _searched(path: CurveSequence, points: Array, begin: Index, end: Index) -> tuple[Index, Index]:
+    junctions, along = path.junctions
+    n, samples, numbers = len(points), [], []
+    room, state = 4 * n + 64, np.zeros(2, dtype=np.int64)
+    ends, depths = np.empty((_DEPTH, 2), dtype=np.int64), np.empty((_DEPTH, 3))
+    points = np.ascontiguousarray(points)
+    while state[0] < n:
+        before, pairs, bound = int(state[0]), np.empty((room, 2), dtype=np.int64), np.empty(room)
+        search(junctions, along, int(path.closed), points, begin, end, pairs, bound, state, ends, depths)
+        samples.append(pairs[: state[1], 0])
+        numbers.append(pairs[: state[1], 1])
+        # A sample may have more curves at the same distance than `pairs` holds.
+        room = 2 * room if state[0] == before else room
+    return np.concatenate(samples), np.concatenate(numbers)
+
+
+def _away(junctions, closed, points, i, k):
+    """Return the distance of a point from the start of curve k."""
+    m = junctions.shape[0] - 1
+    at = k % m if closed else k
+    square = 0.0
+    for j in range(points.shape[1]):
+        square += (points[i, j] - junctions[at, j]) ** 2
+    return square**0.5
+
+
+def _up_to(along, closed, k):
+    """Return the length of the path up to the start of curve k, laps included."""
+    m = along.shape[0] - 1
+    return (k // m) * along[m] + along[k % m] if closed else along[k]
+
+
+def _least(along, closed, a, b, from_a, from_b):
+    """Return a lower bound of the distance of curves a to b - 1 from a point, given its distances to their ends."""
+    return 0.5 * (from_a + from_b - (_up_to(along, closed, b) - _up_to(along, closed, a)))
+
+
+def _keep(i, pairs, bound, start, count, best):
+    """Keep the curves of a sample that may be the nearest, in the order of the path; return the number of pairs."""
+    kept = start
+    for k in range(start, count):
+        if bound[k] > best:
+            continue
+        number, least, at = pairs[k, 1], bound[k], kept
+        while at > start and pairs[at - 1, 1] > number:
+            pairs[at, 0], pairs[at, 1], bound[at] = i, pairs[at - 1, 1], bound[at - 1]
+            at -= 1
+        pairs[at, 0], pairs[at, 1], bound[at] = i, number, least
+        kept += 1
+    return kept
+
+
+@kernel("f8[:,:] f8[:] i8 f8[:,:] i8[:] i8[:] i8[:,:] f8[:] i8[:] i8[:,:] f8[:,:]")
+def search(junctions, along, closed, points, begin, end, pairs, bound, state, ends, depths):
+    """Fill `pairs` with pairs of sample and curve, from sample state[0] on; set `state` to the next sample and the number of pairs."""
+    count, i = 0, state[0]
+    while i < points.shape[0]:
+        start, best, top = count, np.inf, 1
+        ends[0, 0], ends[0, 1] = begin[i], end[i] + 1
+        depths[0, 0] = _away(junctions, closed, points, i, begin[i])
+        depths[0, 1] = _away(junctions, closed, points, i, end[i] + 1)
+        depths[0, 2] = _least(along, closed, begin[i], end[i] + 1, depths[0, 0], depths[0, 1])
+        while top:
+            top -= 1
+            a, b = ends[top, 0], ends[top, 1]
+            from_a, from_b, least = depths[top, 0], depths[top, 1], depths[top, 2]
+            if least > best:
+                continue
+            if b - a == 1:
+                if count == pairs.shape[0]:
+                    state[0], state[1] = i, start
+                    return
+                pairs[count, 0], pairs[count, 1], bound[count] = i, a, least
+                count += 1
+                continue
+            middle = (a + b) // 2
+            away = _away(junctions, closed, points, i, middle)
+            # A junction in the window lies on the path: the closest point is not further away.
+            best = min(best, away + _JUNCTION_SLACK)
+            left = _least(along, closed, a, middle, from_a, away)
+            right = _least(along, closed, middle, b, away, from_b)
+            later = top if left > right else top + 1
+            ends[later, 0], ends[later, 1] = a, middle
+            depths[later, 0], depths[later, 1], depths[later, 2] = from_a, away, left
+            later = top + 1 if left > right else top
+            ends[later, 0], ends[later, 1] = middle, b
+            depths[later, 0], depths[later, 1], depths[later, 2] = away, from_b, right
+            top += 2
+        count = _keep(i, pairs, bound, start, count, best)
+        i += 1
+    state[0], state[1] = i, count
+
+
+Near = Callable[[Index, Array, int], Array]
+Width = Callable[[Index, Array, Array], Array]
+_MOST_CELLS = 1 << 21
+_TABLE_SLACK = 1e-8  # [m] larger than the error of the table
+
+
+class Bends:
+    """Largest curvature of a path between two arc lengths, from its table.
+
+    Level k holds the maximum over 2^k successive pieces; two entries cover any range.
+    """
+
+    def __init__(self, table: PathTable) -> None:
+        self.table = table
+        h = np.diff(table.start)[:, None, None] * np.linspace(0.0, 1.0, 5)[:, None]
+        c = np.moveaxis(table.coefficients, 2, 0)[:, :, None, :]
+        second = 2.0 * c[2] + h * (6.0 * c[3] + h * (12.0 * c[4] + h * 20.0 * c[5]))
+        levels = [np.linalg.norm(second, axis=2).max(axis=1)]
+        while len(levels[-1]) > (step := 1 << (len(levels) - 1)):
+            levels.append(np.maximum(levels[-1][:-step], levels[-1][step:]))
+        self._levels = np.array([np.pad(level, (0, len(levels[0]) - len(level))) for level in levels])
+
+    def largest(self, low: Array, high: Array) -> Array:
+        """Return the largest curvature [1/m] in each range (n,) of arc lengths along the path."""
+        last = self._levels.shape[1] - 1
+        i = np.clip(np.searchsorted(self.table.start, low, side="right") - 1, 0, last)
+        j = np.clip(np.searchsorted(self.table.start, high, side="left") - 1, i, last)
+        k = np.frexp((j - i + 1).astype(float))[1] - 1
+        return np.asarray(np.maximum(self._levels[k, i], self._levels[k, j + 1 - (1 << k)]))
+
+
+def brackets(points: Array, near: Near, width: Width, low: Array, high: Array, middle: Array) -> tuple[Index, Array, Array, Array]:
+    """Return brackets of the closest points: pair, first guess, and both ends.
+
+    A cell of width `step` whose ends lie d and e from the point is nowhere closer than (d + e - step) / 2. It is excluded if a sample is
+    closer.
+
+    Parameters
+    ----------
+    points : ndarray (n, n_axis) [m]
+        One for each pair of a sample and a curve.
+    near : callable
+        (pair, s, order) -> derivatives at local arc lengths.
+    width : callable
+        (pair, a, b) -> largest width of a cell between a and b with a single closest point.
+    low, high : ndarray (n,) [m]
+        Local arc lengths to search between.
+    middle : ndarray (n,) [m]
+        The progress; ties go to the sample nearest to it.
+    """
+    row = np.arange(low.size)
+    enough = width(row, low, high)
+    # Take few samples of all curves; where these do not suffice, divide only the relevant cells.
+    ratio = (high - low) / np.maximum(enough, 1e-12)
+    n = int(np.clip(np.ceil(np.median(ratio)), 4, 64)) if row.size else 4
+    grid = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, n + 1)
+    at = near(np.repeat(row, n + 1), grid.ravel(), 0)[0].reshape(*grid.shape, -1)
+    away = np.sqrt(((at - points[:, None, :]) ** 2).sum(axis=2))
+    step, best = (high - low) / n, away.min(axis=1)
+    hope = away[:, :-1] + away[:, 1:] - step[:, None] <= 2.0 * best[:, None] + _TABLE_SLACK
+    fine = row[step <= enough * (1.0 + 1e-9)]
+    k = np.argmin(away**2 + 1e-18 * np.abs(grid - middle[:, None]), axis=1)[fine]
+    left, right = np.maximum(k - 1, 0), np.minimum(k + 1, n)
+    hope[fine, left] = hope[fine, right - 1] = False
+    pair, cell = np.nonzero(hope)
+    pair, a, b = _refine(points, near, width, pair, grid[pair, cell], grid[pair, cell + 1], best)
+    return (
+        np.concatenate([fine, pair]),
+        np.concatenate([grid[fine, k], 0.5 * (a + b)]),
+        np.concatenate([grid[fine, left], a]),
+        np.concatenate([grid[fine, right], b]),
+    )
+
+
+def _refine(points: Array, near: Near, width: Width, pair: Index, a: Array, b: Array, best: Array) -> tuple[Index, Array, Array]:
+    """Divide cells until each holds at most one closest point; return those with a minimum of the distance."""
+    while pair.size and pair.size < _MOST_CELLS:
+        split = b - a > width(pair, a, b) * (1.0 + 1e-9)
+        if not split.any():
+            break
+        owner, keep = pair[split], ~split
+        ends = a[split, None] + (b - a)[split, None] * np.linspace(0.0, 1.0, 5)
+        owners = np.repeat(owner, 5)
+        away = np.sqrt(((near(owners, ends.ravel(), 0)[0] - points[owners]) ** 2).sum(axis=1)).reshape(-1, 5)
+        np.minimum.at(best, owner, away.min(axis=1))
+        i, j = np.nonzero(away[:, :-1] + away[:, 1:] - np.diff(ends, axis=1) <= 2.0 * best[owner, None] + _TABLE_SLACK)
+        pair = np.concatenate([pair[keep], owner[i]])
+        a, b = np.concatenate([a[keep], ends[i, j]]), np.concatenate([b[keep], ends[i, j + 1]])
+    slope = []
+    for s in (a, b):
+        r, first = near(pair, s, 1)
+        slope.append(np.einsum("ij,ij->i", first, r - points[pair]))
+    turns = (slope[0] <= 0.0) & (slope[1] >= 0.0)
+    return pair[turns], a[turns], b[turns]
+
 
 _CHUNK = 1 << 17
 
@@ -129,8 +374,7 @@ def _on_curves(path: CurveSequence, points: Array, curve: Index, low: Array, hig
     off = np.flatnonzero(np.abs(fine - s) > 0.5 * reach)
     if off.size:
         fine[off] = _newton(points, exact, pair[off], s[off], a[off], b[off], 60, 1e-15 * path.length)
-    row = np.arange(curve.size)
-    pair, s = np.concatenate([row, row, pair]), np.concatenate([low, high, fine])
+    pair, s = np.concatenate([np.tile(np.arange(curve.size), 2), pair]), np.concatenate([low, high, fine])
     square = ((exact(pair, s, 0)[0] - points[pair]) ** 2).sum(axis=1)
     return np.asarray(s[_nearest(pair, square, np.abs(s - middle[pair]), curve.size)])
 

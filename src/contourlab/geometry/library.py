@@ -10,13 +10,36 @@ from itertools import pairwise
 import numpy as np
 
 from contourlab.errors import GeometryError, hint
-from contourlab.geometry import butterfly as butterfly_data
-from contourlab.geometry.arc import Arc
-from contourlab.geometry.conics import Ellipse, Lemniscate, Lissajous, Spiral, Star
 from contourlab.geometry.curve import Curve, positive
-from contourlab.geometry.line import Line
+from contourlab.geometry.line_and_arc import Arc, Line
 from contourlab.geometry.nurbs import Nurbs
+from contourlab.geometry.parametric import Ellipse, Lemniscate, Lissajous, Spiral, Star
 from contourlab.geometry.path import Path
+
+# fmt: off
+# Hu et al. 2023, doi 10.1007/s00170-023-12427-5, in mm. One source ends at 54.492 instead of 54.493, which would leave the contour open.
+# The smallest radius is 0.023 mm, at the tail.
+_BUTTERFLY_POINTS = (
+    (54.493, 52.139), (55.507, 52.139), (56.082, 49.615), (56.78, 44.971), (69.575, 51.358), (77.786, 58.573), (90.526, 67.081),
+    (105.973, 63.801), (100.4, 47.326), (94.567, 39.913), (92.369, 30.485), (83.44, 33.757), (91.892, 28.509), (89.444, 20.393),
+    (83.218, 15.446), (87.621, 4.83), (80.945, 9.267), (79.834, 14.535), (76.074, 8.522), (70.183, 12.55), (64.171, 16.865),
+    (59.993, 22.122), (55.68, 36.359), (56.925, 24.995), (59.765, 19.828), (54.493, 14.94), (49.22, 19.828), (52.06, 24.994),
+    (53.305, 36.359), (48.992, 22.122), (44.814, 16.865), (38.802, 12.551), (32.911, 8.521), (29.152, 14.535), (28.04, 9.267),
+    (21.364, 4.83), (25.768, 15.447), (19.539, 20.391), (17.097, 28.512), (25.537, 33.75), (16.602, 30.496), (14.199, 39.803),
+    (8.668, 47.408), (3, 63.794), (18.465, 67.084), (31.197, 58.572), (39.411, 51.358), (52.204, 44.971), (52.904, 49.614),
+    (53.478, 52.139), (54.493, 52.139),
+)
+_BUTTERFLY_KNOTS = (
+    0.0, 0.0, 0.0, 0.0, 0.0083, 0.015, 0.0361, 0.0855, 0.1293, 0.1509, 0.1931, 0.2273, 0.2435, 0.2561, 0.2692,
+    0.2889, 0.317, 0.3316, 0.3482, 0.3553, 0.3649, 0.3837, 0.4005, 0.4269, 0.451, 0.466, 0.4891, 0.5, 0.5109, 0.534,
+    0.5489, 0.5731, 0.5994, 0.6163, 0.6351, 0.6447, 0.6518, 0.6683, 0.683, 0.7111, 0.7307, 0.7439, 0.7565, 0.7729, 0.8069,
+    0.8491, 0.8707, 0.9145, 0.9639, 0.985, 0.9917, 1.0, 1.0, 1.0, 1.0,
+)
+_BUTTERFLY_WEIGHTS = (
+    1.0, 1.0, 1.0, 1.2, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 2.0, 1.0, 1.0, 5.0, 3.0, 1.0, 1.1, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
+    1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.1, 1.0, 3.0, 5.0, 1.0, 1.0, 2.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.2, 1.0, 1.0, 1.0,
+)
+# fmt: on
 
 
 def circle(radius: float = 0.02, start_angle: float = 0.0, clockwise: float = 0.0) -> Path:
@@ -50,8 +73,8 @@ def star(radius: float = 0.03, lobes: float = 5, depth: float = 0.3) -> Path:
 def butterfly(scale: float = 1.0) -> Path:
     """Butterfly NURBS of Hu et al. 2023, doi 10.1007/s00170-023-12427-5; 383 mm long at scale 1."""
     positive(scale=scale)
-    points = 1e-3 * scale * np.array(butterfly_data.POINTS)
-    return Path([Nurbs(butterfly_data.DEGREE, points, butterfly_data.KNOTS, butterfly_data.WEIGHTS)], closed=True)
+    points = 1e-3 * scale * np.array(_BUTTERFLY_POINTS)
+    return Path([Nurbs(3, points, _BUTTERFLY_KNOTS, _BUTTERFLY_WEIGHTS)], closed=True)
 
 
 def line_line_circle(scale: float = 1.0) -> Path:

@@ -47,33 +47,25 @@ class _Spline:
         return np.asarray(d[degree])
 
 
-def _checked(degree: int, points: ArrayLike, knots: ArrayLike) -> tuple[Array, Array]:
-    try:
-        c, t = np.array(points, dtype=float), np.array(knots, dtype=float)
-    except (TypeError, ValueError):
-        c, t = np.empty(0), np.empty(0)
-    if c.ndim != 2 or not (np.isfinite(c).all() and np.isfinite(t).all()):
-        raise GeometryError("control points must be finite, of shape (n, n_axis), and knots finite")
-    if degree < 1 or len(c) <= degree or t.shape != (len(c) + degree + 1,):
-        raise GeometryError(f"degree {degree} with {len(c)} control points needs {len(c) + degree + 1} knots, not {t.size}")
-    inner = t[degree : len(c) + 1]
-    if np.any(np.diff(t) < 0.0) or not inner[-1] > inner[0]:
-        raise GeometryError("knots must not decrease, and must span an interval")
-    return c, t
-
-
 class _Knotted(Parametric):
     """A curve over knots: its control points, its ends and the places where it is less smooth."""
 
     def _lay(self, degree: int, points: ArrayLike, knots: ArrayLike) -> None:
-        self.degree = int(degree)
-        self.points, self.knots = _checked(self.degree, points, knots)
-        self.n_axis = self.points.shape[1]
-        self.first, self.last = float(self.knots[self.degree]), float(self.knots[len(self.points)])
+        self.degree = degree = int(degree)
+        try:
+            self.points, self.knots = c, t = np.array(points, dtype=float), np.array(knots, dtype=float)
+        except (TypeError, ValueError):
+            c, t = np.empty(0), np.empty(0)
+        if c.ndim != 2 or not (np.isfinite(c).all() and np.isfinite(t).all()):
+            raise GeometryError("control points must be finite, of shape (n, n_axis), and knots finite")
+        if degree < 1 or len(c) <= degree or t.shape != (len(c) + degree + 1,):
+            raise GeometryError(f"degree {degree} with {len(c)} control points needs {len(c) + degree + 1} knots, not {t.size}")
+        self.n_axis, self.first, self.last = c.shape[1], float(t[degree]), float(t[len(c)])
+        if np.any(np.diff(t) < 0.0) or not self.last > self.first:
+            raise GeometryError("knots must not decrease, and must span an interval")
 
     def joints(self) -> Array:
-        inside = (self.knots >= self.first) & (self.knots <= self.last)
-        return np.unique(self.knots[inside])
+        return np.unique(self.knots[(self.knots >= self.first) & (self.knots <= self.last)])
 
 
 class BSpline(_Knotted):
@@ -142,8 +134,7 @@ class Nurbs(_Knotted):
 
 def inner_knots(degree: int, t: Array) -> tuple[Array, Index]:
     """Return the knots inside the curve, and their multiplicities."""
-    knots, count = np.unique(t[(t > t[degree]) & (t < t[-degree - 1])], return_counts=True)
-    return knots, count
+    return np.unique(t[(t > t[degree]) & (t < t[-degree - 1])], return_counts=True)
 
 
 def cut_where_curvature_jumps(curve: BSpline | Nurbs) -> list[Curve]:

@@ -13,10 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.arrays import Array, Index
+from contourlab.arrays import Array, Index, ranges
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import CurveBatch
-from contourlab.geometry.curve_sequence import CurveSequence
+from contourlab.geometry.curve import CurveBatch, CurveSequence
 from contourlab.native.kernel import kernel
 
 MOST_CELLS = 8_000_000
@@ -142,8 +141,7 @@ def _hermite(low: Array, high: Array, h: Array) -> Array:
 
 def _spread(n: Index) -> tuple[Index, Index]:
     """Number the n pieces of each curve: return the curve of each piece, and its number within the curve."""
-    owner = np.repeat(np.arange(n.size), n)
-    return owner, np.arange(owner.size) - np.repeat(np.cumsum(n) - n, n)
+    return np.repeat(np.arange(n.size), n), ranges(np.zeros_like(n), n)
 
 
 def _evenly(curves: CurveBatch, tolerance: float, longest: float) -> tuple[Index, Array, Array, float]:
@@ -159,7 +157,7 @@ def _evenly(curves: CurveBatch, tolerance: float, longest: float) -> tuple[Index
 
 def _first_pieces(curves: CurveBatch, tolerance: float, longest: float) -> tuple[Index, Array, Array]:
     marks, count = curves.marks()
-    owner, _ = _spread(count)
+    owner = np.repeat(np.arange(count.size), count)
     inner = owner[1:] == owner[:-1]
     slot, low, high = owner[:-1][inner], marks[:-1][inner], marks[1:][inner]
     # Divide each interval separately: two overlaid sets of marks would leave slivers.

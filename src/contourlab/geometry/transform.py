@@ -7,11 +7,10 @@ from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array
 from contourlab.errors import GeometryError
-from contourlab.geometry.arc import Arc
-from contourlab.geometry.conics import EllipticalArc
 from contourlab.geometry.curve import Curve, vector
-from contourlab.geometry.line import Line
+from contourlab.geometry.line_and_arc import Arc, Line
 from contourlab.geometry.nurbs import BSpline, Nurbs
+from contourlab.geometry.parametric import EllipticalArc
 
 
 class _Backwards(Curve):

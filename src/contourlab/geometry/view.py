@@ -15,7 +15,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
-from contourlab.geometry.arc import Arc
+from contourlab.geometry.line_and_arc import Arc
 from contourlab.geometry.path import Path
 from contourlab.native.generated import generated
 from contourlab.primitives import clip, cos, dot, floor, lookup, maximum, select, sin, sub

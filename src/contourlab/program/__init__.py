@@ -1,14 +1,12 @@
 """Part programs: read G-code (RS274/NGC as LinuxCNC reads it) into moves in SI units with their source lines.
 
 `block` reads a line into words with columns and codes by modal group, with `expressions` and `vocabulary`. `interpreter` executes a block
-on the modal `state`, with `offsets`, `coordinates`, `curves` and `cycles`, and makes `moves`. `walker` follows subprograms, loops and
-conditions (`flow`). `reader` handles the frame of a program and its dialect; `files` opens it. Unsupported codes are refused, never
-skipped.
+on the modal `state`, with `curves` and `cycles`, and makes `moves`. `flow` follows subprograms, loops and conditions. `reader` opens a
+program and handles its frame and its dialect. Unsupported codes are refused, never skipped.
 """
 
-from contourlab.program.files import open_program, parse_program, read_program
 from contourlab.program.moves import PLANE_AXES, Arc, Dwell, Event, Feed, Mode, Move, Notice, Plane, Point, Program, Spline, Traverse
-from contourlab.program.reader import Reader, Reading
+from contourlab.program.reader import Reader, Reading, open_program, parse_program, read_program
 
 __all__ = [
     "PLANE_AXES",

@@ -225,7 +225,11 @@ def read_block(line: str, parameters: Parameters | None = None) -> Block:
         elif letter == "M":
             _add_m(codes, word)
         elif letter == "N":
-            _check_line_number(line, word)
+            # N must come first, even before a comment; its number has no meaning.
+            if line[: word.column - 1].strip(" \t"):
+                raise BlockError("the line number N must come first on its line: move it there, or delete it", word.column)
+            if word.value < 0.0:
+                raise BlockError("a line number cannot have a sign: write for example N10", word.column)
         else:
             raise BlockError(refusal(letter, "word"), word.column)
     return Block(codes, words)
@@ -238,11 +242,10 @@ def _add_g(codes: dict[str, Code], word: Word) -> None:
     group = G_GROUPS.get(number)
     if group is None:
         raise BlockError(refusal(g_name(number), "G-code"), word.column)
-    if group in codes and group == "motion" and _END_OF_MOTION in (number, codes[group].number):
-        # G80 together with another motion has no effect.
-        if number == _END_OF_MOTION:
-            return
-    elif group in codes:
+    # G80 together with another motion has no effect.
+    if group == "motion" and group in codes and number == _END_OF_MOTION:
+        return
+    if group in codes and (group != "motion" or codes[group].number != _END_OF_MOTION):
         raise BlockError(f"{g_name(codes[group].number)} and {g_name(number)} cannot share a block: keep one of them", word.column)
     codes[group] = Code(number, word.column)
 
@@ -257,11 +260,3 @@ def _add_m(codes: dict[str, Code], word: Word) -> None:
     if group in codes:
         raise BlockError(f"M{codes[group].number} and M{number} cannot share a block: keep one of them", word.column)
     codes[group] = Code(number, word.column)
-
-
-def _check_line_number(line: str, word: Word) -> None:
-    # N must come first, even before a comment; its number has no meaning.
-    if line[: word.column - 1].strip(" \t"):
-        raise BlockError("the line number N must come first on its line: move it there, or delete it", word.column)
-    if word.value < 0.0:
-        raise BlockError("a line number cannot have a sign: write for example N10", word.column)

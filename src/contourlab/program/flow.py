@@ -1,4 +1,4 @@
-"""O-words: subprograms, conditions and loops; M98 and M99.
+"""O-words: follow the lines of a program through subprograms, conditions and loops; M98 and M99.
 
 A loop or condition that is not executed is skipped up to the closing line with the same label: a number, a name in <>, or an expression
 in []. Lines are kept only while a loop or call may return to them.
@@ -7,7 +7,9 @@ in []. Lines are kept only while a loop or call may return to them.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from bisect import bisect_left
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from contourlab.errors import ProgramError
@@ -170,3 +172,382 @@ class Tape:
     def __len__(self) -> int:
         """Number of kept lines."""
         return len(self._kept)
+
+
+DEEPEST_CALL = 9
+"""LinuxCNC has ten levels, including the main program."""
+LONG_LINE = 32
+"""A line counts once more for each so many characters."""
+MOST_REPEATS = 1e9
+_ENDS = {"while": "endwhile", "do": "while", "repeat": "endrepeat"}
+
+
+@dataclass(slots=True)
+class _Loop:
+    label: str
+    kind: str
+    start: int
+    remaining: int = 0
+    ifs: int = 0
+    mark: object = None
+
+
+@dataclass(slots=True)
+class _Frame:
+    """A running subprogram, or the main program."""
+
+    tape: Tape
+    index: int
+    label: str = ""
+    fanuc: bool = False
+    repeats: int = 1
+    start: int = 0
+    loops: list[_Loop] = field(default_factory=list)
+    ifs: list[str] = field(default_factory=list)
+
+
+@dataclass(slots=True)
+class _Seen:
+    """Starts of subprograms in a file, by label and keyword, up to a line."""
+
+    reached: int = 0
+    places: dict[tuple[str, str], list[int]] = field(default_factory=dict)
+
+
+class Walker:
+    """Yield the lines in the order of execution.
+
+    Parameters
+    ----------
+    find : callable
+        Returns the tape of a subprogram file by name, or None.
+    most : int
+        See `Reading.most_moves`.
+    """
+
+    def __init__(self, tape: Tape, parameters: Parameters, find: Callable[[str], Tape | None], most: int) -> None:
+        self.parameters, self._find, self._left, self._most = parameters, find, most, most
+        self.main = tape
+        self._frames = [_Frame(tape, 0)]
+        self._subs: dict[str, tuple[Tape, int]] = {}
+        self._seen: dict[str, _Seen] = {}
+        self._begun: dict[tuple[str, str], tuple[str, int]] = {}
+        self._repeated = False
+        self.on_region: Callable[[bool, int], None] | None = None
+        """Called where an outermost loop or call begins (True) and after it (False), with the number of its first or last line."""
+
+    @property
+    def frame(self) -> _Frame:
+        """The innermost subprogram, or the main program."""
+        return self._frames[-1]
+
+    @property
+    def place(self) -> tuple[str, int]:
+        """File and line number (from 1) of the line yielded last."""
+        return self.frame.tape.name, self.frame.index
+
+    @property
+    def main_line(self) -> int:
+        """Line number in the main file; while a subprogram in another file runs, the line of the call."""
+        name = self.main.name
+        return next(frame.index for frame in reversed(self._frames) if frame.tape.name == name)
+
+    @property
+    def in_subprogram(self) -> bool:
+        """Whether a subprogram is running."""
+        return len(self._frames) > 1
+
+    @property
+    def repeating(self) -> bool:
+        """Whether a loop or a subprogram is running."""
+        return bool(self.frame.loops) or self.in_subprogram
+
+    def lines(self) -> Iterator[str]:
+        """Yield lines until the end of the text; execute O-words."""
+        while True:
+            frame, repeating = self.frame, self.repeating
+            if repeating != self._repeated:
+                self._repeated = repeating
+                if self.on_region is not None:
+                    self.on_region(repeating, self._frames[0].index)
+            line = frame.tape.line(frame.index)
+            if line is None:
+                self._at_end(frame)
+                return
+            frame.index += 1
+            if repeating:
+                self.spend(1 + len(line) // LONG_LINE)
+            else:
+                frame.tape.forget(frame.index - 1)
+            if starts_o_word(line):
+                word = read_o_word(line, self.parameters)
+                getattr(self, f"_{word.keyword or 'plain'}")(word)
+            else:
+                yield line
+
+    def spend(self, work: int) -> None:
+        """Count repeated lines and additional moves; refuse more than the limit."""
+        self._left -= work
+        if self._left < 0:
+            cure = "check for an endless loop, or raise the limit with --most-moves (in a scenario most_moves)"
+            raise BlockError(f"loops, subprograms and cycles make more than {self._most} lines and moves: {cure}", 0)
+
+    def _at_end(self, frame: _Frame) -> None:
+        if self.in_subprogram:
+            raise BlockError(f"the subprogram O{frame.label} has no end: write O{frame.label} endsub, or M99 if M98 calls it", 0)
+        if frame.loops:
+            loop = frame.loops[-1]
+            raise BlockError(f"O{loop.label} {loop.kind} has no end: write O{loop.label} {_ENDS[loop.kind]}", 0)
+
+    def _begin(self, word: OWord) -> None:
+        """Refuse a label that another condition or loop of the same subprogram uses."""
+        place = self.place
+        first = self._begun.setdefault((self.frame.label, word.label), place)
+        if first != place:
+            raise BlockError(f"O{word.label} {word.keyword}: line {first[1]} already uses this label; choose another one", word.column)
+
+    # Conditions
+
+    def _if(self, word: OWord) -> None:
+        self._begin(word)
+        while word.values[0] == 0.0:
+            branch = self._skip_to(word.label, ("elseif", "else", "endif"), word)
+            if branch.keyword == "endif":
+                return
+            if branch.keyword == "else":
+                break
+            line = self.frame.tape.line(self.frame.index - 1)
+            assert line is not None  # it has just been read
+            word = read_o_word(line, self.parameters)
+        self.frame.ifs.append(word.label)
+
+    def _elseif(self, word: OWord) -> None:
+        # The branch before it has been executed.
+        self._endif(word)
+        self._skip_to(word.label, ("endif",), word)
+
+    _else = _elseif
+
+    def _endif(self, word: OWord) -> None:
+        ifs, loops = self.frame.ifs, self.frame.loops
+        if len(ifs) <= (loops[-1].ifs if loops else 0) or ifs[-1] != word.label:
+            raise BlockError(f"O{word.label} {word.keyword} has no if: write O{word.label} if before it", word.column)
+        ifs.pop()
+
+    # Loops
+
+    def _while(self, word: OWord) -> None:
+        frame, loop = self.frame, self._innermost(word.label)
+        if loop is not None and loop.kind == "do":
+            if word.values[0] != 0.0:
+                self._turn(loop, word)
+                frame.index = loop.start
+            else:
+                frame.loops.pop()
+            return
+        if loop is None:
+            self._begin(word)
+            self._enter_loop(word, "while", frame.index - 1)
+        if word.values[0] == 0.0:
+            frame.loops.pop()
+            self._skip_to(word.label, ("endwhile",), word)
+
+    def _enter_loop(self, word: OWord, kind: str, start: int, remaining: int = 0) -> None:
+        self.frame.loops.append(_Loop(word.label, kind, start, remaining, len(self.frame.ifs)))
+
+    def _endwhile(self, word: OWord) -> None:
+        loop = self._wanted(word, "while")
+        self._turn(loop, word)
+        self.frame.index = loop.start
+
+    def _turn(self, loop: _Loop, word: OWord) -> None:
+        """Refuse a loop whose condition cannot change: a pass sets no parameter and ends at the same position."""
+        mark = self.parameters.changes, self.parameters.position()
+        if mark == loop.mark:
+            raise BlockError(f"O{word.label} {loop.kind} never ends: change a parameter or the position in the loop", word.column)
+        loop.mark = mark
+
+    def _do(self, word: OWord) -> None:
+        self._begin(word)
+        self._enter_loop(word, "do", self.frame.index)
+
+    def _repeat(self, word: OWord) -> None:
+        if abs(word.values[0]) > MOST_REPEATS:
+            raise BlockError(f"repeat [{word.values[0]:g}]: keep the number of repeats below {MOST_REPEATS:g}", word.column)
+        count = round(word.values[0])
+        self._begin(word)
+        if count < 1:
+            self._skip_to(word.label, ("endrepeat",), word)
+        else:
+            self._enter_loop(word, "repeat", self.frame.index, count)
+
+    def _endrepeat(self, word: OWord) -> None:
+        loop = self._wanted(word, "repeat")
+        loop.remaining -= 1
+        if loop.remaining > 0:
+            self.frame.index = loop.start
+        else:
+            self.frame.loops.pop()
+
+    def _break(self, word: OWord) -> None:
+        loop = self._leave_inner(word)
+        self.frame.loops.pop()
+        self._skip_to(word.label, (_ENDS[loop.kind],), word)
+
+    def _continue(self, word: OWord) -> None:
+        loop = self._leave_inner(word)
+        self._skip_to(word.label, (_ENDS[loop.kind],), word)
+        self.frame.index -= 1  # execute the closing line
+
+    def _innermost(self, label: str) -> _Loop | None:
+        loops = self.frame.loops
+        return loops[-1] if loops and loops[-1].label == label else None
+
+    def _wanted(self, word: OWord, kind: str) -> _Loop:
+        loop = self._innermost(word.label)
+        if loop is None or loop.kind != kind:
+            raise BlockError(f"O{word.label} {word.keyword} has no {kind}: write O{word.label} {kind} before it", word.column)
+        return loop
+
+    def _leave_inner(self, word: OWord) -> _Loop:
+        """Leave the loops inside the loop with this label, and return that loop."""
+        loops = self.frame.loops
+        if not any(loop.label == word.label and loop.kind != "repeat" for loop in loops):
+            cure = "correct the label, or write a while in place of a repeat"
+            raise BlockError(f"O{word.label} {word.keyword} is not inside a while or do with this label: {cure}", word.column)
+        while loops[-1].label != word.label:
+            loops.pop()
+        del self.frame.ifs[loops[-1].ifs :]
+        return loops[-1]
+
+    # Subprograms
+
+    def _sub(self, word: OWord) -> None:
+        if self.in_subprogram:
+            raise BlockError(f"O{word.label} sub is inside another subprogram: move it before or after", word.column)
+        if word.label in self._subs:
+            cure = "move it before the first call, or after M2"
+            raise BlockError(f"O{word.label} sub is defined twice, or the program runs into it after a call: {cure}", word.column)
+        self.parameters.defining = True
+        try:
+            self._subs[word.label] = self._body(self.frame.tape, self.frame.index, word)
+            self._skip_to(word.label, ("endsub",), word)
+        finally:
+            self.parameters.defining = False
+
+    def _body(self, tape: Tape, start: int, word: OWord) -> tuple[Tape, int]:
+        """Keep the lines of a subprogram from `start` to its endsub, or the end of the text."""
+        end, lines = start, []
+        while (line := tape.line(end)) is not None:
+            lines.append(line)
+            end += 1
+            o_word = self._ahead_of_time(line)
+            if o_word and o_word.keyword == "endsub" and o_word.label == word.label:
+                break
+        return Tape.of(lines, start, tape.name), start
+
+    def _ahead_of_time(self, line: str) -> OWord | None:
+        """Return the O-word of a line ahead of its execution; only the execution reports faults."""
+        try:
+            return read_o_word(line, self.parameters, skipping=True) if starts_o_word(line) else None
+        except BlockError:
+            return None
+
+    def _call(self, word: OWord) -> None:
+        self.enter(word.label, list(word.values), word.column)
+
+    def enter(self, label: str, arguments: list[float] | None, column: int, repeats: int = 1) -> None:
+        """Enter a subprogram: by an O-call with arguments, or by M98 (None) with repeats.
+
+        Raises
+        ------
+        BlockError
+            If there is no such subprogram, or calls are nested too deep.
+        """
+        if len(self._frames) > DEEPEST_CALL:
+            raise BlockError(f"calls are nested more than {DEEPEST_CALL} deep: check for a subprogram that calls itself", column)
+        if repeats < 1:
+            return
+        fanuc = arguments is None
+        if label not in self._subs:
+            file = self._find(label)
+            place = (self.frame.tape, self.frame.index) if file is None else (file, 0)
+            self._subs[label] = self._ahead(*place, label, fanuc, column)
+        tape, start = self._subs[label]
+        self.parameters.enter(arguments)
+        self._frames.append(_Frame(tape, start, label, fanuc, repeats, start))
+
+    def _ahead(self, tape: Tape, start: int, label: str, fanuc: bool, column: int) -> tuple[Tape, int]:
+        """Search for a subprogram from a line onwards; remember the lines searched."""
+        seen = self._seen.setdefault(tape.name, _Seen())
+        wanted = (label, "" if fanuc else "sub")
+        while True:
+            places = seen.places.get(wanted, [])
+            at = bisect_left(places, start)
+            if at < len(places):
+                tape.pin(places[at])
+                return tape, places[at]
+            seen.reached = max(seen.reached, start)
+            line = tape.line(seen.reached)
+            if line is None:
+                break
+            seen.reached += 1
+            o_word = self._ahead_of_time(line)
+            if o_word and o_word.keyword in ("", "sub"):
+                seen.places.setdefault((o_word.label, o_word.keyword), []).append(seen.reached)
+        missing = f"no subprogram O{label} in the program, and no file {label}.ngc next to it"
+        raise BlockError(f"{missing}: correct the label, or add the subprogram", column)
+
+    def _endsub(self, word: OWord) -> None:
+        frame = self.frame
+        # A return may have the label of its condition.
+        if not self.in_subprogram or frame.fanuc or (word.keyword == "endsub" and frame.label != word.label):
+            cure = f"write O{word.label} sub before it, or delete it"
+            raise BlockError(f"O{word.label} {word.keyword} is not inside a subprogram with this label: {cure}", word.column)
+        self.parameters.give_back(word.values[0] if word.values else None)
+        self._leave()
+
+    _return = _endsub
+
+    def _leave(self) -> None:
+        self._frames.pop()
+        self.parameters.leave()
+
+    def _plain(self, word: OWord) -> None:
+        # O100 alone names a subprogram for M98 and has no effect.
+        if self.in_subprogram and not self.frame.fanuc:
+            raise BlockError(f"O{word.label} (a subprogram for M98) is inside another subprogram: move it before or after", word.column)
+
+    def back(self) -> bool:
+        """Return from M98 at M99, or repeat; False in the main program, which ends there."""
+        frame = self.frame
+        if not self.in_subprogram:
+            return False
+        if not frame.fanuc:
+            raise BlockError(f"M99 only ends subprograms that M98 calls: write O{frame.label} endsub instead", 0)
+        frame.repeats -= 1
+        if frame.repeats > 0:
+            frame.index = frame.start
+        else:
+            self._leave()
+        return True
+
+    # Looking for a line
+
+    def _skip_to(self, label: str, keywords: tuple[str, ...], word: OWord) -> OWord:
+        """Skip past the next line with a label and one of the keywords."""
+        frame, begun = self.frame, self.frame.index
+        while (line := frame.tape.line(frame.index)) is not None:
+            frame.index += 1
+            if starts_o_word(line):
+                o_word = read_o_word(line, self.parameters, skipping=True)
+                if o_word.label == label and o_word.keyword in keywords:
+                    return o_word
+                if o_word.keyword == "sub" and keywords == ("endsub",):
+                    raise BlockError(f"O{o_word.label} sub is inside O{label} sub: move it before or after", o_word.column)
+            if self.repeating:
+                self.spend(1 + len(line) // LONG_LINE)
+            else:
+                frame.tape.forget(frame.index)
+        frame.index = begun  # report the line without an end
+        raise BlockError(f"O{label} {word.keyword} has no end: write O{label} {keywords[-1]}", word.column)

@@ -1,23 +1,24 @@
-"""Part programs from files and text: framing, line numbers, dialects, and the end of a program."""
+"""Part programs from files and text, read line by line: framing, line numbers, dialects, and the end of a program."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
-from typing import Literal, TypeAlias, get_args
+from typing import Literal, TextIO, TypeAlias, get_args
 
 from contourlab.errors import ProgramEndError, ProgramError
+from contourlab.file_kinds import mistaken
 from contourlab.program.block import Block, read_block
-from contourlab.program.coordinates import Tools, read_tools
 from contourlab.program.expressions import Parameters
-from contourlab.program.flow import Tape
+from contourlab.program.flow import LONGEST_LINE, Tape, Walker
 from contourlab.program.interpreter import execute
-from contourlab.program.moves import Dwell, Move, Notice
-from contourlab.program.state import ModalState, own_names
+from contourlab.program.moves import Dwell, Move, Notice, Program
+from contourlab.program.state import ModalState, Tools, own_names, read_tools
 from contourlab.program.vocabulary import BlockError
-from contourlab.program.walker import Walker
 
 Dialect: TypeAlias = Literal["linuxcnc", "grbl"]
 MOST_NOTICES = 1000
@@ -93,6 +94,8 @@ class Reader:
     state : ModalState
         The state after the last block whose moves were yielded.
     notices : list of Notice
+    walker : Walker
+        Follows loops and subprograms.
     on_block : callable or None
         Called with each line that is executed and its block, before its moves.
 
@@ -130,8 +133,8 @@ class Reader:
         self.parameters = Parameters(self.state.shown_position)
         self.state.parameters = self.parameters
         self._lines, self._n_read = iter(lines), 0
-        self._walker = Walker(Tape(self._framed(), str(name)), self.parameters, self._subprogram, self.reading.most_moves)
-        self.parameters.own = own_names(self.state, lambda: self._walker.place[1])
+        self.walker = Walker(Tape(self._framed(), str(name)), self.parameters, self._subprogram, self.reading.most_moves)
+        self.parameters.own = own_names(self.state, lambda: self.walker.place[1])
         self.on_block: Callable[[str, Block], None] | None = None
         self._open = self._closed = self._ended = False
 
@@ -143,7 +146,7 @@ class Reader:
         ProgramError
             With file, line and column, when the faulty line is reached; at the end if there is no motion, or no end.
         """
-        walker, state, moved = self._walker, self.state, False
+        walker, state, moved = self.walker, self.state, False
         lines = walker.lines()
         while True:
             try:
@@ -174,7 +177,7 @@ class Reader:
 
     def _take(self, fault: BlockError) -> None:
         """Store a fault if faults are collected and reading can continue; raise it otherwise."""
-        file, number = self._walker.place
+        file, number = self.walker.place
         error = fault.raised(fault.message, file=file, line=max(number, 1), column=fault.column)
         # A fault without a column concerns a whole loop or file: reading cannot continue.
         if self.problems is None or not fault.column or len(self.problems) >= MOST_PROBLEMS:
@@ -183,20 +186,6 @@ class Reader:
         if str(error) not in self._known:
             self._known.add(str(error))
             self.problems.append(error)
-
-    @property
-    def repeating(self) -> bool:
-        """Whether a loop or a subprogram is running."""
-        return self._walker.repeating
-
-    @property
-    def on_region(self) -> Callable[[bool, int], None] | None:
-        """Called where an outermost loop or call begins (True) and after it (False), with the number of its first or last line."""
-        return self._walker.on_region
-
-    @on_region.setter
-    def on_region(self, call: Callable[[bool, int], None] | None) -> None:
-        self._walker.on_region = call
 
     def count_lines(self) -> int:
         """Return the number of lines of the program; reads those after its end."""
@@ -228,10 +217,10 @@ class Reader:
                 return None
             if not self.reading.require_end:
                 fault = "% closes the program, but the first line has no % to open it: ignored"
-                self.notices.append(Notice(fault, self._walker.place[1], line.index("%") + 1))
+                self.notices.append(Notice(fault, self.walker.place[1], line.index("%") + 1))
                 return None
         if self.reading.dialect == "grbl":
-            line = _grbl_line(line, self._walker.place[1], self.notices, self.state)
+            line = _grbl_line(line, self.walker.place[1], self.notices, self.state)
         elif "(" in line and (abort := _ABORT.search(line)) and ";" not in line[: abort.start()]:
             raise BlockError(f"the program stops itself here, with (abort,...):{abort[1][:MOST_SHOWN]}", abort.start() + 1)
         return read_block(line, self.parameters)
@@ -243,7 +232,7 @@ class Reader:
             return False
         code = block.codes["stop"].number
         if code == _RETURN:
-            self._ended = not self._walker.back()
+            self._ended = not self.walker.back()
         self._ended = self._ended or code in _PROGRAM_ENDS
         return self._ended
 
@@ -253,7 +242,7 @@ class Reader:
         label, repeats = (block.words[x].whole(0, 10**9, f"{x} of M98") if x in block.words else None for x in "PL")
         if label is None:
             raise BlockError("M98 has no P: write the number of the subprogram", column)
-        self._walker.enter(str(label), None, column, 1 if repeats is None else repeats)
+        self.walker.enter(str(label), None, column, 1 if repeats is None else repeats)
 
     def _subprogram(self, label: str) -> Tape | None:
         """Return the lines of a subprogram file."""
@@ -267,7 +256,7 @@ class Reader:
     def _check_end(self, moved: bool) -> None:
         if self.state.curve.points:
             cure = "write G5.3 after its last control point"
-            raise ProgramError(f"the NURBS begun with G5.2 is not closed: {cure}", file=self.name, line=self._walker.place[1])
+            raise ProgramError(f"the NURBS begun with G5.2 is not closed: {cure}", file=self.name, line=self.walker.place[1])
         if not moved and (self.state.still or self.problems is not None):
             self.notices.append(Notice("the program contains no motion", 1, 1))
         elif not moved:
@@ -275,7 +264,7 @@ class Reader:
             raise ProgramError(f"the program contains no motion: {cure}", file=self.name)
         if self._ended or self._closed:
             return
-        line = self._walker.place[1]
+        line = self.walker.place[1]
         if self.reading.dialect == "grbl" or not self.reading.require_end:
             self.notices.append(Notice(f"{NO_END} (M2 or M30): its last line ends it", max(line, 1), 1))
         else:
@@ -334,3 +323,129 @@ def split_lines(text: str) -> list[str]:
     # Not splitlines(): its other separators (form feed, U+2028 ...) would shift the line numbers of editors.
     lines = _LINE_BREAK.split(text)
     return lines[:-1] if lines and not lines[-1] else lines
+
+
+def parse_program(text: str, name: str = "<text>", *, require_end: bool = True, reading: Reading | None = None) -> Program:
+    """Read a part program from text.
+
+    Parameters
+    ----------
+    text : str
+    name : str
+        Name of the program, also in error messages.
+    require_end : bool
+        Whether a program must have an end, as in LinuxCNC.
+    reading : Reading, optional
+        Everything about how to read; replaces `require_end`.
+
+    Returns
+    -------
+    Program
+
+    Raises
+    ------
+    ProgramError
+        If a line cannot be read, or the program has no end or no motion; names line and column.
+
+    >>> parse_program("G21 G1 X10 F600\\nM2").moves[0].feedrate
+    0.01
+    """
+    return _program(text, name, name, reading or Reading(require_end=require_end))
+
+
+def read_program(
+    file: str | Path, *, require_end: bool = True, reading: Reading | None = None, problems: list[ProgramError] | None = None
+) -> Program:
+    """Read a part program from a file, in UTF-8 or else in Latin-1.
+
+    Parameters
+    ----------
+    file : str or Path
+    require_end : bool
+        Whether a program must have an end, as in LinuxCNC.
+    reading : Reading, optional
+        Everything about how to read; replaces `require_end`. Subprogram files are searched for in the folder of the program.
+    problems : list of ProgramError, optional
+        Collects faults; faulty lines are skipped where possible. Without it the first fault is raised.
+
+    Returns
+    -------
+    Program
+        Its name is the file name without folders.
+
+    Raises
+    ------
+    ProgramError
+        If the file or a line cannot be read, or the program has no end or no motion; names line and column.
+    """
+    path = Path(file)
+    chosen = _beside(path, reading or Reading(require_end=require_end))
+    return _program(read_text(path), path.name, str(file), chosen, problems)
+
+
+def _beside(path: Path, reading: Reading) -> Reading:
+    """Look for subprograms beside a file; refuse a file that is something else: a picture, a scenario, a log ..."""
+    if words := mistaken(path, "a part program"):
+        raise ProgramError(words, file=path)
+    return replace(reading, folder=path.parent) if reading.folder is None else reading
+
+
+@contextmanager
+def open_program(
+    file: str | Path, reading: Reading | None = None, *, still: bool = False, problems: list[ProgramError] | None = None
+) -> Iterator[Reader]:
+    """Open a part program for reading line by line, in UTF-8 or else in Latin-1.
+
+    Parameters
+    ----------
+    still, problems
+        See `Reader`.
+
+    Raises
+    ------
+    ProgramError
+        If the file cannot be read.
+    """
+    path = Path(file)
+    chosen = _beside(path, reading or Reading())
+    try:
+        if path.exists() and not path.is_file() and not path.is_dir():
+            # A pipe can be read only once; other files are first read to the end to check whether they are UTF-8.
+            yield Reader(split_lines(read_text(path)), str(file), chosen, still=still, problems=problems)
+            return
+        text = path.open(encoding="utf-8-sig" if _is_utf8(path) else "latin-1", newline=None)
+    except (OSError, ValueError) as error:
+        raise unreadable(file, error) from error
+    with text:
+        yield Reader(_bounded(text), str(file), chosen, still=still, problems=problems)
+
+
+def _bounded(text: TextIO) -> Iterator[str]:
+    """Yield the lines of a file; of a line that is too long, only as much as the reader needs to refuse it."""
+    most = LONGEST_LINE + 2
+    while line := text.readline(most):
+        yield line
+        while len(line) == most and line[-1] != "\n":
+            line = text.readline(most)
+
+
+def _is_utf8(path: Path) -> bool:
+    try:
+        with path.open(encoding="utf-8") as text:
+            return all(iter(partial(text.read, 1 << 20), ""))
+    except UnicodeDecodeError:
+        return False
+
+
+def _program(text: str, name: str, place: str, reading: Reading, problems: list[ProgramError] | None = None) -> Program:
+    lines = tuple(split_lines(text))
+    reader = Reader(lines, place, reading, problems=problems)
+    moves: list[Move] = []
+    try:
+        for move in reader.moves():
+            moves.append(move)
+    except ProgramError as error:
+        if problems is None:
+            raise
+        problems.append(error)
+    return Program(name, tuple(moves), lines, tuple(reader.state.events), tuple(reader.notices))

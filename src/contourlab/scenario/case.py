@@ -13,7 +13,7 @@ import numpy as np
 from contourlab.components.registry import component
 from contourlab.errors import FeedError, ParameterError, ProgramError, ScenarioError, hint
 from contourlab.feed import AxisLimits, Reference, Route, blended, plan, route_from_path, uniform
-from contourlab.feed.judged import WHOLE, Judged
+from contourlab.feed.profile import WHOLE, Judged
 from contourlab.feed.route import controlled
 from contourlab.loop import Change, Controller, Machine
 from contourlab.notebook import facts_line

@@ -11,12 +11,11 @@ from numpy.typing import ArrayLike
 from contourlab.arrays import Array
 from contourlab.feed import route_from_program
 from contourlab.geometry import Path
-from contourlab.geometry.arc import Arc
-from contourlab.geometry.box import boxes
-from contourlab.geometry.conics import EllipticalArc
 from contourlab.geometry.curve import Curve
-from contourlab.geometry.line import Line
+from contourlab.geometry.line_and_arc import Arc, Line
 from contourlab.geometry.nurbs import BSpline, Nurbs
+from contourlab.geometry.parametric import EllipticalArc
+from contourlab.geometry.path import boxes
 from contourlab.loop import Machine
 from contourlab.program import Arc as ProgramArc
 from contourlab.program import Dwell, Move, Point, Program, Spline

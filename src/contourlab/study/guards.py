@@ -9,9 +9,16 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from contourlab.analysis.linear.contour_transfer import internal_stability
-from contourlab.analysis.linear.loop_lanes import lane_loops, margin_factors, rough_margins, sampled_loops, unstable_by
 from contourlab.analysis.linear.margins import Margins
-from contourlab.analysis.linear.sampled_loop import SampledLoop, sampled_loop
+from contourlab.analysis.linear.sampled_loop import (
+    SampledLoop,
+    lane_loops,
+    margin_factors,
+    rough_margins,
+    sampled_loop,
+    sampled_loops,
+    unstable_by,
+)
 from contourlab.arrays import Array
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop import Controller, Machine

@@ -16,9 +16,8 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.analysis.linear.loop_lanes import rough_margins, sampled_loops
 from contourlab.analysis.linear.margins import Margins
-from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.analysis.linear.sampled_loop import rough_margins, sampled_loop, sampled_loops
 from contourlab.arrays import Array
 from contourlab.components.filter.biquad import Notch
 from contourlab.components.plant.plant import Plant

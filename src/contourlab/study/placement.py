@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.analysis.linear.loop_lanes import rough_margins, sampled_loops
+from contourlab.analysis.linear.sampled_loop import rough_margins, sampled_loops
 from contourlab.components.contract import Component
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop import Axis, AxisController, Machine

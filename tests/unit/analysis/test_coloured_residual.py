@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from contourlab.analysis.identification.output_error import (
+from contourlab.analysis.identification.least_squares import (
     bartlett,
     coloured_deviations,
     flat_top,

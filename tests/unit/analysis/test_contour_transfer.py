@@ -9,9 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from contourlab.analysis.linear.contour_transfer import contour_margins, contour_transfer, internal_stability
-from contourlab.analysis.linear.coupled_loop import coupled_loop, coupling_model, normal_basis
+from contourlab.analysis.linear.coupled_loop import TrialMap, coupled_loop, coupling_model, normal_basis, normal_frames
 from contourlab.analysis.linear.margins import hull_modulus
-from contourlab.analysis.linear.trial_map import TrialMap, normal_frames
 from contourlab.components.coupling.cross_coupled import CrossCoupled
 from contourlab.components.coupling.cross_coupled_filter import CrossCoupledFilter
 from contourlab.components.coupling.modified_reference import ModifiedError, ModifiedReference

@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 
 from contourlab.analysis.identification.first_order import (
     closed_loop_position,
+    delayed,
+    first_order_motion,
     identify_closed_loop,
     identify_first_order,
 )
-from contourlab.analysis.identification.first_order_motion import delayed, first_order_motion
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]

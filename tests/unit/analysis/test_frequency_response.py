@@ -10,18 +10,28 @@ from axis_bench import driven
 from numpy.typing import NDArray
 from refusals import refuses
 
-from contourlab.analysis.identification.drive_fit import fit_linear_motor, fit_two_inertia
-from contourlab.analysis.identification.drive_models import damping_ratio, held_response, linear_motor, load_side, resonances, two_inertia
+from contourlab.analysis.identification.drive_fit import (
+    damping_ratio,
+    fit_linear_motor,
+    fit_two_inertia,
+    held_response,
+    linear_motor,
+    load_side,
+    resonances,
+    two_inertia,
+)
 from contourlab.analysis.identification.frequency_response import (
     Measured,
     MeasuredResponse,
     is_sweep,
     periodic_response,
     repeating,
+    sine_point,
+    sine_responses,
+    sine_stretch,
     spectral_response,
     swept_response,
 )
-from contourlab.analysis.identification.sine_response import sine_point, sine_responses, sine_stretch
 from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.plant.two_inertia import TwoInertia

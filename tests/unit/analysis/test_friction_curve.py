@@ -7,8 +7,7 @@ import pytest
 from numpy.typing import NDArray
 from refusals import refuses
 
-from contourlab.analysis.identification.constant_speed import constant_speed_stretches
-from contourlab.analysis.identification.friction_curve import fit_friction
+from contourlab.analysis.identification.friction import constant_speed_stretches, fit_friction
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]

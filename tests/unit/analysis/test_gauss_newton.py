@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.signal import lfilter
 
-from contourlab.analysis.identification.gauss_newton import (
+from contourlab.analysis.identification.least_squares import (
     DescentSettings,
     descend,
     fit_covariance,

@@ -12,15 +12,17 @@ from coupled_axes import circle, stages, unlike
 from numpy.typing import NDArray
 
 from contourlab.analysis.learning.learning_analysis import (
+    LiftedLearning,
+    TrialOperator,
     design_zero_phase,
     first_zero,
     largest_gain,
     learning_analysis,
+    lifted_learning,
     quarter_turn,
     worst_zero_phase,
 )
 from contourlab.analysis.learning.learning_frequency import averaging, frequency_learning, law_kernels
-from contourlab.analysis.learning.learning_lifted import LiftedLearning, TrialOperator, lifted_learning
 from contourlab.analysis.linear.coupled_loop import coupled_loop
 from contourlab.components.coupling.cross_coupled import CrossCoupled
 from contourlab.components.learning.error_law import CrossCoupledLearning, PType, ZeroPhase

@@ -8,8 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from contourlab.analysis.linear.loop_lanes import lane_loops, margin_factors, unstable_by
-from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.analysis.linear.sampled_loop import lane_loops, margin_factors, sampled_loop, unstable_by
 from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.papers.ghaffari.setup import TABLE_3, Reading, controller, machine
 from contourlab.study import Space

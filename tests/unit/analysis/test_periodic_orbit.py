@@ -64,10 +64,10 @@ def test_jacobian_against_differences(damping: float) -> None:
     shooter = Shooter(loop)
     start = simulate_exact(loop, [0.0, 0.0, -30.0 * HALF_GAP, 0.0], 0.503).spans[-1].end[: shooter.n]
     shot = shooter.shot(start, 0.11)
-    assert len(shot.modes) > 4
+    assert len(shot.motion) > 4
     columns = []
     for direction in np.eye(shooter.n):
-        if damping and shot.modes[0] != 0 and direction[-1]:
+        if damping and shot.motion[0].mode != 0 and direction[-1]:
             continue
         step = 1e-7 * direction * max(float(np.abs(start @ direction)), 1e-2)
         columns.append((shooter.shot(start + step, 0.11).end - shooter.shot(start - step, 0.11).end) / (2.0 * np.abs(step).sum()))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from contourlab.analysis.identification.drive_models import held_response, linear_motor, two_inertia
+from contourlab.analysis.identification.drive_fit import held_response, linear_motor, two_inertia
 from contourlab.analysis.identification.frequency_response import MeasuredResponse, response_findings
 
 PERIOD = 1e-3

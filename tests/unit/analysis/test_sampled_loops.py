@@ -8,8 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from contourlab.analysis.linear.loop_lanes import rough_margins, sampled_loops
-from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.analysis.linear.sampled_loop import rough_margins, sampled_loop, sampled_loops
 from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.errors import ComponentError
 from contourlab.loop import Controller, Machine

@@ -10,7 +10,7 @@ from axis_bench import driven
 from numpy.typing import NDArray
 from refusals import refuses
 
-from contourlab.analysis.identification.stiction import breakaways
+from contourlab.analysis.identification.friction import breakaways
 from contourlab.components.friction.laws import Coulomb, LuGre
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.sensor.encoder import Encoder

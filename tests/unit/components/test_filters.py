@@ -14,8 +14,7 @@ from scipy.signal import bilinear, freqs, freqz
 from stages import control, stage
 
 import contourlab as cl
-from contourlab.analysis.linear.loop_lanes import sampled_loops
-from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.analysis.linear.sampled_loop import sampled_loop, sampled_loops
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.loop.trials import Trials
 from contourlab.scenario import dump, parse_scenario

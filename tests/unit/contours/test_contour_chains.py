@@ -14,7 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from contourlab.contours import read_contour, read_dxf
-from contourlab.contours.chains import Strand, chains_of
+from contourlab.contours.drawing import Strand, chains_of
 from contourlab.errors import GeometryError
 from contourlab.geometry import Arc, Line
 from contourlab.geometry.path import JOIN_TOLERANCE

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from contourlab.contours import read_contour, read_svg
 from contourlab.contours.shapes import ConicShape, LineShape, Shape, SplineShape
-from contourlab.contours.svg_syntax import path_shapes
+from contourlab.contours.svg import path_shapes
 
 
 def only(data: str) -> list[Shape]:

@@ -215,7 +215,7 @@ def test_no_curve_leaves_its_polygon_further_than_its_turns_explain(n_axis: int,
 
 
 def test_points_without_a_good_curve_are_refused_with_their_lines(tmp_path: File, monkeypatch: pytest.MonkeyPatch) -> None:
-    from contourlab.contours.polygon import Polygon
+    from contourlab.contours.fit import Polygon
 
     def nowhere(polygon: Polygon) -> tuple[Array, NDArray[np.bool_]]:
         return np.zeros(len(polygon.length)), np.zeros(len(polygon.length), dtype=bool)

@@ -14,7 +14,7 @@ from scipy.spatial import KDTree
 
 from contourlab.errors import FeedError
 from contourlab.feed import Correspondence, Reference, Route, blended
-from contourlab.feed.corner_blend import shape
+from contourlab.feed.blending import shape
 from contourlab.geometry import Arc, Blend, Curve, Line, Path, contour
 from contourlab.geometry.blend import blends, quintic_bezier
 from contourlab.geometry.curve import CurveBatch

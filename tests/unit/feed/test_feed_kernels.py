@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
-from contourlab.feed import AxisLimits, kernels, merging, speed_profile
+from contourlab.feed import AxisLimits, blending, kernels
 from contourlab.feed.bounds import Samples, piece_bounds
 from contourlab.geometry import contour
 
@@ -142,7 +142,7 @@ def test_derivatives_between_samples_are_those_of_a_cubic() -> None:
     ends, here = np.array([0.2, 0.9]), np.zeros((3, 1, 1))
     k, c = bend(ends)[:, None], bend.deriv()(ends)[:, None]
     for part in (0.1, 0.5, 0.8):
-        speed_profile._between(np.zeros((2, 1)), k, c, 0, 0.7, part, here)
+        kernels._between(np.zeros((2, 1)), k, c, 0, 0.7, part, here)
         assert here[1, 0, 0] == pytest.approx(bend(0.2 + 0.7 * part), rel=1e-12)
         assert here[2, 0, 0] == pytest.approx(bend.deriv()(0.2 + 0.7 * part), rel=1e-12)
 
@@ -152,10 +152,10 @@ def test_a_block_has_whole_steps_and_keeps_its_length() -> None:
     square = np.minimum(np.minimum(4.0 * s, 4.0 * (0.3 - s)), 0.04)
     first, last, free = np.array([0, 20, 41]), np.array([20, 41, 59]), np.array([0, 0, 1])
     time, lasting, count = np.empty(60), np.empty(3), np.empty(3, np.int64)
-    speed_profile.clock(s, square, first, last, free, 0.01, time, lasting, count)
+    kernels.clock(s, square, first, last, free, 0.01, time, lasting, count)
     np.testing.assert_allclose(lasting[:2], count[:2] * 0.01, rtol=1e-15)
     mean = np.zeros(int(count.sum()))
-    speed_profile.steps(s, square, time, first, last, lasting, np.cumsum(count) - count, count, 0.01, mean)
+    kernels.steps(s, square, time, first, last, lasting, np.cumsum(count) - count, count, 0.01, mean)
     assert mean.sum() * 0.01 == pytest.approx(0.3, rel=1e-12)
     assert mean.max() <= 0.2 * (1 + 1e-12)
     # 0.3 m at 0.2 m/s with two ramps at 2 m/s^2 takes 1.6 s; each of the first blocks takes up to one step more.
@@ -187,7 +187,7 @@ def test_runs_of_lines_in_machine_code_and_in_plain_python_agree(monkeypatch: py
     turned = np.cumsum(generator.normal(0.0, 0.02, 400))
     points = np.cumsum(np.column_stack([np.cos(turned), np.sin(turned)]), axis=0)
     linked = generator.random(399) < 0.9
-    fast = merging.run_starts(points, np.full(399, 0.02), linked)
-    monkeypatch.setattr(merging, "_mark_starts", merging._mark_starts.plain)
-    np.testing.assert_array_equal(fast, merging.run_starts(points, np.full(399, 0.02), linked))
+    fast = blending.run_starts(points, np.full(399, 0.02), linked)
+    monkeypatch.setattr(blending, "_mark_starts", blending._mark_starts.plain)
+    np.testing.assert_array_equal(fast, blending.run_starts(points, np.full(399, 0.02), linked))
     assert 40 < fast.size < 300

@@ -9,7 +9,7 @@ import pytest
 
 from contourlab.errors import FeedError
 from contourlab.feed import AxisLimits, Reference, limit_report, plan, route_from_path, route_from_program
-from contourlab.feed.junctions import KINK_TIME, MOST_KINK
+from contourlab.feed.route import KINK_TIME, MOST_KINK
 from contourlab.geometry import Arc, Line, Path, contour
 from contourlab.program import parse_program
 

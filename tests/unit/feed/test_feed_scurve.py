@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from contourlab.feed.scurve import move_spans, peak_speed, ramp_distance, ramps, reachable_speed
+from contourlab.feed.bounds import move_spans, peak_speed, ramp_distance, ramps, reachable_speed
 
 
 def spans_end(duration: np.ndarray, s0: np.ndarray, v0: np.ndarray, a0: np.ndarray, j: np.ndarray) -> np.ndarray:

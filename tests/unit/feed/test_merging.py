@@ -11,7 +11,7 @@ import pytest
 from numpy.typing import NDArray
 
 from contourlab.feed import Route, blended
-from contourlab.feed.merging import merged
+from contourlab.feed.blending import merged
 from contourlab.geometry import Arc, Curve, Line, Path
 
 Array = NDArray[np.float64]

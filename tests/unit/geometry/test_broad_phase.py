@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from contourlab.geometry import Arc, BSpline, Curve, Line, Path, broad_phase
+from contourlab.geometry import Arc, BSpline, Curve, Line, Path
+from contourlab.geometry.foot_point import curves_in_reach
 
 Array = NDArray[np.float64]
 
@@ -62,9 +63,9 @@ def spread(path: Path, n: int = 400) -> tuple[Array, Array]:
 def test_the_closest_point_is_that_of_all_curves(name: str, part: float, monkeypatch: pytest.MonkeyPatch) -> None:
     path = PATHS[name]
     points, around = spread(path)
-    monkeypatch.setattr(broad_phase, "_FEW", np.inf)
+    monkeypatch.setattr("contourlab.geometry.foot_point._FEW", np.inf)
     wanted = path.foot_point(points, around, part * path.length)
-    monkeypatch.setattr(broad_phase, "_FEW", 0)
+    monkeypatch.setattr("contourlab.geometry.foot_point._FEW", 0)
     found = path.foot_point(points, around, part * path.length)
     for one, other in zip(found, wanted, strict=True):
         np.testing.assert_allclose(one, other, rtol=0.0, atol=1e-12 * path.length)
@@ -74,9 +75,9 @@ def test_the_closest_point_is_that_of_all_curves(name: str, part: float, monkeyp
 def test_pairs_are_in_the_order_of_the_path_and_within_the_window(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     path = PATHS[name]
     points, around = spread(path)
-    monkeypatch.setattr(broad_phase, "_FEW", 0)
+    monkeypatch.setattr("contourlab.geometry.foot_point._FEW", 0)
     window = np.full(around.size, 0.3 * path.length)
-    sample, curve, lap, low, high = broad_phase.curves_in_reach(path, points, around, window)
+    sample, curve, lap, low, high = curves_in_reach(path, points, around, window)
     assert np.array_equal(np.unique(sample), np.arange(around.size))
     along = lap * len(path.curves) + curve
     same = np.diff(sample) == 0
@@ -91,12 +92,12 @@ def test_few_of_thousands_of_curves_remain() -> None:
     path = polygon(0.05 * np.column_stack([np.cos(angle), np.sin(1.1 * angle)]), False)
     around = np.linspace(0.1, 0.9, 500) * path.length
     points = path.position(around) + 1e-5
-    sample, *_ = broad_phase.curves_in_reach(path, points, around, np.full(500, 0.2 * path.length))
+    sample, *_ = curves_in_reach(path, points, around, np.full(500, 0.2 * path.length))
     assert np.bincount(sample).mean() < 10.0
 
 
 def test_from_the_centre_of_a_wheel_all_spokes_are_kept() -> None:
     angle = np.linspace(0.0, 2.0 * np.pi, 1000, endpoint=False)
     path = polygon(0.05 * np.column_stack([np.cos(angle), np.sin(angle)]), True)
-    sample, curve, *_ = broad_phase.curves_in_reach(path, np.zeros((3, 2)), np.full(3, 0.1), np.full(3, 0.499 * path.length))
+    sample, curve, *_ = curves_in_reach(path, np.zeros((3, 2)), np.full(3, 0.1), np.full(3, 0.499 * path.length))
     assert len(np.unique(curve[sample == 1])) >= 997

@@ -62,7 +62,7 @@ def test_the_key_of_a_kernel_covers_the_modules_of_all_that_it_calls() -> None:
     from contourlab.feed import bounds
     from contourlab.native.compile import _modules
 
-    assert _modules(bounds._quickest.plain) == {"contourlab.feed.bounds", "contourlab.feed.scurve"}
+    assert _modules(bounds._quickest.plain) == {"contourlab.feed.bounds"}
 
 
 def test_the_constants_of_a_kernel_are_in_its_key() -> None:

@@ -12,7 +12,7 @@ from refusals import refuses
 
 from contourlab.errors import ProgramError
 from contourlab.program import Arc, Dwell, Reading, parse_program
-from contourlab.program.coordinates import Frame, read_tools
+from contourlab.program.state import Frame, read_tools
 
 lengths = st.floats(-10.0, 10.0)
 points = st.tuples(lengths, lengths, lengths)

@@ -9,8 +9,8 @@ from texts_of_scenarios import SCENARIO
 
 import contourlab as cl
 from contourlab.geometry import contour_names
-from contourlab.geometry.conics import EllipticalArc
 from contourlab.geometry.nurbs import BSpline
+from contourlab.geometry.parametric import EllipticalArc
 from contourlab.geometry.path import Path
 from contourlab.scenario import dump, parse_scenario
 from contourlab.scenario.placing import placed

@@ -15,7 +15,7 @@ from contourlab.features.machines.answers import preset_file, read_answers
 from contourlab.features.machines.new_machine import new_machine, write_machine
 from contourlab.features.run.outcome import run_case
 from contourlab.features.run.trust.provenance import numbers_of_machine
-from contourlab.geometry.box import box, boxes
+from contourlab.geometry.path import boxes
 from contourlab.loop import Limits
 from contourlab.scenario import Scenario, dump, load_machine, parse_scenario, scenario_from_parts
 
@@ -132,4 +132,3 @@ def test_boxes_are_those_of_the_curves() -> None:
     path = cl.contour("circle", radius=0.01)
     low, high = boxes(path)
     np.testing.assert_allclose([low[0], high[0]], [[-0.01] * 2, [0.01] * 2], rtol=1e-12)
-    np.testing.assert_array_equal(box(path), [low.min(axis=0), high.max(axis=0)])

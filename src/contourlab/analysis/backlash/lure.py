@@ -224,6 +224,8 @@ def _as_sampled(velocity: Component, period: float) -> Component:
 
 def _closed(plant: TwoInertia, controller: AxisController, law: Component, delay: float) -> tuple[Array, Array, tuple[str, ...]]:
     """Return A and B of the loop over `FREE`, plant states first, and the names of the states."""
+    from scipy.linalg import block_diag
+
     blocks = _blocks(plant, controller, law, delay)
     place = {f"{block.name}.{port}": i for i, (block, port) in enumerate((block, port) for block in blocks for port in block.model.outputs)}
     takes = [(block, port) for block in blocks for port in block.model.inputs]
@@ -234,18 +236,12 @@ def _closed(plant: TwoInertia, controller: AxisController, law: Component, delay
             inside[row, place[source]] = 1.0
         elif source in FREE:
             outside[row, FREE.index(source)] = 1.0
-    a, b, c, d = (_diagonal([getattr(block.model, part) for block in blocks]) for part in "abcd")
+    a, b, c, d = (np.asarray(block_diag(*(getattr(block.model, part) for block in blocks))) for part in "abcd")
     # Solve for outputs that depend on each other without delay.
     reach = np.linalg.solve(np.eye(len(place)) - d @ inside, np.hstack([c, d @ outside]))
     n = len(a)
     names = (*PLANT_STATES, *(f"{block.name} {i + 1}" for block in blocks[1:] for i in range(len(block.model.a))))
     return a + b @ inside @ reach[:, :n], b @ (inside @ reach[:, n:] + outside), names
-
-
-def _diagonal(parts: list[Array]) -> Array:
-    from scipy.linalg import block_diag
-
-    return np.asarray(block_diag(*parts))
 
 
 def _blocks(plant: TwoInertia, controller: AxisController, law: Component, delay: float) -> list[_Block]:

@@ -3,17 +3,22 @@
 The state is extended by the twist of a damped shaft in the gap and by a constant 1: each mode is then w' = M w, solved by a matrix
 exponential. The end of a mode is found on a Chebyshev interpolant of its guard. A chunk of time is halved until the interpolant is exact to
 rounding, so that no crossing and no pair of crossings is missed. The instant is then refined on the exponential itself.
+
+`spans` strings the modes together: an exact simulation, with mode changes located to rounding.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.analysis.backlash.lure import BacklashLoop, dead_zone
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Index
+from contourlab.errors import ParameterError
 
 DEGREE = 18
 """Degree of the Taylor polynomial, used up to a norm of 1: the remainder is 1/19! = 8e-18."""
@@ -62,6 +67,9 @@ def exponentials(matrix: Array, times: ArrayLike) -> Array:
 BELOW, GAP, ABOVE = -1, 0, 1
 """Contact with the motor behind, no contact, contact with the motor ahead of the load."""
 NODES = 17
+_PLACES = -np.cos(np.pi * np.arange(NODES) / (NODES - 1))
+_TO_CHEBYSHEV = np.linalg.inv(np.polynomial.chebyshev.chebvander(_PLACES, NODES - 1))
+"""From values at the places on [-1, 1] to Chebyshev coefficients."""
 ROUNDING = float(np.finfo(float).eps)
 DEEPEST = 60
 
@@ -268,10 +276,56 @@ def _rises(series: Array, noise: float) -> list[float]:
     return [float(places[i]) for i in range(places.size) if above[i + 1] and not above[i]]
 
 
-def _to_chebyshev() -> tuple[Array, Array]:
-    """Return the nodes on [-1, 1] and the matrix from values there to Chebyshev coefficients."""
-    places = -np.cos(np.pi * np.arange(NODES) / (NODES - 1))
-    return places, np.asarray(np.linalg.inv(np.polynomial.chebyshev.chebvander(places, NODES - 1)), dtype=np.float64)
+RUNAWAY = 1e9
+"""Largest state, over its start or the gap; beyond it a run has diverged."""
 
 
-_PLACES, _TO_CHEBYSHEV = _to_chebyshev()
+@dataclass(frozen=True, eq=False)
+class Span:
+    """A span of time in one mode: w' = M w from `start`, for `duration`."""
+
+    time: float
+    duration: float
+    mode: int
+    start: Array
+    end: Array
+    following: int | None
+    """The next mode; None if the span ends without a mode change."""
+
+
+def spans(flow: Flow, w: Array, mode: int, duration: float, most: int) -> Iterator[Span]:
+    """Yield the spans of a motion that starts at `w` in `mode`.
+
+    Raises
+    ------
+    ParameterError
+        If the mode changes more than `most` times.
+    """
+    time, begun, origin, level = 0.0, 0.0, w, 0
+    limit = RUNAWAY * max(float(np.abs(w).max()), flow.loop.half_gap)
+    for _ in range(most):
+        while True:
+            step, w, following, level = flow.advance(w, mode, duration - time, level)
+            time += step
+            # The sum of the steps equals the duration up to rounding.
+            done = duration - time <= 1e-15 * duration
+            if following is not None or done or not np.abs(w).max() < limit:
+                break
+        yield Span(begun, time - begun, mode, origin, w, following)
+        if done or following is None:
+            return
+        w, mode, begun = flow.reset(mode, following) @ w, following, time
+        origin = w
+    raise ParameterError("changes of mode", most, f"fewer within {duration:g} s: shorten the time or allow more")
+
+
+def lengthened_at(flow: Flow, motion: Sequence[Span], time: ArrayLike) -> tuple[Array, Index]:
+    """Return the lengthened states (n_time, size) of a motion at times (n_time,) [s] within it, and the modes."""
+    starts, modes = np.array([span.time for span in motion]), np.array([span.mode for span in motion], dtype=np.int64)
+    t = np.atleast_1d(np.asarray(time, dtype=float))
+    index = np.searchsorted(starts, t, side="right") - 1
+    lengthened = np.empty((t.size, flow.size))
+    for i in np.unique(index):
+        at = np.flatnonzero(index == i)
+        lengthened[at] = flow.exponentials(motion[i].mode, t[at] - motion[i].time) @ motion[i].start
+    return lengthened, modes[index]

@@ -14,10 +14,9 @@ from itertools import islice
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.analysis.backlash.exact_simulation import Span, lengthened_at, spans
 from contourlab.analysis.backlash.limit_cycle_prediction import LimitCycle, predict_limit_cycles, quasi_linear
 from contourlab.analysis.backlash.lure import BacklashLoop
-from contourlab.analysis.backlash.mode_flow import GAP, Flow
+from contourlab.analysis.backlash.mode_flow import GAP, Flow, Span, lengthened_at, spans
 from contourlab.analysis.linear.tick_map import poles_of
 from contourlab.arrays import Array, Complex
 from contourlab.errors import ParameterError
@@ -72,8 +71,7 @@ class Shot:
     jacobian: Array
     slope: Array
     """Velocity at the end."""
-    modes: tuple[int, ...]
-    found: tuple[Span, ...]
+    motion: tuple[Span, ...]
 
 
 class Shooter:
@@ -97,8 +95,10 @@ class Shooter:
                 jacobian = _saltation(flow, span.mode, span.following, span.end) @ jacobian
         last = motion[-1]
         slope = flow.matrices[last.mode] @ last.end
-        end, modes = self._settled(last), tuple(span.mode for span in motion)
-        return Shot(w[: self.n], end, jacobian[: self.n, : self.n], slope[: self.n], modes, motion)
+        end = last.end[: self.n].copy()
+        if flow.twisted and last.mode != GAP:  # in contact the positions define the shaft's twist
+            end[-1] = flow.loop.c @ end[: flow.n] - last.mode * flow.loop.half_gap
+        return Shot(w[: self.n], end, jacobian[: self.n, : self.n], slope[: self.n], motion)
 
     def _twist(self, y: Array) -> float | None:
         """Return the twist of a start, limited to what contact allows."""
@@ -107,13 +107,6 @@ class Shooter:
         loop, own = self.flow.loop, float(y[-1])
         d = float(loop.c @ y[: loop.n])
         return float(np.clip(own, d - loop.half_gap, d + loop.half_gap))
-
-    def _settled(self, span: Span) -> Array:
-        """Return the end of a motion; in contact the positions define the shaft's twist."""
-        end = span.end[: self.n].copy()
-        if self.flow.twisted and span.mode != GAP:
-            end[-1] = self.flow.loop.c @ end[: self.flow.n] - span.mode * self.flow.loop.half_gap
-        return end
 
 
 def _saltation(flow: Flow, mode: int, following: int, w: Array) -> Array:
@@ -207,7 +200,7 @@ def _damped(shooter: Shooter, shot: Shot, period: float, step: Array, longer: fl
 
 def _size(shot: Shot) -> Array:
     """Return the size of each state along a shot, for scaling."""
-    corners = np.array([span.start[: len(shot.start)] for span in shot.found] + [shot.end])
+    corners = np.array([span.start[: len(shot.start)] for span in shot.motion] + [shot.end])
     largest = np.abs(corners).max(axis=0)
     return np.asarray(np.maximum(largest, 1e-9 * largest.max()))
 
@@ -215,7 +208,7 @@ def _size(shot: Shot) -> Array:
 def _orbit(shooter: Shooter, shot: Shot, period: float) -> PeriodicOrbit | None:
     """Return a closed shot as an orbit, unless it is a point of rest."""
     loop = shooter.flow.loop
-    states = lengthened_at(shooter.flow, shot.found, np.linspace(0.0, period, SAMPLES + 1))[0]
+    states = lengthened_at(shooter.flow, shot.motion, np.linspace(0.0, period, SAMPLES + 1))[0]
     amplitude = _half_range(states[:, : loop.n] @ loop.c)
     if amplitude < loop.half_gap:
         return None
@@ -282,7 +275,10 @@ def find_orbits(loop: BacklashLoop, *, prediction: Sequence[LimitCycle] | None =
         prediction = predict_limit_cycles(loop)
     shots = []
     for cycle in prediction or ():
-        start = _predicted_start(loop, cycle.amplitude, cycle.ratio, cycle.frequency)
+        # A state on the sinusoid of the quasi-linear loop, where the difference passes its peak.
+        values, vectors = np.linalg.eig(quasi_linear(loop, cycle.ratio, cycle.frequency))
+        vector = vectors[:, int(np.argmin(np.abs(values - 1j * cycle.frequency)))]
+        start = (vector * (cycle.amplitude / (loop.c @ vector))).real
         shots.append(close_orbit(loop, start, 2.0 * math.pi / cycle.frequency))
     shots += [_settled_orbit(loop, kick) for kick in kicks]
     orbits: list[PeriodicOrbit] = []
@@ -292,18 +288,15 @@ def find_orbits(loop: BacklashLoop, *, prediction: Sequence[LimitCycle] | None =
     return OrbitSearch(tuple(sorted(orbits, key=lambda orbit: -orbit.amplitude)))
 
 
-def _predicted_start(loop: BacklashLoop, amplitude: float, ratio: float, w: float) -> Array:
-    """Return a state on the sinusoid of the quasi-linear loop, where the difference passes its peak."""
-    values, vectors = np.linalg.eig(quasi_linear(loop, ratio, w))
-    vector = vectors[:, int(np.argmin(np.abs(values - 1j * w)))]
-    return np.asarray((vector * (amplitude / (loop.c @ vector))).real)
-
-
 def _settled_orbit(loop: BacklashLoop, kick: float) -> PeriodicOrbit | None:
     """Simulate a motion from `SETTLING` to `SETTLED` mode changes and shoot from its last contact; None at rest or in a runaway."""
     flow = Flow(loop)
     w, mode = flow.lengthened(kick * loop.half_gap * loop.c / float(loop.c @ loop.c), None)
-    duration = _first_look(loop)
+    # At first 100 periods of the slowest oscillation in contact.
+    poles = np.linalg.eigvals(loop.contact_matrix)
+    ringing = poles.imag[poles.imag > 1e-6 * np.abs(poles).max()]
+    slowest = float(ringing.min()) if ringing.size else float(np.abs(poles).min())
+    duration = 100.0 * 2.0 * math.pi / max(slowest, 1e-300)
     for _ in range(10):
         motion = tuple(islice(spans(flow, w, mode, duration, SETTLED), SETTLED))
         last = motion[-1]
@@ -327,14 +320,6 @@ def _from_returns(loop: BacklashLoop, flow: Flow, contacts: Sequence[Span]) -> P
     span = contacts[last]
     middle = flow.exponential(span.mode, 0.5 * span.duration) @ span.start
     return close_orbit(loop, middle[: loop.n], span.time - contacts[best].time, twist=float(middle[loop.n]) if flow.twisted else 0.0)
-
-
-def _first_look(loop: BacklashLoop) -> float:
-    """Return 100 periods of the slowest oscillation in contact [s]."""
-    poles = np.linalg.eigvals(loop.contact_matrix)
-    ringing = poles.imag[poles.imag > 1e-6 * np.abs(poles).max()]
-    slowest = float(ringing.min()) if ringing.size else float(np.abs(poles).min())
-    return 100.0 * 2.0 * math.pi / max(slowest, 1e-300)
 
 
 def _same(orbit: PeriodicOrbit, other: PeriodicOrbit) -> bool:

@@ -156,9 +156,7 @@ def fit_ellipse(u1: ArrayLike, u2: ArrayLike) -> EllipseFit:
     -----
     The fit minimises algebraic distances: noise of relative size sigma biases the constants by the order of sigma^2.
     """
-    first, second = (np.asarray(u, dtype=np.float64) for u in (u1, u2))
-    if first.ndim != 1 or first.shape != second.shape or first.size < FEWEST:
-        raise ParameterError("signals", f"{first.shape} and {second.shape}", f"two records of one length, at least {FEWEST} samples")
+    first, second = _two_records(u1, u2, FEWEST)
     for name, values in (("u1", first), ("u2", second)):
         if not np.isfinite(values).all():
             raise ParameterError(name, f"not finite at sample {int(np.argmin(np.isfinite(values)))}", "finite everywhere")
@@ -178,6 +176,13 @@ def fit_ellipse(u1: ArrayLike, u2: ArrayLike) -> EllipseFit:
         inner.amplitude * half[0],
     )
     return _judged(constants, first, second)
+
+
+def _two_records(u1: ArrayLike, u2: ArrayLike, fewest: int) -> tuple[Array, Array]:
+    first, second = (np.asarray(u, dtype=np.float64) for u in (u1, u2))
+    if first.ndim != 1 or first.shape != second.shape or first.size < fewest:
+        raise ParameterError("signals", f"{first.shape} and {second.shape}", f"two records of one length, at least {fewest} samples")
+    return first, second
 
 
 def _solved(x: Array, y: Array) -> tuple[float, ...]:
@@ -340,9 +345,7 @@ def track_ellipse(
     ParameterError
         If a parameter is out of range.
     """
-    first, second = (np.asarray(u, dtype=np.float64) for u in (u1, u2))
-    if first.ndim != 1 or first.shape != second.shape or first.size == 0:
-        raise ParameterError("signals", f"{first.shape} and {second.shape}", "two records of one length")
+    first, second = _two_records(u1, u2, 1)
     for name, value, low, high in (
         ("forgetting", forgetting, 0.9, 1.0),
         ("initial_covariance", initial_covariance, LEAST_COVARIANCE * (1.0 - forgetting), 1e6),

@@ -12,10 +12,10 @@ Bristow, Tharayil & Alleyne, "A survey of iterative learning control", IEEE Cont
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -49,6 +49,8 @@ class LawKernels:
     kernels: dict[str, Array]
     centre: int
     servo_period: float
+    directed: ClassVar[bool] = False
+    """Whether the law itself depends on the direction of the path."""
 
     @cached_property
     def support(self) -> tuple[int, int]:
@@ -56,11 +58,6 @@ class LawKernels:
         size = np.max([np.abs(kernel).max(axis=(1, 2)) / max(np.abs(kernel).max(), 1e-300) for kernel in self.kernels.values()], axis=0)
         at = np.flatnonzero(size > 1e-12)
         return int(at[0]) - self.centre, int(at[-1]) - self.centre
-
-    @property
-    def directed(self) -> bool:
-        """Whether the law itself depends on the direction of the path."""
-        return False
 
     def response(self, frequency: ArrayLike, across: Array) -> dict[str, Complex]:
         """Return the frequency responses (n, n_axis, n_axis) at frequencies (n,) [rad/s]; the same on any path."""
@@ -90,11 +87,8 @@ class LawModel:
     law: Any
     loop: CoupledLoop
     largest: Array
-
-    @property
-    def support(self) -> tuple[int, int]:
-        """Zero: this law has no side lobes."""
-        return 0, 0
+    support: ClassVar[tuple[int, int]] = (0, 0)
+    """This law has no side lobes."""
 
     @property
     def directed(self) -> bool:
@@ -272,9 +266,7 @@ def frequency_learning(loop: CoupledLoop, law: LearningLaw) -> FrequencyLearning
 
     def worst(at: Array) -> tuple[Array, Array]:
         radius, norm = np.zeros(at.size), np.zeros(at.size)
-        trial = _Trial(loop, law, known, at)
-        for t in spread:
-            matrix = trial(t)
+        for matrix in _factors(loop, law, known, at, spread):
             radius = np.maximum(radius, np.abs(np.linalg.eigvals(matrix)).max(axis=1))
             norm = np.maximum(norm, np.linalg.norm(matrix, 2, axis=(1, 2)))
         return radius, norm
@@ -284,35 +276,31 @@ def frequency_learning(loop: CoupledLoop, law: LearningLaw) -> FrequencyLearning
     return FrequencyLearning(w, radius, norm, by_radius, by_norm)
 
 
-class _Trial:
-    """A trial at some frequencies, for any direction."""
-
-    def __init__(self, loop: CoupledLoop, law: LearningLaw, known: LawKernels | LawModel, frequency: Array) -> None:
-        self.target, self.weight, eye = law.target, loop.coupling.weight, np.eye(len(loop.axes))
-        self.known, self.frequency = known, frequency
-        self.same = None if known.directed else known.response(frequency, eye)
-        forms = np.stack([axis.form(frequency) for axis in loop.axes], axis=1)
-        self.pushed, self.shifted, self.back, self.asked = (forms[:, :, i, j, None] * eye for i in (0, 1) for j in (0, 1))
-        self.coupling = loop.coupling(frequency)[:, None, None]
-
-    def __call__(self, tangent: Array) -> Complex:
+def _factors(
+    loop: CoupledLoop, law: LearningLaw, known: LawKernels | LawModel, frequency: Array, tangents: Iterable[Array]
+) -> Iterator[Complex]:
+    """Yield for each direction the matrices (n, n_axis, n_axis) by which a trial multiplies the remaining error at some frequencies."""
+    eye = np.eye(len(loop.axes))
+    forms = np.stack([axis.form(frequency) for axis in loop.axes], axis=1)
+    pushed, shifted, back, asked = (forms[:, :, i, j, None] * eye for i in (0, 1) for j in (0, 1))
+    gain, heard = loop.coupling(frequency)[:, None, None], known.response(frequency, eye)
+    for tangent in tangents:
         along = np.outer(tangent, tangent) / (tangent @ tangent)
-        across = np.eye(tangent.size) - along
-        position, feedback = self._closed(along, across)
-        heard = self.known.response(self.frequency, across) if self.same is None else self.same
-        from_error = heard["tracking_error"] + heard["contour_error"] @ across
-        return np.asarray(heard["table"] - from_error @ position + heard["feedback_command"] @ feedback)
-
-    def _closed(self, along: Array, across: Array) -> tuple[Complex, Complex]:
-        """Return position and feedback command over the learned signal, with axes and coupling closed."""
-        eye, coupling, weighted = np.eye(len(along)), self.coupling * across, self.weight * along
-        driven = self.pushed if self.target == "command" else self.shifted
-        position = np.asarray(np.linalg.solve(eye + self.pushed @ coupling - self.shifted @ weighted, driven))
+        across = eye - along
+        coupling, weighted = gain * across, loop.coupling.weight * along
+        # Position and feedback command over the learned signal, with axes and coupling closed.
+        driven = pushed if law.target == "command" else shifted
+        position = np.linalg.solve(eye + pushed @ coupling - shifted @ weighted, driven)
         correction, shift = -coupling @ position, weighted @ position
-        if self.target == "command":
-            # The learned command is no part of the feedback.
-            return position, np.asarray(self.back @ (eye + correction) + self.asked @ shift - eye)
-        return position, np.asarray(self.back @ correction + self.asked @ (eye + shift))
+        feedback = (
+            back @ (eye + correction) + asked @ shift - eye  # the learned command is no part of the feedback
+            if law.target == "command"
+            else back @ correction + asked @ (eye + shift)
+        )
+        if known.directed:
+            heard = known.response(frequency, across)
+        from_error = heard["tracking_error"] + heard["contour_error"] @ across
+        yield np.asarray(heard["table"] - from_error @ position + heard["feedback_command"] @ feedback)
 
 
 def directions(n_axis: int) -> Array:

@@ -20,11 +20,9 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.analysis.growth import doubling
-from contourlab.analysis.linear.coupled_loop import CoupledLoop, coupled_loop, normal_basis
-from contourlab.analysis.linear.margins import HullMargin, edge_margins, frequency_grid, hull_modulus, nearest_approach
+from contourlab.analysis.linear.coupled_loop import CoupledLoop, TrialMap, coupled_loop, normal_basis
+from contourlab.analysis.linear.margins import HullMargin, doubling, edge_margins, frequency_grid, hull_modulus, nearest_approach
 from contourlab.analysis.linear.tick_map import poles_of
-from contourlab.analysis.linear.trial_map import TrialMap
 from contourlab.arrays import Array, Complex
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.feed import Reference
@@ -105,17 +103,14 @@ class ContourTransfer:
 
     def loop_gain(self, frequency: ArrayLike, direction: ArrayLike) -> Complex:
         """Return L (n,) for a constant direction (n_axis,): the normal of the path, or the tangent for a modified reference."""
-        return np.asarray(self.vertices(frequency) @ self._weights(direction))
+        n = np.asarray(direction, dtype=float)
+        if n.shape != (len(self.loop.axes),) or not np.linalg.norm(n) > 0.0:
+            raise ParameterError("direction", f"{n.tolist()}", f"a vector of {len(self.loop.axes)} numbers, not all zero")
+        return np.asarray(self.vertices(frequency) @ (n**2 / (n @ n)))
 
     def distance(self, frequency: ArrayLike) -> Array:
         """Return the distance (n,) of -1 from the loop gains of all directions; its inverse bounds the contour error transfer function."""
         return hull_modulus(self.vertices(frequency))
-
-    def _weights(self, direction: ArrayLike) -> Array:
-        n = np.asarray(direction, dtype=float)
-        if n.shape != (len(self.loop.axes),) or not np.linalg.norm(n) > 0.0:
-            raise ParameterError("direction", f"{n.tolist()}", f"a vector of {len(self.loop.axes)} numbers, not all zero")
-        return np.asarray(n**2 / (n @ n))
 
     @cached_property
     def grid(self) -> Array:
@@ -144,7 +139,7 @@ class ContourTransfer:
         If one direction is stable and no polygon contains -1, no pole can leave the unit circle on the way to any other direction.
         """
         axes = all(axis.loop.stable for axis in self.loop.axes)
-        inside = all(_settles(self._poles(unit)) for unit in np.eye(len(self.loop.axes)))
+        inside = all(abs(_moving(self._poles(unit))) < 1.0 for unit in np.eye(len(self.loop.axes)))
         return axes and inside and self._modulus.value > TOUCHING
 
     def margins(self) -> ContourMargins:
@@ -171,11 +166,6 @@ def _moving(poles: Complex) -> complex:
     """Return the largest pole, without poles at 1: only the sum of the axes' and coupling's integrals acts."""
     moving = poles[np.abs(poles - 1.0) > LEFT_STANDING]
     return complex(moving[np.argmax(np.abs(moving))]) if moving.size else 0j
-
-
-def _settles(poles: Complex) -> bool:
-    """Return whether all poles lie inside the unit circle, except poles at 1."""
-    return abs(_moving(poles)) < 1.0
 
 
 def _direction(weights: Array) -> tuple[float, ...]:

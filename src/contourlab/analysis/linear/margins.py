@@ -233,10 +233,14 @@ def _refined(loops: LoopGain, w: Array, n: int, edge: tuple[int, int], share: fl
     """Return the exact margin of the worst mean on an edge near a share."""
     from scipy.optimize import minimize_scalar
 
-    def exact(at: float) -> tuple[float, float]:
+    def weights(at: float) -> Array:
         mean = np.zeros(n)
         mean[edge[0]] += 1.0 - at
         mean[edge[1]] += at
+        return mean
+
+    def exact(at: float) -> tuple[float, float]:
+        mean = weights(at)
         result = margins(lambda x: np.asarray(loops(x) @ mean), w, stable=True)
         return (result.phase, result.crossover) if measure == 0 else (result.gain, result.phase_crossover)
 
@@ -249,8 +253,18 @@ def _refined(loops: LoopGain, w: Array, n: int, edge: tuple[int, int], share: fl
         bounds = (max(share - step, 0.0), min(share + step, 1.0))
         shares.append(float(minimize_scalar(size, bounds=bounds, method="bounded", options={"xatol": 1e-4}).x))
     worst = min(shares, key=size)
-    value, frequency = exact(worst)
-    weights = np.zeros(n)
-    weights[edge[0]] += 1.0 - worst
-    weights[edge[1]] += worst
-    return HullMargin(value, frequency, weights)
+    return HullMargin(*exact(worst), weights(worst))
+
+
+def doubling(factor: float) -> float:
+    """Return the number of steps (trials, laps, periods) in which an error doubles: ln 2/ln(factor).
+
+    Parameters
+    ----------
+    factor : float, > 0
+        Growth per step; up to 1 the error never doubles, and the result is infinite.
+
+    >>> round(doubling(1.003)), doubling(2.0), doubling(1.0)
+    (231, 1.0, inf)
+    """
+    return math.log(2.0) / math.log(factor) if factor > 1.0 else math.inf

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.arrays import Array, Complex, Flags
+from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError
 from contourlab.extras import extra_module
 
@@ -209,7 +209,8 @@ def three_step_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), wei
     weights = weights or LqWeights()
     mask = checked_local(local)
     best = np.array([optimum(axis, weights)[0] for axis in axes])
-    poles = np.concatenate([_poles(axis, k, weights) for axis, k in zip(axes, best, strict=True)])
+    closed = [a - b @ k[None, :] for (a, b, _, _), k in zip(map(weights.matrices, axes), best, strict=True)]
+    poles = np.concatenate([np.linalg.eigvals(matrix) for matrix in closed])
     w = np.geomspace(np.abs(poles).min() / 10**DECADES, np.abs(poles).max() * 10**DECADES, 200)
     s = 1j * w
     basis = np.stack([1.0 / s, np.ones_like(s), s], axis=1)
@@ -228,11 +229,6 @@ def three_step_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), wei
     real = np.vstack([matrix.real, matrix.imag]) / scale
     solution, *_ = np.linalg.lstsq(real, np.concatenate([target.real, target.imag]), rcond=None)
     return judged("three-step", local, assembled(solution / scale, mask, len(axes)), axes, weights)
-
-
-def _poles(axis: LinearAxis, k: Array, weights: LqWeights) -> Complex:
-    a, b, _, _ = weights.matrices(axis)
-    return np.asarray(np.linalg.eigvals(a - b @ k[None, :]), dtype=complex)
 
 
 def lmi_design(axes: Sequence[LinearAxis], weights: LqWeights | None = None) -> tuple[ModularDesign, Array]:

@@ -200,7 +200,8 @@ class DelayForm:
     """
 
     def __init__(self, a: Array, b: Array, c: Array) -> None:
-        kept = _read(a, c)
+        kept = live_states(a != 0.0, True, (c != 0.0).any(axis=0))
+        kept = kept if kept.size else np.arange(min(1, len(a)))  # no state reaches an output: any one will do
         a, b, c = a[np.ix_(kept, kept)], b[kept], c[:, kept]
         root, lag = _chains(a, b)
         heads = np.flatnonzero(lag == 0)
@@ -213,16 +214,6 @@ class DelayForm:
         """Return the responses (n, n_output, n_input) at z (n,)."""
         matrix = z[:, None, None] * np.eye(len(self._b)) - _sum(self._a, z)
         return np.asarray(_sum(self._c, z) @ np.linalg.solve(matrix, np.broadcast_to(self._b, (z.size, *self._b.shape))))
-
-
-def _read(a: Array, c: Array) -> Index:
-    """Return the states that reach an output; all remaining ones if none does."""
-    kept = np.arange(len(a))
-    while True:
-        seen = a[np.ix_(kept, kept)].any(axis=0) | c[:, kept].any(axis=0)
-        if seen.all() or not seen.any():
-            return kept
-        kept = kept[seen]
 
 
 def _chains(a: Array, b: Array) -> tuple[Index, Index]:

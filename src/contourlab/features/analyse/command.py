@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from contourlab.analysis.growth import doubling
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis, learning_analysis
 from contourlab.analysis.linear.contour_transfer import (
     ContourMargins,
@@ -20,7 +19,7 @@ from contourlab.analysis.linear.contour_transfer import (
     internal_stability,
 )
 from contourlab.analysis.linear.divided_loop import link_growth
-from contourlab.analysis.linear.margins import Margins
+from contourlab.analysis.linear.margins import Margins, doubling
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.app.json_values import HIDDEN
 from contourlab.app.results import staged

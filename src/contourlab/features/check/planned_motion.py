@@ -105,7 +105,7 @@ class PlannedMotion:
     def _plan(self, program: Program) -> None:
         from contourlab.feed import blended, route_from_program
         from contourlab.feed.planner import plan_profile
-        from contourlab.geometry.box import boxes
+        from contourlab.geometry.path import boxes
         from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 
         route = route_from_program(program, self._machine.axis_names, default_tolerance=DEFAULT_CORNER_TOLERANCE)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from contourlab.analysis.identification.gauss_newton import fit_covariance
+from contourlab.analysis.identification.least_squares import fit_covariance
 from contourlab.arrays import Array
 from contourlab.errors import ResultError
 from contourlab.features.circle.periodic import refined, strongest
@@ -135,7 +135,7 @@ def fit_circle(runs: Sequence[CircleRun], axes: tuple[str, str], pitch: float | 
     -----
     The columns are in `contourlab.features.circle.signatures`. Spikes do not bias the fit, because samples near reversals are left out.
     Then the cyclic error or vibration that removes most of the residual is added, as long as its amplitude exceeds `CERTAIN` deviations.
-    The covariance allows for the autocorrelation of the residual (`contourlab.analysis.identification.gauss_newton.fit_covariance`).
+    The covariance allows for the autocorrelation of the residual (`contourlab.analysis.identification.least_squares.fit_covariance`).
     """
     _check(runs)
     uses = [outside(run.turned, run.clockwise, BEFORE, AFTER) for run in runs]

@@ -9,7 +9,7 @@ from itertools import combinations
 
 import numpy as np
 
-from contourlab.analysis.identification.gauss_newton import fit_covariance
+from contourlab.analysis.identification.least_squares import fit_covariance
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.features.circle.fit import CircleFit, ReversalSpike

@@ -11,8 +11,15 @@ from typing import TypeAlias
 import numpy as np
 
 from contourlab.analysis.identification.first_order import first_order_start
-from contourlab.analysis.identification.gauss_newton import DescentSettings, descend, parted_deviations, spread_starts
-from contourlab.analysis.identification.output_error import Free, OutputFit, fit_percent
+from contourlab.analysis.identification.least_squares import (
+    DescentSettings,
+    Free,
+    OutputFit,
+    descend,
+    fit_percent,
+    parted_deviations,
+    spread_starts,
+)
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError

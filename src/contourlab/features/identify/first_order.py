@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from contourlab.analysis.identification.first_order import FirstOrderFit, identify_closed_loop, identify_first_order
-from contourlab.analysis.identification.fit_plausibility import mass_findings
+from contourlab.analysis.identification.inverse_dynamics import mass_findings
 from contourlab.components.origin import Origin
 from contourlab.errors import ResultError
 from contourlab.features.identify.axis_tables import Forces, forces_of, friction_tables, plant_numbers, rigid_tables

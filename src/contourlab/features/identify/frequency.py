@@ -8,10 +8,16 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.analysis.identification.drive_fit import DriveFit, fit_linear_motor, fit_load_share, fit_two_inertia
-from contourlab.analysis.identification.drive_models import damping_ratio, held_response, resonances
+from contourlab.analysis.identification.drive_fit import (
+    DriveFit,
+    damping_ratio,
+    fit_linear_motor,
+    fit_load_share,
+    fit_two_inertia,
+    held_response,
+    resonances,
+)
 from contourlab.analysis.identification.filtered_motion import filtered_motion
-from contourlab.analysis.identification.fit_plausibility import mass_findings
 from contourlab.analysis.identification.frequency_response import (
     Measured,
     MeasuredResponse,
@@ -19,10 +25,12 @@ from contourlab.analysis.identification.frequency_response import (
     periodic_response,
     repeating,
     response_findings,
+    sine_responses,
+    sine_stretch,
     spectral_response,
     swept_response,
 )
-from contourlab.analysis.identification.sine_response import sine_responses, sine_stretch
+from contourlab.analysis.identification.inverse_dynamics import mass_findings
 from contourlab.arrays import Array, Complex
 from contourlab.components.origin import Origin
 from contourlab.errors import ParameterError

@@ -8,9 +8,16 @@ from dataclasses import replace
 
 import numpy as np
 
-from contourlab.analysis.identification.constant_speed import LEAST_TRAVEL, Stretch, constant_speed_stretches
-from contourlab.analysis.identification.friction_curve import FrictionCurve, FrictionFit, fit_friction
-from contourlab.analysis.identification.stiction import Breakaway, breakaways
+from contourlab.analysis.identification.friction import (
+    LEAST_TRAVEL,
+    Breakaway,
+    FrictionCurve,
+    FrictionFit,
+    Stretch,
+    breakaways,
+    constant_speed_stretches,
+    fit_friction,
+)
 from contourlab.errors import ParameterError
 from contourlab.features.identify.records import AxisRecord, common_unit, log_names, reference_name, unit_findings
 from contourlab.features.identify.result import (
@@ -210,7 +217,7 @@ def identify_stiction(records: Sequence[AxisRecord]) -> Identified:
     ResultError
         If a log has no command, or the commands have different units.
     ParameterError
-        See `contourlab.analysis.identification.stiction.breakaways`; with several records, if none has a breakaway.
+        See `contourlab.analysis.identification.friction.breakaways`; with several records, if none has a breakaway.
     """
     unit = common_unit(records, "one axis")
     ramps: list[Breakaway] = []

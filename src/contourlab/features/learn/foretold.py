@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from contourlab.analysis.growth import doubling
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis
+from contourlab.analysis.linear.margins import doubling
 from contourlab.components.learning.error_law import ZeroPhase
 from contourlab.findings import Finding, finding
 

@@ -11,7 +11,7 @@ from typing import ClassVar, Literal
 
 import numpy as np
 
-from contourlab.analysis.growth import doubling
+from contourlab.analysis.linear.margins import doubling
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.components.feedforward.inverse_dynamics import InverseDynamics

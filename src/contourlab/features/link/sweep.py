@@ -18,7 +18,7 @@ from contourlab.errors import ComponentError, ParameterError
 from contourlab.features.link.grid import EACH, losses, passed_over, times
 from contourlab.features.run.causes.idealise import perfect_sensing, undisturbed, unlimited, without_friction
 from contourlab.feed import Reference
-from contourlab.feed.judged import Judged
+from contourlab.feed.profile import Judged
 from contourlab.loop import Controller, Division, Machine, simulate_batch
 
 QUANTITIES = ("message_period", "delay", "jitter", "loss")

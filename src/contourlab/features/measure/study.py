@@ -13,7 +13,7 @@ from contourlab.features.measure.measured_path import farthest, last_lap, moving
 from contourlab.features.measure.plausibility import motion_findings, period_findings, same_column_findings
 from contourlab.features.measure.shift import fitted_shift
 from contourlab.feed import Reference
-from contourlab.feed.judged import Judged
+from contourlab.feed.profile import Judged
 from contourlab.findings import Finding, finding
 from contourlab.geometry import Path
 from contourlab.logs import Log

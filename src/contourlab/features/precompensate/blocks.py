@@ -11,9 +11,9 @@ from pathlib import Path
 from contourlab.errors import ProgramError
 from contourlab.features.precompensate.unrolling import COMMENT, Regions, unrolled
 from contourlab.program import Arc, Dwell, Feed, Move, Point, Program, Reader, Reading, Spline
-from contourlab.program.coordinates import Frame
 from contourlab.program.moves import PLANE_AXES
 from contourlab.program.reader import read_text, split_lines
+from contourlab.program.state import Frame
 from contourlab.program.vocabulary import CYCLES
 
 _NOT_TOUCHED = re.compile(r"G\s*0*(4|10|28|30|53|92)(\.\d)?(?![\d.])|M\s*0*(0|1|2|30|60|98|99)(?!\d)|^\s*/", re.IGNORECASE)
@@ -149,10 +149,10 @@ def _source(lines: list[str], name: str | Path, reading: Reading, axes: Sequence
         first = line
         if isinstance(move, Spline) and not _motion_of(lines[line - 1]).startswith("5.1"):
             first = next((k for k in range(line, 0, -1) if _SPLINE_START.search(lines[k - 1])), line)
-        reason = _reason(move, columns, [] if reader.repeating else lines[first - 1 : line], state.motion)
+        reason = _reason(move, columns, [] if reader.walker.repeating else lines[first - 1 : line], state.motion)
         if state.diameter and not reason:
             reason = "in diameters (G7)"
-        if reader.repeating and not reason:
+        if reader.walker.repeating and not reason:
             reason, regions.found[-1].corrected = "inside a loop or subprogram", True
         frame = Frame(state.frame.system, state.frame.origin, state.frame.rotation, state.frame.shift, state.frame.tool, state.frame.plain)
         blocks.append(Block(move, (first, line), frame, state.millimetres, state.absolute, state.feed_mode, reason))

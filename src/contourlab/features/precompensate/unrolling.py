@@ -48,11 +48,11 @@ class Regions:
     def __init__(self, reader: Reader) -> None:
         self.found: list[Region] = []
         self._reader, self._call, self._before = reader, "", dict[Key, float]()
-        reader.on_block, reader.on_region = self._read, self._turned
+        reader.on_block, reader.walker.on_region = self._read, self._turned
 
     def _read(self, line: str, block: Block) -> None:
         text = executed(line, block)
-        if not self._reader.repeating:
+        if not self._reader.walker.repeating:
             self._call = text if "call" in block.codes else ""
         elif text:
             self.found[-1].text.append(text)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from contourlab.analysis.identification.gauss_newton import Descent, FitCovariance
+from contourlab.analysis.identification.least_squares import Descent, FitCovariance
 from contourlab.features.refine.log_run import Agreement
 from contourlab.features.refine.parameters import RefinedParameter
 from contourlab.findings import Finding, finding

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from contourlab.analysis.identification.gauss_newton import Descent, DescentSettings, descend, fit_covariance, spread_starts
+from contourlab.analysis.identification.least_squares import Descent, DescentSettings, descend, fit_covariance, spread_starts
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError

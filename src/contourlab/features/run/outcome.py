@@ -11,10 +11,9 @@ from time import perf_counter
 
 import numpy as np
 
-from contourlab.analysis.growth import doubling
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis, learning_analysis
 from contourlab.analysis.linear.contour_transfer import InternalStability, internal_stability
-from contourlab.analysis.linear.margins import Margins
+from contourlab.analysis.linear.margins import Margins, doubling
 from contourlab.analysis.linear.sampled_loop import AxisResponse, sampled_loop
 from contourlab.arrays import free_memory
 from contourlab.components.supervisor.pre_routed import PreRouted
@@ -27,7 +26,7 @@ from contourlab.features.run.trust.interval import part_interval
 from contourlab.features.run.trust.provenance import numbers_of, trust_of
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import LimitReport, Reference, limit_report
-from contourlab.feed.binding import NEAR_FEED
+from contourlab.feed.planner import NEAR_FEED
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.loop.feeding import Feed

@@ -10,7 +10,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.features.run.margin_words import gain_words, phase_words
 from contourlab.features.run.outcome import AxisBode, Outcome
-from contourlab.feed.binding import Binding, limiting
+from contourlab.feed.planner import Binding, limiting
 from contourlab.figures import listing
 from contourlab.metrics.circles import CircleFigures
 from contourlab.rendering.data import Provenance, ReportData, SchemeReport

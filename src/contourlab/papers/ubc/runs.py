@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from contourlab.analysis.identification.gauss_newton import DescentSettings
+from contourlab.analysis.identification.least_squares import DescentSettings
 from contourlab.errors import LogError
 from contourlab.features.refine.cross_validation import CrossValidation, cross_validated
 from contourlab.features.refine.log_run import Agreement, LogRun, log_run

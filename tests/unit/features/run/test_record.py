@@ -15,7 +15,7 @@ import contourlab as cl
 from contourlab.components.registry import component
 from contourlab.features.run.record import switch_file
 from contourlab.feed import route_from_path
-from contourlab.geometry.line import Line
+from contourlab.geometry.line_and_arc import Line
 from contourlab.loop import Change
 from contourlab.loop.switches import Switches, SwitchKind
 
