@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 import numbers
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path as File
+from typing import Any, Literal
 
 from contourlab.contours.drawing import Drawing
 from contourlab.contours.dxf import read_dxf
@@ -14,6 +15,7 @@ from contourlab.contours.points import CORNER_ANGLE, read_points
 from contourlab.contours.svg import read_svg
 from contourlab.errors import GeometryError
 from contourlab.geometry import Path
+from contourlab.units import setting
 
 SUFFIXES = {
     ".dxf": ("unit", "tolerance", "layer", "chain", "scale", "axes", "ignore", "reverse"),
@@ -37,6 +39,21 @@ class ContourReading:
 
     path: Path
     notes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class ContourOptions:
+    """How to read a contour; see `read_contour`."""
+
+    unit: str | None = field(default=None, metadata=setting(maximum=200))
+    tolerance: float | None = field(default=None, metadata=setting("m", "um", minimum=0.0, maximum=1.0, exclusive=True))
+    layer: str | None = field(default=None, metadata=setting(maximum=200))
+    chain: int | None = field(default=None, metadata=setting(minimum=1))
+    scale: float = field(default=1.0, metadata=setting(minimum=0.0, exclusive=True))
+    axes: Literal[2, 3] | None = None
+    ignore: tuple[str, ...] = field(default=(), metadata=setting(maximum=200))
+    corner_angle: float | None = field(default=None, metadata=setting("rad", "deg", minimum=0.0, maximum=math.pi, exclusive=True))
+    reverse: bool = False
 
 
 def read_contour(
@@ -94,35 +111,22 @@ def read_contour(
     ).path  # fmt: skip
 
 
-def study_contour(
-    file: str | File,
-    *,
-    unit: str | None = None,
-    tolerance: float | None = None,
-    layer: str | None = None,
-    chain: int | None = None,
-    scale: float = 1.0,
-    axes: int | None = None,
-    ignore: Sequence[str] = (),
-    corner_angle: float | None = None,
-    reverse: bool = False,
-) -> ContourReading:
+def study_contour(file: str | File, **options: Any) -> ContourReading:
     """Read a contour like `read_contour`, and return it with notes."""
-    path = File(file)
-    _check_choices(chain, ignore)
-    given = {"layer": layer, "chain": chain, "axes": axes, "ignore": tuple(ignore) or None, "corner_angle": corner_angle}
-    suffix = _checked(path, [name for name, value in given.items() if value is not None], scale)
-    if axes not in (None, 2, 3):
-        raise GeometryError(f"axes = {axes!r}: write 2 or 3")
+    path, given = File(file), ContourOptions(**options)
+    _check_choices(given.chain, given.ignore)
+    options["ignore"] = tuple(given.ignore) or None
+    names = [name for name in ("layer", "chain", "axes", "ignore", "corner_angle") if options.get(name) is not None]
+    suffix = _checked(path, names, given.scale)
+    if given.axes not in (None, 2, 3):
+        raise GeometryError(f"axes = {given.axes!r}: write 2 or 3")
+    shared: dict[str, Any] = {"unit": given.unit, "tolerance": given.tolerance, "scale": given.scale}
     if suffix in (".csv", ".txt"):
-        angle = CORNER_ANGLE if corner_angle is None else corner_angle
-        fit = read_points(path, unit=unit, tolerance=tolerance, corner_angle=angle, scale=scale, reverse=reverse)
+        angle = CORNER_ANGLE if given.corner_angle is None else given.corner_angle
+        fit = read_points(path, **shared, corner_angle=angle, reverse=given.reverse)
         return ContourReading(fit.path, (fit.note,))
-    if suffix == ".dxf":
-        drawing = read_dxf(path, unit=unit, tolerance=tolerance, layer=layer, scale=scale, axes=axes or 2)
-    else:
-        drawing = read_svg(path, unit=unit, tolerance=tolerance, scale=scale)
-    return _of_drawing(drawing, chain, ignore, reverse)
+    drawing = read_dxf(path, **shared, layer=given.layer, axes=given.axes or 2) if suffix == ".dxf" else read_svg(path, **shared)
+    return _of_drawing(drawing, given.chain, given.ignore, given.reverse)
 
 
 def _check_choices(chain: object, ignore: object) -> None:

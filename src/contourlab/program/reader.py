@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal, TypeAlias, get_args
 
@@ -18,6 +18,7 @@ from contourlab.program.moves import Dwell, Move, Notice
 from contourlab.program.state import ModalState, own_names
 from contourlab.program.vocabulary import BlockError
 from contourlab.program.walker import Walker
+from contourlab.units import setting
 
 Dialect: TypeAlias = Literal["linuxcnc", "grbl"]
 MOST_NOTICES = 1000
@@ -63,9 +64,9 @@ class Reading:
     dialect: Dialect = "linuxcnc"
     require_end: bool = True
     block_delete: bool = False
-    tools: str | Path | None = None
+    tools: str | Path | None = field(default=None, metadata=setting())
     folder: Path | None = None
-    most_moves: int = 500_000
+    most_moves: int = field(default=500_000, metadata=setting(minimum=1))
 
     def __post_init__(self) -> None:
         if self.dialect not in get_args(Dialect):

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -12,23 +12,14 @@ import numpy as np
 from contourlab.components.contract import Component
 from contourlab.errors import hint
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Division, Limits, Machine
-from contourlab.loop.machine import AXIS_SLOTS, NAMED_SLOTS
-from contourlab.scenario.components import find_kind, read_component, read_values, read_wishes
+from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS, NAMED_SLOTS
+from contourlab.scenario.components import find_kind, read_component, read_parameters, read_wishes
 from contourlab.scenario.files import EVERY
 from contourlab.scenario.provenance import read_correlations, read_machine_correlations, without_origins
-from contourlab.scenario.quantities import read_number
-from contourlab.scenario.tables import (
-    AxisControllerTable,
-    AxisTable,
-    ControllerTable,
-    ErrorTable,
-    LimitsTable,
-    LinkTable,
-    MachineTable,
-    ZeroPhaseTable,
-    read_table,
-)
+from contourlab.scenario.quantities import in_range, read_number
+from contourlab.scenario.tables import keys_of, read_value, read_values
 from contourlab.scenario.tree import DESIGNED, Leaf, Node, Table, located, same_table
+from contourlab.units import Setting
 
 SUPERVISOR = "performance"
 """Default kind of a supervisor."""
@@ -44,7 +35,7 @@ def build_axis(table: Table, name: str) -> Axis:
         If the content is invalid; gives file and key.
     """
     table, origins = without_origins(table, ("stage_mass", "alignment"))
-    plain = read_table(AxisTable, table)
+    plain = read_values(table, Axis, needed=AXIS_SLOTS[:1], parts=(*AXIS_SLOTS[1:], "limits", "error", "correlations"))
     plant = read_component(table.entries["plant"], "plant", ("?", "?"))
     parts = _parts(table, AXIS_SLOTS[1:], (plant.command_unit, plant.force_unit), optional=("disturbance",))
     return Axis(
@@ -52,12 +43,9 @@ def build_axis(table: Table, name: str) -> Axis:
         plant=plant,
         limits=_limits(table.table("limits")),
         error=_error(table.table("error")),
-        mounted_on=plain.mounted_on,
-        alignment=plain.alignment,
-        stage_mass=plain.stage_mass,
-        substeps=plain.substeps,
         origins=origins,
         correlations=read_correlations(table, {"plant": plant, **{k: v for k, v in parts.items() if v is not None}}),
+        **plain,
         **parts,
     )
 
@@ -73,7 +61,7 @@ def _parts(table: Table, slots: Sequence[str], units: tuple[str, str], optional:
 
 def _limits(table: Table) -> Limits:
     table, origins = without_origins(table)
-    limits = read_table(LimitsTable, table).model_dump(exclude_none=True)
+    limits = read_values(table, Limits)
     travel = limits.get("travel", 0.0)
     if isinstance(travel, tuple) and len(travel) != 2:
         raise table.error('write two positions, the lower one first: ["-100 mm", "100 mm"], or the length: "200 mm"', "travel")
@@ -83,13 +71,14 @@ def _limits(table: Table) -> Limits:
 
 def _error(table: Table) -> AxisError:
     table, origins = without_origins(table)
-    plain = read_table(ErrorTable, table)
-    if len(plain.lead_error) != len(plain.position):
-        raise table.error(f"{len(plain.lead_error)} values for {len(plain.position)} positions: write one for each", "lead_error")
-    if not all(a < b for a, b in pairwise(plain.position)):
+    plain = read_values(table, AxisError)
+    position, lead_error = (np.array(plain.pop(name, ())) for name in ("position", "lead_error"))
+    if lead_error.size != position.size:
+        raise table.error(f"{lead_error.size} values for {position.size} positions: write one for each", "lead_error")
+    if np.any(np.diff(position) <= 0.0):
         raise table.error("the positions must increase", "position")
     with located(table):
-        return AxisError(np.array(plain.position), np.array(plain.lead_error), plain.repeatability, origins)
+        return AxisError(position, lead_error, **plain, origins=origins)
 
 
 def build_machine(part: Table) -> Machine:
@@ -104,8 +93,8 @@ def build_machine(part: Table) -> Machine:
     if "machine" not in part.entries:
         raise part.error("key machine is missing: write [machine] with name, servo_period and axes")
     table, origins = without_origins(table, ("servo_period",))
-    plain = read_table(MachineTable, table)
-    names = list(plain.axes)
+    plain = read_values(table, Machine, needed=("name", "servo_period", "axes"), parts=("squareness", "correlations"))
+    names = _axis_names(table)
     twice = [name for name in names if names.count(name) > 1]
     if twice:
         raise table.error(f"axis {twice[0]!r} is listed twice: delete one", "axes")
@@ -122,8 +111,22 @@ def build_machine(part: Table) -> Machine:
     angles, angle_origins = without_origins(table.table("squareness"))
     origins |= {f"squareness.{pair}": origin for pair, origin in angle_origins.items()}
     with located(table):
-        machine = Machine(plain.name, built, plain.servo_period, _squareness(angles, names), origins)
+        machine = Machine(**plain, axes=built, squareness=_squareness(angles, names), origins=origins)
     return replace(machine, correlations=read_machine_correlations(table, axes, machine))
+
+
+def _axis_names(table: Table) -> list[str]:
+    with located(table, "axes"):
+        names = read_value(table.entries["axes"].plain(), (tuple[str, ...],), Setting(check=_axis_name))
+    if not 0 < len(names) <= 64:
+        raise table.error(f"{len(names)} names: must not be empty, and have at most 64", "axes")
+    return list(names)
+
+
+def _axis_name(text: str) -> str:
+    if not re.fullmatch(r"[A-Za-z0-9_]{1,32}", text):
+        raise ValueError(f"{text!r:.80}: write a name of letters, digits and _")
+    return text
 
 
 def _check_carrier(axis: Axis, names: list[str], table: Table) -> None:
@@ -157,7 +160,7 @@ def build_controller(table: Table, machine: Machine) -> Controller:
     ScenarioError
         If the content is invalid; gives file and key.
     """
-    read_table(ControllerTable, table)
+    read_values(table, needed=("axes",), parts=("estimator", "coupling"))
     axes = table.table("axes")
     missing = [name for name in machine.axis_names if name not in axes.entries]
     others = [name for name in axes.entries if name not in machine.axis_names and name != EVERY]
@@ -179,7 +182,8 @@ def build_controller(table: Table, machine: Machine) -> Controller:
 
 
 def _axis_controller(table: Table, machine: Machine, name: str) -> AxisController:
-    plain = read_table(AxisControllerTable, table)
+    slots = (*(slot for slot in CONTROLLER_SLOTS if slot != "controller"), *NAMED_SLOTS, "link")
+    plain = read_values(table, AxisController, needed=("controller",), parts=slots)
     axis = machine.axis(name)
     units = (axis.plant.command_unit, axis.plant.force_unit)
     supervisor = table.get("supervisor")
@@ -192,10 +196,10 @@ def _axis_controller(table: Table, machine: Machine, name: str) -> AxisControlle
     if "feedforward" in table.entries:
         parts["feedforward"] = _feedforward(table, units, parts, machine, axis)
     parts["others"] = _others(table.table("others"), units, model)
-    local = _local(plain.local, parts, table)
+    _check_local(plain.get("local", ()), parts, table)
     link = _link(table.entries["link"], units) if "link" in table.entries else None
     with located(table):
-        return AxisController(local=local, link=link, feedback=plain.feedback, velocity_feedback=plain.velocity_feedback, **parts)
+        return AxisController(link=link, **plain, **parts)
 
 
 def _link(node: Node, units: tuple[str, str]) -> Division | None:
@@ -204,10 +208,10 @@ def _link(node: Node, units: tuple[str, str]) -> Division | None:
         if node.value == "none":
             return None
         raise node.error(f'{node.value!r} is not a link: write a table with division = "...", and down and up')
-    plain = read_table(LinkTable, node)
-    ways = {way: read_component(node.entries[way], "link", units, optional=way == "up") for way in plain.parts if way in node.entries}
+    plain = read_values(node, Division, needed=("division",), parts=("down", "up"))
+    ways = {way: read_component(node.entries[way], "link", units, optional=way == "up") for way in ("down", "up") if way in node.entries}
     with located(node):
-        return Division(plain.division, **ways)
+        return Division(**plain, **ways)
 
 
 def _others(table: Table, units: tuple[str, str], model: _Model) -> tuple[tuple[str, Component], ...]:
@@ -247,20 +251,23 @@ def _feedforward(table: Table, units: tuple[str, str], parts: Mapping[str, Any],
     from contourlab.analysis.linear.sampled_loop import sampled_loop
     from contourlab.analysis.linear.zpetc import zpetc_design
 
-    radius = read_table(ZeroPhaseTable, node).radius if isinstance(node, Table) else ZeroPhaseTable(kind="zpetc").radius
+    given = {}
+    if isinstance(node, Table) and "radius" in node.entries:
+        with located(node, "radius"):
+            value = node.entries["radius"].plain()
+            given["radius"] = in_range(read_number(value, ""), Setting(minimum=0.0, maximum=1.0, exclusive=True), repr(value))
     with located(table, "feedforward"):
         loop = sampled_loop(axis, AxisController(**parts), machine.servo_period, machine.carried_mass(axis.name))
-        return zpetc_design(loop, radius=radius)
+        return zpetc_design(loop, **given)
 
 
-def _local(names: list[str], parts: Mapping[str, Any], table: Table) -> tuple[str, ...]:
+def _check_local(names: Sequence[str], parts: Mapping[str, Any], table: Table) -> None:
     """Check the names of parameters that move with an axis, such as ``observer.model_gain``."""
     slots = {**parts, **{f"{slot}.{label}": part for slot in NAMED_SLOTS for label, part in parts.get(slot, ())}}
     known = [f"{slot}.{name}" for slot, part in slots.items() if isinstance(part, Component) for name in part.numeric()]
     for name in names:
         if name not in known:
             raise table.error(f"no parameter {name!r} in this axis' controller: {hint(name, known)}", "local")
-    return tuple(names)
 
 
 _Model = tuple[float, float]
@@ -288,7 +295,7 @@ def _position(node: Node, units: tuple[str, str], model: _Model) -> Any:
         raise node.error("gains = {...} computes this value: delete one of the two", both[0])
     wanted = read_wishes(kind, gains, units)
     rest = node.without("gains")
-    own = read_values(kind, rest.only(*{"model_gain", "model_damping"} & set(kind.parameters)), units)
+    own = read_parameters(kind, rest.only(*{"model_gain", "model_damping"} & set(kind.parameters)), units)
     with located(gains):
         placed = kind.designed(wanted, float(own.get("model_gain", model[0])), float(own.get("model_damping", model[1])))
     return read_component(rest, "controller", units, given=placed)
@@ -329,7 +336,7 @@ def in_place(table: Table, module: Axis, place: Axis) -> tuple[Axis, str]:
 def _limits_in_place(table: Table, own: Limits, replaced: Limits) -> tuple[Limits, list[str]]:
     """Return the limits of a module, missing ones taken over, and the names of these."""
     plain = Limits()
-    names = [name for name in LimitsTable.model_fields if name not in table.entries and getattr(replaced, name) != getattr(plain, name)]
+    names = [name for name in keys_of(Limits) if name not in table.entries and getattr(replaced, name) != getattr(plain, name)]
     origins = {name: replaced.origins[name] for name in names if name in replaced.origins}
     values = {name: getattr(replaced, name) for name in names}
     return replace(own, **values, origins={**own.origins, **origins}), [f"limits.{name}" for name in names]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path as File
 from typing import Any
@@ -29,6 +29,7 @@ from contourlab.scenario.values import (
     RunSettings,
     checked_judge,
 )
+from contourlab.units import setting
 
 
 @dataclass(frozen=True, eq=False)
@@ -227,7 +228,7 @@ class Scenario:
         The scenario's file and all files it includes.
     """
 
-    name: str
+    name: str = field(metadata=setting(maximum=200))
     file: File
     base: Case
     all_cases: tuple[Case, ...] = ()

@@ -9,9 +9,9 @@ from typing import Any
 from contourlab.components.contract import Component, Parameter
 from contourlab.components.origin import Origin
 from contourlab.components.registry import component, components
-from contourlab.errors import ComponentError, ParameterError, UnitError, hint
+from contourlab.errors import ComponentError, UnitError, hint
 from contourlab.scenario.provenance import bare, read_origins
-from contourlab.scenario.quantities import read_list, read_number, show_bound
+from contourlab.scenario.quantities import in_range, read_list, read_number
 from contourlab.scenario.tree import Leaf, Node, Table, located
 
 WORKED_OUT = Origin("design", note="computed from gains = {...}")
@@ -73,7 +73,7 @@ def read_component(
         return None
     kind = find_kind(table, family)
     own = table.without("kind")
-    values = {**(given or {}), **read_values(kind, own, units)}
+    values = {**(given or {}), **read_parameters(kind, own, units)}
     declared = parameters_of(kind, units)
     origins = {name: WORKED_OUT for name in given or () if name not in own.entries} | read_origins(declared, own, values)
     if missing := _missing(declared, values):
@@ -88,7 +88,7 @@ def _missing(declared: Mapping[str, Parameter], values: Mapping[str, Any]) -> st
     return ", ".join(f"{name} [{parameter.display}]" if parameter.display else name for name, parameter in missing.items())
 
 
-def read_values(kind: type[Component], table: Table, units: tuple[str, str]) -> dict[str, Any]:
+def read_parameters(kind: type[Component], table: Table, units: tuple[str, str]) -> dict[str, Any]:
     """Read the parameters of a table in SI.
 
     Raises
@@ -134,14 +134,5 @@ def _value(parameter: Parameter, given: Any) -> Any:
         if not numbers:
             raise UnitError("the list is empty: write at least one value")
         scalar = replace(parameter, vector=False)
-        return tuple(_in_range(scalar, number, f"item {i + 1}") for i, number in enumerate(numbers))
-    return _in_range(parameter, read_number(given, parameter.unit, parameter.display), repr(given))
-
-
-def _in_range(parameter: Parameter, number: float, shown: str) -> float:
-    try:
-        return float(parameter.check(number))
-    except ParameterError:
-        bound = show_bound(parameter.minimum, parameter.maximum, parameter.exclusive, parameter.display)
-        whole = "a whole number" + ("" if bound == "finite" else ", ") if parameter.whole else ""
-        raise UnitError(f"{shown} is out of range: must be {whole}{'' if whole and bound == 'finite' else bound}") from None
+        return tuple(in_range(number, scalar, f"item {i + 1}") for i, number in enumerate(numbers))
+    return in_range(read_number(given, parameter.unit, parameter.display), parameter, repr(given))

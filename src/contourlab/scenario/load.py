@@ -15,7 +15,7 @@ from contourlab.scenario.build import build_axis, build_controller, build_machin
 from contourlab.scenario.case import Case, Scenario
 from contourlab.scenario.files import BUILTIN, EVERY, Reader, builtin_file, builtin_names, join, listed, shipped_hint, spread
 from contourlab.scenario.motion import read_changes, read_feed, read_learning, read_motion, read_run
-from contourlab.scenario.tables import ScenarioTable, read_table
+from contourlab.scenario.tables import read_values
 from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, merge, parse_tree, settle
 from contourlab.scenario.values import Contour, Motion
 
@@ -122,7 +122,7 @@ def load_machine(file: str | Path, plugins: Sequence[str | Path] = ()) -> Machin
     """
     reader, content = _open(file, plugins, "a machine", "a scenario")
     if {"machine", "controller"} <= set(content.entries):
-        read_table(ScenarioTable, content)
+        _name(content)
         content = content.only("machine", "axes")
     return build_machine(settle(reader.machine_file(content)))
 
@@ -319,8 +319,15 @@ def parse_scenario(text: str, name: str = "<text>", plugins: Sequence[str | Path
     return _scenario(Reader(), parse_tree(text, name), Path(name))
 
 
+def _name(content: Table) -> str:
+    """Check the keys of a scenario, and return its name."""
+    parts = ("axes", "contour", "program", "feed", "run", "learning", "schemes")
+    name: str = read_values(content, Scenario, needed=("machine", "controller"), parts=parts).get("name", "")
+    return name
+
+
 def _scenario(reader: Reader, content: Table, path: Path) -> Scenario:
-    plain = read_table(ScenarioTable, content)
+    name = _name(content)
     if ("contour" in content.entries) == ("program" in content.entries):
         both = "contour" in content.entries
         raise content.error("contour and program are both given: delete one" if both else "contour or program is missing: write one")
@@ -333,7 +340,7 @@ def _scenario(reader: Reader, content: Table, path: Path) -> Scenario:
     base = _case("base", layers, motion, content, reader)
     schemes = content.table("schemes")
     cases = tuple(_case(name, _over(reader, layers, schemes.table(name)), motion, schemes.table(name), reader) for name in schemes.entries)
-    return Scenario(plain.name or _title(path), path, base, cases, tuple(dict.fromkeys(reader.seen)))
+    return Scenario(name or _title(path), path, base, cases, tuple(dict.fromkeys(reader.seen)))
 
 
 def _over(reader: Reader, base: _Layers, scheme: Table) -> _Layers:

@@ -7,39 +7,32 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.contours import SUFFIXES, unit_size
+from contourlab.contours.reader import ContourOptions
 from contourlab.errors import ProgramError, ScenarioError, hint
 from contourlab.geometry import contour_names, contour_parameters
 from contourlab.loop import Change, Machine
-from contourlab.loop.simulate import UNITS
 from contourlab.program import Reading, read_program
 from contourlab.scenario.build import build_controller
 from contourlab.scenario.components import read_component
 from contourlab.scenario.files import Reader, named_in, spread
 from contourlab.scenario.placing import fitted
 from contourlab.scenario.quantities import read_list, read_number
-from contourlab.scenario.tables import ChangeTable, ContourFileTable, FeedTable, LearningTable, ProgramTable, RunTable, read_table
+from contourlab.scenario.tables import read_values
 from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, located, same_table, settle
 from contourlab.scenario.values import Contour, FeedSettings, LearningSettings, Motion, PartProgram, RunSettings
 
-JUDGED = ("contour_error", "part_error", "planning_deviation", "foot_arc_length", "tracking_error")
 SIZES = (1e-6, 100.0)
 """Smallest and largest length in a test contour [m]."""
 
 
 def read_run(table: Table) -> RunSettings:
     """Return the settings of ``[run]``."""
-    plain = read_table(RunTable, table)
-    known = (*UNITS, *JUDGED)
-    for signal in plain.signals or ():
-        if signal not in known:
-            raise table.error(f"no signal {signal!r}: {hint(signal, known)}", "signals")
-    signals = None if plain.signals is None else tuple(plain.signals)
-    return RunSettings(plain.tolerance, signals, plain.seed, plain.judge, plain.start)
+    return RunSettings(**read_values(table, RunSettings, parts=("changes",)))
 
 
 def read_feed(table: Table, motion: Motion) -> FeedSettings:
     """Return the settings of ``[feed]``, checked against the motion."""
-    plain = read_table(FeedTable, table)
+    plain = FeedSettings(**read_values(table, FeedSettings))
     is_program = isinstance(motion, PartProgram)
     if plain.law == "uniform":
         if is_program:
@@ -60,10 +53,10 @@ def read_feed(table: Table, motion: Motion) -> FeedSettings:
     else:
         _needs(table, "feedrate", '"8000 mm/min"', "frequency", "a planned contour")
     _check_corners(table, plain, is_program)
-    return FeedSettings(**plain.model_dump())
+    return plain
 
 
-def _check_corners(table: Table, plain: FeedTable, is_program: bool) -> None:
+def _check_corners(table: Table, plain: FeedSettings, is_program: bool) -> None:
     """Refuse corner tolerances where nothing is blended; inherited ones may be idle."""
     control = plain.path_control
     if control == "blend":
@@ -96,14 +89,12 @@ def read_motion(content: Table, machine: Machine) -> Motion:
     node = content.entries["program"]
     if isinstance(node, Leaf):
         node = Table({"file": node}, node.file, node.key)
-    plain = read_table(ProgramTable, node)
-    file = named_in(node, "file")
-    letters = tuple(plain.letters) if plain.letters else tuple(name.lower() for name in machine.axis_names)
-    _check_letters(node, letters, machine, bool(plain.letters))
-    tools = None if plain.tools is None else named_in(node, "tools")
-    reading = Reading(
-        dialect=plain.dialect, require_end=plain.require_end, block_delete=plain.block_delete, tools=tools, most_moves=plain.most_moves
-    )
+    given = read_values(node, PartProgram, Reading, needed=("file",))
+    file, fit, own = named_in(node, "file"), given.pop("fit", False), given.pop("letters", None)
+    letters = tuple(name.lower() for name in machine.axis_names) if own is None else own
+    _check_letters(node, letters, machine, own is not None)
+    del given["file"]
+    reading = Reading(**given | ({"tools": named_in(node, "tools")} if "tools" in given else {}))
     try:
         program = read_program(file, reading=reading)
     except ProgramError as error:
@@ -112,7 +103,7 @@ def read_motion(content: Table, machine: Machine) -> Motion:
         if node.entries["file"].file.startswith("<"):  # given as an argument: there is no key to name
             raise ScenarioError(error.message, file=error.file) from error
         raise node.error(str(error), "file") from error
-    if not plain.fit:
+    if not fit:
         return PartProgram(file, program, letters, reading)
     program, note = fitted(program, letters, machine)
     return PartProgram(file, program, letters, reading, True, note)
@@ -182,16 +173,16 @@ def _contour_file(node: Table, machine: Machine) -> Contour:
     """Return the contour of a drawing or of points; read the file now, to report faults before a run."""
     if "name" in node.entries:
         raise node.error("name and file are both given: write name for a test contour, or file for a drawing", "name")
-    plain = read_table(ContourFileTable, node)
+    given = read_values(node, ContourOptions, Contour, needed=("file",))
     file = named_in(node, "file")
-    if plain.unit is not None:
+    if "unit" in given:
         with located(node, "unit"):
-            unit_size(plain.unit)
-    options = {name: value for name in node.entries if name not in ("file", "offset") and (value := getattr(plain, name)) is not None}
+            unit_size(given["unit"])
+    options = {name: given[name] for name in node.entries if name not in ("file", "offset")}
     contour = Contour(file.name, file=file.absolute(), options=options)  # absolute: the working folder may change
     with located(node, "file"):
         _ = contour.path
-    return _on_machine(contour, plain.offset, machine, node, "file")
+    return _on_machine(contour, given.get("offset", ()), machine, node, "file")
 
 
 def read_learning(table: Table, machine: Machine) -> LearningSettings | None:
@@ -204,13 +195,12 @@ def read_learning(table: Table, machine: Machine) -> LearningSettings | None:
     """
     if not table.entries:
         return None
-    plain = read_table(LearningTable, table)
+    plain = read_values(table, LearningSettings, needed=("law",))
     first = machine.axes[0].plant
     law: Any = read_component(table.entries["law"], "learning", (first.command_unit, first.force_unit), optional=True)
     if law is None:
         return None
-    start = None if plain.table is None else named_in(table, "table")
-    return LearningSettings(law, plain.trials, plain.improvement, plain.patience, start)
+    return LearningSettings(law, **plain | ({"table": named_in(table, "table")} if "table" in plain else {}))
 
 
 def read_changes(run: Table, machine: Machine, reader: Reader) -> tuple[Change, ...]:
@@ -221,18 +211,21 @@ def read_changes(run: Table, machine: Machine, reader: Reader) -> tuple[Change, 
     ScenarioError
         If the content is invalid; gives file and key.
     """
-    items, node = read_table(RunTable, run).changes, run.get("changes")
+    node = run.get("changes")
+    if node is None:
+        return ()
+    if not isinstance(node, Leaf) or not isinstance(node.value, list):
+        raise run.error('write a list: [{at = "2 s", controller = "other.toml"}]', "changes")
     changes = []
-    for i, item in enumerate(items):
-        assert isinstance(node, Leaf)  # `read_table` has checked it
+    for i, item in enumerate(node.value):
         if not isinstance(item, dict):
             raise node.error(f'{item!r}: write {{at = "2 s", controller = "other.toml"}}')
         table = from_mapping(item, node.file, f"{node.key}[{i}]")
-        plain = read_table(ChangeTable, table)
+        plain = read_values(table, Change, needed=("at", "controller"))
         leaf = table.entries["controller"]
-        assert isinstance(leaf, Leaf)
+        assert isinstance(leaf, Leaf)  # `read_values` has checked it
         content = replace(reader, names=machine.axis_names).include(leaf, Reader.controller_file)
         controller = build_controller(settle(spread(content, machine.axis_names)), machine)
         with located(table):
-            changes.append(Change(plain.at, controller, plain.handover_time, content.file))
+            changes.append(Change(**plain | {"controller": controller, "file": content.file}))
     return tuple(changes)

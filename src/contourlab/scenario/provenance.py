@@ -280,7 +280,7 @@ def origin_table(value: Any, origin: Origin, quantity: Callable[[float], Any]) -
     return table | {key: text for key, text in (("from", origin.reference), ("note", origin.note)) if text}
 
 
-def written(table: dict[str, Any], origins: Mapping[str, Origin]) -> dict[str, Any]:
+def with_origins(table: dict[str, Any], origins: Mapping[str, Origin]) -> dict[str, Any]:
     """Return a fixed table with the sources of its numbers, which have no deviation."""
     return {name: Noted(origin_table(value, origins[name], float)) if name in origins else value for name, value in table.items()}
 

@@ -11,11 +11,17 @@ from typing import Any, Literal, TypeAlias
 
 from contourlab.components.learning.law import LearningLaw
 from contourlab.contours import ContourReading, study_contour
+from contourlab.errors import hint
 from contourlab.feed import Route, route_from_program
 from contourlab.feed.route import PathControl
 from contourlab.geometry import Path, contour
+from contourlab.loop.simulate import UNITS
 from contourlab.program import Program, Reading
 from contourlab.scenario.placing import placed
+from contourlab.units import setting
+
+DISTANCE = setting("m", "um", minimum=0.0, maximum=1.0, exclusive=True)
+"""A tolerance."""
 
 DEFAULT_CORNER_TOLERANCE = 1e-5
 """Corner tolerance of G64 without P [m]."""
@@ -46,9 +52,9 @@ class Contour:
 
     name: str
     parameters: Mapping[str, float] = field(default_factory=dict)
-    file: File | None = None
+    file: File | None = field(default=None, metadata=setting())
     options: Mapping[str, Any] = field(default_factory=dict)
-    offset: tuple[float, ...] = ()
+    offset: tuple[float, ...] = field(default=(), metadata=setting("m", "mm"))
     axes: tuple[str, ...] = ()
 
     @cached_property
@@ -100,9 +106,9 @@ class PartProgram:
         How it was fitted.
     """
 
-    file: File
+    file: File = field(metadata=setting())
     program: Program
-    letters: tuple[str, ...]
+    letters: tuple[str, ...] = field(metadata=setting(choices=("x", "y", "z")))
     reading: Reading = field(default_factory=Reading)
     fit: bool = False
     note: str = ""
@@ -156,14 +162,14 @@ class FeedSettings:
     """
 
     law: Literal["planned", "uniform"] = "planned"
-    feedrate: float | None = None
-    frequency: float | None = None
-    laps: int = 1
-    override: float = 1.0
+    feedrate: float | None = field(default=None, metadata=setting("m/s", "mm/min", minimum=0.0, exclusive=True))
+    frequency: float | None = field(default=None, metadata=setting("Hz", minimum=0.0, exclusive=True))
+    laps: int = field(default=1, metadata=setting(minimum=1, maximum=100_000))
+    override: float = field(default=1.0, metadata=setting(minimum=0.0, maximum=2.0, exclusive=True))
     path_control: PathControl = "program"
-    corner_tolerance: float | None = None
-    merge_tolerance: float | None = None
-    curvature_step: float = 1.0
+    corner_tolerance: float | None = field(default=None, metadata=DISTANCE)
+    merge_tolerance: float | None = field(default=None, metadata=setting("m", "um", minimum=0.0))
+    curvature_step: float = field(default=1.0, metadata=setting(minimum=0.0, maximum=1.0))
 
 
 JUDGED_LINES = re.compile(r"lines ([1-9]\d{0,8})(?:-([1-9]\d{0,8}))?")
@@ -181,6 +187,17 @@ def checked_judge(choice: str) -> str:
     if choice not in ("cutting", "all") and (lines is None or int(lines[1]) > int(lines[2] or lines[1])):
         raise ValueError(f'{choice!r}: write "cutting", "all" or "lines 10-40"')
     return choice
+
+
+JUDGED = ("contour_error", "part_error", "planning_deviation", "foot_arc_length", "tracking_error")
+"""Signals that the judge adds to those of a run."""
+
+
+def _checked_signal(name: str) -> str:
+    known = (*UNITS, *JUDGED)
+    if name not in known:
+        raise ValueError(f"no signal {name!r}: {hint(name, known)}")
+    return name
 
 
 @dataclass(frozen=True)
@@ -201,10 +218,10 @@ class RunSettings:
         Whether the axes have the velocity of the reference at the first sample.
     """
 
-    tolerance: float | None = None
-    signals: tuple[str, ...] | None = None
-    seed: int = 0
-    judge: str = "cutting"
+    tolerance: float | None = field(default=None, metadata=DISTANCE)
+    signals: tuple[str, ...] | None = field(default=None, metadata=setting(check=_checked_signal))
+    seed: int = field(default=0, metadata=setting(minimum=0, maximum=2**63 - 1))
+    judge: str = field(default="cutting", metadata=setting(check=checked_judge))
     start: Literal["rest", "moving"] = "rest"
 
 
@@ -225,7 +242,7 @@ class LearningSettings:
     """
 
     law: LearningLaw
-    trials: int = 30
-    improvement: float = 0.01
-    patience: int = 10
-    table: File | None = None
+    trials: int = field(default=30, metadata=setting(minimum=1, maximum=100_000))
+    improvement: float = field(default=0.01, metadata=setting(minimum=0.0, maximum=1.0))
+    patience: int = field(default=10, metadata=setting(minimum=2, maximum=100_000))
+    table: File | None = field(default=None, metadata=setting())
