@@ -12,15 +12,14 @@ from contourlab.components.contract import Component
 from contourlab.contours.reader import ContourOptions
 from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS, NAMED_SLOTS
-from contourlab.scenario.case import Case, Scenario
-from contourlab.scenario.components import parameters_of
+from contourlab.scenario.build import parameters_of
 from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names
 from contourlab.scenario.provenance import origin_table, with_origins
 from contourlab.scenario.quantities import quantity
 from contourlab.scenario.tables import keys_of, table_of, written
 from contourlab.scenario.toml_text import Noted, toml
 from contourlab.scenario.tree import DEFAULT
-from contourlab.scenario.values import Contour, LearningSettings, Motion
+from contourlab.scenario.values import Case, Contour, LearningSettings, Motion, Scenario
 
 
 def dump(value: Machine | Controller | Axis | Scenario, machine: Machine | None = None) -> str:
