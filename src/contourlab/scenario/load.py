@@ -16,9 +16,9 @@ from contourlab.geometry import contour_names, contour_parameters
 from contourlab.loop import Axis, Change, Controller, Machine
 from contourlab.program import Reading, read_program
 from contourlab.scenario.build import build_axis, build_controller, build_machine, in_place, read_component
-from contourlab.scenario.files import BUILTIN, EVERY, Reader, builtin_file, builtin_names, join, listed, named_in, shipped_hint, spread
+from contourlab.scenario.files import BUILTIN, EVERY, Reader, builtin_file, builtin_names, join, listed, shipped_hint, spread
 from contourlab.scenario.placing import fitted
-from contourlab.scenario.quantities import read_list, read_number
+from contourlab.scenario.quantities import read_number
 from contourlab.scenario.tables import read_values
 from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, located, merge, parse_tree, same_table, settle
 from contourlab.scenario.values import Case, Contour, FeedSettings, LearningSettings, Motion, PartProgram, RunSettings, Scenario
@@ -27,9 +27,15 @@ SIZES = (1e-6, 100.0)
 """Smallest and largest length in a test contour [m]."""
 
 
-def read_run(table: Table) -> RunSettings:
-    """Return the settings of ``[run]``."""
-    return RunSettings(**read_values(table, RunSettings, parts=("changes",)))
+_Rules = list[tuple[str, bool, str]]
+"""Keys, whether they are wrong, and the messages."""
+
+
+def _refuse(table: Table, rules: _Rules) -> None:
+    """Raise the first error of a list."""
+    for key, wrong, message in rules:
+        if wrong:
+            raise table.error(message, key)
 
 
 def read_feed(table: Table, motion: Motion) -> FeedSettings:
@@ -37,51 +43,45 @@ def read_feed(table: Table, motion: Motion) -> FeedSettings:
     plain = FeedSettings(**read_values(table, FeedSettings))
     is_program = isinstance(motion, PartProgram)
     if plain.law == "uniform":
-        if is_program:
-            raise table.error('the uniform law applies to a contour only: for a program write law = "planned"', "law")
-        if not motion.path.closed:  # type: ignore[union-attr]
-            raise table.error('the uniform law needs a closed contour: close it, or write law = "planned"', "law")
-        _needs(table, "frequency", '"0.5 Hz"', "feedrate", "the uniform law")
-        if plain.path_control not in ("program", "exact_path"):
-            raise table.error("the uniform law follows the contour exactly: leave this out", "path_control")
-        if plain.curvature_step != 1.0:
-            raise table.error("does not apply to the uniform law: leave this out", "curvature_step")
+        is_open = isinstance(motion, Contour) and not motion.path.closed
+        rules: _Rules = [
+            ("law", is_program, 'the uniform law applies to a contour only: for a program write law = "planned"'),
+            ("law", is_open, 'the uniform law needs a closed contour: close it, or write law = "planned"'),
+            *_one_rate(table, "frequency", '"0.5 Hz"', "feedrate", "the uniform law"),
+            ("path_control", plain.path_control in ("exact_stop", "blend"), "the uniform law follows the contour exactly: leave this out"),
+            ("curvature_step", plain.curvature_step != 1.0, "does not apply to the uniform law: leave this out"),
+        ]
     elif is_program:
-        for name in ("feedrate", "frequency"):
-            if name in table.entries:
-                raise table.error("the program sets the feedrate: leave this out, or scale it with override = 0.8", name)
-        if plain.laps != 1:
-            raise table.error("a program runs once: leave this out", "laps")
+        why = "the program sets the feedrate: leave this out, or scale it with override = 0.8"
+        rules = [(name, name in table.entries, why) for name in ("feedrate", "frequency")]
+        rules += [("laps", plain.laps != 1, "a program runs once: leave this out")]
     else:
-        _needs(table, "feedrate", '"8000 mm/min"', "frequency", "a planned contour")
-    _check_corners(table, plain, is_program)
+        rules = _one_rate(table, "feedrate", '"8000 mm/min"', "frequency", "a planned contour")
+    _refuse(table, rules + _idle_corners(table, plain, is_program))
     return plain
 
 
-def _check_corners(table: Table, plain: FeedSettings, is_program: bool) -> None:
+def _one_rate(table: Table, wanted: str, example: str, other: str, who: str) -> _Rules:
+    return [
+        (other, other in table.entries, f"{who} has no {other}: write {wanted} = {example}"),
+        ("", wanted not in table.entries, f"key {wanted} is missing: {who} needs {wanted} = {example}"),
+    ]
+
+
+def _idle_corners(table: Table, plain: FeedSettings, is_program: bool) -> _Rules:
     """Refuse corner tolerances where nothing is blended; inherited ones may be idle."""
-    control = plain.path_control
-    if control == "blend":
-        return
+    control, stated = plain.path_control, table.get("path_control")
     # G64 without P takes the tolerance of corners; Q is the program's own.
-    idle = ("merge_tolerance",) if control == "program" and is_program else ("corner_tolerance", "merge_tolerance")
-    for name in idle:
-        node, other = table.get(name), table.get("path_control")
-        if node is None or (other is not None and not same_table(node, other)):
-            continue
-        if plain.law == "uniform":
-            raise table.error("the uniform law blends nothing: leave this out", name)
-        if control in ("exact_path", "exact_stop"):
-            raise table.error(f'path_control = "{control}" blends nothing: leave this out, or write path_control = "blend"', name)
+    names = ["merge_tolerance"] if control == "program" and is_program else ["corner_tolerance", "merge_tolerance"]
+    given = [name for name in names if (node := table.get(name)) and (stated is None or same_table(node, stated))]
+    if plain.law == "uniform":
+        why = "the uniform law blends nothing: leave this out"
+    elif control != "program":
+        why = f'path_control = "{control}" blends nothing: leave this out, or write path_control = "blend"'
+    else:
         why = "the program's own (Q of G64) applies" if is_program else "corners of a contour are met exactly"
-        raise table.error(f'has no effect without path_control = "blend", because {why}: add that, or leave this out', name)
-
-
-def _needs(table: Table, wanted: str, example: str, other: str, who: str) -> None:
-    if other in table.entries:
-        raise table.error(f"{who} has no {other}: write {wanted} = {example}", other)
-    if wanted not in table.entries:
-        raise table.error(f"key {wanted} is missing: {who} needs {wanted} = {example}")
+        why = f'has no effect without path_control = "blend", because {why}: add that, or leave this out'
+    return [(name, control != "blend", why) for name in given]
 
 
 def read_motion(content: Table, machine: Machine) -> Motion:
@@ -92,11 +92,16 @@ def read_motion(content: Table, machine: Machine) -> Motion:
     if isinstance(node, Leaf):
         node = Table({"file": node}, node.file, node.key)
     given = read_values(node, PartProgram, Reading, needed=("file",))
-    file, fit, own = named_in(node, "file"), given.pop("fit", False), given.pop("letters", None)
+    file, fit, own = given.pop("file"), given.pop("fit", False), given.pop("letters", None)
     letters = tuple(name.lower() for name in machine.axis_names) if own is None else own
-    _check_letters(node, letters, machine, own is not None)
-    del given["file"]
-    reading = Reading(**given | ({"tools": named_in(node, "tools")} if "tools" in given else {}))
+    names, reading = ", ".join(machine.axis_names), Reading(**given)
+    strange = own is None and not set(letters) <= set("xyz")
+    rules: _Rules = [
+        ("letters", len(letters) != len(machine.axes), f"{len(letters)} letters for the axes {names}: write one for each"),
+        ("letters", len(set(letters)) != len(letters), "a letter is listed twice: write different letters"),
+        ("file", strange, f'the axes {names} are not called x, y, z: write their letters in the program, as in letters = ["x", "y"]'),
+    ]
+    _refuse(node, rules)
     try:
         program = read_program(file, reading=reading)
     except ProgramError as error:
@@ -111,80 +116,56 @@ def read_motion(content: Table, machine: Machine) -> Motion:
     return PartProgram(file, program, letters, reading, True, note)
 
 
-def _check_letters(node: Table, letters: tuple[str, ...], machine: Machine, given: bool) -> None:
-    names = ", ".join(machine.axis_names)
-    if len(letters) != len(machine.axes):
-        raise node.error(f"{len(letters)} letters for the axes {names}: write one for each", "letters")
-    if len(set(letters)) != len(letters):
-        raise node.error("a letter is listed twice: write different letters", "letters")
-    if not given and not set(letters) <= set("xyz"):
-        raise node.error(f'the axes {names} are not called x, y, z: write their letters in the program, as in letters = ["x", "y"]', "file")
-
-
 def _contour(node: Node, machine: Machine) -> Contour:
+    """Return a contour on a machine; read a file now, to report faults before a run. Axes beyond the contour's own hold still."""
     if isinstance(node, Leaf):
         is_file = isinstance(node.value, str) and Path(node.value).suffix.lower() in SUFFIXES
         node = Table({"file" if is_file else "name": node}, node.file, node.key)
-    if "file" in node.entries:
-        return _contour_file(node, machine)
-    name = node.get("name")
-    if not isinstance(name, Leaf) or not isinstance(name.value, str):
+    key = "file" if "file" in node.entries else "name"
+    contour = _from_file(node) if key == "file" else Contour(*_shape(node), **read_values(node.only("offset"), Contour))
+    with located(node, "file" if key == "file" else ""):
+        n = contour.reading.path.n_axis
+    names, n_offset = ", ".join(machine.axis_names), len(contour.offset)
+    rules: _Rules = [
+        (key, n > len(machine.axes), f"{contour.name} has {n} coordinates, but {machine.name} has only the axes {names}"),
+        ("offset", n_offset not in (0, n, len(machine.axes)), f"{n_offset} values for the axes {names}: write one for each"),
+    ]
+    _refuse(node, rules)
+    return replace(contour, axes=machine.axis_names)
+
+
+def _shape(node: Table) -> tuple[str, dict[str, float]]:
+    """Return name and parameters of a test contour; refuse sizes beyond the resolution of doubles, and switches that are not 0 or 1."""
+    leaf = node.get("name")
+    if not isinstance(leaf, Leaf) or not isinstance(name := leaf.value, str):
         raise node.error(f"key name is missing: write one of {', '.join(contour_names())}, or the key file with the name of a drawing")
-    if name.value not in contour_names():
-        raise name.error(f"no contour {name.value!r}: {hint(name.value, contour_names())}")
-    known = contour_parameters(name.value)
+    if name not in contour_names():
+        raise leaf.error(f"no contour {name!r}: {hint(name, contour_names())}")
+    known = contour_parameters(name)
     values: dict[str, float] = {}
-    for key, value in node.entries.items():
-        if key in ("name", "offset"):
-            continue
+    for key, given in node.without("name", "offset").entries.items():
         if key not in known:
-            raise node.error(f"contour {name.value} has no parameter {key!r}: {hint(key, known)}", key)
+            raise node.error(f"contour {name} has no parameter {key!r}: {hint(key, known)}", key)
         with located(node, key):
             unit = known[key][1]
-            values[key] = read_number(value.plain(), unit, "mm" if unit == "m" else unit)
-        _check_size(node, key, values[key], unit)
-    offset: tuple[float, ...] = ()
-    if "offset" in node.entries:
-        with located(node, "offset"):
-            offset = read_list(node.entries["offset"].plain(), "m", "mm")
-    contour = Contour(name.value, values)
-    with located(node):
-        _ = contour.path
-    return _on_machine(contour, offset, machine, node, "name")
+            value = values[key] = read_number(given.plain(), unit, "mm" if unit == "m" else unit)
+        if unit == "m" and value != 0.0 and not SIZES[0] <= abs(value) <= SIZES[1]:
+            raise node.error(f"{value * 1e3:.6g} mm is out of range: must be between 1 um and 100 m", key)
+        if key == "clockwise" and value not in (0.0, 1.0):
+            raise node.error(f"{value:g}: write 0 for counter-clockwise or 1 for clockwise", key)
+    return name, values
 
 
-def _check_size(table: Table, key: str, value: float, unit: str) -> None:
-    """Refuse sizes beyond the resolution of doubles, and switches that are neither 0 nor 1."""
-    if unit == "m" and value != 0.0 and not SIZES[0] <= abs(value) <= SIZES[1]:
-        raise table.error(f"{value * 1e3:.6g} mm is out of range: must be between 1 um and 100 m", key)
-    if key == "clockwise" and value not in (0.0, 1.0):
-        raise table.error(f"{value:g}: write 0 for counter-clockwise or 1 for clockwise", key)
-
-
-def _on_machine(contour: Contour, offset: tuple[float, ...], machine: Machine, node: Table, key: str) -> Contour:
-    """Return a contour moved by its offset, for all axes of the machine; axes beyond its own hold still."""
-    names, n = ", ".join(machine.axis_names), contour.path.n_axis
-    if n > len(machine.axes):
-        raise node.error(f"{contour.name} has {n} coordinates, but {machine.name} has only the axes {names}", key)
-    if offset and len(offset) not in (n, len(machine.axes)):
-        raise node.error(f"{len(offset)} values for the axes {names}: write one for each", "offset")
-    return replace(contour, offset=offset, axes=machine.axis_names)
-
-
-def _contour_file(node: Table, machine: Machine) -> Contour:
-    """Return the contour of a drawing or of points; read the file now, to report faults before a run."""
+def _from_file(node: Table) -> Contour:
+    """Return the contour of a drawing or of points."""
     if "name" in node.entries:
         raise node.error("name and file are both given: write name for a test contour, or file for a drawing", "name")
     given = read_values(node, ContourOptions, Contour, needed=("file",))
-    file = named_in(node, "file")
-    if "unit" in given:
-        with located(node, "unit"):
-            unit_size(given["unit"])
-    options = {name: given[name] for name in node.entries if name not in ("file", "offset")}
-    contour = Contour(file.name, file=file.absolute(), options=options)  # absolute: the working folder may change
-    with located(node, "file"):
-        _ = contour.path
-    return _on_machine(contour, given.get("offset", ()), machine, node, "file")
+    file, offset = given.pop("file"), given.pop("offset", ())
+    with located(node, "unit"):
+        unit_size(given.get("unit", "mm"))
+    options = {name: given[name] for name in node.entries if name in given}
+    return Contour(file.name, file=file.absolute(), options=options, offset=offset)  # absolute: the working folder may change
 
 
 def read_learning(table: Table, machine: Machine) -> LearningSettings | None:
@@ -202,7 +183,7 @@ def read_learning(table: Table, machine: Machine) -> LearningSettings | None:
     law: Any = read_component(table.entries["law"], "learning", (first.command_unit, first.force_unit), optional=True)
     if law is None:
         return None
-    return LearningSettings(law, **plain | ({"table": named_in(table, "table")} if "table" in plain else {}))
+    return LearningSettings(law, **plain)
 
 
 def read_changes(run: Table, machine: Machine, reader: Reader) -> tuple[Change, ...]:
@@ -597,7 +578,7 @@ def _case(name: str, layers: _Layers, motion: Motion, place: Table, reader: Read
     controller = build_controller(settle(spread(layers.controller, machine.axis_names)), machine)
     feed = read_feed(settle(layers.feed), motion)
     run_table = settle(layers.run)
-    run, changes = read_run(run_table), read_changes(run_table, machine, reader)
+    run, changes = RunSettings(**read_values(run_table, RunSettings, parts=("changes",))), read_changes(run_table, machine, reader)
     if motion.n_axis != len(machine.axes):
         what = motion.name if isinstance(motion, Contour) else motion.file.name
         cure = "a scheme's machine must have as many axes as the base's"

@@ -17,6 +17,7 @@ import numpy as np
 
 from contourlab.components.contract import Parameter
 from contourlab.errors import UnitError, hint
+from contourlab.scenario.files import named_in
 from contourlab.scenario.quantities import in_range, quantity, read_list, read_number
 from contourlab.scenario.tree import Table, located
 from contourlab.units import Setting
@@ -39,7 +40,7 @@ def keys_of(kind: type) -> Mapping[str, Key]:
 
 
 def read_values(table: Table, *kinds: type, needed: Collection[str] = (), parts: Collection[str] = ()) -> dict[str, Any]:
-    """Return the values of a table by field, in SI; those that it leaves out are left out.
+    """Return the values of a table by field, in SI, files as paths; those that it leaves out are left out.
 
     Parameters
     ----------
@@ -66,7 +67,8 @@ def read_values(table: Table, *kinds: type, needed: Collection[str] = (), parts:
     for name, (field, forms, about) in keys.items():
         if name in table.entries:
             with located(table, name):
-                values[field.name] = read_value(table.entries[name].plain(), forms, about)
+                value = read_value(table.entries[name].plain(), forms, about)
+            values[field.name] = named_in(table, name) if Path in forms else value
     return values
 
 
