@@ -81,48 +81,22 @@ def read_component(
         return None
     kind = find_kind(table, family)
     own = table.without("kind")
-    values = {**(given or {}), **read_parameters(kind, own, units)}
     declared = parameters_of(kind, units)
+    values = {**(given or {}), **read_parameters(kind.kind, declared, own)}
     origins = {name: WORKED_OUT for name in given or () if name not in own.entries} | read_origins(declared, own, values)
-    if missing := _missing(declared, values):
-        raise table.error(f"{kind.kind} needs values for {missing}")
+    _refuse_missing(kind.kind, declared, values, table)
     with located(table):
         return kind(**values).traced(origins)
 
 
-def _missing(declared: Mapping[str, Parameter], values: Mapping[str, Any]) -> str:
-    """Return names and units of the parameters that have neither value nor default."""
-    missing = {name: parameter for name, parameter in declared.items() if parameter.default is None and name not in values}
-    return ", ".join(f"{name} [{parameter.display}]" if parameter.display else name for name, parameter in missing.items())
-
-
-def read_parameters(kind: type[Component], table: Table, units: tuple[str, str]) -> dict[str, Any]:
-    """Read the parameters of a table in SI.
+def read_parameters(what: str, declared: Mapping[str, Parameter], table: Table) -> dict[str, Any]:
+    """Read declared numbers and words in SI.
 
     Raises
     ------
     ScenarioError
         If one is unknown, has the wrong unit, or is out of range.
     """
-    return _read_declared(kind.kind, parameters_of(kind, units), table)
-
-
-def read_wishes(kind: type[Component], table: Table, units: tuple[str, str]) -> dict[str, float]:
-    """Read ``gains = {...}``, from which a component computes its parameters, in SI.
-
-    Raises
-    ------
-    ScenarioError
-        If one is missing, unknown, has the wrong unit, or is out of range.
-    """
-    declared = {name: replace(parameter, name=name).for_plant(*units) for name, parameter in kind.wishes.items()}
-    given = _read_declared(f"gains of {kind.kind}", declared, table)
-    if missing := _missing(declared, given):
-        raise table.error(f"gains of {kind.kind} need values for {missing}")
-    return {name: given.get(name, parameter.default) for name, parameter in declared.items()}
-
-
-def _read_declared(what: str, declared: Mapping[str, Parameter], table: Table) -> dict[str, Any]:
     values: dict[str, Any] = {}
     for name, node in table.entries.items():
         if name not in declared:
@@ -130,6 +104,13 @@ def _read_declared(what: str, declared: Mapping[str, Parameter], table: Table) -
         with located(table, name):
             values[name] = _value(declared[name], bare(node).plain())
     return values
+
+
+def _refuse_missing(what: str, declared: Mapping[str, Parameter], values: Mapping[str, Any], table: Table) -> None:
+    missing = {name: parameter for name, parameter in declared.items() if parameter.default is None and name not in values}
+    if missing:
+        names = (f"{name} [{parameter.display}]" if parameter.display else name for name, parameter in missing.items())
+        raise table.error(f"{what} needs values for {', '.join(names)}")
 
 
 def _value(parameter: Parameter, given: Any) -> Any:
@@ -159,17 +140,16 @@ def build_axis(table: Table, name: str) -> Axis:
     ScenarioError
         If the content is invalid; gives file and key.
     """
-    table, origins = without_origins(table, ("stage_mass", "alignment"))
     plain = read_values(table, Axis, needed=AXIS_SLOTS[:1], parts=(*AXIS_SLOTS[1:], "limits", "error", "correlations"))
     plant = read_component(table.entries["plant"], "plant", ("?", "?"))
     parts = _parts(table, AXIS_SLOTS[1:], (plant.command_unit, plant.force_unit), optional=("disturbance",))
+    traced = {"plant": plant, **{slot: part for slot, part in parts.items() if part is not None}}
     return Axis(
         name=name,
         plant=plant,
         limits=_limits(table.table("limits")),
         error=_error(table.table("error")),
-        origins=origins,
-        correlations=read_correlations(table, {"plant": plant, **{k: v for k, v in parts.items() if v is not None}}, table.entries),
+        correlations=read_correlations(table, traced, table.entries),
         **plain,
         **parts,
     )
@@ -185,17 +165,15 @@ def _parts(table: Table, slots: Sequence[str], units: tuple[str, str], optional:
 
 
 def _limits(table: Table) -> Limits:
-    table, origins = without_origins(table)
     limits = read_values(table, Limits)
     travel = limits.get("travel", 0.0)
     if isinstance(travel, tuple) and len(travel) != 2:
         raise table.error('write two positions, the lower one first: ["-100 mm", "100 mm"], or the length: "200 mm"', "travel")
     with located(table):
-        return Limits(**limits, origins=origins, file=table.file)
+        return Limits(**limits, file=table.file)
 
 
 def _error(table: Table) -> AxisError:
-    table, origins = without_origins(table)
     plain = read_values(table, AxisError)
     position, lead_error = (np.array(plain.pop(name, ())) for name in ("position", "lead_error"))
     if lead_error.size != position.size:
@@ -203,7 +181,7 @@ def _error(table: Table) -> AxisError:
     if np.any(np.diff(position) <= 0.0):
         raise table.error("the positions must increase", "position")
     with located(table):
-        return AxisError(position, lead_error, **plain, origins=origins)
+        return AxisError(position, lead_error, **plain)
 
 
 def build_machine(part: Table) -> Machine:
@@ -217,12 +195,8 @@ def build_machine(part: Table) -> Machine:
     table = part.table("machine")
     if "machine" not in part.entries:
         raise part.error("key machine is missing: write [machine] with name, servo_period and axes")
-    table, origins = without_origins(table, ("servo_period",))
     plain = read_values(table, Machine, needed=("name", "servo_period", "axes"), parts=("squareness", "correlations"))
     names = _axis_names(table)
-    twice = [name for name in names if names.count(name) > 1]
-    if twice:
-        raise table.error(f"axis {twice[0]!r} is listed twice: delete one", "axes")
     axes = part.table("axes")
     for name in axes.entries:
         if name not in names and name != EVERY:
@@ -232,11 +206,15 @@ def build_machine(part: Table) -> Machine:
         raise table.error("no table " + ", ".join(f"[{axes.at(name)}]" for name in missing) + ": write one for each axis", "axes")
     built = tuple(build_axis(axes.table(name), name) for name in names)
     for axis in built:
-        _check_carrier(axis, names, axes.table(axis.name))
-    angles, angle_origins = without_origins(table.table("squareness"))
-    origins |= {f"squareness.{pair}": origin for pair, origin in angle_origins.items()}
+        if axis.mounted_on and axis.mounted_on not in names:
+            raise axes.table(axis.name).error(f"no axis {axis.mounted_on!r}: {hint(axis.mounted_on, names)}", "mounted_on")
+        if axis.mounted_on == axis.name:
+            raise axes.table(axis.name).error("an axis cannot be mounted on itself", "mounted_on")
+    angles = table.table("squareness")
+    angles, origins = without_origins(angles, angles.entries)
+    plain["origins"] |= {f"squareness.{pair}": origin for pair, origin in origins.items()}
     with located(table):
-        machine = Machine(**plain, axes=built, squareness=_squareness(angles, names), origins=origins)
+        machine = Machine(**plain, axes=built, squareness=_squareness(angles, names))
     parts = {f"{axis.name}.{slot}": part for axis in built for slot in AXIS_SLOTS if isinstance(part := getattr(axis, slot), Component)}
     nodes = {f"{name}.{slot}": node for name in names for slot, node in axes.table(name).entries.items()}
     within = [(f"{axis.name}.{first}", f"{axis.name}.{second}", value) for axis in built for first, second, value in axis.correlations]
@@ -248,6 +226,8 @@ def _axis_names(table: Table) -> list[str]:
         names = read_value(table.entries["axes"].plain(), (tuple[str, ...],), Setting(check=_axis_name))
     if not 0 < len(names) <= 64:
         raise table.error(f"{len(names)} names: must not be empty, and have at most 64", "axes")
+    if twice := [name for name in names if names.count(name) > 1]:
+        raise table.error(f"axis {twice[0]!r} is listed twice: delete one", "axes")
     return list(names)
 
 
@@ -255,13 +235,6 @@ def _axis_name(text: str) -> str:
     if not re.fullmatch(r"[A-Za-z0-9_]{1,32}", text):
         raise ValueError(f"{text!r:.80}: write a name of letters, digits and _")
     return text
-
-
-def _check_carrier(axis: Axis, names: list[str], table: Table) -> None:
-    if axis.mounted_on and axis.mounted_on not in names:
-        raise table.error(f"no axis {axis.mounted_on!r}: {hint(axis.mounted_on, names)}", "mounted_on")
-    if axis.mounted_on == axis.name:
-        raise table.error("an axis cannot be mounted on itself", "mounted_on")
 
 
 def _squareness(table: Table, names: list[str]) -> dict[tuple[str, str], float]:
@@ -421,11 +394,14 @@ def _position(node: Node, units: tuple[str, str], model: _Model) -> Any:
     both = [name for name in DESIGNED if name in node.entries and same_table(node.entries[name], gains)]
     if both:
         raise node.error("gains = {...} computes this value: delete one of the two", both[0])
-    wanted = read_wishes(kind, gains, units)
+    wishes = {name: replace(parameter, name=name).for_plant(*units) for name, parameter in kind.wishes.items()}
+    wanted = read_parameters(f"gains of {kind.kind}", wishes, gains)
+    _refuse_missing(f"gains = {{...}} of {kind.kind}", wishes, wanted, gains)
     rest = node.without("gains")
-    own = read_parameters(kind, rest.only(*{"model_gain", "model_damping"} & set(kind.parameters)), units)
+    own = read_parameters(kind.kind, parameters_of(kind, units), rest.only(*{"model_gain", "model_damping"} & set(kind.parameters)))
     with located(gains):
-        placed = kind.designed(wanted, float(own.get("model_gain", model[0])), float(own.get("model_damping", model[1])))
+        defaults = {name: parameter.default for name, parameter in wishes.items()}
+        placed = kind.designed(defaults | wanted, float(own.get("model_gain", model[0])), float(own.get("model_damping", model[1])))
     return read_component(rest, "controller", units, given=placed)
 
 

@@ -85,14 +85,12 @@ def axis_table(axis: Axis) -> dict[str, Any]:
     """Return the table of an axis."""
     units = _units(axis)
     placed = {"mounted_on": axis.mounted_on, "alignment": axis.alignment} if axis.mounted_on else {}
-    table = placed | table_of(axis, defaults=False) | _correlations(axis)
-    table = with_origins(table, axis.origins)
+    table = with_origins(placed, axis.origins) | table_of(axis, defaults=False) | _correlations(axis)
     for slot in AXIS_SLOTS:
         part = getattr(axis, slot)
         if part is not None and (axis.plant.two_sided or not slot.startswith("motor_")):
             table[slot] = component_table(part, units)
-    limits, error = table_of(axis.limits), table_of(axis.error, defaults=False)
-    below = {"limits": with_origins(limits, axis.limits.origins), "error": with_origins(error, axis.error.origins)}
+    below = {"limits": table_of(axis.limits), "error": table_of(axis.error, defaults=False)}
     return table | {name: inner for name, inner in below.items() if inner}
 
 
@@ -106,8 +104,7 @@ def machine_tables(machine: Machine) -> dict[str, Any]:
     if machine.squareness:
         angles = {f"{a}-{b}": quantity(angle, "rad", "um/m") for (a, b), angle in machine.squareness.items()}
         table["squareness"] = with_origins(angles, {k.removeprefix("squareness."): v for k, v in machine.origins.items()})
-    table = with_origins(table | _correlations(machine), machine.origins)
-    return {"machine": table, "axes": {axis.name: axis_table(axis) for axis in machine.axes}}
+    return {"machine": table | _correlations(machine), "axes": {axis.name: axis_table(axis) for axis in machine.axes}}
 
 
 def _axis_controller_table(part: AxisController, units: tuple[str, str]) -> dict[str, Any]:

@@ -68,18 +68,11 @@ def read_origins(declared: Mapping[str, Parameter], table: Table, values: Mappin
     return origins
 
 
-def without_origins(table: Table, names: tuple[str, ...] = ()) -> tuple[Table, dict[str, Origin]]:
-    """Split a fixed table into bare values and their sources; `names` restricts the keys.
-
-    These numbers are not simulated, so they have no deviation.
-    """
-    origins = {}
-    entries = dict(table.entries)
-    for name, node in table.entries.items():
-        if isinstance(node, Table) and (not names or name in names) and bare(node) is not node:
-            origins[name] = _origin(node, None, "not simulated")
-            entries[name] = bare(node)
-    return Table(entries, table.file, table.key, table.afresh), origins
+def without_origins(table: Table, names: Collection[str]) -> tuple[Table, dict[str, Origin]]:
+    """Split a table into bare values and the sources of the numbers that `names` names; not simulated, they have no deviation."""
+    given = {name: node for name, node in table.entries.items() if name in names and isinstance(node, Table) and bare(node) is not node}
+    origins = {name: _origin(node, None, "not simulated") for name, node in given.items()}
+    return table.having(**{name: bare(node) for name, node in given.items()}), origins
 
 
 def _origin(table: Table, of: tuple[Parameter, float] | None, exact: str) -> Origin:

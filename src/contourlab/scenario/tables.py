@@ -18,6 +18,7 @@ import numpy as np
 from contourlab.components.contract import Parameter
 from contourlab.errors import UnitError, hint
 from contourlab.scenario.files import named_in
+from contourlab.scenario.provenance import with_origins, without_origins
 from contourlab.scenario.quantities import in_range, quantity, read_list, read_number
 from contourlab.scenario.tree import Table, located
 from contourlab.units import Setting
@@ -42,6 +43,8 @@ def keys_of(kind: type) -> Mapping[str, Key]:
 def read_values(table: Table, *kinds: type, needed: Collection[str] = (), parts: Collection[str] = ()) -> dict[str, Any]:
     """Return the values of a table by field, in SI, files as paths; those that it leaves out are left out.
 
+    For a class with ``origins`` they are among the values.
+
     Parameters
     ----------
     *kinds : type
@@ -63,7 +66,9 @@ def read_values(table: Table, *kinds: type, needed: Collection[str] = (), parts:
             raise table.error(f"unknown key: {hint(name, dict.fromkeys(known))}", name)
     if missing := [name for name in needed if name not in table.entries]:
         raise table.error(f"{len(missing)} {'key is' if len(missing) == 1 else 'keys are'} missing: {', '.join(missing)}")
-    values = {}
+    values: dict[str, Any] = {}
+    if any(hasattr(kind, "__dataclass_fields__") and "origins" in kind.__dataclass_fields__ for kind in kinds):
+        table, values["origins"] = without_origins(table, [name for name, (_, forms, _) in keys.items() if not {str, int} & {*forms}])
     for name, (field, forms, about) in keys.items():
         if name in table.entries:
             with located(table, name):
@@ -139,14 +144,17 @@ def _text(value: Any, about: Setting) -> str:
 
 
 def table_of(value: Any, *, defaults: bool = True) -> dict[str, Any]:
-    """Return the table that holds the fields of a dataclass; no default values on request. What is None, infinite or empty is left out."""
+    """Return the table that holds the fields of a dataclass, with their origins; no default values on request.
+
+    What is None, infinite or empty is left out.
+    """
     table = {}
     for name, (field, _, about) in keys_of(value.__class__).items():
         item = getattr(value, field.name)
         idle = item is None or (isinstance(item, np.ndarray) and not item.size) or _infinite(item)
         if not idle and (defaults or isinstance(item, np.ndarray) or item != field.default):
             table[name] = written(item, about)
-    return table
+    return with_origins(table, getattr(value, "origins", {}))
 
 
 def _infinite(value: Any) -> bool:
