@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
 
 from contourlab.components.contract import Component, Parameter
 from contourlab.components.origin import Origin
+from contourlab.components.plant.plant import Plant
 from contourlab.components.registry import component, components
 from contourlab.errors import ComponentError, UnitError, hint
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Division, Limits, Machine
@@ -18,7 +19,7 @@ from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS, NAMED_SLOTS
 from contourlab.scenario.files import EVERY
 from contourlab.scenario.provenance import bare, read_correlations, read_origins, without_origins
 from contourlab.scenario.quantities import in_range, read_list, read_number
-from contourlab.scenario.tables import keys_of, read_value, read_values
+from contourlab.scenario.tables import keys_of, read_value, read_values, written
 from contourlab.scenario.tree import DESIGNED, Leaf, Node, Table, located, same_table
 from contourlab.units import Setting
 
@@ -28,6 +29,11 @@ WORKED_OUT = Origin("design", note="computed from gains = {...}")
 def parameters_of(kind: type[Component], units: tuple[str, str]) -> dict[str, Parameter]:
     """Return the parameters of a component for a plant with these units of command and force."""
     return {name: parameter.for_plant(*units) for name, parameter in kind.parameters.items()}
+
+
+def units_of(plant: Plant) -> tuple[str, str]:
+    """Return the units of a plant's command and force."""
+    return plant.command_unit, plant.force_unit
 
 
 def _as_table(node: Node, family: str) -> Table:
@@ -142,7 +148,7 @@ def build_axis(table: Table, name: str) -> Axis:
     """
     plain = read_values(table, Axis, needed=AXIS_SLOTS[:1], parts=(*AXIS_SLOTS[1:], "limits", "error", "correlations"))
     plant = read_component(table.entries["plant"], "plant", ("?", "?"))
-    parts = _parts(table, AXIS_SLOTS[1:], (plant.command_unit, plant.force_unit), optional=("disturbance",))
+    parts = _parts(table, AXIS_SLOTS[1:], units_of(plant), optional=("disturbance",))
     traced = {"plant": plant, **{slot: part for slot, part in parts.items() if part is not None}}
     return Axis(
         name=name,
@@ -273,8 +279,7 @@ def build_controller(table: Table, machine: Machine) -> Controller:
         # Further axes belong to other machines. If an axis of this machine has no table of its own, a name is misspelt.
         raise axes.error(f"the machine has no axis {others[0]!r}: {hint(others[0], machine.axis_names)}", others[0])
     built = {name: _axis_controller(axes.table(name), machine, name) for name in machine.axis_names}
-    units = (machine.axes[0].plant.command_unit, machine.axes[0].plant.force_unit)
-    parts = _parts(table, ("estimator", "coupling"), units, ("estimator", "coupling"))
+    parts = _parts(table, ("estimator", "coupling"), units_of(machine.axes[0].plant), ("estimator", "coupling"))
     if (check := getattr(parts.get("estimator"), "check_axes", None)) is not None:
         with located(table, "estimator"):
             check(len(machine.axes))
@@ -286,7 +291,7 @@ def _axis_controller(table: Table, machine: Machine, name: str) -> AxisControlle
     slots = (*(slot for slot in CONTROLLER_SLOTS if slot != "controller"), *NAMED_SLOTS, "link")
     plain = read_values(table, AxisController, needed=("controller",), parts=slots)
     axis = machine.axis(name)
-    units = (axis.plant.command_unit, axis.plant.force_unit)
+    units = units_of(axis.plant)
     supervisor = table.get("supervisor")
     if isinstance(supervisor, Table) and "kind" not in supervisor.entries:
         table = table.having(supervisor=supervisor.having(kind=Leaf(SUPERVISOR, supervisor.file, supervisor.at("kind"))))
@@ -419,16 +424,11 @@ def in_place(table: Table, module: Axis, place: Axis) -> tuple[Axis, str]:
     place : Axis
         The axis that it replaces.
     """
-    kept, taken_over = module, []
-    if "stage_mass" not in table.entries and place.stage_mass:
-        origins = {name: origin for name, origin in place.origins.items() if name == "stage_mass"}
-        kept = replace(kept, stage_mass=place.stage_mass, origins={**module.origins, **origins})
-        taken_over.append(f"stage_mass, {place.stage_mass:g} kg")
-    if "substeps" not in table.entries and place.substeps != module.substeps:
-        kept = replace(kept, substeps=place.substeps)
-        taken_over.append(f"substeps, {place.substeps}")
-    limits, names = _limits_in_place(table.table("limits"), module.limits, place.limits)
-    notes = ["; ".join([*taken_over, *names]) + " (kept from the replaced axis)"] if taken_over or names else []
+    kept, axis_names = _taken_over(table, module, place, ("stage_mass", "substeps"))
+    limits, limit_names = _taken_over(table.table("limits"), module.limits, place.limits, keys_of(Limits))
+    names = [f"{name}, {written(getattr(place, name), keys_of(Axis)[name][2])}" for name in axis_names]
+    names += [f"limits.{name}" for name in limit_names]
+    notes = ["; ".join(names) + " (kept from the replaced axis)"] if names else []
     lost = [slot for slot in AXIS_SLOTS[1:] if slot not in table.entries and getattr(module, slot) != getattr(place, slot)]
     if "error" not in table.entries and (place.error.position.size or place.error.repeatability):
         lost.append("error")
@@ -437,10 +437,9 @@ def in_place(table: Table, module: Axis, place: Axis) -> tuple[Axis, str]:
     return replace(kept, limits=limits), "; ".join(notes)
 
 
-def _limits_in_place(table: Table, own: Limits, replaced: Limits) -> tuple[Limits, list[str]]:
-    """Return the limits of a module, missing ones taken over, and the names of these."""
-    plain = Limits()
-    names = [name for name in keys_of(Limits) if name not in table.entries and getattr(replaced, name) != getattr(plain, name)]
-    origins = {name: replaced.origins[name] for name in names if name in replaced.origins}
-    values = {name: getattr(replaced, name) for name in names}
-    return replace(own, **values, origins={**own.origins, **origins}), [f"limits.{name}" for name in names]
+def _taken_over(table: Table, own: Any, replaced: Any, names: Iterable[str]) -> tuple[Any, list[str]]:
+    """Return a part with the values of a replaced one, and their origins, that its table leaves out; and the names of these."""
+    defaults = {field.name: field.default for field in fields(own)}
+    taken = [name for name in names if name not in table.entries and getattr(replaced, name) != defaults[name]]
+    origins = {name: replaced.origins[name] for name in taken if name in replaced.origins}
+    return replace(own, **{name: getattr(replaced, name) for name in taken}, origins={**own.origins, **origins}), taken

@@ -12,7 +12,7 @@ from contourlab.components.contract import Component
 from contourlab.contours.reader import ContourOptions
 from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS, NAMED_SLOTS
-from contourlab.scenario.build import parameters_of
+from contourlab.scenario.build import parameters_of, units_of
 from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names
 from contourlab.scenario.provenance import origin_table, with_origins
 from contourlab.scenario.quantities import quantity
@@ -77,13 +77,9 @@ def component_table(part: Component | None, units: tuple[str, str]) -> Any:
     return table
 
 
-def _units(axis: Axis) -> tuple[str, str]:
-    return axis.plant.command_unit, axis.plant.force_unit
-
-
 def axis_table(axis: Axis) -> dict[str, Any]:
     """Return the table of an axis."""
-    units = _units(axis)
+    units = units_of(axis.plant)
     placed = {"mounted_on": axis.mounted_on, "alignment": axis.alignment} if axis.mounted_on else {}
     table = with_origins(placed, axis.origins) | table_of(axis, defaults=False) | _correlations(axis)
     for slot in AXIS_SLOTS:
@@ -121,9 +117,9 @@ def _axis_controller_table(part: AxisController, units: tuple[str, str]) -> dict
 
 def controller_table(controller: Controller, machine: Machine) -> dict[str, Any]:
     """Return ``controller``."""
-    units = _units(machine.axes[0])
+    units = units_of(machine.axes[0].plant)
     table: dict[str, Any] = {slot: component_table(getattr(controller, slot), units) for slot in ("estimator", "coupling")}
-    return table | {"axes": {axis.name: _axis_controller_table(controller.axes[axis.name], _units(axis)) for axis in machine.axes}}
+    return table | {"axes": {axis.name: _axis_controller_table(controller.axes[axis.name], units_of(axis.plant)) for axis in machine.axes}}
 
 
 def motion_table(motion: Motion) -> dict[str, Any]:
@@ -164,7 +160,7 @@ def case_tables(case: Case) -> dict[str, Any]:
 
 def learning_table(learning: LearningSettings, machine: Machine) -> dict[str, Any]:
     """Return ``learning``."""
-    return {"law": component_table(learning.law, _units(machine.axes[0])), **table_of(learning)}
+    return {"law": component_table(learning.law, units_of(machine.axes[0].plant)), **table_of(learning)}
 
 
 def difference(base: Mapping[str, Any], other: Mapping[str, Any]) -> dict[str, Any]:

@@ -15,7 +15,7 @@ from contourlab.file_kinds import kind_of
 from contourlab.geometry import contour_names, contour_parameters
 from contourlab.loop import Axis, Change, Controller, Machine
 from contourlab.program import Reading, read_program
-from contourlab.scenario.build import build_axis, build_controller, build_machine, in_place, read_component
+from contourlab.scenario.build import build_axis, build_controller, build_machine, in_place, read_component, units_of
 from contourlab.scenario.files import BUILTIN, EVERY, Reader, builtin_file, builtin_names, join, listed, shipped_hint, spread
 from contourlab.scenario.placing import fitted
 from contourlab.scenario.quantities import read_number
@@ -179,11 +179,8 @@ def read_learning(table: Table, machine: Machine) -> LearningSettings | None:
     if not table.entries:
         return None
     plain = read_values(table, LearningSettings, needed=("law",))
-    first = machine.axes[0].plant
-    law: Any = read_component(table.entries["law"], "learning", (first.command_unit, first.force_unit), optional=True)
-    if law is None:
-        return None
-    return LearningSettings(law, **plain)
+    law: Any = read_component(table.entries["law"], "learning", units_of(machine.axes[0].plant), optional=True)
+    return None if law is None else LearningSettings(law, **plain)
 
 
 def read_changes(run: Table, machine: Machine, reader: Reader) -> tuple[Change, ...]:
