@@ -19,7 +19,7 @@ from contourlab.scenario.quantities import quantity
 from contourlab.scenario.tables import keys_of, table_of, written
 from contourlab.scenario.toml_text import Noted, toml
 from contourlab.scenario.tree import DEFAULT
-from contourlab.scenario.values import Case, Contour, LearningSettings, Motion, Scenario
+from contourlab.scenario.values import Case, Contour, Motion, Scenario
 
 
 def dump(value: Machine | Controller | Axis | Scenario, machine: Machine | None = None) -> str:
@@ -148,19 +148,15 @@ def case_tables(case: Case) -> dict[str, Any]:
     run = table_of(case.run)
     if case.changes:
         run["changes"] = [table_of(change) for change in case.changes]
-    learning = {} if case.learning is None else {"learning": learning_table(case.learning, case.machine)}
-    return {
+    tables = {
         **machine_tables(case.machine),
         "controller": controller_table(case.controller, case.machine),
         "feed": table_of(case.feed),
         "run": run,
-        **learning,
     }
-
-
-def learning_table(learning: LearningSettings, machine: Machine) -> dict[str, Any]:
-    """Return ``learning``."""
-    return {"law": component_table(learning.law, units_of(machine.axes[0].plant)), **table_of(learning)}
+    if case.learning is not None:
+        tables["learning"] = {"law": component_table(case.learning.law, units_of(case.machine.axes[0].plant)), **table_of(case.learning)}
+    return tables
 
 
 def difference(base: Mapping[str, Any], other: Mapping[str, Any]) -> dict[str, Any]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -215,17 +215,6 @@ SCHEME_KEYS = ("machine", "axes", "controller", "feed", "run", "learning")
 COMMAND_LINE = "<arguments>"
 """File name shown for values given as arguments; relative names start at the working folder."""
 _loaded: set[Path] = set()
-
-
-@dataclass(frozen=True)
-class _Layers:
-    """The tables of a case, files joined in, not yet interpreted."""
-
-    machine: Table
-    controller: Node
-    feed: Table
-    run: Table
-    learning: Table
 
 
 def _load_plugins(plugins: Sequence[str | Path]) -> None:
@@ -525,36 +514,34 @@ def _scenario(reader: Reader, content: Table, path: Path) -> Scenario:
         raise content.error("contour and program are both given: delete one" if both else "contour or program is missing: write one")
     machine = reader.machine(content.only("machine", "axes"))
     reader = replace(reader, names=listed(machine))
-    settings = (content.table(name) for name in ("feed", "run", "learning"))
-    layers = _Layers(machine, reader.controller(content.entries["controller"]), *settings)
-    base_machine = build_machine(settle(machine))
-    motion = read_motion(content, base_machine)
+    layers = content.only("feed", "run", "learning").having(machine=machine, controller=reader.controller(content.entries["controller"]))
+    motion = read_motion(content, build_machine(settle(machine)))
     base = _case("base", layers, motion, content, reader)
     schemes = content.table("schemes")
     cases = tuple(_case(name, _over(reader, layers, schemes.table(name)), motion, schemes.table(name), reader) for name in schemes.entries)
     return Scenario(name or _title(path), path, base, cases, tuple(dict.fromkeys(reader.seen)))
 
 
-def _over(reader: Reader, base: _Layers, scheme: Table) -> _Layers:
-    """Return the layers of a case overridden by a scheme."""
+def _over(reader: Reader, base: Table, scheme: Table) -> Table:
+    """Return the tables of a case overridden by a scheme."""
     for name in scheme.entries:
         if name not in SCHEME_KEYS:
             raise scheme.error(f"a scheme cannot change this: {hint(name, SCHEME_KEYS)}", name)
-    machine = base.machine
+    machine, controller = base.table("machine"), base.entries["controller"]
     own = reader.machine(scheme.only("machine", "axes"))
     if own.entries:
         machine = own if own.afresh else join(machine, own, listed(own) or listed(machine))
-    controller = base.controller
     if "controller" in scheme.entries:
         reader = replace(reader, names=listed(machine))
         over = reader.controller(scheme.entries["controller"])
         _check_axes(scheme.entries["controller"], reader.names, controller)
         fresh = isinstance(over, Leaf) or isinstance(controller, Leaf) or over.afresh
         controller = over if fresh else join(controller, over, reader.names)  # type: ignore[arg-type]
-    return _Layers(machine, controller, *(merge(getattr(base, name), scheme.table(name)) for name in ("feed", "run", "learning")))
+    settings = {name: merge(base.table(name), scheme.table(name)) for name in ("feed", "run", "learning")}
+    return base.having(machine=machine, controller=controller, **settings)
 
 
-def _check_axes(over: Node, names: tuple[str, ...], base: Table | Leaf) -> None:
+def _check_axes(over: Node, names: tuple[str, ...], base: Node) -> None:
     """Refuse axes that neither the machine nor the base controller has; a controller file may serve further machines."""
     axes = over.entries.get("axes") if isinstance(over, Table) else None
     if not isinstance(axes, Table):
@@ -566,21 +553,21 @@ def _check_axes(over: Node, names: tuple[str, ...], base: Table | Leaf) -> None:
             raise axes.error(f"the machine has no axis {name!r}: {hint(name, names)}", name)
 
 
-def _case(name: str, layers: _Layers, motion: Motion, place: Table, reader: Reader) -> Case:
+def _case(name: str, layers: Table, motion: Motion, place: Table, reader: Reader) -> Case:
     if not name.strip() or len(name) > 80 or not name.isprintable():
         raise place.error("name the scheme with up to 80 letters, digits and spaces")
-    machine = build_machine(settle(layers.machine))
-    if isinstance(layers.controller, Leaf):
-        raise layers.controller.error("write a table [controller], or the name of its file")
-    controller = build_controller(settle(spread(layers.controller, machine.axis_names)), machine)
-    feed = read_feed(settle(layers.feed), motion)
-    run_table = settle(layers.run)
+    machine, node = build_machine(settle(layers.table("machine"))), layers.entries["controller"]
+    if isinstance(node, Leaf):
+        raise node.error("write a table [controller], or the name of its file")
+    controller = build_controller(settle(spread(node, machine.axis_names)), machine)
+    feed = read_feed(settle(layers.table("feed")), motion)
+    run_table = settle(layers.table("run"))
     run, changes = RunSettings(**read_values(run_table, RunSettings, parts=("changes",))), read_changes(run_table, machine, reader)
     if motion.n_axis != len(machine.axes):
         what = motion.name if isinstance(motion, Contour) else motion.file.name
         cure = "a scheme's machine must have as many axes as the base's"
         raise place.error(f"{what} has {motion.n_axis} coordinates, {machine.name} has the axes {', '.join(machine.axis_names)}: {cure}")
-    learning = read_learning(settle(layers.learning), machine)
+    learning = read_learning(settle(layers.table("learning")), machine)
     if learning is not None and (changes or run.start == "moving"):
         key, why = ("changes", "all trials run under one controller") if changes else ("start", "a trial starts from rest")
         raise run_table.error(f"cannot be combined with [learning]: {why}", key)
