@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable, Collection
+from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -193,3 +195,38 @@ def show(value: float, unit: str, digits: int = 6) -> str:
     '20 mm'
     """
     return f"{from_si(value, unit):.{digits}g} {unit}".strip()
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What a key of a table in a file may be, besides its type.
+
+    Attributes
+    ----------
+    unit, display : str
+        SI unit, and the unit in which people write it.
+    minimum, maximum : float [SI]
+        Bounds of a number; of a text the most characters.
+    exclusive : bool
+        Whether the minimum itself is excluded.
+    choices : collection of str
+        Allowed words; empty for any.
+    check : callable or None
+        Returns a text that is valid, or raises ValueError with what to write.
+    name : str
+        The key, if it is not the name of the field.
+    """
+
+    unit: str = ""
+    display: str = ""
+    minimum: float = -math.inf
+    maximum: float = math.inf
+    exclusive: bool = False
+    choices: Collection[str] = ()
+    check: Callable[[str], str] | None = None
+    name: str = ""
+
+
+def setting(*about: Any, **more: Any) -> dict[str, Setting]:
+    """Return the metadata of a field that is a key of a table in a file, see `Setting`; a bool or a Literal needs none."""
+    return {"setting": Setting(*about, **more)}

@@ -5,14 +5,16 @@ from __future__ import annotations
 import math
 import numbers
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path as File
+from typing import Any, Literal
 
 from contourlab.contours.dxf import read_dxf
 from contourlab.contours.points import CORNER_ANGLE, read_points
 from contourlab.contours.svg import read_svg
 from contourlab.errors import GeometryError
 from contourlab.geometry import Path
+from contourlab.units import setting
 
 SUFFIXES = {
     ".dxf": ("unit", "tolerance", "layer", "chain", "scale", "axes", "ignore", "reverse"),
@@ -36,6 +38,21 @@ class ContourReading:
 
     path: Path
     notes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class ContourOptions:
+    """How to read a contour; see `read_contour`."""
+
+    unit: str | None = field(default=None, metadata=setting(maximum=200))
+    tolerance: float | None = field(default=None, metadata=setting("m", "um", minimum=0.0, maximum=1.0, exclusive=True))
+    layer: str | None = field(default=None, metadata=setting(maximum=200))
+    chain: int | None = field(default=None, metadata=setting(minimum=1))
+    scale: float = field(default=1.0, metadata=setting(minimum=0.0, exclusive=True))
+    axes: Literal[2, 3] | None = None
+    ignore: tuple[str, ...] = field(default=(), metadata=setting(maximum=200))
+    corner_angle: float | None = field(default=None, metadata=setting("rad", "deg", minimum=0.0, maximum=math.pi, exclusive=True))
+    reverse: bool = False
 
 
 def read_contour(
@@ -93,36 +110,22 @@ def read_contour(
     ).path  # fmt: skip
 
 
-def study_contour(
-    file: str | File,
-    *,
-    unit: str | None = None,
-    tolerance: float | None = None,
-    layer: str | None = None,
-    chain: int | None = None,
-    scale: float = 1.0,
-    axes: int | None = None,
-    ignore: Sequence[str] = (),
-    corner_angle: float | None = None,
-    reverse: bool = False,
-) -> ContourReading:
+def study_contour(file: str | File, **options: Any) -> ContourReading:
     """Read a contour like `read_contour`, and return it with notes."""
-    path = File(file)
-    given = {"layer": layer, "chain": chain, "axes": axes, "ignore": ignore, "corner_angle": corner_angle}
-    suffix = _checked(path, given, scale)
+    path, given = File(file), ContourOptions(**options)
+    chosen = {name: getattr(given, name) for name in ("layer", "chain", "axes", "ignore", "corner_angle")}
+    suffix = _checked(path, chosen, given.scale)
+    shared: dict[str, Any] = {"unit": given.unit, "tolerance": given.tolerance, "scale": given.scale}
     if suffix in (".csv", ".txt"):
-        angle = CORNER_ANGLE if corner_angle is None else corner_angle
-        fit = read_points(path, unit=unit, tolerance=tolerance, corner_angle=angle, scale=scale, reverse=reverse)
+        angle = CORNER_ANGLE if given.corner_angle is None else given.corner_angle
+        fit = read_points(path, **shared, corner_angle=angle, reverse=given.reverse)
         return ContourReading(fit.path, (fit.note,))
-    if suffix == ".dxf":
-        drawing = read_dxf(path, unit=unit, tolerance=tolerance, layer=layer, scale=scale, axes=axes or 2)
-    else:
-        drawing = read_svg(path, unit=unit, tolerance=tolerance, scale=scale)
-    drawing.refuse_left_out(ignore)
-    contour = drawing.chosen(chain)
+    drawing = read_dxf(path, **shared, layer=given.layer, axes=given.axes or 2) if suffix == ".dxf" else read_svg(path, **shared)
+    drawing.refuse_left_out(given.ignore)
+    contour = drawing.chosen(given.chain)
     left_out = dict.fromkeys(f"left out: {item.kind}" for item in drawing.left_out)
     try:
-        return ContourReading((contour.backwards() if reverse else contour).path, (*left_out, *drawing.notes))
+        return ContourReading((contour.backwards() if given.reverse else contour).path, (*left_out, *drawing.notes))
     except GeometryError as error:
         raise GeometryError(f"{path}: {error}") from error
 

@@ -13,6 +13,8 @@ from contourlab.components.contract import Component
 from contourlab.components.ideal import IdealLink
 from contourlab.components.origin import Origin
 from contourlab.errors import ParameterError
+from contourlab.feed.limits import RANGES
+from contourlab.units import setting
 
 
 @dataclass(frozen=True)
@@ -39,11 +41,11 @@ class Limits:
         If a limit is not positive, or the travel is empty.
     """
 
-    velocity: float = math.inf
-    acceleration: float = math.inf
-    jerk: float = math.inf
-    following_error: float = 0.05
-    travel: tuple[float, float] | float = (-math.inf, math.inf)
+    velocity: float = field(default=math.inf, metadata=setting("m/s", "mm/min", *RANGES["velocity"]))
+    acceleration: float = field(default=math.inf, metadata=setting("m/s^2", "", *RANGES["acceleration"]))
+    jerk: float = field(default=math.inf, metadata=setting("m/s^3", "", *RANGES["jerk"]))
+    following_error: float = field(default=0.05, metadata=setting("m", "mm", minimum=0.0, maximum=1.0, exclusive=True))
+    travel: tuple[float, float] | float = field(default=(-math.inf, math.inf), metadata=setting("m", "mm"))
     origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
     file: str = field(default="", compare=False, repr=False)
 
@@ -90,9 +92,9 @@ class AxisError:
         If the table is not finite or not ascending, or the repeatability is negative.
     """
 
-    position: Array = field(default_factory=lambda: np.zeros(0))
-    lead_error: Array = field(default_factory=lambda: np.zeros(0))
-    repeatability: float = 0.0
+    position: Array = field(default_factory=lambda: np.zeros(0), metadata=setting("m", "mm"))
+    lead_error: Array = field(default_factory=lambda: np.zeros(0), metadata=setting("m", "um"))
+    repeatability: float = field(default=0.0, metadata=setting("m", "um", minimum=0.0))
     origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -143,7 +145,7 @@ class Division:
     Ghaffari & Ulsoy, Fig 1 and section IV; one way and both ways: Cakmakci & Ulsoy, IEEE/ASME Trans. Mechatronics 14 (2009), 307-316.
     """
 
-    division: str = "observer"
+    division: str = field(default="observer", metadata=setting(choices=DIVISIONS))
     down: Component = field(default_factory=IdealLink)
     up: Component | None = field(default_factory=IdealLink)
 

@@ -19,6 +19,7 @@ from contourlab.errors import FeedError, ParameterError
 from contourlab.feed import AxisLimits
 from contourlab.loop.axis_parts import AxisError, Division, Limits
 from contourlab.notebook import facts_line
+from contourlab.units import setting
 
 
 @dataclass(frozen=True)
@@ -63,10 +64,10 @@ class Axis:
     disturbance: Component | None = None
     error: AxisError = field(default_factory=AxisError)
     limits: Limits = field(default_factory=Limits)
-    mounted_on: str = ""
-    alignment: float = 0.0
-    stage_mass: float = 0.0
-    substeps: int = 1
+    mounted_on: str = field(default="", metadata=setting(check=str))
+    alignment: float = field(default=0.0, metadata=setting(minimum=-1.0, maximum=1.0))
+    stage_mass: float = field(default=0.0, metadata=setting("kg", minimum=0.0))
+    substeps: int = field(default=1, metadata=setting(minimum=1, maximum=1000))
     motor_friction: Component = field(default_factory=NoFriction)
     motor_sensor: Component = field(default_factory=IdealSensor)
     origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
@@ -99,9 +100,9 @@ class Machine:
         If the servo period is not positive, names repeat, axes carry each other in a circle, or an axis does not fit its plant.
     """
 
-    name: str
+    name: str = field(metadata=setting(maximum=200))
     axes: tuple[Axis, ...]
-    servo_period: float
+    servo_period: float = field(metadata=setting("s", "ms", minimum=0.0, maximum=1.0, exclusive=True))
     squareness: Mapping[tuple[str, str], float] = field(default_factory=dict)
     origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
     correlations: tuple[tuple[str, str, float], ...] = field(default=(), compare=False, repr=False)
@@ -262,14 +263,14 @@ class AxisController:
     observer: Component | None = None
     predictor: Component | None = None
     feedforward: Component | None = None
-    local: tuple[str, ...] = ()
+    local: tuple[str, ...] = field(default=(), metadata=setting())
     gap_observer: Component | None = None
     compensation: Component | None = None
     supervisor: Component | None = None
     others: tuple[tuple[str, Component], ...] = ()
     filters: tuple[tuple[str, Component], ...] = ()
-    feedback: str = "load"
-    velocity_feedback: str = "motor"
+    feedback: str = field(default="load", metadata=setting(choices=SIDES))
+    velocity_feedback: str = field(default="motor", metadata=setting(choices=SIDES))
     link: Division | None = None
 
     @property

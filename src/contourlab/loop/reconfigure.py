@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -24,6 +24,7 @@ from contourlab.feed import Reference
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.template import Loop, build
 from contourlab.primitives import Clock
+from contourlab.units import setting
 
 
 @dataclass(frozen=True)
@@ -47,10 +48,10 @@ class Change:
         If a time is out of range.
     """
 
-    time: float
+    time: float = field(metadata=setting("s", minimum=0.0, exclusive=True, name="at"))
     controller: Controller
-    handover_time: float = 0.01
-    file: str = ""
+    handover_time: float = field(default=0.01, metadata=setting("s", "ms", minimum=0.0))
+    file: str = field(default="", metadata=setting(name="controller"))
 
     def __post_init__(self) -> None:
         if not (self.time > 0.0 and math.isfinite(self.time)):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import Literal, TextIO, TypeAlias, get_args
@@ -19,6 +19,7 @@ from contourlab.program.interpreter import execute
 from contourlab.program.moves import Dwell, Move, Notice, Program
 from contourlab.program.state import ModalState, Tools, own_names, read_tools
 from contourlab.program.vocabulary import BlockError
+from contourlab.units import setting
 
 Dialect: TypeAlias = Literal["linuxcnc", "grbl"]
 MOST_NOTICES = 1000
@@ -64,9 +65,9 @@ class Reading:
     dialect: Dialect = "linuxcnc"
     require_end: bool = True
     block_delete: bool = False
-    tools: str | Path | None = None
+    tools: str | Path | None = field(default=None, metadata=setting())
     folder: Path | None = None
-    most_moves: int = 500_000
+    most_moves: int = field(default=500_000, metadata=setting(minimum=1))
 
     def __post_init__(self) -> None:
         if self.dialect not in get_args(Dialect):

@@ -5,11 +5,10 @@ fixed shape), `components`, `provenance` (sources and correlations), `build` (ma
 run, learning), `values` and `case` (the results), `load` (entry points), `dump` and `toml_text` (writers).
 """
 
-from contourlab.scenario.case import Case, Scenario, chosen
 from contourlab.scenario.dump import dump
 from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names, shipped_hint
 from contourlab.scenario.load import load_axis, load_controller, load_machine, load_scenario, parse_scenario, scenario_from_parts
-from contourlab.scenario.values import Contour, FeedSettings, LearningSettings, Motion, PartProgram, RunSettings
+from contourlab.scenario.values import Case, Contour, FeedSettings, LearningSettings, Motion, PartProgram, RunSettings, Scenario, chosen
 
 __all__ = [
     "BUILTIN",

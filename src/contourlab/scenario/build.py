@@ -2,33 +2,136 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
-from itertools import pairwise
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component
-from contourlab.errors import hint
+from contourlab.components.contract import Component, Parameter
+from contourlab.components.origin import Origin
+from contourlab.components.plant.plant import Plant
+from contourlab.components.registry import component, components
+from contourlab.errors import ComponentError, UnitError, hint
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Division, Limits, Machine
-from contourlab.loop.machine import AXIS_SLOTS, NAMED_SLOTS
-from contourlab.scenario.components import find_kind, read_component, read_values, read_wishes
+from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS, NAMED_SLOTS
 from contourlab.scenario.files import EVERY
-from contourlab.scenario.provenance import read_correlations, read_machine_correlations, without_origins
-from contourlab.scenario.quantities import read_number
-from contourlab.scenario.tables import (
-    AxisControllerTable,
-    AxisTable,
-    ControllerTable,
-    ErrorTable,
-    LimitsTable,
-    LinkTable,
-    MachineTable,
-    ZeroPhaseTable,
-    read_table,
-)
+from contourlab.scenario.provenance import bare, read_correlations, read_origins, without_origins
+from contourlab.scenario.quantities import in_range, read_list, read_number
+from contourlab.scenario.tables import keys_of, read_value, read_values, written
 from contourlab.scenario.tree import DESIGNED, Leaf, Node, Table, located, same_table
+from contourlab.units import Setting
+
+WORKED_OUT = Origin("design", note="computed from gains = {...}")
+
+
+def parameters_of(kind: type[Component], units: tuple[str, str]) -> dict[str, Parameter]:
+    """Return the parameters of a component for a plant with these units of command and force."""
+    return {name: parameter.for_plant(*units) for name, parameter in kind.parameters.items()}
+
+
+def units_of(plant: Plant) -> tuple[str, str]:
+    """Return the units of a plant's command and force."""
+    return plant.command_unit, plant.force_unit
+
+
+def _as_table(node: Node, family: str) -> Table:
+    """Return the table of a component; ``drive = "saturation"`` is short for a table with that kind."""
+    if isinstance(node, Table):
+        return node
+    if not isinstance(node.value, str):
+        raise node.error(f'{node.value!r} is not a valid {family}: write a table with kind = "..." and parameters')
+    return Table({"kind": node}, node.file, node.key)
+
+
+def find_kind(table: Table, family: str) -> type[Component]:
+    """Return the component that a table names."""
+    node = table.get("kind")
+    if not isinstance(node, Leaf) or not isinstance(node.value, str):
+        names = ", ".join(kind.kind for kind in components(family))
+        raise table.error(f"{'key kind is missing: ' if node is None else ''}write one of {names}", "" if node is None else "kind")
+    try:
+        return component(family, node.value)
+    except ComponentError as error:
+        raise node.error(str(error)) from None
+
+
+def read_component(
+    node: Node, family: str, units: tuple[str, str], *, optional: bool = False, given: Mapping[str, float] | None = None
+) -> Any:
+    """Read a component.
+
+    Parameters
+    ----------
+    node : Node
+        Table, or name of the kind.
+    units : (str, str)
+        Units of the plant's command and force.
+    optional : bool
+        Whether ``"none"`` is allowed.
+    given : mapping, optional
+        Computed values in SI; the table's own have priority.
+
+    Raises
+    ------
+    ScenarioError
+        If the content is invalid; gives file and key.
+    """
+    table = _as_table(node, family)
+    kind_node = table.get("kind")
+    if optional and isinstance(kind_node, Leaf) and kind_node.value == "none":
+        extra = [name for name in table.entries if name != "kind"]
+        if extra:
+            raise table.error('kind "none" has no parameters: delete this one', extra[0])
+        return None
+    kind = find_kind(table, family)
+    own = table.without("kind")
+    declared = parameters_of(kind, units)
+    values = {**(given or {}), **read_parameters(kind.kind, declared, own)}
+    origins = {name: WORKED_OUT for name in given or () if name not in own.entries} | read_origins(declared, own, values)
+    _refuse_missing(kind.kind, declared, values, table)
+    with located(table):
+        return kind(**values).traced(origins)
+
+
+def read_parameters(what: str, declared: Mapping[str, Parameter], table: Table) -> dict[str, Any]:
+    """Read declared numbers and words in SI.
+
+    Raises
+    ------
+    ScenarioError
+        If one is unknown, has the wrong unit, or is out of range.
+    """
+    values: dict[str, Any] = {}
+    for name, node in table.entries.items():
+        if name not in declared:
+            raise table.error(f"{what} has no parameter {name!r}: {hint(name, declared)}", name)
+        with located(table, name):
+            values[name] = _value(declared[name], bare(node).plain())
+    return values
+
+
+def _refuse_missing(what: str, declared: Mapping[str, Parameter], values: Mapping[str, Any], table: Table) -> None:
+    missing = {name: parameter for name, parameter in declared.items() if parameter.default is None and name not in values}
+    if missing:
+        names = (f"{name} [{parameter.display}]" if parameter.display else name for name, parameter in missing.items())
+        raise table.error(f"{what} needs values for {', '.join(names)}")
+
+
+def _value(parameter: Parameter, given: Any) -> Any:
+    if parameter.choices:
+        if not isinstance(given, str) or given not in parameter.choices:
+            raise UnitError(f"{given!r}: must be {parameter.bound}")
+        return given
+    if parameter.vector:
+        numbers = read_list(given, parameter.unit, parameter.display)
+        if not numbers:
+            raise UnitError("the list is empty: write at least one value")
+        scalar = replace(parameter, vector=False)
+        return tuple(in_range(number, scalar, f"item {i + 1}") for i, number in enumerate(numbers))
+    return in_range(read_number(given, parameter.unit, parameter.display), parameter, repr(given))
+
 
 SUPERVISOR = "performance"
 """Default kind of a supervisor."""
@@ -43,21 +146,17 @@ def build_axis(table: Table, name: str) -> Axis:
     ScenarioError
         If the content is invalid; gives file and key.
     """
-    table, origins = without_origins(table, ("stage_mass", "alignment"))
-    plain = read_table(AxisTable, table)
+    plain = read_values(table, Axis, needed=AXIS_SLOTS[:1], parts=(*AXIS_SLOTS[1:], "limits", "error", "correlations"))
     plant = read_component(table.entries["plant"], "plant", ("?", "?"))
-    parts = _parts(table, AXIS_SLOTS[1:], (plant.command_unit, plant.force_unit), optional=("disturbance",))
+    parts = _parts(table, AXIS_SLOTS[1:], units_of(plant), optional=("disturbance",))
+    traced = {"plant": plant, **{slot: part for slot, part in parts.items() if part is not None}}
     return Axis(
         name=name,
         plant=plant,
         limits=_limits(table.table("limits")),
         error=_error(table.table("error")),
-        mounted_on=plain.mounted_on,
-        alignment=plain.alignment,
-        stage_mass=plain.stage_mass,
-        substeps=plain.substeps,
-        origins=origins,
-        correlations=read_correlations(table, {"plant": plant, **{k: v for k, v in parts.items() if v is not None}}),
+        correlations=read_correlations(table, traced, table.entries),
+        **plain,
         **parts,
     )
 
@@ -72,24 +171,23 @@ def _parts(table: Table, slots: Sequence[str], units: tuple[str, str], optional:
 
 
 def _limits(table: Table) -> Limits:
-    table, origins = without_origins(table)
-    limits = read_table(LimitsTable, table).model_dump(exclude_none=True)
+    limits = read_values(table, Limits)
     travel = limits.get("travel", 0.0)
     if isinstance(travel, tuple) and len(travel) != 2:
         raise table.error('write two positions, the lower one first: ["-100 mm", "100 mm"], or the length: "200 mm"', "travel")
     with located(table):
-        return Limits(**limits, origins=origins, file=table.file)
+        return Limits(**limits, file=table.file)
 
 
 def _error(table: Table) -> AxisError:
-    table, origins = without_origins(table)
-    plain = read_table(ErrorTable, table)
-    if len(plain.lead_error) != len(plain.position):
-        raise table.error(f"{len(plain.lead_error)} values for {len(plain.position)} positions: write one for each", "lead_error")
-    if not all(a < b for a, b in pairwise(plain.position)):
+    plain = read_values(table, AxisError)
+    position, lead_error = (np.array(plain.pop(name, ())) for name in ("position", "lead_error"))
+    if lead_error.size != position.size:
+        raise table.error(f"{lead_error.size} values for {position.size} positions: write one for each", "lead_error")
+    if np.any(np.diff(position) <= 0.0):
         raise table.error("the positions must increase", "position")
     with located(table):
-        return AxisError(np.array(plain.position), np.array(plain.lead_error), plain.repeatability, origins)
+        return AxisError(position, lead_error, **plain)
 
 
 def build_machine(part: Table) -> Machine:
@@ -103,12 +201,8 @@ def build_machine(part: Table) -> Machine:
     table = part.table("machine")
     if "machine" not in part.entries:
         raise part.error("key machine is missing: write [machine] with name, servo_period and axes")
-    table, origins = without_origins(table, ("servo_period",))
-    plain = read_table(MachineTable, table)
-    names = list(plain.axes)
-    twice = [name for name in names if names.count(name) > 1]
-    if twice:
-        raise table.error(f"axis {twice[0]!r} is listed twice: delete one", "axes")
+    plain = read_values(table, Machine, needed=("name", "servo_period", "axes"), parts=("squareness", "correlations"))
+    names = _axis_names(table)
     axes = part.table("axes")
     for name in axes.entries:
         if name not in names and name != EVERY:
@@ -118,19 +212,35 @@ def build_machine(part: Table) -> Machine:
         raise table.error("no table " + ", ".join(f"[{axes.at(name)}]" for name in missing) + ": write one for each axis", "axes")
     built = tuple(build_axis(axes.table(name), name) for name in names)
     for axis in built:
-        _check_carrier(axis, names, axes.table(axis.name))
-    angles, angle_origins = without_origins(table.table("squareness"))
-    origins |= {f"squareness.{pair}": origin for pair, origin in angle_origins.items()}
+        if axis.mounted_on and axis.mounted_on not in names:
+            raise axes.table(axis.name).error(f"no axis {axis.mounted_on!r}: {hint(axis.mounted_on, names)}", "mounted_on")
+        if axis.mounted_on == axis.name:
+            raise axes.table(axis.name).error("an axis cannot be mounted on itself", "mounted_on")
+    angles = table.table("squareness")
+    angles, origins = without_origins(angles, angles.entries)
+    plain["origins"] |= {f"squareness.{pair}": origin for pair, origin in origins.items()}
     with located(table):
-        machine = Machine(plain.name, built, plain.servo_period, _squareness(angles, names), origins)
-    return replace(machine, correlations=read_machine_correlations(table, axes, machine))
+        machine = Machine(**plain, axes=built, squareness=_squareness(angles, names))
+    parts = {f"{axis.name}.{slot}": part for axis in built for slot in AXIS_SLOTS if isinstance(part := getattr(axis, slot), Component)}
+    nodes = {f"{name}.{slot}": node for name in names for slot, node in axes.table(name).entries.items()}
+    within = [(f"{axis.name}.{first}", f"{axis.name}.{second}", value) for axis in built for first, second, value in axis.correlations]
+    return replace(machine, correlations=read_correlations(table, parts, nodes, within))
 
 
-def _check_carrier(axis: Axis, names: list[str], table: Table) -> None:
-    if axis.mounted_on and axis.mounted_on not in names:
-        raise table.error(f"no axis {axis.mounted_on!r}: {hint(axis.mounted_on, names)}", "mounted_on")
-    if axis.mounted_on == axis.name:
-        raise table.error("an axis cannot be mounted on itself", "mounted_on")
+def _axis_names(table: Table) -> list[str]:
+    with located(table, "axes"):
+        names = read_value(table.entries["axes"].plain(), (tuple[str, ...],), Setting(check=_axis_name))
+    if not 0 < len(names) <= 64:
+        raise table.error(f"{len(names)} names: must not be empty, and have at most 64", "axes")
+    if twice := [name for name in names if names.count(name) > 1]:
+        raise table.error(f"axis {twice[0]!r} is listed twice: delete one", "axes")
+    return list(names)
+
+
+def _axis_name(text: str) -> str:
+    if not re.fullmatch(r"[A-Za-z0-9_]{1,32}", text):
+        raise ValueError(f"{text!r:.80}: write a name of letters, digits and _")
+    return text
 
 
 def _squareness(table: Table, names: list[str]) -> dict[tuple[str, str], float]:
@@ -157,7 +267,7 @@ def build_controller(table: Table, machine: Machine) -> Controller:
     ScenarioError
         If the content is invalid; gives file and key.
     """
-    read_table(ControllerTable, table)
+    read_values(table, needed=("axes",), parts=("estimator", "coupling"))
     axes = table.table("axes")
     missing = [name for name in machine.axis_names if name not in axes.entries]
     others = [name for name in axes.entries if name not in machine.axis_names and name != EVERY]
@@ -169,8 +279,7 @@ def build_controller(table: Table, machine: Machine) -> Controller:
         # Further axes belong to other machines. If an axis of this machine has no table of its own, a name is misspelt.
         raise axes.error(f"the machine has no axis {others[0]!r}: {hint(others[0], machine.axis_names)}", others[0])
     built = {name: _axis_controller(axes.table(name), machine, name) for name in machine.axis_names}
-    units = (machine.axes[0].plant.command_unit, machine.axes[0].plant.force_unit)
-    parts = _parts(table, ("estimator", "coupling"), units, ("estimator", "coupling"))
+    parts = _parts(table, ("estimator", "coupling"), units_of(machine.axes[0].plant), ("estimator", "coupling"))
     if (check := getattr(parts.get("estimator"), "check_axes", None)) is not None:
         with located(table, "estimator"):
             check(len(machine.axes))
@@ -179,9 +288,10 @@ def build_controller(table: Table, machine: Machine) -> Controller:
 
 
 def _axis_controller(table: Table, machine: Machine, name: str) -> AxisController:
-    plain = read_table(AxisControllerTable, table)
+    slots = (*(slot for slot in CONTROLLER_SLOTS if slot != "controller"), *NAMED_SLOTS, "link")
+    plain = read_values(table, AxisController, needed=("controller",), parts=slots)
     axis = machine.axis(name)
-    units = (axis.plant.command_unit, axis.plant.force_unit)
+    units = units_of(axis.plant)
     supervisor = table.get("supervisor")
     if isinstance(supervisor, Table) and "kind" not in supervisor.entries:
         table = table.having(supervisor=supervisor.having(kind=Leaf(SUPERVISOR, supervisor.file, supervisor.at("kind"))))
@@ -192,10 +302,10 @@ def _axis_controller(table: Table, machine: Machine, name: str) -> AxisControlle
     if "feedforward" in table.entries:
         parts["feedforward"] = _feedforward(table, units, parts, machine, axis)
     parts["others"] = _others(table.table("others"), units, model)
-    local = _local(plain.local, parts, table)
+    _check_local(plain.get("local", ()), parts, table)
     link = _link(table.entries["link"], units) if "link" in table.entries else None
     with located(table):
-        return AxisController(local=local, link=link, feedback=plain.feedback, velocity_feedback=plain.velocity_feedback, **parts)
+        return AxisController(link=link, **plain, **parts)
 
 
 def _link(node: Node, units: tuple[str, str]) -> Division | None:
@@ -204,10 +314,10 @@ def _link(node: Node, units: tuple[str, str]) -> Division | None:
         if node.value == "none":
             return None
         raise node.error(f'{node.value!r} is not a link: write a table with division = "...", and down and up')
-    plain = read_table(LinkTable, node)
-    ways = {way: read_component(node.entries[way], "link", units, optional=way == "up") for way in plain.parts if way in node.entries}
+    plain = read_values(node, Division, needed=("division",), parts=("down", "up"))
+    ways = {way: read_component(node.entries[way], "link", units, optional=way == "up") for way in ("down", "up") if way in node.entries}
     with located(node):
-        return Division(plain.division, **ways)
+        return Division(**plain, **ways)
 
 
 def _others(table: Table, units: tuple[str, str], model: _Model) -> tuple[tuple[str, Component], ...]:
@@ -247,20 +357,23 @@ def _feedforward(table: Table, units: tuple[str, str], parts: Mapping[str, Any],
     from contourlab.analysis.linear.sampled_loop import sampled_loop
     from contourlab.analysis.linear.zpetc import zpetc_design
 
-    radius = read_table(ZeroPhaseTable, node).radius if isinstance(node, Table) else ZeroPhaseTable(kind="zpetc").radius
+    given = {}
+    if isinstance(node, Table) and "radius" in node.entries:
+        with located(node, "radius"):
+            value = node.entries["radius"].plain()
+            given["radius"] = in_range(read_number(value, ""), Setting(minimum=0.0, maximum=1.0, exclusive=True), repr(value))
     with located(table, "feedforward"):
         loop = sampled_loop(axis, AxisController(**parts), machine.servo_period, machine.carried_mass(axis.name))
-        return zpetc_design(loop, radius=radius)
+        return zpetc_design(loop, **given)
 
 
-def _local(names: list[str], parts: Mapping[str, Any], table: Table) -> tuple[str, ...]:
+def _check_local(names: Sequence[str], parts: Mapping[str, Any], table: Table) -> None:
     """Check the names of parameters that move with an axis, such as ``observer.model_gain``."""
     slots = {**parts, **{f"{slot}.{label}": part for slot in NAMED_SLOTS for label, part in parts.get(slot, ())}}
     known = [f"{slot}.{name}" for slot, part in slots.items() if isinstance(part, Component) for name in part.numeric()]
     for name in names:
         if name not in known:
             raise table.error(f"no parameter {name!r} in this axis' controller: {hint(name, known)}", "local")
-    return tuple(names)
 
 
 _Model = tuple[float, float]
@@ -286,11 +399,14 @@ def _position(node: Node, units: tuple[str, str], model: _Model) -> Any:
     both = [name for name in DESIGNED if name in node.entries and same_table(node.entries[name], gains)]
     if both:
         raise node.error("gains = {...} computes this value: delete one of the two", both[0])
-    wanted = read_wishes(kind, gains, units)
+    wishes = {name: replace(parameter, name=name).for_plant(*units) for name, parameter in kind.wishes.items()}
+    wanted = read_parameters(f"gains of {kind.kind}", wishes, gains)
+    _refuse_missing(f"gains = {{...}} of {kind.kind}", wishes, wanted, gains)
     rest = node.without("gains")
-    own = read_values(kind, rest.only(*{"model_gain", "model_damping"} & set(kind.parameters)), units)
+    own = read_parameters(kind.kind, parameters_of(kind, units), rest.only(*{"model_gain", "model_damping"} & set(kind.parameters)))
     with located(gains):
-        placed = kind.designed(wanted, float(own.get("model_gain", model[0])), float(own.get("model_damping", model[1])))
+        defaults = {name: parameter.default for name, parameter in wishes.items()}
+        placed = kind.designed(defaults | wanted, float(own.get("model_gain", model[0])), float(own.get("model_damping", model[1])))
     return read_component(rest, "controller", units, given=placed)
 
 
@@ -308,16 +424,11 @@ def in_place(table: Table, module: Axis, place: Axis) -> tuple[Axis, str]:
     place : Axis
         The axis that it replaces.
     """
-    kept, taken_over = module, []
-    if "stage_mass" not in table.entries and place.stage_mass:
-        origins = {name: origin for name, origin in place.origins.items() if name == "stage_mass"}
-        kept = replace(kept, stage_mass=place.stage_mass, origins={**module.origins, **origins})
-        taken_over.append(f"stage_mass, {place.stage_mass:g} kg")
-    if "substeps" not in table.entries and place.substeps != module.substeps:
-        kept = replace(kept, substeps=place.substeps)
-        taken_over.append(f"substeps, {place.substeps}")
-    limits, names = _limits_in_place(table.table("limits"), module.limits, place.limits)
-    notes = ["; ".join([*taken_over, *names]) + " (kept from the replaced axis)"] if taken_over or names else []
+    kept, axis_names = _taken_over(table, module, place, ("stage_mass", "substeps"))
+    limits, limit_names = _taken_over(table.table("limits"), module.limits, place.limits, keys_of(Limits))
+    names = [f"{name}, {written(getattr(place, name), keys_of(Axis)[name][2])}" for name in axis_names]
+    names += [f"limits.{name}" for name in limit_names]
+    notes = ["; ".join(names) + " (kept from the replaced axis)"] if names else []
     lost = [slot for slot in AXIS_SLOTS[1:] if slot not in table.entries and getattr(module, slot) != getattr(place, slot)]
     if "error" not in table.entries and (place.error.position.size or place.error.repeatability):
         lost.append("error")
@@ -326,10 +437,9 @@ def in_place(table: Table, module: Axis, place: Axis) -> tuple[Axis, str]:
     return replace(kept, limits=limits), "; ".join(notes)
 
 
-def _limits_in_place(table: Table, own: Limits, replaced: Limits) -> tuple[Limits, list[str]]:
-    """Return the limits of a module, missing ones taken over, and the names of these."""
-    plain = Limits()
-    names = [name for name in LimitsTable.model_fields if name not in table.entries and getattr(replaced, name) != getattr(plain, name)]
-    origins = {name: replaced.origins[name] for name in names if name in replaced.origins}
-    values = {name: getattr(replaced, name) for name in names}
-    return replace(own, **values, origins={**own.origins, **origins}), [f"limits.{name}" for name in names]
+def _taken_over(table: Table, own: Any, replaced: Any, names: Iterable[str]) -> tuple[Any, list[str]]:
+    """Return a part with the values of a replaced one, and their origins, that its table leaves out; and the names of these."""
+    defaults = {field.name: field.default for field in fields(own)}
+    taken = [name for name in names if name not in table.entries and getattr(replaced, name) != defaults[name]]
+    origins = {name: replaced.origins[name] for name in taken if name in replaced.origins}
+    return replace(own, **{name: getattr(replaced, name) for name in taken}, origins={**own.origins, **origins}), taken

@@ -131,11 +131,7 @@ class Reader:
     def _filled(self, node: Node, part: Callable[[Reader, Table], Table]) -> Node:
         """Return a part with its file joined in: ``x = "file"``, or ``x = {file = "file", ...}`` with overrides."""
         base, own = self._split(node, part)
-        if base is None:
-            return node
-        if not isinstance(own, Table):
-            return base
-        return replace(join(base, own, self.names), afresh=True)
+        return node if base is None else joined(base, own if isinstance(own, Table) else None, self.names)
 
     def _split(self, node: Node, part: Callable[[Reader, Table], Table]) -> tuple[Table | None, Node | None]:
         """Return the content of the file that a part names, if any, and the part's other keys."""
@@ -162,19 +158,14 @@ class Reader:
 
     def machine(self, content: Table) -> Table:
         """Return ``machine`` and ``axes`` of a file, their files joined in."""
-        entries: dict[str, Node] = {}
-        base: Table | None = None
-        if "machine" in content.entries:
-            base, rest = self._split(content.entries["machine"], Reader.machine_file)
-            if rest is not None:
-                entries["machine"] = rest
+        node = content.get("machine")
+        base, rest = (None, None) if node is None else self._split(node, Reader.machine_file)
+        entries = {} if rest is None else {"machine": rest}
         if "axes" in content.entries:
             entries["axes"] = self.axes(content.table("axes"))
         own = Table(entries, content.file, content.key)
         names = listed(merge(base, own) if base else own)
-        if base is not None:
-            return replace(join(base, own, names), afresh=True)
-        return spread(own, names)
+        return spread(own, names) if base is None else joined(base, own, names)
 
     def machine_file(self, content: Table) -> Table:
         """Check and join the content of a machine file."""
@@ -187,12 +178,11 @@ class Reader:
         if isinstance(own, Leaf):
             return own
         if own is not None and "axes" in own.entries:
-            axes = own.table("axes")
-            own = own.having(axes=replace(axes, entries={k: self._filled(v, Reader.axis_file) for k, v in axes.entries.items()}))
+            own = own.having(axes=self.axes(own.table("axes")))
         if base is None:
             assert own is not None  # without a file the part itself remains
             return own
-        return base if own is None else replace(join(base, own, self.names), afresh=True)
+        return joined(base, own, self.names)
 
     def controller_file(self, content: Table) -> Table:
         """Check and join the content of a controller file."""
@@ -224,6 +214,11 @@ def listed(machine: Table) -> tuple[str, ...]:
 def join(base: Table, over: Table, names: tuple[str, ...]) -> Table:
     """Merge two machines or two controllers; ``"*"`` in `over` overrides a named axis in `base`."""
     return merge(spread(base, names), spread(over, names))
+
+
+def joined(base: Table, over: Table | None, names: tuple[str, ...]) -> Table:
+    """Return the content of a file with what its table overrides."""
+    return base if over is None else replace(join(base, over, names), afresh=True)
 
 
 def spread(part: Table, names: tuple[str, ...]) -> Table:

@@ -3,37 +3,218 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from contourlab.components.registry import load_plugin
-from contourlab.errors import ScenarioError, hint
+from contourlab.contours import SUFFIXES, unit_size
+from contourlab.contours.reader import ContourOptions
+from contourlab.errors import ProgramError, ScenarioError, hint
 from contourlab.file_kinds import kind_of
-from contourlab.loop import Axis, Controller, Machine
-from contourlab.scenario.build import build_axis, build_controller, build_machine, in_place
-from contourlab.scenario.case import Case, Scenario
+from contourlab.geometry import contour_names, contour_parameters
+from contourlab.loop import Axis, Change, Controller, Machine
+from contourlab.program import Reading, read_program
+from contourlab.scenario.build import build_axis, build_controller, build_machine, in_place, read_component, units_of
 from contourlab.scenario.files import BUILTIN, EVERY, Reader, builtin_file, builtin_names, join, listed, shipped_hint, spread
-from contourlab.scenario.motion import read_changes, read_feed, read_learning, read_motion, read_run
-from contourlab.scenario.tables import ScenarioTable, read_table
-from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, merge, parse_tree, settle
-from contourlab.scenario.values import Contour, Motion
+from contourlab.scenario.placing import fitted
+from contourlab.scenario.quantities import read_number
+from contourlab.scenario.tables import read_values
+from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, located, merge, parse_tree, same_table, settle
+from contourlab.scenario.values import Case, Contour, FeedSettings, LearningSettings, Motion, PartProgram, RunSettings, Scenario
+
+SIZES = (1e-6, 100.0)
+"""Smallest and largest length in a test contour [m]."""
+
+
+_Rules = list[tuple[str, bool, str]]
+"""Keys, whether they are wrong, and the messages."""
+
+
+def _refuse(table: Table, rules: _Rules) -> None:
+    """Raise the first error of a list."""
+    for key, wrong, message in rules:
+        if wrong:
+            raise table.error(message, key)
+
+
+def read_feed(table: Table, motion: Motion) -> FeedSettings:
+    """Return the settings of ``[feed]``, checked against the motion."""
+    plain = FeedSettings(**read_values(table, FeedSettings))
+    is_program = isinstance(motion, PartProgram)
+    if plain.law == "uniform":
+        is_open = isinstance(motion, Contour) and not motion.path.closed
+        rules: _Rules = [
+            ("law", is_program, 'the uniform law applies to a contour only: for a program write law = "planned"'),
+            ("law", is_open, 'the uniform law needs a closed contour: close it, or write law = "planned"'),
+            *_one_rate(table, "frequency", '"0.5 Hz"', "feedrate", "the uniform law"),
+            ("path_control", plain.path_control in ("exact_stop", "blend"), "the uniform law follows the contour exactly: leave this out"),
+            ("curvature_step", plain.curvature_step != 1.0, "does not apply to the uniform law: leave this out"),
+        ]
+    elif is_program:
+        why = "the program sets the feedrate: leave this out, or scale it with override = 0.8"
+        rules = [(name, name in table.entries, why) for name in ("feedrate", "frequency")]
+        rules += [("laps", plain.laps != 1, "a program runs once: leave this out")]
+    else:
+        rules = _one_rate(table, "feedrate", '"8000 mm/min"', "frequency", "a planned contour")
+    _refuse(table, rules + _idle_corners(table, plain, is_program))
+    return plain
+
+
+def _one_rate(table: Table, wanted: str, example: str, other: str, who: str) -> _Rules:
+    return [
+        (other, other in table.entries, f"{who} has no {other}: write {wanted} = {example}"),
+        ("", wanted not in table.entries, f"key {wanted} is missing: {who} needs {wanted} = {example}"),
+    ]
+
+
+def _idle_corners(table: Table, plain: FeedSettings, is_program: bool) -> _Rules:
+    """Refuse corner tolerances where nothing is blended; inherited ones may be idle."""
+    control, stated = plain.path_control, table.get("path_control")
+    # G64 without P takes the tolerance of corners; Q is the program's own.
+    names = ["merge_tolerance"] if control == "program" and is_program else ["corner_tolerance", "merge_tolerance"]
+    given = [name for name in names if (node := table.get(name)) and (stated is None or same_table(node, stated))]
+    if plain.law == "uniform":
+        why = "the uniform law blends nothing: leave this out"
+    elif control != "program":
+        why = f'path_control = "{control}" blends nothing: leave this out, or write path_control = "blend"'
+    else:
+        why = "the program's own (Q of G64) applies" if is_program else "corners of a contour are met exactly"
+        why = f'has no effect without path_control = "blend", because {why}: add that, or leave this out'
+    return [(name, control != "blend", why) for name in given]
+
+
+def read_motion(content: Table, machine: Machine) -> Motion:
+    """Return the contour or the part program of a scenario."""
+    if "contour" in content.entries:
+        return _contour(content.entries["contour"], machine)
+    node = content.entries["program"]
+    if isinstance(node, Leaf):
+        node = Table({"file": node}, node.file, node.key)
+    given = read_values(node, PartProgram, Reading, needed=("file",))
+    file, fit, own = given.pop("file"), given.pop("fit", False), given.pop("letters", None)
+    letters = tuple(name.lower() for name in machine.axis_names) if own is None else own
+    names, reading = ", ".join(machine.axis_names), Reading(**given)
+    strange = own is None and not set(letters) <= set("xyz")
+    rules: _Rules = [
+        ("letters", len(letters) != len(machine.axes), f"{len(letters)} letters for the axes {names}: write one for each"),
+        ("letters", len(set(letters)) != len(letters), "a letter is listed twice: write different letters"),
+        ("file", strange, f'the axes {names} are not called x, y, z: write their letters in the program, as in letters = ["x", "y"]'),
+    ]
+    _refuse(node, rules)
+    try:
+        program = read_program(file, reading=reading)
+    except ProgramError as error:
+        if error.line:
+            raise
+        if node.entries["file"].file.startswith("<"):  # given as an argument: there is no key to name
+            raise ScenarioError(error.message, file=error.file) from error
+        raise node.error(str(error), "file") from error
+    if not fit:
+        return PartProgram(file, program, letters, reading)
+    program, note = fitted(program, letters, machine)
+    return PartProgram(file, program, letters, reading, True, note)
+
+
+def _contour(node: Node, machine: Machine) -> Contour:
+    """Return a contour on a machine; read a file now, to report faults before a run. Axes beyond the contour's own hold still."""
+    if isinstance(node, Leaf):
+        is_file = isinstance(node.value, str) and Path(node.value).suffix.lower() in SUFFIXES
+        node = Table({"file" if is_file else "name": node}, node.file, node.key)
+    key = "file" if "file" in node.entries else "name"
+    contour = _from_file(node) if key == "file" else Contour(*_shape(node), **read_values(node.only("offset"), Contour))
+    with located(node, "file" if key == "file" else ""):
+        n = contour.reading.path.n_axis
+    names, n_offset = ", ".join(machine.axis_names), len(contour.offset)
+    rules: _Rules = [
+        (key, n > len(machine.axes), f"{contour.name} has {n} coordinates, but {machine.name} has only the axes {names}"),
+        ("offset", n_offset not in (0, n, len(machine.axes)), f"{n_offset} values for the axes {names}: write one for each"),
+    ]
+    _refuse(node, rules)
+    return replace(contour, axes=machine.axis_names)
+
+
+def _shape(node: Table) -> tuple[str, dict[str, float]]:
+    """Return name and parameters of a test contour; refuse sizes beyond the resolution of doubles, and switches that are not 0 or 1."""
+    leaf = node.get("name")
+    if not isinstance(leaf, Leaf) or not isinstance(name := leaf.value, str):
+        raise node.error(f"key name is missing: write one of {', '.join(contour_names())}, or the key file with the name of a drawing")
+    if name not in contour_names():
+        raise leaf.error(f"no contour {name!r}: {hint(name, contour_names())}")
+    known = contour_parameters(name)
+    values: dict[str, float] = {}
+    for key, given in node.without("name", "offset").entries.items():
+        if key not in known:
+            raise node.error(f"contour {name} has no parameter {key!r}: {hint(key, known)}", key)
+        with located(node, key):
+            unit = known[key][1]
+            value = values[key] = read_number(given.plain(), unit, "mm" if unit == "m" else unit)
+        if unit == "m" and value != 0.0 and not SIZES[0] <= abs(value) <= SIZES[1]:
+            raise node.error(f"{value * 1e3:.6g} mm is out of range: must be between 1 um and 100 m", key)
+        if key == "clockwise" and value not in (0.0, 1.0):
+            raise node.error(f"{value:g}: write 0 for counter-clockwise or 1 for clockwise", key)
+    return name, values
+
+
+def _from_file(node: Table) -> Contour:
+    """Return the contour of a drawing or of points."""
+    if "name" in node.entries:
+        raise node.error("name and file are both given: write name for a test contour, or file for a drawing", "name")
+    given = read_values(node, ContourOptions, Contour, needed=("file",))
+    file, offset = given.pop("file"), given.pop("offset", ())
+    with located(node, "unit"):
+        unit_size(given.get("unit", "mm"))
+    options = {name: given[name] for name in node.entries if name in given}
+    return Contour(file.name, file=file.absolute(), options=options, offset=offset)  # absolute: the working folder may change
+
+
+def read_learning(table: Table, machine: Machine) -> LearningSettings | None:
+    """Return the settings of ``[learning]``; None without the table or with ``law = "none"``.
+
+    Raises
+    ------
+    ScenarioError
+        If the content is invalid; gives file and key.
+    """
+    if not table.entries:
+        return None
+    plain = read_values(table, LearningSettings, needed=("law",))
+    law: Any = read_component(table.entries["law"], "learning", units_of(machine.axes[0].plant), optional=True)
+    return None if law is None else LearningSettings(law, **plain)
+
+
+def read_changes(run: Table, machine: Machine, reader: Reader) -> tuple[Change, ...]:
+    """Return the controller changes of a table ``run``.
+
+    Raises
+    ------
+    ScenarioError
+        If the content is invalid; gives file and key.
+    """
+    node = run.get("changes")
+    if node is None:
+        return ()
+    if not isinstance(node, Leaf) or not isinstance(node.value, list):
+        raise run.error('write a list: [{at = "2 s", controller = "other.toml"}]', "changes")
+    changes = []
+    for i, item in enumerate(node.value):
+        if not isinstance(item, dict):
+            raise node.error(f'{item!r}: write {{at = "2 s", controller = "other.toml"}}')
+        table = from_mapping(item, node.file, f"{node.key}[{i}]")
+        plain = read_values(table, Change, needed=("at", "controller"))
+        leaf = table.entries["controller"]
+        assert isinstance(leaf, Leaf)  # `read_values` has checked it
+        content = replace(reader, names=machine.axis_names).include(leaf, Reader.controller_file)
+        controller = build_controller(settle(spread(content, machine.axis_names)), machine)
+        with located(table):
+            changes.append(Change(**plain | {"controller": controller, "file": content.file}))
+    return tuple(changes)
+
 
 SCHEME_KEYS = ("machine", "axes", "controller", "feed", "run", "learning")
 COMMAND_LINE = "<arguments>"
 """File name shown for values given as arguments; relative names start at the working folder."""
 _loaded: set[Path] = set()
-
-
-@dataclass(frozen=True)
-class _Layers:
-    """The tables of a case, files joined in, not yet interpreted."""
-
-    machine: Table
-    controller: Node
-    feed: Table
-    run: Table
-    learning: Table
 
 
 def _load_plugins(plugins: Sequence[str | Path]) -> None:
@@ -122,7 +303,7 @@ def load_machine(file: str | Path, plugins: Sequence[str | Path] = ()) -> Machin
     """
     reader, content = _open(file, plugins, "a machine", "a scenario")
     if {"machine", "controller"} <= set(content.entries):
-        read_table(ScenarioTable, content)
+        _name(content)
         content = content.only("machine", "axes")
     return build_machine(settle(reader.machine_file(content)))
 
@@ -319,43 +500,48 @@ def parse_scenario(text: str, name: str = "<text>", plugins: Sequence[str | Path
     return _scenario(Reader(), parse_tree(text, name), Path(name))
 
 
+def _name(content: Table) -> str:
+    """Check the keys of a scenario, and return its name."""
+    parts = ("axes", "contour", "program", "feed", "run", "learning", "schemes")
+    name: str = read_values(content, Scenario, needed=("machine", "controller"), parts=parts).get("name", "")
+    return name
+
+
 def _scenario(reader: Reader, content: Table, path: Path) -> Scenario:
-    plain = read_table(ScenarioTable, content)
+    name = _name(content)
     if ("contour" in content.entries) == ("program" in content.entries):
         both = "contour" in content.entries
         raise content.error("contour and program are both given: delete one" if both else "contour or program is missing: write one")
     machine = reader.machine(content.only("machine", "axes"))
     reader = replace(reader, names=listed(machine))
-    settings = (content.table(name) for name in ("feed", "run", "learning"))
-    layers = _Layers(machine, reader.controller(content.entries["controller"]), *settings)
-    base_machine = build_machine(settle(machine))
-    motion = read_motion(content, base_machine)
+    layers = content.only("feed", "run", "learning").having(machine=machine, controller=reader.controller(content.entries["controller"]))
+    motion = read_motion(content, build_machine(settle(machine)))
     base = _case("base", layers, motion, content, reader)
     schemes = content.table("schemes")
     cases = tuple(_case(name, _over(reader, layers, schemes.table(name)), motion, schemes.table(name), reader) for name in schemes.entries)
-    return Scenario(plain.name or _title(path), path, base, cases, tuple(dict.fromkeys(reader.seen)))
+    return Scenario(name or _title(path), path, base, cases, tuple(dict.fromkeys(reader.seen)))
 
 
-def _over(reader: Reader, base: _Layers, scheme: Table) -> _Layers:
-    """Return the layers of a case overridden by a scheme."""
+def _over(reader: Reader, base: Table, scheme: Table) -> Table:
+    """Return the tables of a case overridden by a scheme."""
     for name in scheme.entries:
         if name not in SCHEME_KEYS:
             raise scheme.error(f"a scheme cannot change this: {hint(name, SCHEME_KEYS)}", name)
-    machine = base.machine
+    machine, controller = base.table("machine"), base.entries["controller"]
     own = reader.machine(scheme.only("machine", "axes"))
     if own.entries:
         machine = own if own.afresh else join(machine, own, listed(own) or listed(machine))
-    controller = base.controller
     if "controller" in scheme.entries:
         reader = replace(reader, names=listed(machine))
         over = reader.controller(scheme.entries["controller"])
         _check_axes(scheme.entries["controller"], reader.names, controller)
         fresh = isinstance(over, Leaf) or isinstance(controller, Leaf) or over.afresh
         controller = over if fresh else join(controller, over, reader.names)  # type: ignore[arg-type]
-    return _Layers(machine, controller, *(merge(getattr(base, name), scheme.table(name)) for name in ("feed", "run", "learning")))
+    settings = {name: merge(base.table(name), scheme.table(name)) for name in ("feed", "run", "learning")}
+    return base.having(machine=machine, controller=controller, **settings)
 
 
-def _check_axes(over: Node, names: tuple[str, ...], base: Table | Leaf) -> None:
+def _check_axes(over: Node, names: tuple[str, ...], base: Node) -> None:
     """Refuse axes that neither the machine nor the base controller has; a controller file may serve further machines."""
     axes = over.entries.get("axes") if isinstance(over, Table) else None
     if not isinstance(axes, Table):
@@ -367,21 +553,21 @@ def _check_axes(over: Node, names: tuple[str, ...], base: Table | Leaf) -> None:
             raise axes.error(f"the machine has no axis {name!r}: {hint(name, names)}", name)
 
 
-def _case(name: str, layers: _Layers, motion: Motion, place: Table, reader: Reader) -> Case:
+def _case(name: str, layers: Table, motion: Motion, place: Table, reader: Reader) -> Case:
     if not name.strip() or len(name) > 80 or not name.isprintable():
         raise place.error("name the scheme with up to 80 letters, digits and spaces")
-    machine = build_machine(settle(layers.machine))
-    if isinstance(layers.controller, Leaf):
-        raise layers.controller.error("write a table [controller], or the name of its file")
-    controller = build_controller(settle(spread(layers.controller, machine.axis_names)), machine)
-    feed = read_feed(settle(layers.feed), motion)
-    run_table = settle(layers.run)
-    run, changes = read_run(run_table), read_changes(run_table, machine, reader)
+    machine, node = build_machine(settle(layers.table("machine"))), layers.entries["controller"]
+    if isinstance(node, Leaf):
+        raise node.error("write a table [controller], or the name of its file")
+    controller = build_controller(settle(spread(node, machine.axis_names)), machine)
+    feed = read_feed(settle(layers.table("feed")), motion)
+    run_table = settle(layers.table("run"))
+    run, changes = RunSettings(**read_values(run_table, RunSettings, parts=("changes",))), read_changes(run_table, machine, reader)
     if motion.n_axis != len(machine.axes):
         what = motion.name if isinstance(motion, Contour) else motion.file.name
         cure = "a scheme's machine must have as many axes as the base's"
         raise place.error(f"{what} has {motion.n_axis} coordinates, {machine.name} has the axes {', '.join(machine.axis_names)}: {cure}")
-    learning = read_learning(settle(layers.learning), machine)
+    learning = read_learning(settle(layers.table("learning")), machine)
     if learning is not None and (changes or run.start == "moving"):
         key, why = ("changes", "all trials run under one controller") if changes else ("start", "a trial starts from rest")
         raise run_table.error(f"cannot be combined with [learning]: {why}", key)

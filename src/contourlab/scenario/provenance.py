@@ -6,8 +6,8 @@ A number and its source share a table, so that an override replaces both.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, fields, is_dataclass, replace
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -15,11 +15,9 @@ import numpy as np
 from contourlab.components.contract import Component, Parameter
 from contourlab.components.origin import SOURCES, Origin
 from contourlab.errors import ParameterError, UnitError, hint
-from contourlab.loop import Machine
-from contourlab.loop.machine import AXIS_SLOTS
 from contourlab.scenario.quantities import read_number
 from contourlab.scenario.toml_text import Noted
-from contourlab.scenario.tree import STATED, Leaf, Node, Table, located, same_table
+from contourlab.scenario.tree import STATED, Leaf, Node, Table, located
 
 _KEYS = (STATED, "source", "deviation", "range", "from", "note")
 _EXAMPLE = '{value = "33 kg", source = "fitted", deviation = "1 %", from = "log.mat"}'
@@ -70,18 +68,11 @@ def read_origins(declared: Mapping[str, Parameter], table: Table, values: Mappin
     return origins
 
 
-def without_origins(table: Table, names: tuple[str, ...] = ()) -> tuple[Table, dict[str, Origin]]:
-    """Split a fixed table into bare values and their sources; `names` restricts the keys.
-
-    These numbers are not simulated, so they have no deviation.
-    """
-    origins = {}
-    entries = dict(table.entries)
-    for name, node in table.entries.items():
-        if isinstance(node, Table) and (not names or name in names) and bare(node) is not node:
-            origins[name] = _origin(node, None, "not simulated")
-            entries[name] = bare(node)
-    return Table(entries, table.file, table.key, table.afresh), origins
+def without_origins(table: Table, names: Collection[str]) -> tuple[Table, dict[str, Origin]]:
+    """Split a table into bare values and the sources of the numbers that `names` names; not simulated, they have no deviation."""
+    given = {name: node for name, node in table.entries.items() if name in names and isinstance(node, Table) and bare(node) is not node}
+    origins = {name: _origin(node, None, "not simulated") for name, node in given.items()}
+    return table.having(**{name: bare(node) for name, node in given.items()}), origins
 
 
 def _origin(table: Table, of: tuple[Parameter, float] | None, exact: str) -> Origin:
@@ -139,7 +130,13 @@ def _span(given: Any, parameter: Parameter, value: float) -> tuple[float, float]
     return low, high
 
 
-def read_correlations(table: Table, parts: Mapping[str, Component]) -> tuple[tuple[str, str, float], ...]:
+Correlation = tuple[str, str, float]
+"""Two numbers by name, and their coefficient."""
+
+
+def read_correlations(
+    table: Table, parts: Mapping[str, Component], nodes: Mapping[str, Node], within: Sequence[Correlation] | None = None
+) -> tuple[Correlation, ...]:
     """Return the correlations of an axis' numbers: ``correlations = [["plant.mass", "friction.coulomb", -0.3]]``.
 
     Numbers that were overridden without a deviation are left out.
@@ -147,96 +144,39 @@ def read_correlations(table: Table, parts: Mapping[str, Component]) -> tuple[tup
     Parameters
     ----------
     table : Table
-        Table of the axis.
-    parts : mapping of str to Component
-        Components by slot.
+        Table of the axis or the machine.
+    parts, nodes : mapping of str to Component, to Node
+        Components by slot, and the tables that they come from; slots of a machine are ``x.plant``.
+    within : sequence, optional
+        All correlations within the axes. Then the table is that of a machine, whose correlations are between axes.
 
     Raises
     ------
     ScenarioError
-        If an item is not a correlation of two numbers of the axis, or the correlations contradict each other.
+        If an item is not a correlation of two known numbers, or the correlations contradict each other.
     """
-
-    def replaced(slot: str, node: Leaf) -> bool:
-        part = table.get(slot)
-        return part is not None and not same_table(part, node)
-
-    return _read_pairs(table, _Known(parts, ("plant.mass", "friction.coulomb"), replaced))
-
-
-def read_machine_correlations(table: Table, axes: Table, machine: Machine) -> tuple[tuple[str, str, float], ...]:
-    """Return the correlations between axes: ``correlations = [["x.plant.damping", "y.plant.damping", 0.4]]`` of ``[machine]``.
-
-    Parameters
-    ----------
-    table : Table
-        Table of the machine.
-    axes : Table
-        Tables of its axes.
-    machine : Machine
-        With their parts and their own correlations.
-
-    Raises
-    ------
-    ScenarioError
-        If an item is not a correlation of numbers of two axes, or all correlations together contradict each other.
-    """
-    parts = {
-        f"{axis.name}.{slot}": part for axis in machine.axes for slot in AXIS_SLOTS if isinstance(part := getattr(axis, slot), Component)
-    }
-
-    def replaced(slot: str, node: Leaf) -> bool:
-        axis, _, inner = slot.partition(".")
-        part = axes.table(axis).get(inner) if axis in axes.entries else None
-        return part is not None and (part.file, part.key) != (node.file, axes.at(slot))
-
-    own = tuple((f"{axis.name}.{a}", f"{axis.name}.{b}", value) for axis in machine.axes for a, b, value in axis.correlations)
-    return _read_pairs(table, _Known(parts, ("x.plant.damping", "y.plant.damping"), replaced, own, between=True))
-
-
-@dataclass(frozen=True, eq=False)
-class _Known:
-    """Numbers that may correlate.
-
-    `parts` are components by slot, `example` two numbers for messages. `replaced` tells whether a slot was overridden outside the table
-    of the list. `own` are further correlations; `between` requires numbers of two axes.
-    """
-
-    parts: Mapping[str, Component]
-    example: tuple[str, str]
-    replaced: Callable[[str, Leaf], bool]
-    own: tuple[tuple[str, str, float], ...] = ()
-    between: bool = False
-
-    @property
-    def shown(self) -> str:
-        return f'["{self.example[0]}", "{self.example[1]}", -0.3]'
-
-    def deviates(self, name: str) -> bool:
-        """Tell whether a number has a deviation."""
-        slot, _, number = name.rpartition(".")
-        origin = self.parts[slot].origins.get(number) if slot in self.parts else None
-        return origin is not None and origin.deviation is not None
-
-
-def _read_pairs(table: Table, known: _Known) -> tuple[tuple[str, str, float], ...]:
     node = table.get("correlations")
     if node is None:
         return ()
+    shown, prefix = '["plant.mass", "friction.coulomb", -0.3]', node.key.removesuffix("correlations")
+    if within is not None:
+        shown, prefix = '["x.plant.damping", "y.plant.damping", -0.3]', node.key.removesuffix("machine.correlations") + "axes."
     if not isinstance(node, Leaf) or not isinstance(node.value, list):
-        raise table.error(f"write a list: [{known.shown}, ...]", "correlations")
+        raise table.error(f"write a list: [{shown}, ...]", "correlations")
+    replaced = {slot for slot, part in nodes.items() if part.file != node.file or not part.key.startswith(prefix)}
+    origins = {f"{slot}.{name}": part.origins.get(name) for slot, part in parts.items() for name in part.numeric()}
     kept = []
     for i, item in enumerate(node.value):
-        fault = _fault(item, node, known)
-        if fault:
+        if fault := _fault(item, shown, origins, replaced, within is not None):
             raise node.error(f"item {i + 1}: {fault}")
-        if all(known.deviates(name) for name in item[:2]):
+        if all((origin := origins.get(name)) and origin.deviation is not None for name in item[:2]):
             kept.append((item[0], item[1], float(item[2])))
     if len({frozenset(item[:2]) for item in kept}) < len(kept):
         raise node.error("a pair is listed twice: delete one")
-    names = sorted({name for item in (*kept, *known.own) for name in item[:2]})
+    pairs = (*(within or ()), *kept)
+    names = sorted({name for item in pairs for name in item[:2]})
     matrix = np.eye(len(names))
-    for first, second, value in (*known.own, *kept):
+    for first, second, value in pairs:
         i, j = names.index(first), names.index(second)
         matrix[i, j] = matrix[j, i] = value
     if kept and float(np.linalg.eigvalsh(matrix).min()) < -1e-3:
@@ -244,17 +184,17 @@ def _read_pairs(table: Table, known: _Known) -> tuple[tuple[str, str, float], ..
     return tuple(kept)
 
 
-def _fault(item: Any, node: Leaf, known: _Known) -> str:
+def _fault(item: Any, shown: str, known: Collection[str], replaced: Collection[str], between: bool) -> str:
+    """Return what is wrong with a correlation; of a replaced slot, any number may be named."""
     if not isinstance(item, list) or len(item) != 3 or not all(isinstance(name, str) for name in item[:2]) or item[0] == item[1]:
-        return f"{item!r:.80}: write two different numbers and a coefficient, {known.shown}"
+        return f"{item!r:.80}: write two different numbers and a coefficient, {shown}"
     if isinstance(item[2], bool) or not isinstance(item[2], int | float) or not -1.0 <= item[2] <= 1.0:
         return f"{item[2]!r:.40} is not a coefficient: write a number from -1 to 1"
     for name in item[:2]:
-        numbers = [f"{label}.{key}" for label, part in known.parts.items() for key in part.numeric()]
-        if name not in numbers and not known.replaced(name.rpartition(".")[0], node):
-            return f"no number {name!r}: {hint(name, numbers)}"
+        if name not in known and name.rpartition(".")[0] not in replaced:
+            return f"no number {name!r}: {hint(name, known)}"
     axis = item[0].partition(".")[0]
-    if known.between and axis == item[1].partition(".")[0]:
+    if between and axis == item[1].partition(".")[0]:
         return f"both belong to axis {axis}: write correlations within an axis under [axes.{axis}]"
     return ""
 
@@ -280,7 +220,7 @@ def origin_table(value: Any, origin: Origin, quantity: Callable[[float], Any]) -
     return table | {key: text for key, text in (("from", origin.reference), ("note", origin.note)) if text}
 
 
-def written(table: dict[str, Any], origins: Mapping[str, Origin]) -> dict[str, Any]:
+def with_origins(table: dict[str, Any], origins: Mapping[str, Origin]) -> dict[str, Any]:
     """Return a fixed table with the sources of its numbers, which have no deviation."""
     return {name: Noted(origin_table(value, origins[name], float)) if name in origins else value for name, value in table.items()}
 

@@ -1,4 +1,4 @@
-"""Read values with units, such as ``"20 mm"``, into SI."""
+"""Read values with units, such as ``"20 mm"``, into SI, and write them."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
+from contourlab.components.contract import Parameter
 from contourlab.errors import ContourlabError, UnitError
-from contourlab.units import from_si, plain, split, to_si
+from contourlab.units import Setting, from_si, plain, split, to_si
 
 _UNIT = re.compile(r"[A-Za-z%0-9_ */^().+-]{0,60}\Z")
 _TURNS = re.compile(r"\b(rad|radians?|deg|degrees?|rev|revolutions?|turns?|rpm|cycles?|[mu]rad)\b")
@@ -124,6 +125,23 @@ def read_list(value: Any, unit: str, display: str = "") -> tuple[float, ...]:
     return tuple(result)
 
 
+def in_range(number: float, about: Setting | Parameter, shown: str) -> float:
+    """Return a number in SI, called `shown` in messages.
+
+    Raises
+    ------
+    UnitError
+        If it is out of its range, or not whole where it must be.
+    """
+    whole = isinstance(about, Parameter) and about.whole
+    low = number <= about.minimum if about.exclusive else number < about.minimum
+    if low or number > about.maximum or (whole and number != round(number)):
+        bound = show_bound(about.minimum, about.maximum, about.exclusive, about.display or about.unit)
+        words = ["a whole number"] * whole + [bound] * (not whole or bound != "finite")
+        raise UnitError(f"{shown} is out of range: must be {', '.join(words)}")
+    return number
+
+
 def show_bound(minimum: float, maximum: float, exclusive: bool, display: str) -> str:
     """Describe a range in the unit of `display`.
 
@@ -136,3 +154,20 @@ def show_bound(minimum: float, maximum: float, exclusive: bool, display: str) ->
     if maximum < math.inf:
         bounds.append(f"<= {from_si(maximum, display):g}")
     return (" and ".join(bounds) + f" {display}").strip() if bounds else "finite"
+
+
+def quantity(value: float, unit: str, display: str = "") -> str | float:
+    """Write an SI value in its display unit if that reads back exactly, else in SI.
+
+    >>> quantity(0.02, "m", "mm")
+    '20 mm'
+    """
+    if not unit:
+        return value
+    for shown in dict.fromkeys((display or unit, unit)):
+        number = from_si(value, shown)
+        for digits in (6, 9, 12, 15, 17):
+            text = f"{number:.{digits}g} {shown}"
+            if to_si(text, unit) == value:
+                return text
+    return f"{value!r} {unit}"

@@ -1,21 +1,34 @@
-"""Values of a scenario besides machine and controller: motion, feed, run and learning."""
+"""A scenario and its cases. Schemes are named by parts joined with +: ``fb``, ``ccc``, ``mr``, ``me``, ``ilc``."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path as File
 from typing import Any, Literal, TypeAlias
 
+import numpy as np
+
 from contourlab.components.learning.law import LearningLaw
+from contourlab.components.registry import component
 from contourlab.contours import ContourReading, study_contour
-from contourlab.feed import Route, route_from_program
-from contourlab.feed.route import PathControl
+from contourlab.errors import FeedError, ParameterError, ProgramError, ScenarioError, hint
+from contourlab.feed import AxisLimits, Reference, Route, blended, plan, route_from_path, route_from_program, uniform
+from contourlab.feed.profile import WHOLE, Judged
+from contourlab.feed.route import PathControl, controlled
 from contourlab.geometry import Path, contour
+from contourlab.loop import Change, Controller, Machine
+from contourlab.loop.simulate import UNITS
+from contourlab.notebook import facts_line
 from contourlab.program import Program, Reading
+from contourlab.scenario.motion_check import check_motion
 from contourlab.scenario.placing import placed
+from contourlab.units import setting
+
+DISTANCE = setting("m", "um", minimum=0.0, maximum=1.0, exclusive=True)
+"""A tolerance."""
 
 DEFAULT_CORNER_TOLERANCE = 1e-5
 """Corner tolerance of G64 without P [m]."""
@@ -46,9 +59,9 @@ class Contour:
 
     name: str
     parameters: Mapping[str, float] = field(default_factory=dict)
-    file: File | None = None
+    file: File | None = field(default=None, metadata=setting())
     options: Mapping[str, Any] = field(default_factory=dict)
-    offset: tuple[float, ...] = ()
+    offset: tuple[float, ...] = field(default=(), metadata=setting("m", "mm"))
     axes: tuple[str, ...] = ()
 
     @cached_property
@@ -100,9 +113,9 @@ class PartProgram:
         How it was fitted.
     """
 
-    file: File
+    file: File = field(metadata=setting())
     program: Program
-    letters: tuple[str, ...]
+    letters: tuple[str, ...] = field(metadata=setting(choices=("x", "y", "z")))
     reading: Reading = field(default_factory=Reading)
     fit: bool = False
     note: str = ""
@@ -156,14 +169,14 @@ class FeedSettings:
     """
 
     law: Literal["planned", "uniform"] = "planned"
-    feedrate: float | None = None
-    frequency: float | None = None
-    laps: int = 1
-    override: float = 1.0
+    feedrate: float | None = field(default=None, metadata=setting("m/s", "mm/min", minimum=0.0, exclusive=True))
+    frequency: float | None = field(default=None, metadata=setting("Hz", minimum=0.0, exclusive=True))
+    laps: int = field(default=1, metadata=setting(minimum=1, maximum=100_000))
+    override: float = field(default=1.0, metadata=setting(minimum=0.0, maximum=2.0, exclusive=True))
     path_control: PathControl = "program"
-    corner_tolerance: float | None = None
-    merge_tolerance: float | None = None
-    curvature_step: float = 1.0
+    corner_tolerance: float | None = field(default=None, metadata=DISTANCE)
+    merge_tolerance: float | None = field(default=None, metadata=setting("m", "um", minimum=0.0))
+    curvature_step: float = field(default=1.0, metadata=setting(minimum=0.0, maximum=1.0))
 
 
 JUDGED_LINES = re.compile(r"lines ([1-9]\d{0,8})(?:-([1-9]\d{0,8}))?")
@@ -181,6 +194,17 @@ def checked_judge(choice: str) -> str:
     if choice not in ("cutting", "all") and (lines is None or int(lines[1]) > int(lines[2] or lines[1])):
         raise ValueError(f'{choice!r}: write "cutting", "all" or "lines 10-40"')
     return choice
+
+
+JUDGED = ("contour_error", "part_error", "planning_deviation", "foot_arc_length", "tracking_error")
+"""Signals that the judge adds to those of a run."""
+
+
+def _checked_signal(name: str) -> str:
+    known = (*UNITS, *JUDGED)
+    if name not in known:
+        raise ValueError(f"no signal {name!r}: {hint(name, known)}")
+    return name
 
 
 @dataclass(frozen=True)
@@ -201,10 +225,10 @@ class RunSettings:
         Whether the axes have the velocity of the reference at the first sample.
     """
 
-    tolerance: float | None = None
-    signals: tuple[str, ...] | None = None
-    seed: int = 0
-    judge: str = "cutting"
+    tolerance: float | None = field(default=None, metadata=DISTANCE)
+    signals: tuple[str, ...] | None = field(default=None, metadata=setting(check=_checked_signal))
+    seed: int = field(default=0, metadata=setting(minimum=0, maximum=2**63 - 1))
+    judge: str = field(default="cutting", metadata=setting(check=checked_judge))
     start: Literal["rest", "moving"] = "rest"
 
 
@@ -225,7 +249,360 @@ class LearningSettings:
     """
 
     law: LearningLaw
-    trials: int = 30
-    improvement: float = 0.01
-    patience: int = 10
-    table: File | None = None
+    trials: int = field(default=30, metadata=setting(minimum=1, maximum=100_000))
+    improvement: float = field(default=0.01, metadata=setting(minimum=0.0, maximum=1.0))
+    patience: int = field(default=10, metadata=setting(minimum=2, maximum=100_000))
+    table: File | None = field(default=None, metadata=setting())
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """A machine under a controller along a motion, with learning and controller changes.
+
+    Attributes
+    ----------
+    name : str
+    machine : Machine
+    controller : Controller
+    motion : Motion
+        Contour or part program.
+    feed : FeedSettings
+    run : RunSettings
+    learning : LearningSettings or None
+    changes : tuple of Change
+        Controllers that take over during the run.
+    """
+
+    name: str
+    machine: Machine
+    controller: Controller
+    motion: Motion
+    feed: FeedSettings
+    run: RunSettings
+    learning: LearningSettings | None = None
+    changes: tuple[Change, ...] = ()
+
+    def __repr__(self) -> str:
+        motion = self.motion.name if isinstance(self.motion, Contour) else self.motion.program.name
+        return facts_line("Case", {"name": self.name, "machine": self.machine.name, "motion": motion, "controller": self.controller})
+
+    @property
+    def tolerance(self) -> float | None:
+        """Largest part error that passes [m]; None for no verdict."""
+        return self.run.tolerance
+
+    @property
+    def moving(self) -> bool:
+        """Whether the axes have the velocity of the reference at the first sample."""
+        return self.run.start == "moving"
+
+    @property
+    def signals(self) -> tuple[str, ...]:
+        """Signals to write; empty for all."""
+        return self.run.signals or ()
+
+    @property
+    def seed(self) -> int:
+        """Seed of all noise."""
+        return self.run.seed
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Notes on the motion."""
+        return self.motion.notes
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """Source text of the program; empty for a contour."""
+        return self.motion.program.lines if isinstance(self.motion, PartProgram) else ()
+
+    @property
+    def curvature_step(self) -> float:
+        """Allowed step of an axis acceleration where the curvature jumps, as a share of its limit."""
+        return self.feed.curvature_step
+
+    @property
+    def limits(self) -> AxisLimits:
+        """Limits of the axes, for the planner.
+
+        Raises
+        ------
+        FeedError
+            If an axis has no velocity limit.
+        """
+        return self.machine.planner_limits()
+
+    def reference(self, feed_scale: float = 1.0) -> Reference:
+        """Return the sampled reference, with the samples that ``run.judge`` chooses.
+
+        Parameters
+        ----------
+        feed_scale : float, > 0
+            Factor on the programmed feed, besides the scenario's override.
+
+        Raises
+        ------
+        FeedError
+            If the motion cannot be planned within the limits of the axes, leaves their travel, or takes too many samples; or if
+            ``run.judge`` names lines without a cutting move.
+        ProgramError
+            If the program moves an axis that the machine lacks, or beyond its travel.
+        """
+        reference = self._sampled(self.feed.override * feed_scale)
+        check_motion(reference, self.machine, self._fault, bounded=self.feed.law != "uniform", cure=self._cure)
+        return replace(reference, chosen=self._chosen(reference))
+
+    def _chosen(self, reference: Reference) -> Judged | None:
+        """Return the samples that ``run.judge`` chooses; None for the default."""
+        choice = self.run.judge
+        if choice == "cutting":
+            return None
+        if choice == "all":
+            return Judged(((0, reference.n_sample),), WHOLE)
+        named = JUDGED_LINES.fullmatch(choice)
+        assert named is not None  # checked by the reader
+        first, last = int(named[1]), int(named[2] or named[1])
+        curves = (reference.source_lines >= first) & (reference.source_lines <= last)
+        if reference.rapid is not None:
+            curves &= ~reference.rapid
+        if not curves.any():
+            raise self._fault(f'judge = "{choice}": no cutting move is on these lines; write other lines, or "all"', 0)
+        return Judged(reference.of_curves(curves), f"cutting moves of {choice}")
+
+    @property
+    def _cure(self) -> str:
+        if isinstance(self.motion, Contour):
+            example = ", ".join('"10 mm"' for _ in self.machine.axes)
+            return f"move it with offset = [{example}] under [contour]"
+        return "move the part" if self.motion.fit else "move the part, have it fitted (--fit, or fit = true under [program])"
+
+    def closer(self, tolerance: float) -> dict[str, Callable[[], Reference]]:
+        """Return ways to plan closer to the programmed path: a description, and a function that plans.
+
+        Parameters
+        ----------
+        tolerance : float [m], > 0
+            Corner tolerance of a blend.
+        """
+        if self.feed.law == "uniform":
+            return {}
+        microns = f"{tolerance * 1e6:.3g}"
+        is_program = isinstance(self.motion, PartProgram)
+        g64, g61 = (f"G64 P{tolerance * 1e3:.3g} in mm, or ", "G61, or ") if is_program else ("", "")
+        near = {"path_control": "blend", "corner_tolerance": tolerance, "merge_tolerance": None}
+        changes: dict[str, dict[str, Any]] = {
+            f'blending within {microns} um ({g64}path_control = "blend", corner_tolerance = "{microns} um" under [feed])': near,
+            f'meeting every corner exactly ({g61}path_control = "exact_path" under [feed])': {"path_control": "exact_path"},
+        }
+        return {way: replace(self, feed=replace(self.feed, **change)).reference for way, change in changes.items()}
+
+    def _fault(self, message: str, line: int) -> FeedError | ProgramError:
+        if isinstance(self.motion, PartProgram):
+            return ProgramError(message, file=self.motion.file, line=line)
+        return FeedError(f"{self.motion.name}: {message}")
+
+    def _sampled(self, factor: float) -> Reference:
+        period = self.machine.servo_period
+        if self.feed.law == "uniform":
+            assert isinstance(self.motion, Contour) and self.feed.frequency is not None  # checked by the reader
+            return uniform(self.motion.path, self.feed.frequency * factor, self.feed.laps, period)
+        return plan(
+            self._own_route if factor == self.feed.override else self._route(factor),
+            self.limits,
+            period,
+            laps=self.feed.laps,
+            curvature_step=self.feed.curvature_step,
+        )
+
+    def route(self) -> Route | None:
+        """Return the path to plan along, with feedrates; None under the uniform law."""
+        return None if self.feed.law == "uniform" else self._own_route
+
+    @cached_property
+    def _own_route(self) -> Route:
+        """The route at the case's own feed, blended once for planning, verifying and drawing."""
+        return self._route(self.feed.override)
+
+    def _route(self, factor: float) -> Route:
+        tolerance = DEFAULT_CORNER_TOLERANCE if self.feed.corner_tolerance is None else self.feed.corner_tolerance
+        if isinstance(self.motion, Contour):
+            assert self.feed.feedrate is not None  # checked by the reader
+            route = route_from_path(self.motion.path, self.feed.feedrate)
+        else:
+            route = self.motion.route(tolerance)
+        if factor != 1.0:
+            route = replace(route, feedrate=np.where(route.rapid, route.feedrate, route.feedrate * factor))
+        return blended(controlled(route, self.feed.path_control, tolerance, self.feed.merge_tolerance), self.limits)
+
+
+@dataclass(frozen=True, eq=False)
+class Scenario:
+    """A base case, and schemes that change parts of it.
+
+    Attributes
+    ----------
+    name : str
+    file : Path
+    base : Case
+        The case without any scheme.
+    all_cases : tuple of Case
+        One for each scheme; the base alone without schemes.
+    files : tuple of Path
+        The scenario's file and all files it includes.
+    """
+
+    name: str = field(metadata=setting(maximum=200))
+    file: File
+    base: Case
+    all_cases: tuple[Case, ...] = ()
+    files: tuple[File, ...] = ()
+
+    def __repr__(self) -> str:
+        return facts_line("Scenario", {"name": self.name, "file": self.file, "cases": ", ".join(case.name for case in self.cases())})
+
+    @property
+    def machine(self) -> Machine:
+        """The base's machine."""
+        return self.base.machine
+
+    @property
+    def controller(self) -> Controller:
+        """The base's controller."""
+        return self.base.controller
+
+    @property
+    def motion(self) -> Motion:
+        """The base's motion."""
+        return self.base.motion
+
+    @property
+    def inputs(self) -> tuple[File, ...]:
+        """All input files: `files`, drawing or part program, tool table, learned tables."""
+        motion = self.motion
+        tools = motion.reading.tools if isinstance(motion, PartProgram) else None
+        tables = [case.learning.table for case in self.cases() if case.learning is not None]
+        return (*self.files, *(File(file) for file in (motion.file, tools, *tables) if file is not None))
+
+    def judging(self, choice: str | None) -> Scenario:
+        """Return the scenario with another choice of the moves to judge in all its cases; itself for None.
+
+        Raises
+        ------
+        ParameterError
+            If there is no such choice.
+        """
+        if choice is None:
+            return self
+        try:
+            checked_judge(choice)
+        except ValueError:
+            raise ParameterError("--judge", repr(choice), 'cutting, all, or lines such as "lines 10-40"') from None
+        base, *others = (replace(case, run=replace(case.run, judge=choice)) for case in (self.base, *self.all_cases))
+        return replace(self, base=base, all_cases=tuple(others))
+
+    def cases(self) -> list[Case]:
+        """Return one case for each scheme, in the order of the file; the base alone without schemes."""
+        return list(self.all_cases or (self.base,))
+
+    def case(self, name: str) -> Case:
+        """Return a case by the name of its scheme.
+
+        Raises
+        ------
+        ScenarioError
+            If the scenario has no such scheme.
+        """
+        for case in self.cases():
+            if case.name == name:
+                return case
+        raise ScenarioError(f"no scheme {name!r}: {hint(name, [case.name for case in self.cases()])}", file=self.file)
+
+
+FEATURES = {
+    "fb": "the axes' own controllers alone",
+    "ccc": "cross-coupled control",
+    "mr": "modified reference",
+    "me": "modified error",
+    "ilc": "learning from trial to trial",
+}
+"""Parts of a scheme name and their meaning."""
+
+_KINDS = {"ccc": ("cross-coupled", "cross-coupled-filter"), "mr": ("modified-reference",), "me": ("modified-error",)}
+_WANTED = {
+    "ccc": '[controller]\nestimator = "tangent"\ncoupling = {kind = "cross-coupled", gain = ...}',
+    "ilc": '[learning]\nlaw = {kind = "zero-phase", gain = 0.2, half_width = 11}',
+}
+
+
+def chosen(scenario: Scenario, names: Iterable[str]) -> Scenario:
+    """Return the scenario with these schemes only.
+
+    Parameters
+    ----------
+    names : iterable of str
+        Schemes of the scenario, or `FEATURES` joined by +. The scenario's schemes have priority. A scheme name with commas may be split
+        at them.
+
+    Raises
+    ------
+    ScenarioError
+        If a name is unknown or given twice, or the scenario lacks a part of it.
+    """
+    own = {case.name: case for case in scenario.all_cases}
+    wanted = _whole([name.strip() for name in names], own)
+    twice = [name for name in wanted if wanted.count(name) > 1]
+    if twice:
+        raise ScenarioError(f"scheme {twice[0]!r} is given twice: delete one", file=scenario.file)
+    cases = tuple(own[name] if name in own else _composed(scenario, name) for name in wanted)
+    if not cases:
+        raise ScenarioError("no scheme is given: write names such as fb,ccc,ilc,ccc+ilc", file=scenario.file)
+    return replace(scenario, all_cases=cases)
+
+
+def _whole(parts: list[str], own: Iterable[str]) -> list[str]:
+    """Rejoin scheme names that were split at commas; the longest match wins."""
+    pieces = {tuple(part.strip() for part in name.split(",")): name for name in own}
+    names = []
+    while parts:
+        n = next((n for n in range(len(parts), 1, -1) if tuple(parts[:n]) in pieces), 1)
+        names.append(pieces[tuple(parts[:n])] if n > 1 else parts[0])
+        parts = parts[n:]
+    return names
+
+
+def _composed(scenario: Scenario, name: str) -> Case:
+    parts = name.split("+")
+    unknown = [part for part in parts if part not in FEATURES]
+    if unknown:
+        known = ", ".join([*(repr(case.name) for case in scenario.all_cases), *FEATURES])
+        raise ScenarioError(f"no scheme {name!r}: use one of {known}, or join parts by +, such as ccc+ilc", file=scenario.file)
+    couplings = [part for part in parts if part in _KINDS]
+    if len(couplings) > 1 or len(set(parts)) < len(parts):
+        raise ScenarioError(f"scheme {name!r}: name at most one coupling, and each part once, as in ccc+ilc", file=scenario.file)
+    controller = _coupled(scenario, couplings[0]) if couplings else replace(scenario.base.controller, estimator=None, coupling=None)
+    learning = _learning(scenario) if "ilc" in parts else None
+    return replace(scenario.base, name=name, controller=controller, learning=learning)
+
+
+def _coupled(scenario: Scenario, part: str) -> Controller:
+    """Return the base's controller with a coupling: the first of its kind in the base or a scheme, else the default one."""
+    base, kinds = scenario.base.controller, _KINDS[part]
+    for controller in (base, *(case.controller for case in scenario.all_cases)):
+        if controller.coupling and controller.coupling.kind in kinds:
+            return replace(base, estimator=controller.estimator, coupling=controller.coupling)
+    if part in _WANTED:
+        raise _missing(scenario, part)
+    estimator: Any = base.estimator or component("estimator", "newton")()
+    return replace(base, estimator=estimator, coupling=component("coupling", kinds[0])())
+
+
+def _learning(scenario: Scenario) -> LearningSettings:
+    for case in (scenario.base, *scenario.all_cases):
+        if case.learning is not None:
+            return case.learning
+    raise _missing(scenario, "ilc")
+
+
+def _missing(scenario: Scenario, part: str) -> ScenarioError:
+    what = f"neither the base nor a scheme has {FEATURES[part]}"
+    return ScenarioError(f"{part}: {what}; write, for example:\n\n{_WANTED[part]}\n", file=scenario.file)

@@ -203,6 +203,7 @@ def test_correlations_between_axes_belong_to_the_machine(written: Callable[..., 
     [
         ('[["x.plant.mass", "x.friction.coulomb", 0.4]]', "axis x"),
         ('[["x.plant.mass", "z.plant.mass", 0.4]]', "no number 'z.plant.mass'"),
+        ('[["x.plant.mas", "y.plant.mass", 0.4]]', "'x.plant.mass'"),
         ('[["x.plant.mass", "y.plant.mass", 0.9], ["x.friction.coulomb", "y.plant.mass", -0.9]]', "contradict"),
         ('"x.plant.mass"', "list"),
     ],

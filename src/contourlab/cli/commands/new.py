@@ -13,7 +13,7 @@ from contourlab.cli.output import say
 from contourlab.errors import ParameterError, ScenarioError
 
 if TYPE_CHECKING:
-    from contourlab.features.machines.questions import Question
+    from contourlab.features.machines.answers import Question
 
 new = typer.Typer(no_args_is_help=True, help="Write files to start from.")
 

@@ -27,7 +27,7 @@ from contourlab.findings import Finding, finding
 from contourlab.geometry.view import PathView
 from contourlab.loop import Controller, Machine
 from contourlab.loop.trials import Trial, Trials, feedforward_command
-from contourlab.scenario.components import parameters_of
+from contourlab.scenario.build import parameters_of
 
 Part = Literal["ends", "all", "none"]
 

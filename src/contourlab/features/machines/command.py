@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -51,10 +52,8 @@ class Shipped:
     @property
     def sources(self) -> dict[str, int]:
         """Number of parameters by source."""
-        found: dict[str, int] = {}
-        for number in self.numbers:
-            found[number.source] = found.get(number.source, 0) + 1
-        return dict(sorted(found.items(), key=lambda item: (item[0] == NOT_STATED, -item[1])))
+        counts = Counter(number.source for number in self.numbers)
+        return dict(sorted(counts.items(), key=lambda item: (item[0] == NOT_STATED, -item[1])))
 
     @property
     def references(self) -> tuple[str, ...]:

@@ -6,21 +6,148 @@ Nothing here reads input or prints.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 from contourlab.app.results import proposed, spared
+from contourlab.components.origin import Origin
 from contourlab.errors import OutputError, ParameterError
-from contourlab.features.machines.answers import answers_text, axis_names, check_keys, machine_values, mounting, sized
+from contourlab.features.machines.answers import QUESTIONS, answers_text, axis_names, check_keys, fault, machine_values, mounting, sized
 from contourlab.features.machines.command import refuse_existing
-from contourlab.features.machines.machine_files import axis_tables, controller_tables, machine_tables, scenario_tables
-from contourlab.features.machines.questions import fault
-from contourlab.features.machines.sizing import FASTEST, SizedAxis
+from contourlab.features.machines.sizing import DAMPING, FASTEST, SizedAxis, rounded
 from contourlab.rendering.table import paragraphs
 from contourlab.result import write_text_atomic
-from contourlab.scenario.toml_text import toml
-from contourlab.units import show
+from contourlab.scenario.provenance import origin_table
+from contourlab.scenario.toml_text import Noted, toml
+from contourlab.units import from_si, show
+
+
+def _written(value: float, unit: str) -> str | float:
+    """Write an SI value in a unit; a bare number without one."""
+    number = f"{from_si(value, unit):.12g}"
+    return f"{number} {unit}" if unit else float(number)
+
+
+def _number(axis: SizedAxis, key: str, unit: str | None = None, of: Callable[[SizedAxis], float] | None = None, note: str = "") -> Noted:
+    """Return a number that follows from the answer `key`, as given, or guessed within a range; by default in the unit of the question."""
+    value = of or (lambda sized: float(sized.values[key]))
+    question = QUESTIONS[key]
+    unit = question.unit if unit is None else unit
+    if key not in axis.guesses:
+        return _noted(value(axis), unit, Origin("datasheet", reference="as given", note=note))
+    span = axis.span(key, value, question.spread) if question.spread else None
+    why = f"guess: {question.rule or question.guess()}" + (f"; {note}" if note else "")
+    return _noted(rounded(value(axis)), unit, Origin("assumed", span=span, note=why))
+
+
+def _noted(value: float, unit: str, origin: Origin) -> Noted:
+    return Noted(origin_table(_written(value, unit), origin, lambda end: _written(rounded(end), unit)))
+
+
+def _plant(axis: SizedAxis) -> dict[str, Any]:
+    elastic = {"resonance": _number(axis, "resonance", of=lambda sized: sized.own_resonance)} if axis.resonance else {}
+    if axis.linear:
+        kind, drive = "two-mass" if elastic else "mass-damper", {"force_constant": _number(axis, "force_constant")}
+    else:
+        kind = "elastic-ball-screw" if elastic else "ball-screw"
+        drive = {
+            "inertia": _number(axis, "screw_inertia", of=lambda sized: sized.inertia, note="rotor, coupling and screw"),
+            "lead": _number(axis, "lead"),
+            "torque_constant": _number(axis, "torque_constant"),
+            "efficiency": _number(axis, "efficiency", ""),
+        }
+    return {"kind": kind, "mass": _number(axis, "moved_mass"), **drive, "damping": _number(axis, "damping"), **elastic}
+
+
+def _friction(axis: SizedAxis) -> dict[str, Any]:
+    rest = Origin("assumed", span=(axis.friction, 1.5 * axis.friction), note="guess: a quarter above sliding")
+    return {
+        "kind": "coulomb",
+        "coulomb": _number(axis, "friction", note="measure it"),
+        "breakaway": _noted(rounded(1.25 * axis.friction), "N", rest),
+        "stribeck_velocity": _noted(2e-3, "mm/s", Origin("assumed", span=(1e-3, 3e-3), note="guess: typical of rail guides")),
+    }
+
+
+def axis_tables(axis: SizedAxis) -> dict[str, Any]:
+    """Return the axis file."""
+    peak = "peak_force" if axis.linear else "peak_torque"
+    sensor = "motor_sensor" if axis.resonance else "sensor"
+    tables: dict[str, Any] = {
+        **({"substeps": axis.substeps} if axis.resonance else {}),
+        "plant": _plant(axis),
+        **({"friction": _friction(axis)} if axis.friction else {}),
+        "drive": {"kind": "saturation", "limit": _number(axis, peak, "A", lambda sized: rounded(sized.current), f"{axis.peak:.4g} N")},
+        sensor: {"kind": "encoder", "resolution": _number(axis, "encoder_resolution")},
+        "limits": {key: _number(axis, key) for key in ("velocity", "acceleration", "jerk", "travel") if axis.values[key]},
+    }
+    if axis.weight:
+        note = "weight of the unbalanced mass; the positive direction is up"
+        tables["disturbance"] = {"kind": "constant", "force": _number(axis, "unbalanced_mass", "N", lambda sized: -sized.weight, note)}
+    return tables
+
+
+def machine_tables(name: str, period: float, axes: Sequence[SizedAxis], below: Mapping[str, str]) -> dict[str, Any]:
+    """Return the machine file."""
+
+    def placed(axis: SizedAxis) -> dict[str, Any]:
+        table: dict[str, Any] = {"file": f"axis-{axis.name}.toml"}
+        if axis.name in below:
+            table |= {"mounted_on": below[axis.name], "alignment": 0.0, "stage_mass": _written(axis.stage_mass, "kg")}
+        return table
+
+    head = {"name": name, "servo_period": _written(period, "ms"), "axes": [axis.name for axis in axes]}
+    return {"machine": head, "axes": {axis.name: placed(axis) for axis in axes}}
+
+
+def controller_tables(axes: Sequence[SizedAxis]) -> dict[str, Any]:
+    """Return the controller file."""
+
+    def of_axis(axis: SizedAxis) -> dict[str, Any]:
+        rate = axis.bandwidth_rate
+        gains = {
+            "bandwidth": Noted(_written(rate, "rad/s"), show(axis.bandwidth, "Hz", 4)),
+            "damping": DAMPING,
+            "position_gain": Noted(_written(axis.kv, "1/s"), f"Kv, {show(axis.kv, '(m/min)/mm', 4)}"),
+        }
+        late = _written(axis.filter_rate, "rad/s")
+        table: dict[str, Any] = {
+            "velocity": {"kind": "filtered-difference", "bandwidth": late},
+            "controller": {"kind": "cascade", "gains": gains, "balance_bandwidth": late},
+        }
+        if axis.resonance:
+            shapes = {name: {"kind": part.kind, **part.values()} for name, part in axis.controller.filters}
+            table |= {"feedback": "motor", "filters": {name: _rounded(shape) for name, shape in shapes.items()}}
+        return table
+
+    return {"controller": {"axes": {axis.name: of_axis(axis) for axis in axes}}}
+
+
+def _rounded(shape: dict[str, Any]) -> dict[str, Any]:
+    """Return the numbers of a filter with four digits; its frequency has a unit."""
+    numbers = {key: rounded(value) for key, value in shape.items() if isinstance(value, float)}
+    return {"kind": shape["kind"], **numbers, "frequency": _written(numbers["frequency"], "Hz")}
+
+
+def scenario_tables(name: str, axes: Sequence[SizedAxis], tolerance: float) -> dict[str, Any] | None:
+    """Return a first scenario: the shipped test part for x, y and z, a circle for two axes; None for other machines."""
+    names = [axis.name for axis in axes]
+    parts: dict[str, Any] = {"name": f"{name}: first run", "machine": "machine.toml", "controller": "controller.toml"}
+    run = {"run": {"tolerance": _written(tolerance, "um")}}
+    if [n.lower() for n in names] == ["x", "y", "z"]:
+        return {**parts, "program": "builtin:programs/circle_diamond_square.ngc", **run}
+    if len(names) != 2:
+        return None
+    feed = 0.25 * min(axis.velocity for axis in axes)
+    return {
+        **parts,
+        "contour": {"name": "circle", "radius": "20 mm"},
+        "feed": {"law": "planned", "feedrate": _written(feed, "m/min"), "laps": 2},
+        **run,
+    }
+
 
 ENOUGH = 10.0 ** (6.0 / 20.0), math.radians(30.0)
 """Gain and phase margin [rad] of a sound loop."""
@@ -105,20 +232,26 @@ def _carried(name: str, axes: Mapping[str, SizedAxis], below: Mapping[str, str])
 
 def _check(axis: SizedAxis, names: Sequence[str]) -> None:
     """Raise if the values of an axis do not fit together."""
-    effort = "force" if axis.linear else "torque"
-    if axis.values[f"peak_{effort}"] < axis.rated:
-        raise fault(f"{axis.name}.peak_{effort}", f"is below the rated {effort} of {axis.rated:g} {'N' if axis.linear else 'N*m'}")
-    _check_weight(axis, names)
-    if axis.wanted_force > axis.peak:
-        rest = (axis.peak - axis.standing_force) / axis.mass
-        able = f"at most {rest:.3g} m/s^2" if rest > 0.0 else "friction, damping and weight alone need all of it"
-        raise fault(
-            f"{axis.name}.acceleration",
-            f"{axis.acceleration:.4g} m/s^2 needs {axis.wanted_force:.4g} N, but the peak force of the motor is {axis.peak:.4g} N: {able}",
-        )
-    if axis.resonance and 2.0 * axis.resonance * axis.period >= 1.0:
-        own, most = (show(value, "Hz", 4) for value in (axis.resonance, 0.5 / axis.period))
-        raise fault(f"{axis.name}.resonance", f"{own} is not below half of the servo frequency, {most}: leave it out")
+    effort, unit = ("force", "N") if axis.linear else ("torque", "N*m")
+    hanging, moved, rated = axis.unbalanced_mass or 0.0, axis.moved_mass + axis.carried, axis.force(axis.rated)
+    horizontal = axis.name.lower() == "x" and {"y", "z"} <= {name.lower() for name in names}
+    rest = (axis.peak - axis.standing_force) / axis.mass
+    able = f"at most {rest:.3g} m/s^2" if rest > 0.0 else "friction, damping and weight alone need all of it"
+    needs = f"{axis.acceleration:.4g} m/s^2 needs {axis.wanted_force:.4g} N, but the peak force of the motor is {axis.peak:.4g} N: {able}"
+    resonance, most = (show(value, "Hz", 4) for value in (axis.resonance or 0.0, 0.5 / axis.period))
+    on_x = f"x is horizontal in a machine with y and z, but {hanging:g} kg hang on it: give them to the vertical axis"
+    heavy = f"{hanging:g} kg weigh {axis.weight:.4g} N, more than the rated force of {rated:.4g} N holds"
+    for key, wrong, message in (
+        (f"peak_{effort}", axis.values[f"peak_{effort}"] < axis.rated, f"is below the rated {effort} of {axis.rated:g} {unit}"),
+        ("unbalanced_mass", hanging and horizontal, on_x),
+        ("unbalanced_mass", hanging > moved, f"{hanging:g} kg hang, but only {moved:g} kg move"),
+        ("friction", axis.friction > rated, f"{axis.friction:g} N exceed the rated force of {rated:.4g} N"),
+        ("unbalanced_mass", axis.weight > rated, heavy),
+        ("acceleration", axis.wanted_force > axis.peak, needs),
+        ("resonance", not axis.below_half, f"{resonance} is not below half of the servo frequency, {most}: leave it out"),
+    ):
+        if wrong:
+            raise fault(f"{axis.name}.{key}", message)
     try:
         stable = axis.margins().stable
     except ParameterError as error:
@@ -126,19 +259,6 @@ def _check(axis: SizedAxis, names: Sequence[str]) -> None:
     if not stable:
         fast = "bandwidth" if axis.bandwidth_rate * axis.period > FASTEST else "kv"
         raise fault(f"{axis.name}.{fast}", f"the loop is unstable with {_gains(axis)}: give less, or leave out bandwidth and kv")
-
-
-def _check_weight(axis: SizedAxis, names: Sequence[str]) -> None:
-    """Raise if the unbalanced mass is not that of a vertical axis, or the motor holds neither it nor the friction."""
-    key, hanging = f"{axis.name}.unbalanced_mass", axis.unbalanced_mass or 0.0
-    if hanging and axis.name.lower() == "x" and {"y", "z"} <= {name.lower() for name in names}:
-        raise fault(key, f"x is horizontal in a machine with y and z, but {hanging:g} kg hang on it: give them to the vertical axis")
-    if hanging > axis.moved_mass + axis.carried:
-        raise fault(key, f"{hanging:g} kg hang, but only {axis.moved_mass + axis.carried:g} kg move")
-    if axis.friction > axis.force(axis.rated):
-        raise fault(f"{axis.name}.friction", f"{axis.friction:g} N exceed the rated force of {axis.force(axis.rated):.4g} N")
-    if axis.weight > axis.force(axis.rated):
-        raise fault(key, f"{hanging:g} kg weigh {axis.weight:.4g} N, more than the rated force of {axis.force(axis.rated):.4g} N holds")
 
 
 def _gains(axis: SizedAxis) -> str:

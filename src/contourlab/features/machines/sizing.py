@@ -166,9 +166,14 @@ class SizedAxis:
         """Natural frequency of the velocity loop that servo period and resonance permit at most [Hz]."""
         return min(FASTEST / self.period / (2.0 * math.pi), 0.5 * (self.values.get("resonance") or math.inf))
 
+    @property
+    def below_half(self) -> bool:
+        """Whether its resonance, if any, is below half of the servo frequency."""
+        return 2.0 * (self.resonance or 0.0) * self.period < 1.0
+
     def slowed_down(self) -> SizedAxis:
         """Return the axis with the fastest guess of bandwidth, and of Kv, at which its resonance leaves 6 dB and 30 degrees."""
-        if not self.resonance or "bandwidth" not in self.guesses or 2.0 * self.resonance * self.period >= 1.0:
+        if not self.resonance or "bandwidth" not in self.guesses or not self.below_half:
             return self
         rates = [2.0 * math.pi * factor * self.fastest for factor in SLOWER]
         slower = [{"bandwidth": rate / (2.0 * math.pi), "kv": KV_RATIO * rate if "kv" in self.guesses else self.kv} for rate in rates]

@@ -220,7 +220,7 @@ def _interrupted(outcome: Outcome) -> bool:
 def _check_choices(plots: Sequence[str], signals: Sequence[str]) -> None:
     """Refuse unknown formats and signals before anything is simulated."""
     from contourlab.loop.simulate import UNITS
-    from contourlab.scenario.motion import JUDGED
+    from contourlab.scenario.values import JUDGED
 
     check_plots(plots)
     _check_known("--signals", signals, (*UNITS, *JUDGED))

@@ -9,10 +9,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from itertools import product
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Literal
 
 import numpy as np
-from pydantic import Field
 
 from contourlab.errors import ParameterError, ScenarioError, hint
 from contourlab.features.sweep.design import FIXED, INDEPENDENT, Design, Modules
@@ -28,9 +27,11 @@ from contourlab.loop.simulate import UNITS as SIGNALS
 from contourlab.scenario import Case
 from contourlab.scenario.files import BUILTIN, shipped_hint
 from contourlab.scenario.load import changed_case, load_scenario
-from contourlab.scenario.tables import Distance, StrictTable, Text, read_table
+from contourlab.scenario.tables import read_values
 from contourlab.scenario.tree import Leaf, Table, read_tree
+from contourlab.scenario.values import DISTANCE
 from contourlab.study.checkpoint import program_text
+from contourlab.units import setting
 
 UNITS = {**FIGURE_UNITS, "cycle_time": "s"}
 """SI unit of each figure that a study can keep."""
@@ -45,20 +46,20 @@ MOST = 10**12
 """Largest number of variants."""
 
 
-class StudyTable(StrictTable):
+@dataclass(frozen=True)
+class StudyTable:
     """The top of a study file."""
 
-    parts = ("vary", "modules", "correlations")
-    scenario: Text
-    scheme: Text | None = None
-    variants: Annotated[int | None, Field(ge=1, le=MOST)] = None
+    scenario: str = field(metadata=setting(maximum=200))
+    scheme: str | None = field(default=None, metadata=setting(maximum=200))
+    variants: int | None = field(default=None, metadata=setting(minimum=1, maximum=MOST))
     design: Literal["random", "sobol", "latin-hypercube", "saltelli", "grid", "list"] = "random"
-    seed: Annotated[int, Field(ge=0, lt=2**63)] = 0
-    chunk: Annotated[int | None, Field(ge=LANES, le=1 << 16)] = None
-    figures: list[str] = list(DEFAULT)
-    signals: list[str] = []
-    tolerance: Distance | None = None
-    listed: Annotated[Text | None, Field(alias="list")] = None
+    seed: int = field(default=0, metadata=setting(minimum=0, maximum=2**63 - 1))
+    chunk: int | None = field(default=None, metadata=setting(minimum=LANES, maximum=1 << 16))
+    figures: tuple[str, ...] = field(default=DEFAULT, metadata=setting(check=str))
+    signals: tuple[str, ...] = field(default=(), metadata=setting(check=str))
+    tolerance: float | None = field(default=None, metadata=DISTANCE)
+    listed: str | None = field(default=None, metadata=setting(maximum=200, name="list"))
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,11 +132,11 @@ def study_of(
     content = read_tree(path)
     if "vary" not in content.entries and "machine" in content.entries:
         raise ScenarioError("this is a scenario: write a study that names it, with scenario = ... and [vary]", file=file)
-    plain = read_table(StudyTable, content)
+    plain = StudyTable(**read_values(content, StudyTable, needed=("scenario",), parts=("vary", "modules", "correlations")))
     if plain.listed is not None:
         if "design" in content.entries and plain.design != "list":
             raise content.error(f"a list is no {plain.design} design: leave this out", "design")
-        plain = plain.model_copy(update={"design": "list"})
+        plain = replace(plain, design="list")
     variations, entries, remarks = _variations(content, path.parent)
     name = plain.scenario if plain.scenario.startswith(BUILTIN) else str(path.parent / plain.scenario)
     if not name.startswith(BUILTIN) and not Path(name).exists():
