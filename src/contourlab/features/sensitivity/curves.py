@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from contourlab.arrays import Array, Flags, true_spans
-from contourlab.features.sensitivity.runs import Columns, Judge
 from contourlab.study import DesignVariable, Space
+from contourlab.study.runner import Columns, Judge
 
 CHANGE = 0.05
 """Largest relative change of the figure over a flat interval."""

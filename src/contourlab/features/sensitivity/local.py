@@ -10,9 +10,9 @@ from itertools import combinations
 import numpy as np
 
 from contourlab.arrays import Array, Flags
-from contourlab.features.sensitivity.runs import Judge
 from contourlab.findings import Finding, finding
 from contourlab.study import DesignVariable, Space
+from contourlab.study.runner import Judge
 
 LARGEST, STEPS = 0.04, 5
 """Largest step relative to the value, and the number of steps tried; each is half the one before."""

@@ -13,17 +13,14 @@ from contourlab.rendering.charts import Bars, Matrix, Multiples, Series, Tile
 from contourlab.rendering.charts import Curve as Line
 from contourlab.rendering.style import MUTED, scheme_style
 
-MICRO = 1e6
-"""Display scale of all figures."""
-
 
 def charts_of(study: Study) -> list[Multiples | Bars | Matrix]:
     """Return a chart for each part of a study: curves, Morris and Sobol indices, interactions."""
     figure, names = study.plan.judged, [variable.short for variable in study.space.numbers]
     charts: list[Multiples | Bars | Matrix] = []
     if study.curves is not None:
-        tiles = tuple(curve_tile(curve) for curve in study.curves)
-        charts.append(Multiples("curves", f"One parameter at a time: {figure.label}", "", f"{figure.label} [{figure.unit}]", tiles))
+        tiles = tuple(curve_tile(curve, figure.factor) for curve in study.curves)
+        charts.append(Multiples("curves", f"One parameter at a time: {figure.label}", "", f"{figure.label} [{figure.display}]", tiles))
     charts += _indices(study, names)
     if study.local is not None and len(names) > 1:
         title = f"Interactions near the present values: {figure.label}"
@@ -31,16 +28,16 @@ def charts_of(study: Study) -> list[Multiples | Bars | Matrix]:
     return charts
 
 
-def curve_tile(curve: Curve) -> Tile:
-    """Return the small chart of one parameter, with its minimum and present value; failed runs are shaded."""
+def curve_tile(curve: Curve, factor: float) -> Tile:
+    """Return the small chart of one parameter, with its minimum and present value; failed runs are shaded. `factor` scales the figure."""
     variable, lowest = curve.variable, curve.minimum
     colour, dash = scheme_style(0, 1)
     x = np.array([variable.display_value(value) for value in curve.values])
     return Tile(
         variable.short,
         variable.display_unit or "value",
-        (Line(x, MICRO * curve.figures, "other parameters unchanged", colour, dash),),
-        () if lowest is None else ((variable.display_value(lowest.value), MICRO * lowest.figure, scheme_style(0, 2)[0]),),
+        (Line(x, factor * curve.figures, "other parameters unchanged", colour, dash),),
+        () if lowest is None else ((variable.display_value(lowest.value), factor * lowest.figure, scheme_style(0, 2)[0]),),
         ((variable.display_value(variable.value), MUTED),),
         tuple((variable.display_value(interval.low), variable.display_value(interval.high)) for interval in curve.failed),
         variable.logarithmic,
@@ -55,7 +52,7 @@ def _indices(study: Study, names: list[str]) -> Iterator[Bars]:
         title = f"Sobol indices of {'log10 of the' if logarithmic else 'the'} {figure.label}"
         yield indices_chart("sobol", title, "share of the variance, with 95 % intervals", names, shares)
     if study.morris is not None:
-        scale, unit = (1.0, "decades") if logarithmic else (MICRO, figure.unit)
+        scale, unit = (1.0, "decades") if logarithmic else (figure.factor, figure.display)
         m = study.morris
         effects = (("sigma", m.sigma * scale, 0.0 * m.sigma), ("mu*", m.mu_star * scale, m.mu_star_interval * scale))
         label = f"mean magnitude of the elementary effects [{unit}]"

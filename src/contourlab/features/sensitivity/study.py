@@ -25,8 +25,8 @@ from contourlab.features.sensitivity.indices import (
     sobol_indices,
 )
 from contourlab.features.sensitivity.local import STEPS, Local, local
-from contourlab.features.sensitivity.runs import FIGURES, Figure, Runs
-from contourlab.study import Space
+from contourlab.metrics.run_figures import RunFigure, goal_named
+from contourlab.study import Runner, Space
 
 STAGES = {
     "curves": "curves, one parameter at a time",
@@ -51,7 +51,7 @@ class Plan:
     parts : sequence of str
         From `PARTS`.
     figure : str
-        One of `FIGURES`.
+        One of `contourlab.metrics.run_figures.GOALS`, by word or name.
     values : int, >= 5
         Number of values of each curve.
     base : int
@@ -81,8 +81,7 @@ class Plan:
                 raise ParameterError("--parts", repr(part), f"one of {', '.join(PARTS)}")
         if not self.parts:
             raise ParameterError("--parts", "none", f"at least one of {', '.join(PARTS)}")
-        if self.figure not in FIGURES:
-            raise ParameterError("--figure", repr(self.figure), f"one of {', '.join(FIGURES)}")
+        goal_named(self.figure, "--figure")
         if self.transform not in TRANSFORMS:
             raise ParameterError("--transform", repr(self.transform), " or ".join(TRANSFORMS))
         for name, least, part in (("values", 5, "curves"), ("trajectories", 4, "morris"), ("seed", 0, "")):
@@ -131,9 +130,9 @@ class Plan:
                 yield replace(self, parts=parts, values=QUICK_VALUES, base=base, trajectories=max(base // 8, 4))
 
     @property
-    def judged(self) -> Figure:
+    def judged(self) -> RunFigure:
         """The figure."""
-        return FIGURES[self.figure]
+        return goal_named(self.figure, "--figure")
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,7 +167,7 @@ class Study:
 
 def sensitivity_study(
     space: Space,
-    runs: Runs,
+    runs: Runner,
     plan: Plan,
     drawn: Sequence[Distribution],
     level: float,
@@ -181,7 +180,7 @@ def sensitivity_study(
     Parameters
     ----------
     space : Space
-    runs : Runs
+    runs : Runner
     plan : Plan
     drawn : sequence of Distribution
         Distribution of each parameter, for the global indices.
@@ -197,7 +196,7 @@ def sensitivity_study(
     ParameterError
         If an option is out of range, too many runs fail, or the run fails with all parameters at their present values.
     """
-    n, judge = len(space.numbers), runs.judge(plan.judged.key)
+    n, judge = len(space.numbers), runs.judge(plan.judged.name)
     plan.check(n)
 
     def sampled(points: Array) -> Sample:
@@ -227,7 +226,7 @@ def sensitivity_study(
     return Study(plan, space, tuple(drawn), present, **parts)  # type: ignore[arg-type]
 
 
-def holds(space: Space, runs: Runs) -> bool:
+def holds(space: Space, runs: Runner) -> bool:
     """Return whether the run with all parameters at their present values succeeds."""
     return all(bool(np.isfinite(values[0])) for values in runs(present_values(space)).values())
 

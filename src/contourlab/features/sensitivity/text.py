@@ -54,7 +54,7 @@ def _shown(variable: DesignVariable, *values: float) -> Iterator[str]:
 def _curves(study: Study) -> Iterator[Table]:
     if study.curves is None:
         return
-    unit = study.plan.judged.unit
+    unit = study.plan.judged.display
     title = f"One parameter at a time, {study.plan.values} values each, the others at their present values:"
     flat = f"changes by less than {100.0 * CHANGE:.0f} %"
     heads = ("present", "from", "to", "unit", "minimum at", "+-", "figure at minimum", "bound", flat, "runs fail")
@@ -131,7 +131,7 @@ def _morris(study: Study) -> Iterator[Table]:
     if study.morris is None:
         return
     indices, plan = study.morris, study.plan
-    scale, unit = (1.0, "decades") if plan.transform == "log" else (1e6, plan.judged.unit)
+    scale, unit = (1.0, "decades") if plan.transform == "log" else (plan.judged.factor, plan.judged.display)
     title = f"Elementary effects (Morris) over the whole range [{unit}] {_sampled(study.morris_sample)}:"
     columns = [scale * values for values in (indices.mu_star, indices.mu_star_interval, indices.mu, indices.sigma)]
     yield _estimates(study, title, ("mu*", *ESTIMATE, "mu", "sigma"), columns, indices.mu_star)

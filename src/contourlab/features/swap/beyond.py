@@ -172,12 +172,11 @@ def network_cost(
     """
     costs = []
     for variant, point in zip(variants, points, strict=True):
-        machine, controller, reference, figure = variant.machine, variants.controller_at(point), variants.reference, variants.objective
-        whole = undivided_error(machine, controller, reference, figure, seed=variants.seed, moving=variants.moving)
+        setting = replace(variants.setting, machine=variant.machine, controller=variants.controller_at(point))
+        whole = undivided_error(setting, variants.objective)
         allowed = allowed_error(whole, within, floor=variants.floor)
-        over = divided(controller, division, ways, link)
-        setting = LinkSetting(machine, over, reference, figure, allowed, seeds, variants.seed, variants.moving, few)
-        cost = division_cost(setting, (PERIOD,), longest)
+        over = replace(setting, controller=divided(setting.controller, division, ways, link))
+        cost = division_cost(LinkSetting(over, variants.objective, allowed, seeds, few), (PERIOD,), longest)
         costs.append(VariantCost(variant.name, whole, allowed, cost.error, cost.unstable, cost.sweeps[PERIOD]))
         if progress is not None:
             progress(len(costs), len(variants))
@@ -269,7 +268,7 @@ def coverage(
     size = SAMPLES if tolerance is not None else places
     if size < 1 or size & (size - 1):
         raise ParameterError("places", f"{size}", "a power of 2")
-    points = np.asarray(qmc.Sobol(len(region.names), seed=variants.seed).random(size))
+    points = np.asarray(qmc.Sobol(len(region.names), seed=variants.setting.seed).random(size))
     values, best = np.empty(size), np.empty(0 if tolerance is not None else size)
     for k, plant in enumerate(points):
         machine = machine_with(variants.members[0].machine, region.values(plant))
@@ -277,7 +276,7 @@ def coverage(
         found, broken = there.values(point[None, None])
         values[k] = math.inf if broken[0, 0] > 0.0 else found[0, 0]
         if tolerance is None:
-            restarted(there.objective_of(0), np.vstack([point, variants.space.start]), budget, variants.seed)
+            restarted(there.objective_of(0), np.vstack([point, variants.space.start]), budget, variants.setting.seed)
             best[k] = there.best[0]
     if tolerance is not None:
         good = values <= tolerance

@@ -15,8 +15,7 @@ from contourlab.errors import ContourlabError, EngineError, ParameterError
 from contourlab.features.sweep.distributions import chosen
 from contourlab.features.sweep.structures import Structure
 from contourlab.features.sweep.study import Study
-from contourlab.loop import parameters_of
-from contourlab.loop.batch import checked_variants, simulate_batch
+from contourlab.loop.batch import checked_variants
 
 OK, DIVERGED, REFUSED = STATUSES = ("ok", "diverged", "refused")
 """Status of a variant: judged; left its following-error limit or became non-finite; a combination that a component refuses."""
@@ -159,18 +158,11 @@ def _simulate(
 ) -> None:
     """Simulate the accepted variants of a structure, and write their rows of the columns and signals."""
     rows, reference = rows[accepted], structure.reference
-    batch = simulate_batch(
-        structure.machine,
-        structure.controller,
-        reference,
-        {name: values[accepted] for name, values in given.items()} or _unchanged(structure, len(rows)),
+    batch = structure.batch(
+        {name: values[accepted] for name, values in given.items()} or structure.as_it_is(len(rows)),
+        study.figures,
         keep=study.signals,
         threads=threads,
-        part=any(name.startswith("part_") for name in study.figures),
-        effort=any(name in study.figures for name in ("command_energy", "command_largest", "limited_share")),
-        view=structure.view,
-        seed=structure.seed,
-        moving=structure.moving,
         progress=None if progress is None else (lambda sample: progress(sample / reference.n_sample)),
         gpu=gpu,
     )
@@ -186,9 +178,3 @@ def _simulate(
             values = np.where(np.isnan(values), np.nan, values)
         whole = signals.setdefault(name, np.full((len(columns["status"]), longest, values.shape[1]), np.nan))
         whole[rows, : values.shape[0]] = np.moveaxis(values, 2, 0)
-
-
-def _unchanged(structure: Structure, n: int) -> dict[str, Array]:
-    """Return one parameter at its own value, for variants that differ in choices only."""
-    name, (part, parameter) = next(iter(parameters_of(structure.machine, structure.controller).items()))
-    return {name: np.full(n, float(getattr(part, parameter)))}

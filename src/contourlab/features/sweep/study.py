@@ -22,9 +22,9 @@ from contourlab.features.sweep.modules import listed_modules, module_entries, mo
 from contourlab.features.sweep.structures import ROOMS, Choice, Structure, Structured, structured
 from contourlab.findings import Finding, finding
 from contourlab.loop.batch import LANES
-from contourlab.loop.batch_result import FIGURE_UNITS
 from contourlab.loop.parameters import matching
 from contourlab.loop.simulate import UNITS as SIGNALS
+from contourlab.metrics.run_figures import FIGURES
 from contourlab.scenario import Case
 from contourlab.scenario.files import BUILTIN, shipped_hint
 from contourlab.scenario.load import changed_case, load_scenario
@@ -32,7 +32,7 @@ from contourlab.scenario.tables import Distance, StrictTable, Text, read_table
 from contourlab.scenario.tree import Leaf, Table, read_tree
 from contourlab.study.checkpoint import program_text
 
-UNITS = {**FIGURE_UNITS, "cycle_time": "s"}
+UNITS = {**{name: figure.unit for name, figure in FIGURES.items()}, "cycle_time": "s"}
 """SI unit of each figure that a study can keep."""
 DEFAULT = ("part_error_max", "contour_error_max", "contour_error_rms", "contour_error_integral", "tracking_error_max", "cycle_time")
 JUDGED = "part_error_max"

@@ -19,7 +19,7 @@ from contourlab.findings import Finding, finding
 from contourlab.rendering.stages import shown
 from contourlab.rendering.table import paragraphs
 from contourlab.result import write_text_atomic
-from contourlab.study import Space
+from contourlab.study import Setting, Space
 
 if TYPE_CHECKING:
     from contourlab.scenario import Case
@@ -124,9 +124,7 @@ def tune_scenario(
         with shown(progress) as stages, settings.executor.started(plugins, "Repeat the command") as pool:
             stages.expect(_work(case, settings))
             stages.begin("planning")
-            reference = case.reference()
-            given = {"moving": case.moving, "seed": case.seed, "pool": pool, "begin": stages.begin, "progress": stages.advance}
-            tuned = tune(case.machine, case.controller, reference, settings, **given)  # type: ignore[arg-type]
+            tuned = tune(Setting.of(case), settings, pool=pool, begin=stages.begin, progress=stages.advance)
         written = None if tuned.after.violations else Path(folder) / KEPT if out is None else Path(out)
         if written is not None:
             _write(tuned, case, stage / KEPT if out is None else written, scenario.name, plugins)

@@ -10,7 +10,7 @@ import numpy as np
 from contourlab.errors import ParameterError
 from contourlab.features.tune.objective import Goal, Objective
 from contourlab.loop import Controller, Machine, parameters_of
-from contourlab.study import Evaluator
+from contourlab.study import Runner
 from contourlab.study.guards import Bounds
 from contourlab.study.placement import designed, fastest_speed, model_of
 
@@ -18,13 +18,12 @@ FRACTIONS = np.geomspace(0.1, 1.0, 32)
 """Fractions of the fastest poles, tried for all axes together."""
 
 
-def placed_start(evaluator: Evaluator, goal: Goal, bounds: Bounds) -> Controller:
+def placed_start(runner: Runner, goal: Goal, bounds: Bounds) -> Controller:
     """Return the controller with poles at the fraction of the fastest speed that gives the smallest objective.
 
     Parameters
     ----------
-    evaluator : Evaluator
-        Evaluator of the machine, its controller and the motion.
+    runner : Runner
     goal : Goal
         Only its first figure counts.
 
@@ -34,9 +33,10 @@ def placed_start(evaluator: Evaluator, goal: Goal, bounds: Bounds) -> Controller
         If a controller cannot be designed from poles, its loop has no linear model or is stable at no speed, or every run fails or exceeds
         the drive limits.
     """
-    machine, controller = evaluator.machine, evaluator.controller
+    setting = runner.setting
+    machine, controller = setting.machine, setting.controller
     speeds = {axis.name: fastest_speed(machine, axis, controller.axes[axis.name], bounds) for axis in machine.axes}
-    candidates = [placed for fraction in FRACTIONS.tolist() if (placed := _placed(machine, controller, speeds, fraction)) is not None]
+    candidates = [made for fraction in FRACTIONS.tolist() if (made := _placed(machine, controller, speeds, fraction)) is not None]
     if not candidates:
         raise ParameterError("start", "placed", "scenario: no common fraction of the fastest poles gives gains on every axis")
     parameters = [parameters_of(machine, candidate) for candidate in candidates]
@@ -47,7 +47,8 @@ def placed_start(evaluator: Evaluator, goal: Goal, bounds: Bounds) -> Controller
             if np.isfinite(values).all():
                 columns[name] = values
     last = {name: float(values[-1]) for name, values in columns.items()}
-    runs = Objective(replace(evaluator, controller=candidates[-1]), Goal(goal.weights[:1]), last)(columns)
+    placed = replace(runner, setting=replace(setting, controller=candidates[-1]))
+    runs = Objective(placed, Goal(goal.weights[:1]), last)(columns)
     good = (runs.limited <= bounds.limited) & (runs.largest <= bounds.command)
     ranked = np.where(good, runs.value, np.inf)
     if not np.isfinite(ranked).any():

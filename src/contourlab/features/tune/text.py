@@ -7,18 +7,18 @@ from collections.abc import Iterator
 
 from contourlab.analysis.linear.margins import Margins
 from contourlab.features.run.margin_words import decibel, degrees
-from contourlab.features.tune.objective import FIGURES, Goal
+from contourlab.features.tune.objective import Goal
 from contourlab.features.tune.study import Tuned
 from contourlab.figures import figure, listing
+from contourlab.metrics.run_figures import FIGURES
 from contourlab.rendering.table import Column, Table, paragraphs
 
 
 def tables(goal: Goal, tuned: Tuned) -> Iterator[str]:
     """Yield the figure that was minimised, before and after, and the tables of a calibration."""
     if goal.figure is not None:
-        name, unit = FIGURES[goal.figure]
-        before, after = (figure(run.figures[goal.figure], unit, 4) for run in (tuned.before, tuned.after))
-        yield f"{name}: {before} before, {after} after"
+        before, after = (figure(run.figures[goal.figure], goal.unit, 4) for run in (tuned.before, tuned.after))
+        yield f"{FIGURES[goal.figure].label}: {before} before, {after} after"
     if tuned.path.steps:
         yield _steps(goal, tuned).text()
     if tuned.global_result is not None:
@@ -46,10 +46,10 @@ def _steps(goal: Goal, tuned: Tuned) -> Table:
 
 def _figures(tuned: Tuned) -> Table:
     table = Table([Column("figure", left=True), Column("before"), Column("after"), Column("after/before")])
-    for key, (name, unit) in FIGURES.items():
-        before, after = tuned.before.figures[key], tuned.after.figures[key]
+    for name, one in FIGURES.items():
+        before, after = tuned.before.figures[name], tuned.after.figures[name]
         ratio = after / before if before * after > 0.0 else math.nan
-        table.add(name, figure(before, unit, 4), figure(after, unit, 4), figure(ratio))
+        table.add(one.label, figure(before, one.display, 4), figure(after, one.display, 4), figure(ratio))
     return table
 
 

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from tests.helpers.modelled import Modelled
 
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.indices import (
@@ -17,20 +18,20 @@ from contourlab.features.sensitivity.indices import (
     sample,
     sobol_indices,
 )
-from contourlab.features.sensitivity.runs import FIGURES, Columns, Runs
 from contourlab.features.sensitivity.study import Plan, Study, sensitivity_study
 from contourlab.features.sensitivity.verdict import verdict
 from contourlab.study import DesignVariable, Space
+from contourlab.study.runner import Columns
 
 A, B = 7.0, 0.1
 PI = Space(tuple(DesignVariable(f"controller.axes.{name}.controller.p", 1.0, -math.pi, math.pi, logarithmic=False) for name in "xyz"))
 
 
 def ishigami(columns: Columns) -> dict[str, np.ndarray]:
-    """Return the function of Ishigami as a model: the same value for each figure."""
+    """Return the function of Ishigami as a model."""
     x, y, z = columns.values()
     value = np.sin(x) + A * np.sin(y) ** 2 + B * z**4 * np.sin(x)
-    return {figure.key: value for figure in FIGURES.values()}
+    return {"contour_error_integral": value}
 
 
 def shares() -> tuple[np.ndarray, np.ndarray, float]:
@@ -43,7 +44,7 @@ def shares() -> tuple[np.ndarray, np.ndarray, float]:
 
 def studied(base: int, second: bool = False) -> Study:
     plan = Plan(("morris", "sobol"), base=base, second=second, transform="none")
-    return sensitivity_study(PI, Runs(ishigami), plan, distributions(PI), math.inf)
+    return sensitivity_study(PI, Modelled(ishigami), plan, distributions(PI), math.inf)
 
 
 def test_sobol_indices_of_ishigami_lie_in_their_intervals() -> None:

@@ -24,7 +24,7 @@ from contourlab.features.swap.variants import Variant, Variants, losses, variant
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine
-from contourlab.study import Space
+from contourlab.study import Setting, Space
 from contourlab.study.checkpoint import Checkpoint
 from contourlab.study.guards import Bounds
 
@@ -47,7 +47,9 @@ def variants_under(others: list[tuple[str, Axis]], texts: tuple[str, ...] = (FRE
     machine, controller = stage()
     members = variants_of(machine, {"x": others})
     circle = uniform(contour("circle", radius=0.01), 1.0, 2, 1e-3)
-    return Variants(members, controller, circle, Space.chosen(machine, controller, texts), moving=True, bounds=Bounds(0.0, 0.0, 1.0))
+    return Variants(
+        members, Setting(machine, controller, circle, moving=True), Space.chosen(machine, controller, texts), bounds=Bounds(0.0, 0.0, 1.0)
+    )
 
 
 def studied(others: list[tuple[str, Axis]], **settings: object) -> SwapStudy:

@@ -16,14 +16,14 @@ from contourlab.errors import ContourlabError
 from contourlab.features.run.trust.provenance import numbers_of
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
-from contourlab.loop import Controller, Learned, Machine, parameters_of, simulate_batch
+from contourlab.loop import Controller, Learned, Machine, parameters_of
 from contourlab.rendering.judgement import Interval, Number, Rank, Spread
+from contourlab.study import Setting
 
 SAMPLES = 64
 """Machines that are drawn: two groups of 32 lanes."""
 LEVELS = (0.05, 0.95)
 """Shares of the samples below the ends of an interval."""
-FIGURES = {"rms": "part_error_rms", "max": "part_error_max"}
 
 
 def part_interval(
@@ -84,12 +84,12 @@ def part_interval(
         if progress is not None:
             progress(done, reference.n_sample)
 
-    given = {"seed": seed, "threads": threads, "moving": moving, "learned": learned, "part": True}
+    setting = Setting(machine, controller, reference, seed, moving)
     try:
-        batch = simulate_batch(machine, controller, reference, columns, progress=report_progress, **given)  # type: ignore[arg-type]
+        batch = setting.batch(columns, ["part_error_max"], progress=report_progress, threads=threads, learned=learned)
     except ContourlabError as error:
         return Interval(findings=(finding("CL224", reason=str(error)),))
-    figures = {name: batch.figures[key] for name, key in FIGURES.items()}
+    figures = {name: batch.figures[f"part_error_{name}"] for name in ("rms", "max")}
     bad = ~np.isfinite(figures["max"])
     failed = int(bad.sum())
     beyond = None if tolerance is None else int(np.count_nonzero(bad | (figures["max"] > tolerance)))

@@ -1,0 +1,157 @@
+"""The figures of a run, each once: label, units and formula. Batches, studies, stores and reports read this table alone.
+
+A figure is made from sums over the judged samples. The lanes of a batch keep them while they run (`contourlab.metrics.streaming`), and
+`figures_of_run` takes them from the signals of a single run. A new entry of the table is a column of a sweep, an objective of a
+calibration, a swap, a link and a sensitivity study, and a row of the report.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from contourlab.arrays import Array, Index
+from contourlab.errors import ParameterError
+from contourlab.figures import FACTORS
+from contourlab.metrics.streaming import SUMS
+from contourlab.result import Result
+
+CONTOUR, PART, EFFORT = "contour", "part", "effort"
+"""Where sums come from: the contour error, the part error, the commands to the drives."""
+
+
+@dataclass(frozen=True)
+class RunFigure:
+    """A figure of a run.
+
+    Attributes
+    ----------
+    name, label : str
+        Name in code, stores and JSON, and name in print.
+    unit, display : str
+        SI unit, and the unit in print, one of `contourlab.figures.FACTORS`.
+    of : callable
+        Returns the figure from the sums of its source and ``period``, the servo period [s]. They are numbers of a run, or arrays of many.
+    source : str
+        `CONTOUR`, `PART` or `EFFORT`.
+    floor : float [SI]
+        Values below this are equally good: J_tol of a swap. 0 for a figure that no study minimises.
+    word : str
+        Short name on the command line, if any.
+    is_row : bool
+        Whether the report has a row for it. Some have rows of their own there: the signed mean in the plane, the tracking error by axis.
+    """
+
+    name: str
+    label: str
+    unit: str
+    display: str
+    of: Callable[[Mapping[str, Any]], Any]
+    source: str = CONTOUR
+    floor: float = 0.0
+    word: str = ""
+    is_row: bool = True
+
+    @property
+    def factor(self) -> float:
+        """Factor from the SI unit to the unit in print."""
+        return FACTORS[self.display]
+
+    @property
+    def quantity(self) -> str:
+        """The SI unit as `contourlab.units` reads it."""
+        return self.unit.replace(" ", "*")
+
+    @property
+    def example(self) -> str:
+        """A value as typed."""
+        return f"15 {self.display}"
+
+
+def _rms(name: str) -> Callable[[Mapping[str, Any]], Any]:
+    return lambda sums: np.sqrt(sums[name] / sums["count"])
+
+
+def _mean(name: str) -> Callable[[Mapping[str, Any]], Any]:
+    return lambda sums: sums[name] / sums["count"]
+
+
+def _most(name: str) -> Callable[[Mapping[str, Any]], Any]:
+    return lambda sums: sums[name]
+
+
+def _integral(name: str) -> Callable[[Mapping[str, Any]], Any]:
+    return lambda sums: sums[name] * sums["period"]
+
+
+def _root(name: str) -> Callable[[Mapping[str, Any]], Any]:
+    return lambda sums: np.sqrt(sums[name])
+
+
+MICRON = 1e-6
+_TABLE = (
+    RunFigure("contour_error_rms", "contour error, rms", "m", "um", _rms("sum_square"), floor=MICRON, word="rms"),
+    RunFigure("contour_error_mean", "contour error, mean", "m", "um", _mean("sum_magnitude"), floor=MICRON),
+    RunFigure("contour_error_max", "contour error, largest", "m", "um", _most("largest"), floor=MICRON, word="max"),
+    RunFigure("contour_error_max_time", "time of the largest contour error", "s", "s", _integral("largest_at"), is_row=False),
+    RunFigure("contour_error_signed_mean", "contour error, signed mean", "m", "um", _mean("sum_signed"), is_row=False),
+    # A mean of 1 um over a lap of 2 s.
+    RunFigure("contour_error_integral", "contour error, integral", "m s", "um s", _integral("sum_magnitude"), floor=2e-6, word="integral"),
+    RunFigure("tracking_error_rms", "tracking error, rms", "m", "um", _rms("sum_tracking"), floor=MICRON, word="tracking", is_row=False),
+    RunFigure("tracking_error_max", "tracking error, largest", "m", "um", _root("largest_tracking"), floor=MICRON, is_row=False),
+    RunFigure("part_error_max", "part error, largest", "m", "um", _most("largest"), PART, floor=MICRON, word="part"),
+    RunFigure("part_error_rms", "part error, rms", "m", "um", _rms("sum_square"), PART, floor=MICRON),
+    RunFigure("command_energy", "command energy", "s", "s", _integral("sum_square"), EFFORT, floor=1e-6, word="energy"),
+    RunFigure("command_largest", "largest command, share of the drive's limit", "", "%", _most("largest"), EFFORT),
+    RunFigure("limited_share", "time at a drive's limit", "", "%", _mean("limited"), EFFORT),
+)
+FIGURES = {figure.name: figure for figure in _TABLE}
+GOALS = {figure.name: figure for figure in _TABLE if figure.floor > 0.0}
+"""Figures that a study can minimise."""
+
+
+def goal_named(text: str, option: str, others: str = "") -> RunFigure:
+    """Return the figure of `GOALS` that a text names, by its word or its name.
+
+    Raises
+    ------
+    ParameterError
+        If there is none. `option` is what the text was given for, and `others` what else it may be.
+    """
+    words = {figure.word or figure.name: figure for figure in GOALS.values()}
+    if text not in words and text not in GOALS:
+        raise ParameterError(option, repr(text), f"one of {', '.join(words)}{others}")
+    return words[text] if text in words else GOALS[text]
+
+
+def needs(names: Iterable[str]) -> dict[str, bool]:
+    """Return the options of `contourlab.loop.simulate_batch` that figures need; names that are none of `FIGURES` need nothing."""
+    sources = {FIGURES[name].source for name in names if name in FIGURES}
+    return {"part": PART in sources, "effort": EFFORT in sources}
+
+
+def figures_from(source: str, sums: Mapping[str, Any], period: float) -> dict[str, Any]:
+    """Return the figures of a source from its sums; `period` is the servo period [s]."""
+    total = {**sums, "count": np.maximum(sums["count"], 1.0), "period": period}
+    return {name: figure.of(total) for name, figure in FIGURES.items() if figure.source == source}
+
+
+def figures_of_run(run: Result, samples: Index) -> dict[str, float]:
+    """Return the figures of contour error and part error of a judged run over some of its samples."""
+    tracking = np.linalg.norm(run["tracking_error"][samples], axis=1)
+    figures: dict[str, float] = {}
+    for source in (CONTOUR, PART):
+        sums = _sums(run[f"{source}_error"][samples], samples + run.start, tracking)
+        figures |= {name: float(value) for name, value in figures_from(source, sums, run.servo_period).items()}
+    return figures
+
+
+def _sums(error: Array, samples: Index, tracking: Array) -> dict[str, float]:
+    """Return the sums of the judge of a batch, from the signed error (n,) and the size of the tracking error (n,)."""
+    size, square = np.abs(error), tracking**2
+    at = int(size.argmax())
+    judged = (error.size, size.sum(), (size**2).sum(), error.sum(), size[at], samples[at], square.sum(), square.max())
+    return dict(zip(SUMS, judged, strict=False))
