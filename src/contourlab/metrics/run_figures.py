@@ -65,10 +65,9 @@ class RunFigure:
         """The SI unit as `contourlab.units` reads it."""
         return self.unit.replace(" ", "*")
 
-    @property
-    def example(self) -> str:
-        """A value as typed."""
-        return f"15 {self.display}"
+    def example(self, value: float) -> str:
+        """Return a value as typed."""
+        return f"{value:g} {self.display}".replace("m s", "m*s")
 
 
 def _rms(name: str) -> Callable[[Mapping[str, Any]], Any]:
@@ -93,13 +92,13 @@ def _root(name: str) -> Callable[[Mapping[str, Any]], Any]:
 
 MICRON = 1e-6
 _TABLE = (
-    RunFigure("contour_error_rms", "contour error, rms", "m", "um", _rms("sum_square"), floor=MICRON, word="rms"),
-    RunFigure("contour_error_mean", "contour error, mean", "m", "um", _mean("sum_magnitude"), floor=MICRON),
-    RunFigure("contour_error_max", "contour error, largest", "m", "um", _most("largest"), floor=MICRON, word="max"),
-    RunFigure("contour_error_max_time", "time of the largest contour error", "s", "s", _integral("largest_at"), is_row=False),
-    RunFigure("contour_error_signed_mean", "contour error, signed mean", "m", "um", _mean("sum_signed"), is_row=False),
     # A mean of 1 um over a lap of 2 s.
     RunFigure("contour_error_integral", "contour error, integral", "m s", "um s", _integral("sum_magnitude"), floor=2e-6, word="integral"),
+    RunFigure("contour_error_rms", "contour error, rms", "m", "um", _rms("sum_square"), floor=MICRON, word="rms"),
+    RunFigure("contour_error_max", "contour error, largest", "m", "um", _most("largest"), floor=MICRON, word="max"),
+    RunFigure("contour_error_mean", "contour error, mean", "m", "um", _mean("sum_magnitude"), floor=MICRON),
+    RunFigure("contour_error_max_time", "time of the largest contour error", "s", "s", _integral("largest_at"), is_row=False),
+    RunFigure("contour_error_signed_mean", "contour error, signed mean", "m", "um", _mean("sum_signed"), is_row=False),
     RunFigure("tracking_error_rms", "tracking error, rms", "m", "um", _rms("sum_tracking"), floor=MICRON, word="tracking", is_row=False),
     RunFigure("tracking_error_max", "tracking error, largest", "m", "um", _root("largest_tracking"), floor=MICRON, is_row=False),
     RunFigure("part_error_max", "part error, largest", "m", "um", _most("largest"), PART, floor=MICRON, word="part"),
@@ -121,10 +120,11 @@ def goal_named(text: str, option: str, others: str = "") -> RunFigure:
     ParameterError
         If there is none. `option` is what the text was given for, and `others` what else it may be.
     """
-    words = {figure.word or figure.name: figure for figure in GOALS.values()}
-    if text not in words and text not in GOALS:
-        raise ParameterError(option, repr(text), f"one of {', '.join(words)}{others}")
-    return words[text] if text in words else GOALS[text]
+    for figure in GOALS.values():
+        if text in (figure.name, figure.word or figure.name):
+            return figure
+    words = ", ".join(filter(None, (figure.word for figure in GOALS.values())))
+    raise ParameterError(option, repr(text), f"one of {words}, or the name of a figure, such as contour_error_rms{others}")
 
 
 def needs(names: Iterable[str]) -> dict[str, bool]:

@@ -266,7 +266,7 @@ def read_options(options: LinkOptions) -> LinkSettings:
         raise ParameterError("--within", f"{options.within} with --tolerance", wanted)
     allowed = None
     if options.tolerance is not None:
-        allowed = positive_quantity("--tolerance", options.tolerance, judged.quantity, judged.example)
+        allowed = positive_quantity("--tolerance", options.tolerance, judged.quantity, judged.example(15))
     text = USUAL_LONGEST if options.longest is None else options.longest
     longest = positive_quantity("--longest", text, "s", "100 ms")
     if longest > LONGEST:

@@ -299,7 +299,7 @@ def _prepared(file: str | Path, swaps: Sequence[tuple[str, Sequence[str]]], opti
     modules, left_out = _modules(machine, swaps, options.plugins)
     objective = goal_named(options.objective, "--objective")
     floor, tolerance = (
-        None if text is None else positive_quantity(option, text, objective.quantity, objective.example)
+        None if text is None else positive_quantity(option, text, objective.quantity, objective.example(2))
         for option, text in (("--floor", options.floor), ("--tolerance", options.tolerance))
     )
     variants = Variants(
