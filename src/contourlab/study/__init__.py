@@ -3,7 +3,7 @@
 from contourlab.study.cases import Setting
 from contourlab.study.runner import Runner
 from contourlab.study.search import Found, search
+from contourlab.study.space import DesignVariable, Space
 from contourlab.study.values import calibration_order
-from contourlab.study.variables import DesignVariable, Space
 
 __all__ = ["DesignVariable", "Found", "Runner", "Setting", "Space", "calibration_order", "search"]

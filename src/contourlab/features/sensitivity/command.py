@@ -15,7 +15,7 @@ from contourlab.errors import ParameterError
 from contourlab.features.measure.log_choice import positive
 from contourlab.features.run.command import check_plots
 from contourlab.features.run.schemes import loaded
-from contourlab.features.sensitivity.indices import Distribution, distributions
+from contourlab.features.sensitivity.indices import Drawn, distributions
 from contourlab.features.sensitivity.study import Plan, Study, holds, present_values, sensitivity_study
 from contourlab.features.sensitivity.text import tables
 from contourlab.features.sensitivity.verdict import Ranking, ranking, verdict
@@ -171,7 +171,7 @@ def sensitivity_of(
 
 
 def _studied(
-    case: Case, request: Request, varied: tuple[Space, tuple[Distribution, ...]], folder: Path, stages: Stages, pool: Workers | None
+    case: Case, request: Request, varied: tuple[Space, tuple[Drawn, ...]], folder: Path, stages: Stages, pool: Workers | None
 ) -> tuple[Study, Runner]:
     plan, (space, drawn) = request.plan, varied
     stages.begin("planning the motion")

@@ -1,11 +1,10 @@
-"""All parameters at once: their distributions, the sample of runs, and the global indices of Sobol and Morris (computed by SALib)."""
+"""All parameters at once: their distributions, and the sample of runs."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 
@@ -15,10 +14,9 @@ from contourlab.errors import ParameterError, UnitError
 from contourlab.loop.parameters import fits
 from contourlab.scenario.quantities import read_number
 from contourlab.study import DesignVariable, Space
+from contourlab.study.space import Distribution
 
 UNIFORM, LOG_UNIFORM, NORMAL = KINDS = ("uniform", "log-uniform", "normal")
-LEVELS = 4
-ANALYSIS: dict[str, Any] = {"num_resamples": 200, "conf_level": 0.95}
 REFUSED = 0.25
 """Largest share of failed runs; with more, indices are refused."""
 BEYOND = 10.0
@@ -26,7 +24,7 @@ BEYOND = 10.0
 
 
 @dataclass(frozen=True)
-class Distribution:
+class Drawn:
     """The distribution of one parameter within its bounds.
 
     Attributes
@@ -56,20 +54,12 @@ class Distribution:
 
     def values(self, places: Array) -> Array:
         """Return the values [SI] at cumulative probabilities from 0 to 1."""
-        low, high, centre = self.variable.low, self.variable.high, self.variable.value
-        if self.kind == UNIFORM:
-            values = low + (high - low) * places
-        elif self.kind == LOG_UNIFORM:
-            values = low * (high / low) ** places
-        else:
-            from scipy.special import ndtr, ndtri
-
-            first, last = ndtr((np.array([low, high]) - centre) / self.deviation)
-            values = centre + self.deviation * ndtri(first + (last - first) * places)
-        return np.asarray(np.clip(values, low, high))
+        low, high = self.variable.low, self.variable.high
+        numbers = (self.variable.value, self.deviation) if self.kind == NORMAL else (low, high)
+        return Distribution(self.kind, numbers, low, high).values(places)
 
 
-def distributions(space: Space, kind: str = UNIFORM, deviations: Sequence[str] = ()) -> tuple[Distribution, ...]:
+def distributions(space: Space, kind: str = UNIFORM, deviations: Sequence[str] = ()) -> tuple[Drawn, ...]:
     """Return a distribution for each parameter of a space.
 
     Parameters
@@ -94,8 +84,7 @@ def distributions(space: Space, kind: str = UNIFORM, deviations: Sequence[str] =
             raise ParameterError("--deviation", repr(text), f"NAME=DEVIATION with a varied parameter, such as {known}")
         given |= {variable.name: _deviation(variable, wanted) for variable in chosen}
     return tuple(
-        Distribution(variable, NORMAL, given[variable.name]) if variable.name in given else Distribution(variable, kind)
-        for variable in space.numbers
+        Drawn(variable, NORMAL, given[variable.name]) if variable.name in given else Drawn(variable, kind) for variable in space.numbers
     )
 
 
@@ -177,115 +166,3 @@ def _strayed(space: Space, points: Array) -> str:
     off = points.mean(axis=0) - 0.5
     at = int(np.argmax(np.abs(off)))
     return f"{space.numbers[at].short} at the {'upper' if off[at] > 0.0 else 'lower'} end"
-
-
-@dataclass(frozen=True, eq=False)
-class SobolIndices:
-    """Shares of the variance.
-
-    Attributes
-    ----------
-    first, first_interval : ndarray (n,)
-        First-order indices: the share of each parameter alone; and half the width of the 95 % confidence interval.
-    total, total_interval : ndarray (n,)
-        Total indices: the share of each parameter with all its interactions; and the same interval.
-    second, second_interval : ndarray (n, n) or None
-        Second-order indices: the share of an interaction of two parameters. Above the diagonal, else nan; None if not requested.
-    deviation : float
-        Standard deviation of the sample.
-    """
-
-    first: Array
-    first_interval: Array
-    total: Array
-    total_interval: Array
-    second: Array | None
-    second_interval: Array | None
-    deviation: float
-
-
-@dataclass(frozen=True, eq=False)
-class MorrisIndices:
-    """Elementary effects: the effect of a step over two thirds of the range, divided by its length.
-
-    Attributes
-    ----------
-    mu_star, mu_star_interval : ndarray (n,)
-        Mean magnitude of the effects, and half the width of its 95 % confidence interval.
-    mu : ndarray (n,)
-        Mean of the effects.
-    sigma : ndarray (n,)
-        Standard deviation of the effects: large if the effect is nonlinear or depends on other parameters.
-    """
-
-    mu_star: Array
-    mu_star_interval: Array
-    mu: Array
-    sigma: Array
-
-
-def _problem(n: int) -> dict[str, Any]:
-    return {"num_vars": n, "names": [f"p{j}" for j in range(n)], "bounds": [[0.0, 1.0]] * n}
-
-
-def saltelli_points(n: int, base: int, second: bool = False, seed: int = 0) -> Array:
-    """Return the points of Saltelli's sampling in the unit cube: base (n + 2) points, or base (2 n + 2) for second order.
-
-    Parameters
-    ----------
-    n : int, >= 2
-        Number of parameters.
-    base : int
-        A power of two, which balances a Sobol sequence. The points of a smaller base are the first points of a larger one.
-    second : bool
-        Whether to sample for second-order indices.
-    seed : int
-
-    References
-    ----------
-    A. Saltelli et al., "Variance based sensitivity analysis of model output", Computer Physics Communications 181 (2010), 259-270.
-    """
-    from SALib.sample import sobol
-
-    return np.asarray(sobol.sample(_problem(n), base, calc_second_order=second, seed=seed), dtype=float)
-
-
-def sobol_indices(values: Array, n: int, second: bool = False, seed: int = 0) -> SobolIndices:
-    """Return the Sobol indices of the values at `saltelli_points`, with bootstrap intervals.
-
-    Notes
-    -----
-    If the values do not vary, all indices are 0. An estimate may lie a little below 0; its interval then includes 0.
-    """
-    zero = np.zeros(n)
-    if np.ptp(values) == 0.0:
-        pairs = np.where(np.triu(np.ones((n, n)), 1) > 0, 0.0, np.nan) if second else None
-        return SobolIndices(zero, zero, zero, zero, pairs, pairs, 0.0)
-    from SALib.analyze import sobol
-
-    # A generator, because SALib treats the seed 0 as no seed: its intervals would differ each time.
-    draw = np.random.default_rng(seed)
-    found = sobol.analyze(_problem(n), values, calc_second_order=second, print_to_console=False, seed=draw, **ANALYSIS)
-    arrays = {key: np.asarray(value, dtype=float) for key, value in found.items()}
-    names = ("S1", "S1_conf", "ST", "ST_conf", "S2", "S2_conf")
-    return SobolIndices(*(arrays.get(name) for name in names), float(values.std()))  # type: ignore[arg-type, call-arg]
-
-
-def morris_points(n: int, trajectories: int, seed: int = 0) -> Array:
-    """Return the points of Morris' design in the unit cube: trajectories (n + 1) points, on four levels.
-
-    References
-    ----------
-    M. D. Morris, "Factorial sampling plans for preliminary computational experiments", Technometrics 33 (1991), 161-174.
-    """
-    from SALib.sample import morris
-
-    return np.asarray(morris.sample(_problem(n), trajectories, num_levels=LEVELS, seed=seed), dtype=float)
-
-
-def morris_indices(points: Array, values: Array, seed: int = 0) -> MorrisIndices:
-    """Return the elementary effects of the values at `morris_points`, over the whole range of each parameter."""
-    from SALib.analyze import morris
-
-    found = morris.analyze(_problem(points.shape[1]), points, values, num_levels=LEVELS, seed=seed, **ANALYSIS)
-    return MorrisIndices(*(np.asarray(np.ma.getdata(found[key]), dtype=float) for key in ("mu_star", "mu_star_conf", "mu", "sigma")))

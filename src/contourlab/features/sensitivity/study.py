@@ -13,20 +13,12 @@ from contourlab.app.quick import too_slow
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.curves import FINE, Curve, curves
-from contourlab.features.sensitivity.indices import (
-    Distribution,
-    MorrisIndices,
-    Sample,
-    SobolIndices,
-    morris_indices,
-    morris_points,
-    saltelli_points,
-    sample,
-    sobol_indices,
-)
+from contourlab.features.sensitivity.indices import Drawn, Sample, sample
 from contourlab.features.sensitivity.local import STEPS, Local, local
 from contourlab.metrics.run_figures import RunFigure, goal_named
 from contourlab.study import Runner, Space
+from contourlab.study.design import morris_points, saltelli_points
+from contourlab.study.statistics import MorrisIndices, SobolIndices, morris_indices, sobol_indices
 
 STAGES = {
     "curves": "curves, one parameter at a time",
@@ -143,7 +135,7 @@ class Study:
     ----------
     plan : Plan
     space : Space
-    distributions : tuple of Distribution
+    distributions : tuple of Drawn
         Distributions of the parameters, in the order of the space.
     present : float [SI]
         The figure with all parameters at their present values.
@@ -155,7 +147,7 @@ class Study:
 
     plan: Plan = field(metadata=HIDDEN)
     space: Space
-    distributions: tuple[Distribution, ...]
+    distributions: tuple[Drawn, ...]
     present: float
     curves: tuple[Curve, ...] | None = None
     local: Local | None = None
@@ -169,7 +161,7 @@ def sensitivity_study(
     space: Space,
     runs: Runner,
     plan: Plan,
-    drawn: Sequence[Distribution],
+    drawn: Sequence[Drawn],
     level: float,
     *,
     limits: dict[str, tuple[float, float]] | None = None,
@@ -182,7 +174,7 @@ def sensitivity_study(
     space : Space
     runs : Runner
     plan : Plan
-    drawn : sequence of Distribution
+    drawn : sequence of Drawn
         Distribution of each parameter, for the global indices.
     level : float [SI]
         Figure of a run whose following error is always at its limit.

@@ -8,7 +8,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.features.sensitivity.curves import CHANGE, Interval
-from contourlab.features.sensitivity.indices import Distribution, Sample
+from contourlab.features.sensitivity.indices import Drawn, Sample
 from contourlab.features.sensitivity.study import PARTS, Study
 from contourlab.figures import figure
 from contourlab.rendering.table import Column, Table, paragraphs
@@ -111,7 +111,7 @@ def _sampled(sample: Sample | None) -> str:
     return f"of the {'logarithm of the figure' if sample.logarithmic else 'figure'}; {sample.runs} runs, {sample.failed} failed"
 
 
-def _distribution(one: Distribution) -> str:
+def _distribution(one: Drawn) -> str:
     low, high, centre, deviation = _shown(one.variable, one.variable.low, one.variable.high, one.variable.value, one.deviation)
     if one.kind == "normal":
         return f"normal around {centre}, deviation {deviation}, {low} to {high}"

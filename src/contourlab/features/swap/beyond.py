@@ -18,6 +18,7 @@ from contourlab.features.swap.search import restarted
 from contourlab.features.swap.variants import Variant, Variants, losses
 from contourlab.loop import DIVISIONS, Division
 from contourlab.study import Space
+from contourlab.study.statistics import wilson
 from contourlab.study.values import machine_with
 
 PERIOD = "message_period"
@@ -225,7 +226,7 @@ class Coverage:
     @property
     def interval(self) -> tuple[float, float]:
         """The 95 % interval of the share."""
-        return wilson_interval(self.covered, len(self.points))
+        return wilson(self.covered, len(self.points))
 
     @property
     def without_design(self) -> int:
@@ -284,15 +285,3 @@ def coverage(
         known = np.isfinite(best)
         good = losses(np.where(known, values, math.inf), np.where(known, best, 1.0), variants.floor) < full
     return Coverage(region, points, values, best, int(good.sum()), tolerance)
-
-
-def wilson_interval(hits: int, n: int) -> tuple[float, float]:
-    """Return Wilson's 95 % interval of a share.
-
-    >>> tuple(round(x, 3) for x in wilson_interval(8, 8))
-    (0.676, 1.0)
-    """
-    from scipy.stats import binomtest
-
-    low, high = binomtest(hits, n).proportion_ci(0.95, "wilson")
-    return float(low), float(high)

@@ -12,10 +12,10 @@ import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import ContourlabError, EngineError, ParameterError
-from contourlab.features.sweep.distributions import chosen
 from contourlab.features.sweep.structures import Structure
 from contourlab.features.sweep.study import Study
 from contourlab.loop.batch import checked_variants
+from contourlab.study.space import chosen
 
 OK, DIVERGED, REFUSED = STATUSES = ("ok", "diverged", "refused")
 """Status of a variant: judged; left its following-error limit or became non-finite; a combination that a component refuses."""

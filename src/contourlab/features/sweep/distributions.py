@@ -9,11 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.arrays import Array
 from contourlab.components.contract import Parameter
 from contourlab.errors import ContourlabError, ScenarioError, UnitError, hint
 from contourlab.scenario.quantities import read_number
 from contourlab.scenario.tree import Leaf, Node, Table
+from contourlab.study.space import Distribution
 
 FORMS = {
     "normal": '["80 kg", "4 kg"], mean and standard deviation',
@@ -25,8 +25,6 @@ FORMS = {
 }
 """Kinds of distributions, each with its form in a study file."""
 OPTIONS = ("within", "weights", "steps", "together")
-TAILS = (2.0**-60, 1.0 - 2.0**-53)
-"""Probabilities nearest to 0 and 1, so that the inverse of a distribution without ends stays finite."""
 
 
 @dataclass(frozen=True)
@@ -140,86 +138,6 @@ def _whole(table: Table, name: str) -> int:
 
 
 # --- distributions of one parameter ----------------------------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class Distribution:
-    """The distribution of one parameter.
-
-    Attributes
-    ----------
-    kind : str
-        One of `FORMS`.
-    numbers : tuple of float [SI]
-        As in the study file; of ``"lognormal"`` the second has no unit.
-    low, high : float [SI]
-        Ends, inclusive.
-    weights : tuple of float
-        Relative probabilities of values; empty for equal ones.
-    """
-
-    kind: str
-    numbers: tuple[float, ...]
-    low: float = -math.inf
-    high: float = math.inf
-    weights: tuple[float, ...] = ()
-
-    @property
-    def beyond(self) -> float:
-        """Share of the distribution beyond its ends; the rest is scaled up to 1."""
-        if self.kind not in ("normal", "lognormal"):
-            return 0.0
-        first, last = self._ends()
-        return float(first + 1.0 - last)
-
-    def values(self, places: Array) -> Array:
-        """Return the values [SI] at cumulative probabilities from 0 to 1.
-
-        >>> Distribution("normal", (80.0, 4.0), low=0.0).values(np.array([0.5])).tolist()
-        [80.0]
-        """
-        if self.kind == "values":
-            return np.asarray(np.asarray(self.numbers)[chosen(places, len(self.numbers), self.weights)])
-        p = np.clip(np.asarray(places, dtype=float), *TAILS)
-        return np.asarray(np.clip(self._inverse(p), self.low, self.high))
-
-    def _inverse(self, p: Array) -> Array:
-        if self.kind in ("normal", "lognormal"):
-            from scipy.special import ndtri
-
-            first, last = self._ends()
-            z = ndtri(first + (last - first) * p)
-            centre, spread = self.numbers
-            return np.asarray(centre + spread * z if self.kind == "normal" else centre * np.exp(spread * z))
-        low, high = self.numbers[0], self.numbers[-1]
-        if self.kind == "uniform":
-            return low + (high - low) * p
-        if self.kind == "log-uniform":
-            return np.asarray(low * (high / low) ** p)
-        peak = self.numbers[1]
-        rising = low + np.sqrt(p * (high - low) * (peak - low))
-        falling = high - np.sqrt((1.0 - p) * (high - low) * (high - peak))
-        return np.where(p * (high - low) < peak - low, rising, falling)
-
-    def _ends(self) -> tuple[float, float]:
-        """Return the cumulative probabilities of the ends."""
-        from scipy.special import ndtr
-
-        centre, spread = self.numbers
-        ends = np.array([self.low, self.high])
-        if self.kind == "lognormal":
-            with np.errstate(divide="ignore"):
-                ends, centre = np.log(np.maximum(ends, 0.0)), math.log(centre)
-        first, last = ndtr((ends - centre) / spread)
-        return float(first), float(last)
-
-
-def chosen(places: Array, count: int, weights: Sequence[float] = ()) -> np.ndarray[Any, np.dtype[np.int64]]:
-    """Return the numbers of choices, from 0, at cumulative probabilities from 0 to 1."""
-    if not weights:
-        return np.minimum((np.asarray(places) * count).astype(np.int64), count - 1)
-    ends = np.cumsum(weights) / np.sum(weights)
-    return np.minimum(np.searchsorted(ends, places, side="right"), int(np.flatnonzero(weights)[-1])).astype(np.int64)
 
 
 def distribution(variation: Variation, parameter: Parameter, present: float) -> Distribution:

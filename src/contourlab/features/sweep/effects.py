@@ -12,7 +12,7 @@ import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
 from contourlab.features.sweep.rows import Rows
-from contourlab.features.sweep.statistics import best_split, binned, first_order, quantile, rank_correlation, ranks, share_of, total_indices
+from contourlab.study.statistics import best_split, binned, first_order, quantile, rank_correlation, ranks, share_of, total_indices
 from contourlab.threads import in_threads
 
 FEW = 12

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from contourlab.features.sweep.design import Modules
 from contourlab.features.sweep.distributions import Variation
 from contourlab.features.sweep.lists import read_list
 from contourlab.features.sweep.structures import Structured
 from contourlab.findings import Finding
 from contourlab.scenario.tree import Leaf, Table
+from contourlab.study.design import Modules
 
 MOST = 10**6
 """Largest number of modules of a kind."""

@@ -21,9 +21,7 @@ from contourlab.errors import ParameterError
 from contourlab.extras import extra_module
 from contourlab.features.sweep.chunk import Chunk, chunk_elsewhere, joined, run_chunks
 from contourlab.features.sweep.command import AGAIN, kept_note, structures_of
-from contourlab.features.sweep.design import Design
 from contourlab.features.sweep.query import counts, rows
-from contourlab.features.sweep.statistics import pareto_front
 from contourlab.features.sweep.store import Store, check_folder, writing
 from contourlab.features.sweep.structures import Structured
 from contourlab.features.sweep.study import Study, study_of
@@ -34,7 +32,9 @@ from contourlab.findings import Finding
 from contourlab.loop.batch import lanes_each
 from contourlab.rendering.stages import shown
 from contourlab.rendering.table import paragraphs
+from contourlab.study.design import Design
 from contourlab.study.executors import Executor, Workers
+from contourlab.study.statistics import pareto_front
 
 SAMPLERS = ("tpe", "nsga2", "cma-es")
 JOURNAL = "optuna.log"

@@ -11,9 +11,8 @@ import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
 from contourlab.features.sweep.effects import means_of
-from contourlab.features.sweep.query import Z
 from contourlab.features.sweep.rows import Rows
-from contourlab.features.sweep.statistics import share_of
+from contourlab.study.statistics import Z, share_of
 
 MOST_BAD = 200
 """Most modules to sort out."""

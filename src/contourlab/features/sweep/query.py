@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import chain
@@ -14,16 +14,14 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.arrays import Array
 from contourlab.errors import ParameterError, UnitError, error_text
 from contourlab.extras import extra_module
 from contourlab.features.sweep.store import Store
 from contourlab.result.atomic import replacing
+from contourlab.study.statistics import effective_size, wilson
 from contourlab.units import to_si
 
 QUANTILES = {"minimum": 0.0, "p5": 0.05, "median": 0.5, "p95": 0.95, "p99": 0.99, "maximum": 1.0}
-Z = 1.959963984540054
-"""Half width of the interval of 95 % of a normal distribution, in standard deviations."""
 PIECE = 4096
 """Rows between two looks at the memory of a query."""
 JUDGED = "part_error_max"
@@ -73,55 +71,6 @@ class Yield:
     share: float
     low: float
     high: float
-
-
-def wilson(passed: float, judged: float) -> tuple[float, float]:
-    """Return the Wilson interval of 95 % of a share; `judged` may be an `effective_size`.
-
-    >>> [round(end, 4) for end in wilson(98, 100)]
-    [0.93, 0.9945]
-    """
-    if not judged:
-        return 0.0, 1.0
-    share = passed / judged
-    centre = (share + Z * Z / (2 * judged)) / (1 + Z * Z / judged)
-    half = Z / (1 + Z * Z / judged) * math.sqrt(share * (1 - share) / judged + Z * Z / (4 * judged**2))
-    return (max(centre - half, 0.0) if passed else 0.0), (min(centre + half, 1.0) if passed < judged else 1.0)
-
-
-def effective_size(tallies: Sequence[tuple[Array, Array]]) -> float:
-    """Return how many independent variants tell as much about a yield as the pairings of modules, or variants that share draws, do.
-
-    Parameters
-    ----------
-    tallies : sequence of (ndarray (n_module,), ndarray (n_module,))
-        For each kind of modules: the judged pairings of each module, and those that passed. A draw that several variants share counts as
-        a module.
-
-    Notes
-    -----
-    The variance of the yield is the sum over the kinds of the jackknife variance over their modules; the interval takes Student's t, as
-    Korn and Graubard do for clusters. Bad modules that nobody has drawn are in no variance: the size is therefore at most the number of
-    kinds times the fewest modules of a kind, and that number itself where all pairings agree.
-
-    References
-    ----------
-    E. L. Korn, B. I. Graubard, "Confidence intervals for proportions with small expected number of positive counts estimated from survey
-    data", Survey Methodology 24, 1998.
-    """
-    from scipy.special import stdtrit
-
-    judged, passed = float(tallies[0][0].sum()), float(tallies[0][1].sum())
-    share, fewest = passed / judged, min(len(count) for count, _ in tallies)
-    if fewest < 2:
-        return 1.0
-    if not 0.0 < share < 1.0:
-        return float(fewest)
-    variance = sum(len(n) / (len(n) - 1) * float(np.sum((good - share * n) ** 2)) / judged**2 for n, good in tallies)
-    most = float(len(tallies) * fewest)
-    if variance == 0.0:
-        return most
-    return min(share * (1.0 - share) / variance * (Z / float(stdtrit(fewest - 1, 0.975))) ** 2, most)
 
 
 @contextmanager

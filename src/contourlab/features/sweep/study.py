@@ -15,7 +15,6 @@ import numpy as np
 from pydantic import Field
 
 from contourlab.errors import ParameterError, ScenarioError, hint
-from contourlab.features.sweep.design import FIXED, INDEPENDENT, Design, Modules
 from contourlab.features.sweep.distributions import Variation, read_variations
 from contourlab.features.sweep.lists import read_list
 from contourlab.features.sweep.modules import listed_modules, module_entries, modules_of
@@ -31,6 +30,7 @@ from contourlab.scenario.load import changed_case, load_scenario
 from contourlab.scenario.tables import Distance, StrictTable, Text, read_table
 from contourlab.scenario.tree import Leaf, Table, read_tree
 from contourlab.study.checkpoint import program_text
+from contourlab.study.design import FIXED, INDEPENDENT, Design, Modules
 
 UNITS = {**{name: figure.unit for name, figure in FIGURES.items()}, "cycle_time": "s"}
 """SI unit of each figure that a study can keep."""

@@ -6,13 +6,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from contourlab.features.sweep.design import DRAWN
 from contourlab.features.sweep.manifest import SCHEMA
 from contourlab.features.sweep.query import Spread, Yield, counts, spreads, yield_of
 from contourlab.features.sweep.store import Store
 from contourlab.figures import figure, number, shown_unit
 from contourlab.findings import Finding, finding
 from contourlab.rendering.table import Column, Table, paragraphs
+from contourlab.study.design import DRAWN
 
 WORKSHOP = {"m": ("um", 1e6), "m s": ("um s", 1e6)}
 """Display unit of the figures of errors, and the factor from SI."""

@@ -19,6 +19,7 @@ from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Learned, Machine, parameters_of
 from contourlab.rendering.judgement import Interval, Number, Rank, Spread
 from contourlab.study import Setting
+from contourlab.study.space import Distribution
 
 SAMPLES = 64
 """Machines that are drawn: two groups of 32 lanes."""
@@ -163,23 +164,17 @@ def draw(uncertain: Sequence[Number], machine: Machine, controller: Controller, 
     share = np.clip(share, 0.5**31, 1.0 - 0.5**31)
     mixed = ndtr(ndtri(share) @ _root(uncertain, machine).T)
     known = parameters_of(machine, controller)
-    return {number.name: _placed(number, known[number.name], mixed[:, i]) for i, number in enumerate(uncertain)}
+    return {number.name: _distribution(number, known[number.name]).values(mixed[:, i]) for i, number in enumerate(uncertain)}
 
 
-def _placed(number: Number, place: tuple[Component, str], share: Array) -> Array:
-    """Return values of a number at shares of its distribution."""
-    from scipy.special import ndtr, ndtri
-
-    part, name = place
-    parameter = part.parameters[name]
+def _distribution(number: Number, place: tuple[Component, str]) -> Distribution:
+    """Return the distribution of a number."""
+    parameter = place[0].parameters[place[1]]
     if number.range is not None:
-        low, high = number.range
-        return low + share * (high - low)
+        return Distribution("uniform", number.range)
     assert number.deviation is not None and isinstance(number.value, float)
-    least, most = (float(ndtr((bound - number.value) / number.deviation)) for bound in (parameter.minimum, parameter.maximum))
-    values: Array = number.value + number.deviation * ndtri(least + share * (most - least))
     lowest = np.nextafter(parameter.minimum, np.inf) if parameter.exclusive else parameter.minimum
-    return np.clip(values, lowest, parameter.maximum)
+    return Distribution("normal", (number.value, number.deviation), lowest, parameter.maximum)
 
 
 def _root(uncertain: Sequence[Number], machine: Machine) -> Array:
