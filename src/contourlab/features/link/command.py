@@ -16,9 +16,8 @@ from contourlab.components.link.network import Network
 from contourlab.errors import DivergenceError, ParameterError, UnitError
 from contourlab.features.link import cost
 from contourlab.features.link.cost import WAYS, DivisionCost, allowed_error, divided, division_cost
-from contourlab.features.link.grid import FEW
 from contourlab.features.link.result import LinkResult, SchemeCost, link_charts, scheme_text
-from contourlab.features.link.sweep import QUANTITIES, SEEDS, LinkSetting
+from contourlab.features.link.sweep import FEW, QUANTITIES, SEEDS, LinkSetting
 from contourlab.findings import finding
 from contourlab.loop import DIVISIONS
 from contourlab.metrics.run_figures import goal_named

@@ -15,9 +15,8 @@ from contourlab.errors import ParameterError
 from contourlab.features.measure.log_choice import positive
 from contourlab.features.run.command import check_plots
 from contourlab.features.run.schemes import loaded
-from contourlab.features.sensitivity.indices import Drawn, distributions
-from contourlab.features.sensitivity.study import Plan, Study, holds, present_values, sensitivity_study
-from contourlab.features.sensitivity.text import tables
+from contourlab.features.sensitivity.report import tables
+from contourlab.features.sensitivity.study import Drawn, Plan, Study, distributions, holds, present_values, sensitivity_study
 from contourlab.features.sensitivity.verdict import Ranking, ranking, verdict
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
@@ -51,9 +50,9 @@ class Request:
     width : float
         Factor by which a parameter without bounds may become smaller or larger.
     distribution : str
-        One of `contourlab.features.sensitivity.indices.KINDS`.
+        One of `contourlab.features.sensitivity.study.KINDS`.
     deviations : sequence of str
-        See `contourlab.features.sensitivity.indices.distributions`.
+        See `contourlab.features.sensitivity.study.distributions`.
     servo_period : str
         Replaces that of the machine, with its unit; empty to keep it.
     executor : Executor
@@ -163,7 +162,7 @@ def sensitivity_of(
         result = Sensitivity(str(file), request, case.name, name, period, runs.runs, runs.reused, study, ranking(study), findings)
         write_json(stage / "summary.json", result)
         if plots:
-            from contourlab.features.sensitivity.pictures import charts_of
+            from contourlab.features.sensitivity.report import charts_of
             from contourlab.rendering.plots import write_charts
 
             write_charts(charts_of(study), stage / "plots", plots)

@@ -13,12 +13,11 @@ from contourlab.app.quick import affordable, too_slow
 from contourlab.app.results import proposed, staged
 from contourlab.errors import ParameterError
 from contourlab.features.link.command import USUAL_LONGEST, LinkOptions, LinkSettings, positive_quantity, read_options
-from contourlab.features.link.grid import FEW
+from contourlab.features.link.sweep import FEW
 from contourlab.features.run.command import RunOutcome, check_plots, file_names
 from contourlab.features.swap.beyond import NetworkCost, coverage, least_division, network_cost
 from contourlab.features.swap.linear import METHODS, linear_swap
-from contourlab.features.swap.pictures import matrices, write_matrices
-from contourlab.features.swap.result import swap_result, text_of
+from contourlab.features.swap.report import matrices, swap_result, text_of, write_matrices
 from contourlab.features.swap.search import SwapSettings
 from contourlab.features.swap.study import SwapStudy, swap_study
 from contourlab.features.swap.variants import Variants, variants_of

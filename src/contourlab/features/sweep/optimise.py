@@ -25,8 +25,7 @@ from contourlab.features.sweep.query import counts, rows
 from contourlab.features.sweep.store import Store, check_folder, writing
 from contourlab.features.sweep.structures import Structured
 from contourlab.features.sweep.study import Study, study_of
-from contourlab.features.sweep.summary import remarks, rows_text
-from contourlab.features.sweep.words import title_of
+from contourlab.features.sweep.summary import remarks, rows_text, title_of
 from contourlab.figures import listing
 from contourlab.findings import Finding
 from contourlab.loop.batch import lanes_each

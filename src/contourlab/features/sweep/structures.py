@@ -11,21 +11,18 @@ from itertools import product
 from typing import Any
 
 from contourlab.errors import ContourlabError, ParameterError, UnitError
-from contourlab.features.sweep.distributions import Variation, distribution
+from contourlab.features.sweep.vary import HEADS, Variation, distribution
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.loop import parameters_of
 from contourlab.loop.parameters import declared, matching
 from contourlab.scenario import Case, dump
-from contourlab.scenario.load import SCHEME_KEYS
 from contourlab.scenario.tree import Table, from_mapping, merge
 from contourlab.study import Setting
 from contourlab.study.checkpoint import run_identity
 from contourlab.study.space import Distribution
 from contourlab.units import si_unit, split, to_si
 
-HEADS = ("scheme", "contour", "program", *(key for key in SCHEME_KEYS if key != "learning"))
-"""First words of keys of the scenario file that a study can vary."""
 MOST = 256
 """Largest number of structures."""
 ROOMS = ("features/sweep/chunk", "study/design", "study/space")

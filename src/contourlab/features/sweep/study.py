@@ -15,10 +15,8 @@ import numpy as np
 from pydantic import Field
 
 from contourlab.errors import ParameterError, ScenarioError, hint
-from contourlab.features.sweep.distributions import Variation, read_variations
-from contourlab.features.sweep.lists import read_list
-from contourlab.features.sweep.modules import listed_modules, module_entries, modules_of
 from contourlab.features.sweep.structures import ROOMS, Choice, Structure, Structured, structured
+from contourlab.features.sweep.vary import Variation, belongs, listed_modules, module_entries, read_list, read_variations
 from contourlab.findings import Finding, finding
 from contourlab.loop.batch import LANES
 from contourlab.loop.parameters import matching
@@ -153,7 +151,7 @@ def study_of(
     study = Study(
         file=str(file),
         text=path.read_text(encoding="utf-8-sig"),
-        design=_design(plain, content, made, modules_of(entries, made), variants),
+        design=_design(plain, content, made, _modules_of(entries, made), variants),
         choices=made.choices,
         structures=made.structures,
         columns=made.units,
@@ -196,6 +194,28 @@ def _known(content: Table, key: str, names: Sequence[str], known: Mapping[str, s
 
 
 # --- the design ------------------------------------------------------------------------------------------------------------------------
+
+
+def _modules_of(entries: dict[str, Leaf], made: Structured) -> tuple[Modules, ...]:
+    """Return the modules of each kind, with the dimensions of the design that are theirs.
+
+    Raises
+    ------
+    ScenarioError
+        If nothing of a module varies, or a draw is shared with something else; gives file and key.
+    """
+    found = []
+    for name, leaf in entries.items():
+        mine = {i: names for i, (names, _) in enumerate(made.dimensions) if any(belongs(one, name) for one in names)}
+        if not mine:
+            raise leaf.error(f"nothing varies that begins with {name}.: name the modules by the beginning of their parameters in [vary]")
+        for names in mine.values():
+            if other := next((one for one in names if not belongs(one, name)), None):
+                raise leaf.error(f"{names[0]} and {other} share a draw: leave out together")
+        listed = tuple(i for i, names in mine.items() if made.listed.issuperset(names))
+        count = made.dimensions[listed[0]][1] if isinstance(leaf.value, str) else int(leaf.value)
+        found.append(Modules(name, count, tuple(mine), listed))
+    return tuple(found)
 
 
 def _design(plain: StudyTable, content: Table, made: Structured, modules: tuple[Modules, ...], default: int | None) -> Design:

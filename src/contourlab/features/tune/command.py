@@ -12,9 +12,9 @@ from contourlab.app.results import check_file, proposed, staged
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.run.command import check_plots
 from contourlab.features.run.inputs import scenario_of
-from contourlab.features.tune.line_search import REFINEMENTS
+from contourlab.features.tune.report import tables
+from contourlab.features.tune.search import REFINEMENTS
 from contourlab.features.tune.study import Tuned, TuneSettings, tune
-from contourlab.features.tune.text import tables
 from contourlab.findings import Finding, finding
 from contourlab.rendering.stages import shown
 from contourlab.rendering.table import paragraphs
@@ -130,7 +130,7 @@ def tune_scenario(
             _write(tuned, case, stage / KEPT if out is None else written, scenario.name, plugins)
         drawn: list[Path] = []
         if plots:
-            from contourlab.features.tune.pictures import tuning_charts
+            from contourlab.features.tune.report import tuning_charts
             from contourlab.rendering.plots import write_charts
 
             charts = write_charts(tuning_charts(settings.goal, tuned), stage / "plots", tuple(plots))

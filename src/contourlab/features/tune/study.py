@@ -10,10 +10,18 @@ from dataclasses import dataclass, field, replace
 from contourlab.app.json_values import HIDDEN
 from contourlab.errors import ParameterError
 from contourlab.features.tune.drive_terms import DriveTerms, drive_terms, linuxcnc_findings
-from contourlab.features.tune.global_search import GlobalResult, global_search
-from contourlab.features.tune.line_search import SETTLED, LineRule, SearchPath, restore_margins, sequential
 from contourlab.features.tune.objective import Evaluation, Goal, Objective, evaluate
-from contourlab.features.tune.pole_placement import FRACTIONS, placed_start
+from contourlab.features.tune.search import (
+    FRACTIONS,
+    SETTLED,
+    GlobalResult,
+    LineRule,
+    SearchPath,
+    global_search,
+    placed_start,
+    restore_margins,
+    sequential,
+)
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine, parameters_of
 from contourlab.metrics.run_figures import FIGURES

@@ -18,8 +18,8 @@ from functools import cache
 import numpy as np
 
 from contourlab.analysis.linear.margins import Margins
-from contourlab.features.tune.line_search import LineRule, SearchPath, sequential
 from contourlab.features.tune.objective import Evaluation, Goal, Objective, evaluate
+from contourlab.features.tune.search import LineRule, SearchPath, sequential
 from contourlab.features.tune.study import TuneSettings, tune
 from contourlab.loop import Controller
 from contourlab.papers.ghaffari.setup import FITTED, TABLE_2, TABLE_3, Gains, Reading, axis_controller, circle, controller, machine

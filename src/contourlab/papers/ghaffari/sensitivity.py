@@ -13,8 +13,7 @@ from itertools import chain
 
 import numpy as np
 
-from contourlab.features.sensitivity.curves import Curve, curves
-from contourlab.features.sensitivity.local import Slope, local
+from contourlab.features.sensitivity.curves import Curve, Slope, curves, local
 from contourlab.papers.ghaffari.setup import FITTED, TABLE_3, Gains, Reading, circle, controller, machine
 from contourlab.papers.rows import COMPUTED, DERIVED, Row, ours, printed
 from contourlab.study import Runner, Setting, Space

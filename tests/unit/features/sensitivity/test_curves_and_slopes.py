@@ -13,10 +13,8 @@ from contourlab.components.controller.position import PositionController
 from contourlab.components.friction.laws import NoFriction
 from contourlab.components.ideal import IdealSensor
 from contourlab.errors import ParameterError
-from contourlab.features.sensitivity.curves import curves
-from contourlab.features.sensitivity.indices import distributions
-from contourlab.features.sensitivity.local import local
-from contourlab.features.sensitivity.study import Plan, sensitivity_study
+from contourlab.features.sensitivity.curves import curves, local
+from contourlab.features.sensitivity.study import Plan, distributions, sensitivity_study
 from contourlab.features.sensitivity.verdict import ranking, verdict
 from contourlab.feed import uniform
 from contourlab.geometry import contour

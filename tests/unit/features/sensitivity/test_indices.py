@@ -9,8 +9,7 @@ import pytest
 from tests.helpers.modelled import Modelled
 
 from contourlab.errors import ParameterError
-from contourlab.features.sensitivity.indices import Drawn, distributions, sample
-from contourlab.features.sensitivity.study import Plan, Study, sensitivity_study
+from contourlab.features.sensitivity.study import Drawn, Plan, Study, distributions, sample, sensitivity_study
 from contourlab.features.sensitivity.verdict import verdict
 from contourlab.study import DesignVariable, Space
 from contourlab.study.design import morris_points, saltelli_points

@@ -16,8 +16,7 @@ from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.errors import ContourlabError, ParameterError
 from contourlab.features.swap import search as searches
 from contourlab.features.swap.beyond import coverage, network_cost
-from contourlab.features.swap.pictures import drawing, matrices
-from contourlab.features.swap.result import swap_result, text_of
+from contourlab.features.swap.report import drawing, matrices, swap_result, text_of
 from contourlab.features.swap.search import SharedSpace, SwapSearch, SwapSettings, merged
 from contourlab.features.swap.study import SwapStudy, swap_study
 from contourlab.features.swap.variants import Variant, Variants, losses, variants_of

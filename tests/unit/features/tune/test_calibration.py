@@ -15,8 +15,8 @@ from contourlab.components.controller.cascade import Cascade
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.errors import ParameterError
-from contourlab.features.tune.line_search import LineRule, line_search, sequential
 from contourlab.features.tune.objective import Goal, Objective
+from contourlab.features.tune.search import LineRule, line_search, sequential
 from contourlab.features.tune.study import Tuned, TuneSettings, tune
 from contourlab.feed import uniform
 from contourlab.geometry import contour

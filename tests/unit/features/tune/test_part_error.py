@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import contourlab as cl
-from contourlab.features.tune.line_search import LineRule
+from contourlab.features.tune.search import LineRule
 from contourlab.features.tune.study import TuneSettings, tune
 from contourlab.scenario import Scenario, scenario_from_parts
 from contourlab.study import Setting
