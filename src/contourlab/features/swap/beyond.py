@@ -14,10 +14,10 @@ from contourlab.components.link.network import Network
 from contourlab.errors import ParameterError
 from contourlab.features.link.cost import WAYS, allowed_error, divided, division_cost, undivided_error
 from contourlab.features.link.sweep import SEEDS, LinkSetting, LinkSweep
-from contourlab.features.swap.search import restarted
 from contourlab.features.swap.variants import Variant, Variants, losses
 from contourlab.loop import DIVISIONS, Division
 from contourlab.study import Space
+from contourlab.study.search import restarted
 from contourlab.study.statistics import wilson
 from contourlab.study.values import machine_with
 

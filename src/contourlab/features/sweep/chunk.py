@@ -50,6 +50,7 @@ def run_chunks(
     progress: Callable[[float], None] | None = None,
     *,
     gpu: bool = False,
+    asked: Array | None = None,
 ) -> list[Chunk]:
     """Simulate the variants of chunks together. The results depend on the study and the number of each chunk alone.
 
@@ -63,9 +64,11 @@ def run_chunks(
         Called with the share done.
     gpu : bool
         Whether a GPU runs the variants.
+    asked : ndarray (n_variant, n_dimension), optional
+        Places of the variants of a single chunk, instead of those of the design.
     """
     began, cpu = perf_counter(), process_time()
-    parts = [study.design.places(number) for number in numbers]
+    parts = [study.design.places(number) if asked is None else asked for number in numbers]
     places = np.concatenate(parts)
     n = len(places)
     codes = [np.asarray(choice.codes)[chosen(places[:, choice.dimension], len(choice.codes), choice.weights)] for choice in study.choices]
@@ -99,10 +102,10 @@ def run_chunks(
     return chunks
 
 
-def chunk_elsewhere(study: Study, number: int) -> Chunk:
+def chunk_elsewhere(study: Study, number: int, asked: Array | None = None) -> Chunk:
     """Run a chunk in one thread; raise errors of a kind that can be sent."""
     try:
-        return run_chunks(study, [number], 1)[0]
+        return run_chunks(study, [number], 1, asked=asked)[0]
     except ContourlabError as error:
         raise EngineError(f"chunk {number}: {error}") from None
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
@@ -22,7 +22,7 @@ from contourlab.extras import extra_module
 from contourlab.features.sweep.store import Store
 from contourlab.features.sweep.vary import belongs
 from contourlab.result.atomic import replacing
-from contourlab.study.statistics import effective_size, wilson
+from contourlab.study.statistics import share_of, wilson
 from contourlab.units import to_si
 
 QUANTILES = {"minimum": 0.0, "p5": 0.05, "median": 0.5, "p95": 0.95, "p99": 0.99, "maximum": 1.0}
@@ -164,16 +164,11 @@ def yield_of(store: Store) -> Yield | None:
     tolerance = store.tolerance
     if tolerance is None or JUDGED not in store.figures:
         return None
-    tally = f"SELECT count(*), count(*) FILTER ({JUDGED} <= {float(tolerance)!r}) FROM results WHERE status <> 'refused'"
-    (judged, passed), *_ = rows(store, tally)[1]
-    if not judged:
+    rows = _judged(store, JUDGED, ["variant", *store.modules, JUDGED])
+    if not rows.table.num_rows:
         return Yield(JUDGED, tolerance, 0, 0, math.nan, *wilson(0, 0))
-    share, size = passed / judged, float(judged)
-    group = store.manifest["group"]
-    if clusters := [*map(quoted, store.modules), *([f"variant // {group}"] if group > 1 else [])]:
-        tallies = [np.array(rows(store, f"{tally} GROUP BY {words}")[1], dtype=float).T for words in clusters]
-        size = effective_size([(n, good) for n, good in tallies])
-    return Yield(JUDGED, tolerance, passed, judged, share, *wilson(passed if size == judged else share * size, size))
+    passed, *share = share_of(rows.values <= tolerance, rows.clusters)
+    return Yield(JUDGED, tolerance, passed, len(rows.values), *share)
 
 
 def check_figure(store: Store, figure: str) -> None:
@@ -340,7 +335,7 @@ class Rows:
     @cached_property
     def _texts(self) -> set[str]:
         arrow = extra_module("pyarrow")
-        return {name for name in self.store.columns if self.table.schema.field(name).type == arrow.string()}
+        return {name for name in self.store.columns if self.store.schema.field(name).type == arrow.string()}
 
 
 def read_rows(store: Store, figure: str | None = None) -> Rows:
@@ -357,15 +352,19 @@ def read_rows(store: Store, figure: str | None = None) -> Rows:
     ParameterError
         If the store has no such figure, or no variant that was judged.
     """
-    compute = extra_module("pyarrow.compute")
     chosen = figure or (JUDGED if JUDGED in store.figures else next(iter(store.figures)))
     check_figure(store, chosen)
-    names = ["variant", *store.modules, *store.columns, *dict.fromkeys([chosen, *objectives(store)]), "status"]
-    table = store.dataset.to_table(columns=names)
-    table = table.filter(compute.not_equal(table["status"], "refused")).drop_columns("status")
-    if not table.num_rows:
+    rows = _judged(store, chosen, ["variant", *store.modules, *store.columns, *dict.fromkeys([chosen, *objectives(store)])])
+    if not rows.table.num_rows:
         raise ParameterError("STORE", str(store.folder), "a store with variants that were judged")
-    return Rows(store, chosen, table)
+    return rows
+
+
+def _judged(store: Store, figure: str, names: Sequence[str]) -> Rows:
+    """Return some columns of the rows that were not refused."""
+    table = store.dataset.to_table(columns=[*names, "status"])
+    chosen = extra_module("pyarrow.compute").not_equal(table["status"], "refused")
+    return Rows(store, figure, table.filter(chosen).drop_columns("status"))
 
 
 def objectives(store: Store) -> list[str]:

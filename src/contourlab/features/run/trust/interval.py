@@ -14,7 +14,6 @@ from contourlab.arrays import Array, Flags
 from contourlab.components.contract import Component
 from contourlab.errors import ContourlabError
 from contourlab.features.run.trust.provenance import numbers_of
-from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Learned, Machine, parameters_of
 from contourlab.rendering.judgement import Interval, Number, Rank, Spread
@@ -28,13 +27,9 @@ LEVELS = (0.05, 0.95)
 
 
 def part_interval(
-    machine: Machine,
-    controller: Controller,
-    reference: Reference,
+    setting: Setting,
     *,
-    seed: int = 0,
     tolerance: float | None = None,
-    moving: bool = False,
     changes: Sequence[object] = (),
     learned: Learned | None = None,
     threads: int | None = None,
@@ -45,14 +40,10 @@ def part_interval(
 
     Parameters
     ----------
-    machine, controller, reference
-        As they are run.
-    seed : int
-        Of the run: all samples see its noise, and the points depend on it.
+    setting : Setting
+        What is run. All samples see its noise, and the points depend on its seed.
     tolerance : float [m], optional
         Limit for the largest part error.
-    moving : bool
-        As in `contourlab.loop.simulate_batch`.
     changes : sequence
         Controllers that take over during the run; lanes cannot run them.
     learned : Learned, optional
@@ -72,6 +63,7 @@ def part_interval(
     -----
     The part error is that of the true axis positions, without the machine's error map.
     """
+    machine, controller = setting.machine, setting.controller
     simulated = [number for number in numbers_of(machine, controller) if number.simulated]
     uncertain = [number for number in simulated if number.drawn]
     if not uncertain:
@@ -79,13 +71,12 @@ def part_interval(
         return Interval(findings=(finding("CL221") if exact else finding("CL220"),))
     if changes:
         return Interval(findings=(finding("CL222"),))
-    columns = draw(uncertain, machine, controller, seed, n)
+    columns = draw(uncertain, machine, controller, setting.seed, n)
 
     def report_progress(done: int) -> None:
         if progress is not None:
-            progress(done, reference.n_sample)
+            progress(done, setting.reference.n_sample)
 
-    setting = Setting(machine, controller, reference, seed, moving)
     try:
         batch = setting.batch(columns, ["part_error_max"], progress=report_progress, threads=threads, learned=learned)
     except ContourlabError as error:
