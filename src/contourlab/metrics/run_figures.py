@@ -23,6 +23,10 @@ CONTOUR, PART, EFFORT = "contour", "part", "effort"
 """Where sums come from: the contour error, the part error, the commands to the drives."""
 
 
+FORMS = {"m": ("um", 1e-6), "m s": ("um s", 2e-6), "s": ("s", 1e-6), "": ("%", 1e-3)}
+"""For each SI unit the unit in print, and the value [SI] below which all are equally good: of the integral a mean of 1 um over 2 s."""
+
+
 @dataclass(frozen=True)
 class RunFigure:
     """A figure of a run.
@@ -31,16 +35,16 @@ class RunFigure:
     ----------
     name, label : str
         Name in code, stores and JSON, and name in print.
-    unit, display : str
-        SI unit, and the unit in print, one of `contourlab.figures.FACTORS`.
+    unit : str
+        SI unit, one of `FORMS`.
     of : callable
         Returns the figure from the sums of its source and ``period``, the servo period [s]. They are numbers of a run, or arrays of many.
     source : str
         `CONTOUR`, `PART` or `EFFORT`.
-    floor : float [SI]
-        Values below this are equally good: J_tol of a swap. 0 for a figure that no study minimises.
     word : str
         Short name on the command line, if any.
+    is_goal : bool
+        Whether less of it is better, so that a study can minimise it.
     is_row : bool
         Whether the report has a row for it. Some have rows of their own there: the signed mean in the plane, the tracking error by axis.
     """
@@ -48,17 +52,26 @@ class RunFigure:
     name: str
     label: str
     unit: str
-    display: str
     of: Callable[[Mapping[str, Any]], Any]
     source: str = CONTOUR
-    floor: float = 0.0
     word: str = ""
+    is_goal: bool = True
     is_row: bool = True
+
+    @property
+    def display(self) -> str:
+        """The unit in print, one of `contourlab.figures.FACTORS`."""
+        return FORMS[self.unit][0]
 
     @property
     def factor(self) -> float:
         """Factor from the SI unit to the unit in print."""
         return FACTORS[self.display]
+
+    @property
+    def floor(self) -> float:
+        """Values [SI] below this are equally good: J_tol of a swap."""
+        return FORMS[self.unit][1]
 
     @property
     def quantity(self) -> str:
@@ -70,45 +83,32 @@ class RunFigure:
         return f"{value:g} {self.display}".replace("m s", "m*s")
 
 
-def _rms(name: str) -> Callable[[Mapping[str, Any]], Any]:
-    return lambda sums: np.sqrt(sums[name] / sums["count"])
-
-
-def _mean(name: str) -> Callable[[Mapping[str, Any]], Any]:
-    return lambda sums: sums[name] / sums["count"]
-
-
-def _most(name: str) -> Callable[[Mapping[str, Any]], Any]:
-    return lambda sums: sums[name]
-
-
-def _integral(name: str) -> Callable[[Mapping[str, Any]], Any]:
-    return lambda sums: sums[name] * sums["period"]
-
-
-def _root(name: str) -> Callable[[Mapping[str, Any]], Any]:
-    return lambda sums: np.sqrt(sums[name])
-
-
-MICRON = 1e-6
+REMARK: Any = {"is_goal": False, "is_row": False}
 _TABLE = (
-    # A mean of 1 um over a lap of 2 s.
-    RunFigure("contour_error_integral", "contour error, integral", "m s", "um s", _integral("sum_magnitude"), floor=2e-6, word="integral"),
-    RunFigure("contour_error_rms", "contour error, rms", "m", "um", _rms("sum_square"), floor=MICRON, word="rms"),
-    RunFigure("contour_error_max", "contour error, largest", "m", "um", _most("largest"), floor=MICRON, word="max"),
-    RunFigure("contour_error_mean", "contour error, mean", "m", "um", _mean("sum_magnitude"), floor=MICRON),
-    RunFigure("contour_error_max_time", "time of the largest contour error", "s", "s", _integral("largest_at"), is_row=False),
-    RunFigure("contour_error_signed_mean", "contour error, signed mean", "m", "um", _mean("sum_signed"), is_row=False),
-    RunFigure("tracking_error_rms", "tracking error, rms", "m", "um", _rms("sum_tracking"), floor=MICRON, word="tracking", is_row=False),
-    RunFigure("tracking_error_max", "tracking error, largest", "m", "um", _root("largest_tracking"), floor=MICRON, is_row=False),
-    RunFigure("part_error_max", "part error, largest", "m", "um", _most("largest"), PART, floor=MICRON, word="part"),
-    RunFigure("part_error_rms", "part error, rms", "m", "um", _rms("sum_square"), PART, floor=MICRON),
-    RunFigure("command_energy", "command energy", "s", "s", _integral("sum_square"), EFFORT, floor=1e-6, word="energy"),
-    RunFigure("command_largest", "largest command, share of the drive's limit", "", "%", _most("largest"), EFFORT),
-    RunFigure("limited_share", "time at a drive's limit", "", "%", _mean("limited"), EFFORT),
+    RunFigure("contour_error_integral", "contour error, integral", "m s", lambda s: s["sum_magnitude"] * s["period"], word="integral"),
+    RunFigure("contour_error_rms", "contour error, rms", "m", lambda s: np.sqrt(s["sum_square"] / s["count"]), word="rms"),
+    RunFigure("contour_error_max", "contour error, largest", "m", lambda s: s["largest"], word="max"),
+    RunFigure("contour_error_mean", "contour error, mean", "m", lambda s: s["sum_magnitude"] / s["count"]),
+    RunFigure("contour_error_max_time", "time of the largest contour error", "s", lambda s: s["largest_at"] * s["period"], **REMARK),
+    RunFigure("contour_error_signed_mean", "contour error, signed mean", "m", lambda s: s["sum_signed"] / s["count"], **REMARK),
+    RunFigure(
+        "tracking_error_rms",
+        "tracking error, rms",
+        "m",
+        lambda s: np.sqrt(s["sum_tracking"] / s["count"]),
+        CONTOUR,
+        "tracking",
+        is_row=False,
+    ),
+    RunFigure("tracking_error_max", "tracking error, largest", "m", lambda s: np.sqrt(s["largest_tracking"]), is_row=False),
+    RunFigure("part_error_max", "part error, largest", "m", lambda s: s["largest"], PART, "part"),
+    RunFigure("part_error_rms", "part error, rms", "m", lambda s: np.sqrt(s["sum_square"] / s["count"]), PART),
+    RunFigure("command_energy", "command energy", "s", lambda s: s["sum_square"] * s["period"], EFFORT, "energy"),
+    RunFigure("command_largest", "largest command, share of the drive's limit", "", lambda s: s["largest"], EFFORT, **REMARK),
+    RunFigure("limited_share", "time at a drive's limit", "", lambda s: s["limited"] / s["count"], EFFORT, **REMARK),
 )
 FIGURES = {figure.name: figure for figure in _TABLE}
-GOALS = {figure.name: figure for figure in _TABLE if figure.floor > 0.0}
+GOALS = {figure.name: figure for figure in _TABLE if figure.is_goal}
 """Figures that a study can minimise."""
 
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Protocol, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
@@ -15,26 +15,15 @@ from contourlab.loop.batch import checked_variants, lanes_each
 from contourlab.study.cases import Setting
 from contourlab.study.checkpoint import Checkpoint
 
+if TYPE_CHECKING:
+    from contourlab.study.executors import Workers
+
 Columns: TypeAlias = Mapping[str, Array]
 """Values [SI] by parameter name, each (n,)."""
 Judge: TypeAlias = Callable[[Columns], Array]
 """One figure [SI] of candidates, nan where a run failed."""
 CHUNK = 1024
 """Candidates that are simulated and stored together."""
-
-
-class Pool(Protocol):
-    """Workers elsewhere, see `contourlab.study.executors.Workers`."""
-
-    @property
-    def count(self) -> int:
-        """Number of workers."""
-
-    def shared(self, value: object) -> str:
-        """Send a value to all workers; return its key."""
-
-    def map(self, work: Callable[[Any, Any], Any], key: str, items: Iterable[Any]) -> list[Any]:
-        """Return the result of each item, in order."""
 
 
 @dataclass(eq=False)
@@ -52,7 +41,7 @@ class Runner:
         One per processor by default.
     gpu : bool
         Whether a GPU runs the candidates.
-    pool : Pool, optional
+    pool : Workers, optional
         Where to run; by default in this process.
     store : Checkpoint, optional
         Keeps finished chunks, which are then not run again; its study is that of the setting.
@@ -66,7 +55,7 @@ class Runner:
     figures: tuple[str, ...] = ()
     threads: int | None = None
     gpu: bool = False
-    pool: Pool | None = None
+    pool: Workers | None = None
     store: Checkpoint | None = None
     progress: Callable[[int, int], None] | None = None
     runs: int = 0

@@ -21,9 +21,7 @@ CREST = RunFigure(
     "tracking_error_crest",
     "tracking error, crest factor",
     "",
-    "",
-    lambda sums: np.sqrt(sums["largest_tracking"] * sums["count"] / sums["sum_tracking"]),
-    floor=1e-3,
+    lambda s: np.sqrt(s["largest_tracking"] * s["count"] / s["sum_tracking"]),
     word="crest",
 )
 

@@ -17,8 +17,8 @@ from contourlab.loop import Axis, Controller, Machine
 from contourlab.loop.machine import AXIS_SLOTS
 from contourlab.metrics.run_figures import GOALS, goal_named
 from contourlab.study import Runner, Setting, Space
+from contourlab.study.executors import Workers
 from contourlab.study.guards import Bounds, Guards
-from contourlab.study.runner import Pool
 from contourlab.study.values import controller_with
 from contourlab.threads import in_threads
 
@@ -133,7 +133,7 @@ class Variants:
         """Runs so far."""
         return sum(runner.runs for runner in self.runners)
 
-    def run_in(self, pool: Pool | None) -> None:
+    def run_in(self, pool: Workers | None) -> None:
         """Run in the workers of a pool from now on; in threads of this process if there is none."""
         for runner in self.runners:
             runner.pool = pool

@@ -26,9 +26,8 @@ from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine, parameters_of
 from contourlab.metrics.run_figures import FIGURES
 from contourlab.study import Runner, Setting, Space, calibration_order
-from contourlab.study.executors import Executor
+from contourlab.study.executors import Executor, Workers
 from contourlab.study.guards import Bounds, Guards
-from contourlab.study.runner import Pool
 from contourlab.study.values import with_values
 
 METHODS = ("sequential", "global", "both")
@@ -130,7 +129,7 @@ def tune(
     setting: Setting,
     settings: TuneSettings | None = None,
     *,
-    pool: Pool | None = None,
+    pool: Workers | None = None,
     begin: Callable[[str], None] = lambda stage: None,
     progress: Callable[[int, int], None] | None = None,
 ) -> Tuned:
@@ -140,7 +139,7 @@ def tune(
     ----------
     setting : Setting
     settings : TuneSettings, optional
-    pool : Pool, optional
+    pool : Workers, optional
         Workers of the executor of the settings.
     begin : callable, optional
         Called with the name of each stage.
@@ -172,7 +171,7 @@ def tune(
 def _tuned(
     setting: Setting,
     settings: TuneSettings,
-    pool: Pool | None,
+    pool: Workers | None,
     begin: Callable[[str], None],
     progress: Callable[[int, int], None] | None,
 ) -> Tuned:
