@@ -12,7 +12,7 @@ import pytest
 from typed_commands import SCHEMES
 
 from contourlab.cli.main import main
-from contourlab.features.sweep.manifest import read_manifest, write_manifest
+from contourlab.features.sweep.store import read_manifest, write_manifest
 
 SCENARIO = (
     """\

@@ -16,7 +16,7 @@ from contourlab.cli.main import main
 from contourlab.features.swap.search import SwapSearch
 from contourlab.scenario import load_scenario
 from contourlab.scenario.load import load_controller, load_machine, load_module
-from contourlab.study import Evaluator
+from contourlab.study import Runner, Setting
 
 PLAIN = '[plant]\nkind = "rigid-axis"\ngain = "1000 mm/s^2/full_scale"\n[drive]\nkind = "saturation"\nlimit = "1 full_scale"\n'
 WORDS = ["--parameter", "model_gain=300 mm/s^2/full_scale..4000 mm/s^2/full_scale", "--budget", "400"]
@@ -68,7 +68,7 @@ def test_one_local_parameter_restores_what_a_stronger_axis_loses(typed: Path, ca
         assert all(len(digits.strip("0.")) <= 7 for digits in re.findall(r'model_gain = "([\d.]+) ', path.read_text()))
         made = load_controller(path, case.machine)
         gain = np.array([made.axes["x"].controller.values()["model_gain"]])
-        figures = Evaluator(case.machine, made, case.reference(), moving=case.moving)({name: gain})
+        figures = Runner(Setting(case.machine, made, case.reference(), moving=case.moving))({name: gain})
         choice = {"shared": found["choices"][0], "x-as-it-is": found["choices"][-1]}.get(file)
         assert figures["contour_error_integral"][0] == (words["best"] if words else choice["values"][0])
     # The margins are exact, for the recommended controllers; the local parameters decide the division.

@@ -13,6 +13,7 @@ from contourlab.features.machines.answers import read_answers
 from contourlab.features.machines.new_machine import new_machine, write_machine
 from contourlab.features.run.trust.interval import part_interval
 from contourlab.scenario import Case, scenario_from_parts
+from contourlab.study import Setting
 
 
 @pytest.fixture
@@ -33,7 +34,7 @@ def test_the_error_on_cutting_moves_is_that_of_a_hand_made_cascade(case: Case) -
 
 @pytest.mark.slow
 def test_the_guesses_give_an_interval(case: Case) -> None:
-    interval = part_interval(case.machine, case.controller, case.reference())
+    interval = part_interval(Setting.of(case))
     assert [one.code for one in interval.findings] == ["CL225", "CL228"]
     assert interval.failed == 0
     assert interval.max is not None and interval.max.low < interval.max.high

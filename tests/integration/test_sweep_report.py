@@ -11,7 +11,7 @@ import pytest
 from made_studies import asked, made_study
 
 from contourlab.cli.main import main
-from contourlab.features.sweep.query import wilson
+from contourlab.study.statistics import wilson
 
 STUDY = """\
 # Which of them follow the circle?

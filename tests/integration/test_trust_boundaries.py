@@ -24,8 +24,7 @@ from made_studies import STUDY, made_study
 from contourlab.cli.main import main
 from contourlab.components.registry import components
 from contourlab.errors import EngineError
-from contourlab.features.sweep.manifest import read_manifest
-from contourlab.features.sweep.store import Store
+from contourlab.features.sweep.store import Store, read_manifest
 from contourlab.result.digest import append_digest
 from contourlab.study.checkpoint import Checkpoint
 from contourlab.study.executors import Executor

@@ -24,16 +24,18 @@ from contourlab.engine.translate.step_graph import graph_of
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, check_view, view_of
-from contourlab.loop.batch_result import FIGURE_UNITS, BatchResult
+from contourlab.loop.batch_result import BatchResult
 from contourlab.loop.builder import Signals
 from contourlab.loop.doubtful import judge_doubtful
 from contourlab.loop.feeding import Feed, Learned
-from contourlab.loop.judging import JUDGE, PART, WATCH, effort_figures, effort_node, error_figures, judge_node, part_nodes, sums_of
+from contourlab.loop.judging import JUDGE, PART, WATCH, effort_node, error_figures, judge_node, part_nodes, sums_of
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.parameters import matching, parameter_names, parameters_of
 from contourlab.loop.simulate import BLOCK, check_kinds, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
 from contourlab.metrics.judge import stands_still
+from contourlab.metrics.run_figures import EFFORT, FIGURES
+from contourlab.metrics.run_figures import PART as OF_PART
 
 LANES = 32
 
@@ -152,12 +154,11 @@ def simulate_batch(
     unsure = judge_doubtful(loop, machine, feed, sums, failed, compiled, workers, LANES)
     figures = error_figures(sums[JUDGE], failed, machine.servo_period) if judge else {}
     if part:
-        errors = error_figures(sums[PART], failed, machine.servo_period) if blended else figures
-        figures |= {f"part_error_{name}": errors[f"contour_error_{name}"] for name in ("max", "rms")}
+        figures |= error_figures(sums[PART if blended else JUDGE], failed, machine.servo_period, OF_PART)
     if effort:
-        figures |= effort_figures(sums_of(groups, "effort", n), failed, machine.servo_period)
+        figures |= error_figures(sums_of(groups, "effort", n), failed, machine.servo_period, EFFORT)
     known = parameter_names(machine, controller)
-    units = {name: known[name] for name in columns} | {name: FIGURE_UNITS[name] for name in figures}
+    units = {name: known[name] for name in columns} | {name: FIGURES[name].unit for name in figures}
     return BatchResult(figures, failed, unsure, _split(log, n, keep, loop), log, columns, units)
 
 

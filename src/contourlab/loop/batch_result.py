@@ -10,18 +10,8 @@ import numpy as np
 from contourlab.arrays import Array, Index
 from contourlab.errors import ParameterError
 from contourlab.figures import number
+from contourlab.metrics.run_figures import FIGURES
 from contourlab.notebook import Figure, Frame, curves, facts_line, facts_table, frame, grid, svg
-
-FIGURE_UNITS = {
-    **{f"contour_error_{name}": "m" for name in ("rms", "mean", "max", "signed_mean")},
-    **{f"{error}_error_{name}": "m" for error in ("tracking", "part") for name in ("rms", "max")},
-    "contour_error_max_time": "s",
-    "contour_error_integral": "m s",
-    "command_energy": "s",
-    "command_largest": "",
-    "limited_share": "",
-}
-"""SI unit of each figure."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -100,9 +90,8 @@ class BatchResult:
         return picture
 
     def _shown(self, name: str) -> tuple[float, str]:
-        """Return factor and unit in which people read a figure or a parameter: errors in um, all else in SI."""
-        unit = self.units[name]
-        return {"m": (1e6, "um"), "m s": (1e6, "um s")}.get(unit, (1.0, unit)) if name in self.figures else (1.0, unit)
+        """Return factor and unit in which people read a figure; parameters are in SI."""
+        return (FIGURES[name].factor, FIGURES[name].display) if name in self.figures else (1.0, self.units[name])
 
     def _facts(self) -> dict[str, object]:
         """Return how many variants there are, of which parameters, and how many failed."""

@@ -23,6 +23,7 @@ from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.builder import accepted_output
 from contourlab.loop.machine import Axis, Machine
 from contourlab.metrics.judge import MARGIN, planning_deviation, reach
+from contourlab.metrics.run_figures import CONTOUR, EFFORT, figures_from
 from contourlab.metrics.streaming import EFFORT_SUMS, SUMS, effort_step, judge_step
 from contourlab.native.generated import generated
 from contourlab.primitives import fabs, lookup, select
@@ -116,31 +117,10 @@ def sums_of(groups: list[Group], node: str, n: int) -> Array:
     return np.concatenate([group.state_of(node) for group in groups], axis=1)[:, :n]
 
 
-def error_figures(sums: Array, failed: Index, period: float) -> dict[str, Array]:
-    """Return the figures of the judge's states (foot point, then `SUMS`); NaN for a lane that failed."""
-    total = dict(zip(SUMS, sums[1:], strict=True))
-    count = np.maximum(total["count"], 1.0)
-    figures = {
-        "contour_error_rms": np.sqrt(total["sum_square"] / count),
-        "contour_error_mean": total["sum_magnitude"] / count,
-        "contour_error_max": total["largest"],
-        "contour_error_max_time": total["largest_at"] * period,
-        "contour_error_signed_mean": total["sum_signed"] / count,
-        "contour_error_integral": total["sum_magnitude"] * period,
-        "tracking_error_rms": np.sqrt(total["sum_tracking"] / count),
-        "tracking_error_max": np.sqrt(total["largest_tracking"]),
-    }
-    return {name: np.where(failed < 0, values, np.nan) for name, values in figures.items()}
-
-
-def effort_figures(sums: Array, failed: Index, period: float) -> dict[str, Array]:
-    """Return the figures of the drives' sums (rows as of `EFFORT_SUMS`); NaN for a lane that failed."""
-    total = dict(zip(EFFORT_SUMS, sums, strict=True))
-    figures = {
-        "command_energy": total["sum_square"] * period,
-        "command_largest": total["largest"],
-        "limited_share": total["limited"] / np.maximum(total["count"], 1.0),
-    }
+def error_figures(sums: Array, failed: Index, period: float, source: str = CONTOUR) -> dict[str, Array]:
+    """Return the figures of a source from its node's states in all lanes (n_state, n); NaN for a lane that failed."""
+    states = EFFORT_SUMS if source == EFFORT else ("foot", *SUMS)
+    figures = figures_from(source, dict(zip(states, sums, strict=True)), period)
     return {name: np.where(failed < 0, values, np.nan) for name, values in figures.items()}
 
 

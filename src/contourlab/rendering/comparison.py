@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from contourlab.figures import NONE, figure, listing, number
+from contourlab.metrics.run_figures import FIGURES, PART, figures_of_run
 from contourlab.rendering.data import ReportData, SchemeReport
 from contourlab.rendering.style import scheme_style
 
@@ -194,7 +195,10 @@ class Figure:
 
 def figures_of(data: ReportData, scheme: SchemeReport) -> dict[str, Figure]:
     """Return the figures of a run by label, in printing order; part error and contour error appear once if they are the same."""
-    return {figure.label: figure for figure in _figures(data, scheme)}
+    figures: dict[str, Figure] = {}
+    for one in _figures(data, scheme):
+        figures.setdefault(one.label, one)
+    return figures
 
 
 def _figures(data: ReportData, scheme: SchemeReport) -> Iterator[Figure]:
@@ -211,6 +215,9 @@ def _figures(data: ReportData, scheme: SchemeReport) -> Iterator[Figure]:
     if len(data.axes) == 2:  # in space the error has no side
         yield Figure("contour error, signed mean", error.signed_mean, UM, "um", lower_is_better=False)
     yield Figure("contour error, integral", error.integral, UM, "um s")
+    further = figures_of_run(scheme.result, metrics.judged.samples)
+    for one in (FIGURES[name] for name in further if FIGURES[name].is_row and (blended or FIGURES[name].source != PART)):
+        yield Figure(one.label, further[one.name], one.factor, one.display)
     for other in metrics.others:
         yield Figure(f"part error, {other.moves} (not judged)", other.max, UM, "um")
     for axis, tracking in zip(data.axes, metrics.tracking_error, strict=True):

@@ -1,8 +1,9 @@
 """One core for all studies: variables, evaluation of candidates, guards, search, executors and checkpoints."""
 
-from contourlab.study.evaluator import Evaluator
+from contourlab.study.cases import Setting
+from contourlab.study.runner import Runner
 from contourlab.study.search import Found, search
+from contourlab.study.space import DesignVariable, Space
 from contourlab.study.values import calibration_order
-from contourlab.study.variables import DesignVariable, Space
 
-__all__ = ["DesignVariable", "Evaluator", "Found", "Space", "calibration_order", "search"]
+__all__ = ["DesignVariable", "Found", "Runner", "Setting", "Space", "calibration_order", "search"]

@@ -6,7 +6,7 @@ import hashlib
 import io
 import sys
 import zipfile
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field
 from functools import cache
@@ -22,8 +22,8 @@ from contourlab.result.atomic import write_bytes_atomic
 from contourlab.result.digest import DIGEST_SIZE, append_digest, is_intact
 
 if TYPE_CHECKING:
-    from contourlab.feed import Reference
     from contourlab.loop import Controller, Machine
+    from contourlab.study.cases import Setting
 
 _ROOMS = ("native", "primitives", "geometry", "feed", "engine", "components", "metrics", "loop")
 """Rooms whose source affects the figures of a run."""
@@ -123,29 +123,24 @@ def resumable(folder: Path, pieces: str) -> AbstractContextManager[None]:
     return noted(lambda: kept if any(folder.glob("*/*.npz")) else "")
 
 
-def run_identity(
-    machines: Iterable[Machine], controller: Controller, reference: Reference, *, seed: int, moving: bool, rooms: Iterable[str] = ()
-) -> str:
+def run_identity(settings: Sequence[Setting], rooms: Iterable[str] = ()) -> str:
     """Return as text everything that affects runs, except the parameters that a study varies.
 
     This includes machines, controller, motion, noise, plugins, and the version and source of the program.
 
     Parameters
     ----------
-    machines : iterable of Machine
-    controller : Controller
-    reference : Reference
-    seed : int
-    moving : bool
-        As in `contourlab.loop.simulate_batch`.
+    settings : sequence of Setting
+        They differ in their machines only.
     rooms : iterable of str
         Further rooms of the program that affect the result, such as ``"features/swap"``.
     """
     from contourlab.scenario.dump import dump
 
-    known = list(machines)
-    texts = [dump(machine) for machine in known] + [dump(controller, known[0]), reference.digest, f"seed {seed}, moving {moving}"]
-    return "\n".join([*texts, *_plugins(known, controller), *program_identity(tuple(rooms))])
+    first, machines = settings[0], [setting.machine for setting in settings]
+    texts = [dump(machine) for machine in machines]
+    texts += [dump(first.controller, first.machine), first.reference.digest, f"seed {first.seed}, moving {first.moving}"]
+    return "\n".join([*texts, *_plugins(machines, first.controller), *program_identity(tuple(rooms))])
 
 
 def _plugins(machines: Iterable[Machine], controller: Controller) -> list[str]:

@@ -17,6 +17,11 @@ Objective = Callable[[Array], Array]
 SPREAD = 0.2
 """Initial standard deviation, as a share of the box."""
 
+EXPLORED, POPULATION = 0.4, 16
+"""Share of the budget before the first restart, and size of the first generation."""
+RESTARTS = (0.05, 0.01)
+"""First step of the restarts. Gains compensate each other, so the optima lie along narrow, curved valleys: long steps overshoot them."""
+
 
 @dataclass(frozen=True)
 class Found:
@@ -119,6 +124,26 @@ def search(
             raise
         return replace(best.found(), interrupted=True)
     return best.found()
+
+
+def restarted(
+    objective: Objective, starts: Array, budget: int, seed: int, spread: float = SPREAD, target: float = -math.inf, size: int = POPULATION
+) -> Found:
+    """Search from all starts (n_start, n), then restart from the best until `budget` candidates are tried or `target` is reached.
+
+    The first generations have `size` candidates for each start. Each restart has a smaller first step, and generations twice as large as
+    before: encoder counts make the objective rough near its optimum (Auger & Hansen, CEC 2005).
+    """
+    first = max(int(EXPLORED * budget), 1)
+    reached = search(objective, starts, budget=first, seed=seed, spread=spread, population=size, target=target)
+    runs, turn, course = reached.runs, 1, [reached.course]
+    while budget - runs > size and reached.value > target:
+        options = {"seed": seed + 1000 * turn, "spread": RESTARTS[min(turn, len(RESTARTS)) - 1], "population": size, "target": target}
+        more = search(objective, reached.point[None], budget=budget - runs, **options)  # type: ignore[arg-type]
+        reached = replace(reached, point=more.point, value=more.value)
+        course.append(more.course + np.array([runs, 0.0]))
+        runs, size, turn = runs + more.runs, 2 * size, turn + 1
+    return replace(reached, runs=runs, course=np.vstack(course))
 
 
 class _Best:

@@ -11,7 +11,7 @@ from contourlab.errors import ParameterError
 from contourlab.features.sweep.study import load_study
 from contourlab.loop.batch import checked_variants
 from contourlab.loop.parameters import fits
-from contourlab.study.variables import Space
+from contourlab.study.space import Space
 
 GAINS = np.array([0.8, 1.2])
 

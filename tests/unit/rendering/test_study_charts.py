@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from contourlab.features.sensitivity.curves import Curve, Interval, Minimum
-from contourlab.features.sensitivity.pictures import curve_tile, indices_chart, interactions_chart
+from contourlab.features.sensitivity.report import curve_tile, indices_chart, interactions_chart
 from contourlab.rendering.charts import Multiples, traces_chart
 from contourlab.rendering.matplotlib_view import drawing
 from contourlab.rendering.plotly_view import figure_of
@@ -18,7 +18,7 @@ from contourlab.study import DesignVariable
 X = np.geomspace(1.0, 4.0, 9)
 Y = np.where(X > 3.0, np.nan, 1.0 + (X - 2.0) ** 2)
 NUMBER = DesignVariable("controller.axes.x.controller.gain", 2.5, 1.0, 4.0, "1/s", "1/s")
-CURVE = curve_tile(Curve(NUMBER, X, 1e-6 * Y, Minimum(2.0, 1e-6, 0.1, ""), None, (Interval(3.1, 4.0, False, True),)))
+CURVE = curve_tile(Curve(NUMBER, X, 1e-6 * Y, Minimum(2.0, 1e-6, 0.1, ""), None, (Interval(3.1, 4.0, False, True),)), 1e6)
 NAMES = ("a", "b_", "$c")
 
 

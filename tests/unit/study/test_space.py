@@ -14,7 +14,7 @@ from contourlab.geometry import contour
 from contourlab.loop import simulate
 from contourlab.papers.ghaffari.setup import TABLE_2, TABLE_3, Reading, controller, machine
 from contourlab.scenario.dump import quantity
-from contourlab.study import DesignVariable, Evaluator, Space, calibration_order
+from contourlab.study import DesignVariable, Runner, Setting, Space, calibration_order
 from contourlab.units import to_si
 
 READING = Reading()
@@ -108,7 +108,9 @@ def test_figures_equal_those_of_a_single_run() -> None:
     axes = tuple(replace(axis, drive=Saturation(limit=limit)) for axis in MACHINE.axes)
     tight, made = replace(MACHINE, axes=axes), controller(2, TABLE_3, READING)
     reference = uniform(contour("circle", radius=0.02), 0.5, 2, READING.servo_period)
-    figures = Evaluator(tight, made, reference)({"controller.axes.3.controller.position_gain": np.array([4000.0])})
+    figures = Runner(Setting(tight, made, reference), ("limited_share",))(
+        {"controller.axes.3.controller.position_gain": np.array([4000.0])}
+    )
     run = simulate(tight, made, reference)
     start, stop = reference.laps[-1]
     command, applied = run["command"][start:stop], run["applied_command"][start:stop]
@@ -123,7 +125,7 @@ def test_batch_size_and_threads_change_nothing() -> None:
     reference = uniform(contour("circle", radius=0.02), 0.5, 1, READING.servo_period)
     name = "controller.axes.3.controller.position_gain"
     values = np.linspace(2000.0, 6000.0, 70)
-    many = Evaluator(MACHINE, CONTROLLER, reference)({name: values})
-    few = Evaluator(MACHINE, CONTROLLER, reference, threads=1)({name: values[63:66]})
+    many = Runner(Setting(MACHINE, CONTROLLER, reference))({name: values})
+    few = Runner(Setting(MACHINE, CONTROLLER, reference), threads=1)({name: values[63:66]})
     for figure, found in few.items():
         np.testing.assert_array_equal(found, many[figure][63:66])

@@ -30,7 +30,7 @@ def results() -> dict[str, Any]:
     from contourlab.features.run.demo import Demo
     from contourlab.features.run.summary import Summary
     from contourlab.features.sensitivity.command import Sensitivity
-    from contourlab.features.swap.result import SwapResult
+    from contourlab.features.swap.report import SwapResult
     from contourlab.features.sweep.optimise import Search
     from contourlab.features.sweep.query import Export
     from contourlab.features.sweep.report import SweepReport

@@ -57,8 +57,8 @@ def tune(
     import math
 
     from contourlab.features.tune.command import tune_scenario
-    from contourlab.features.tune.line_search import LineRule
     from contourlab.features.tune.objective import Goal
+    from contourlab.features.tune.search import LineRule
     from contourlab.features.tune.study import TuneSettings
     from contourlab.study.executors import Executor
     from contourlab.study.guards import Bounds

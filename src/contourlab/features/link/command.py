@@ -16,13 +16,14 @@ from contourlab.components.link.network import Network
 from contourlab.errors import DivergenceError, ParameterError, UnitError
 from contourlab.features.link import cost
 from contourlab.features.link.cost import WAYS, DivisionCost, allowed_error, divided, division_cost
-from contourlab.features.link.grid import FEW
-from contourlab.features.link.result import FIGURES, LinkResult, SchemeCost, link_charts, scheme_text
-from contourlab.features.link.sweep import QUANTITIES, SEEDS, LinkSetting
+from contourlab.features.link.result import LinkResult, SchemeCost, link_charts, scheme_text
+from contourlab.features.link.sweep import FEW, QUANTITIES, SEEDS, LinkSetting
 from contourlab.findings import finding
 from contourlab.loop import DIVISIONS
+from contourlab.metrics.run_figures import goal_named
 from contourlab.rendering.stages import Stages, shown
 from contourlab.rendering.table import paragraphs
+from contourlab.study import Setting
 from contourlab.units import to_si
 
 if TYPE_CHECKING:
@@ -47,7 +48,7 @@ class LinkOptions:
     divisions, ways, quantities, axes : tuple of str
         Empty for all. A scenario with its own links keeps them unless a division is given.
     figure : str
-        One of `contourlab.features.link.result.FIGURES`.
+        One of `contourlab.metrics.run_figures.GOALS`, by word or name.
     within : str, optional
         Allowed error above that of the undivided loop, as ``"10 %"``, the default.
     tolerance : str, optional
@@ -190,18 +191,20 @@ class _Scheme:
 
 def _ready(case: Case, options: LinkOptions, settings: LinkSettings, stages: Stages) -> _Scheme:
     stages.begin(f"planning {case.name}")
-    machine, reference, figure = case.machine, case.reference(), FIGURES[options.figure]
+    setting, figure = Setting.of(case), goal_named(options.figure, "--figure").name
 
-    def whole(motion: Reference = reference) -> float:
+    def whole(motion: Reference = setting.reference) -> float:
         try:
-            return cost.undivided_error(machine, case.controller, motion, figure, seed=case.seed, moving=case.moving)
+            return cost.undivided_error(replace(setting, reference=motion), figure)
         except DivergenceError as error:
             error.add_note(f"Scheme {case.name!r} diverges without links. Choose other schemes with --schemes.")
             raise
 
-    given = (reference, figure, math.nan, settings.seeds, case.seed, case.moving)
-    divided = [(label, LinkSetting(machine, made, *given)) for label, made in _controllers(case.controller, options, settings)]
-    return _Scheme(case, figure, whole, divided, affordable(whole, reference) if options.quick else math.inf)
+    divided = [
+        (label, LinkSetting(replace(setting, controller=made), figure, math.nan, settings.seeds))
+        for label, made in _controllers(case.controller, options, settings)
+    ]
+    return _Scheme(case, figure, whole, divided, affordable(whole, setting.reference) if options.quick else math.inf)
 
 
 def _chosen(schemes: Sequence[_Scheme], settings: LinkSettings) -> Iterator[_Scheme]:
@@ -252,8 +255,7 @@ def read_options(options: LinkOptions) -> LinkSettings:
     ParameterError
         If an option is unknown or out of range, or two options exclude each other.
     """
-    if options.figure not in FIGURES:
-        raise ParameterError("--figure", repr(options.figure), "one of " + ", ".join(FIGURES))
+    judged = goal_named(options.figure, "--figure")
     _each_once("--axes", options.axes)
     seeds = SEEDS if options.seeds is None else options.seeds
     if not 1 <= seeds <= MOST_SEEDS:
@@ -263,8 +265,7 @@ def read_options(options: LinkOptions) -> LinkSettings:
         raise ParameterError("--within", f"{options.within} with --tolerance", wanted)
     allowed = None
     if options.tolerance is not None:
-        unit, example = ("m*s", "15 um s") if options.figure == "integral" else ("m", "15 um")
-        allowed = positive_quantity("--tolerance", options.tolerance, unit, example)
+        allowed = positive_quantity("--tolerance", options.tolerance, judged.quantity, judged.example(15))
     text = USUAL_LONGEST if options.longest is None else options.longest
     longest = positive_quantity("--longest", text, "s", "100 ms")
     if longest > LONGEST:

@@ -12,10 +12,12 @@ from contourlab.components.contract import Component
 from contourlab.components.ideal import IdealLink
 from contourlab.components.link.network import Network
 from contourlab.errors import ParameterError
-from contourlab.features.link.sweep import FIGURES, QUANTITIES, SEEDS, LinkSetting, LinkSweep, swept
+from contourlab.features.link.sweep import QUANTITIES, SEEDS, LinkSetting, LinkSweep, swept
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
-from contourlab.loop import Controller, Division, Machine, parameters_of, simulate, simulate_batch
+from contourlab.loop import Controller, Division, Machine
+from contourlab.metrics.run_figures import goal_named
+from contourlab.study import Setting
 from contourlab.threads import in_threads
 
 WAYS = {"both": "both ways", "one": "one way"}
@@ -66,15 +68,7 @@ def divided(
     return replace(controller, axes=made, **contour)
 
 
-def undivided_error(
-    machine: Machine,
-    controller: Controller,
-    reference: Reference,
-    figure: str = FIGURES[0],
-    *,
-    seed: int = 0,
-    moving: bool = False,
-) -> float:
+def undivided_error(setting: Setting, figure: str = "contour_error_rms") -> float:
     """Return a figure of the contour error [m, or m s] of the loop without links, over the last lap or the whole motion.
 
     Raises
@@ -84,14 +78,12 @@ def undivided_error(
     DivergenceError
         If the run leaves its limits.
     """
-    if figure not in FIGURES:
-        raise ParameterError("figure", repr(figure), "one of " + ", ".join(FIGURES))
-    whole = replace(controller, axes={name: replace(axis, link=None) for name, axis in controller.axes.items()})
-    name, (part, parameter) = next(iter(parameters_of(machine, whole).items()))
-    error = simulate_batch(machine, whole, reference, {name: [part.values()[parameter]]}, seed=seed, moving=moving).figures[figure][0]
+    figure, axes = goal_named(figure, "figure").name, setting.controller.axes.items()
+    whole = replace(setting, controller=replace(setting.controller, axes={name: replace(axis, link=None) for name, axis in axes}))
+    error = float(whole.batch(whole.as_it_is(), [figure]).figures[figure][0])
     if math.isnan(error):
-        simulate(machine, whole, reference, seed=seed, moving=moving)  # raises an error with the place and time of the failure
-    return float(error)
+        whole.single()  # raises an error with the place and time of the failure
+    return error
 
 
 def allowed_error(whole: float, within: float, allowed: float | None = None, floor: float = 0.0) -> float:
@@ -150,7 +142,7 @@ def link_limit(
     reference: Reference,
     quantity: str = "message_period",
     *,
-    figure: str = FIGURES[0],
+    figure: str = "contour_error_rms",
     within: float = WITHIN,
     allowed: float | None = None,
     longest: float = 0.1,
@@ -167,7 +159,7 @@ def link_limit(
     quantity : str
         One of `QUANTITIES`, the same for all axes and both directions.
     figure : str
-        One of `FIGURES`.
+        One of `contourlab.metrics.run_figures.GOALS`.
     within : float, >= 0
         Allowed error above that of the undivided loop, as a share of it.
     allowed : float, optional
@@ -186,9 +178,10 @@ def link_limit(
     ParameterError
         If an argument is out of range, or no link is a network.
     """
-    whole = undivided_error(machine, controller, reference, figure, seed=seed, moving=moving)
+    setting = Setting(machine, controller, reference, seed, moving)
+    whole = undivided_error(setting, figure)
     top = allowed_error(whole, within, allowed)
-    sweep = swept(LinkSetting(machine, controller, reference, figure, top, seeds, seed, moving), quantity, longest)
+    sweep = swept(LinkSetting(setting, figure, top, seeds), quantity, longest)
     most = sweep.most
     error = float(sweep.error[sweep.values == most][0]) if math.isfinite(most) else math.nan
     return LinkLimit(quantity, most, sweep.limited, error, whole, top)
@@ -309,10 +302,10 @@ def division_cost(
         return found
 
     sweeps = dict(zip(quantities, in_threads(sweep, quantities), strict=True))
-    links = [axis.link for axis in setting.controller.axes.values() if axis.link is not None]
+    links = [axis.link for axis in setting.divided.controller.axes.values() if axis.link is not None]
     divisions = ", ".join(dict.fromkeys(link.division for link in links))
     ways = ", ".join(dict.fromkeys("both" if isinstance(link.up, Network) else "one" for link in links))
-    local = {name: axis.local_parameters for name, axis in setting.controller.axes.items()}
+    local = {name: axis.local_parameters for name, axis in setting.divided.controller.axes.items()}
     period = next(iter(setting.networks.values())).message_period
     unstable = setting.growth("message_period", period) >= 1.0
     timed = {"message_period", "delay"} & set(quantities)
@@ -321,7 +314,8 @@ def division_cost(
 
 
 def _on_links(setting: LinkSetting) -> Iterator[Finding]:
-    period, duration, controller = setting.machine.servo_period, setting.reference.duration, setting.controller
+    run = setting.divided
+    period, duration, controller = run.machine.servo_period, run.reference.duration, run.controller
     for (axis, way), part in setting.networks.items():
         place, ticks = f"axis {axis}, {way}", part.message_period / period
         if abs(ticks - round(ticks)) > 1e-6:
@@ -339,7 +333,7 @@ def _on_stability(setting: LinkSetting) -> Iterator[Finding]:
     if any(part.jitter > 0.0 or part.loss > 0.0 for part in setting.networks.values()):
         yield finding("CL754")
         return
-    if len(setting.reference.laps) < 2:
+    if len(setting.divided.reference.laps) < 2:
         yield finding("CL755")
     if not setting.loops:
         yield finding("CL756")

@@ -14,12 +14,11 @@ from contourlab.features.link.cost import DivisionCost
 from contourlab.features.link.sweep import GROWN, QUANTITIES, LinkSweep
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
+from contourlab.metrics.run_figures import GOALS
 from contourlab.rendering.charts import Chart, Curve, Level, Panel
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
 
-FIGURES = {"rms": "contour_error_rms", "max": "contour_error_max", "integral": "contour_error_integral"}
-"""Figures of the contour error, by option value."""
 _TITLES = {
     "message_period": ("message period [ms]", 1e3, "Longer message period"),
     "delay": ("delay each way [ms]", 1e3, "More delay"),
@@ -35,7 +34,7 @@ class SchemeCost:
     Attributes
     ----------
     figure : str
-        A value of `FIGURES`.
+        One of `contourlab.metrics.run_figures.GOALS`.
     undivided, allowed : float [m, or m s]
         Error of the undivided loop, and the largest allowed.
     divisions : tuple of DivisionCost
@@ -55,7 +54,7 @@ class SchemeCost:
     @property
     def unit(self) -> str:
         """Display unit of the error."""
-        return "um s" if self.figure == "contour_error_integral" else "um"
+        return GOALS[self.figure].display
 
     @property
     def coarse(self) -> bool:
@@ -195,14 +194,14 @@ def amount(quantity: str, value: float) -> str:
 def link_charts(name: str, costs: SchemeCost) -> Iterator[Chart]:
     """Yield a chart of the contour error over each quantity, one curve per division; `name` becomes part of the file names."""
     slug = re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
-    what = f"{costs.figure.replace('_', ' ')} [{costs.unit}]"
-    level = Level(1e6 * costs.allowed, f"allowed (undivided: {1e6 * costs.undivided:.3g})")
+    what, scale = f"{costs.figure.replace('_', ' ')} [{costs.unit}]", GOALS[costs.figure].factor
+    level = Level(scale * costs.allowed, f"allowed (undivided: {scale * costs.undivided:.3g})")
     for quantity in costs.divisions[0].sweeps:
         label, factor, title = _TITLES[quantity]
         curves = []
         for i, cost in enumerate(costs.divisions):
             sweep = cost.sweeps[quantity]
-            curves.append(Curve(sweep.values * factor, 1e6 * sweep.error, cost.name, *scheme_style(i, len(costs.divisions))))
+            curves.append(Curve(sweep.values * factor, scale * sweep.error, cost.name, *scheme_style(i, len(costs.divisions))))
         caption = "A curve ends early where none of its last values holds. With jitter or loss: the worst of several runs."
         key = "-".join(filter(None, ("link", slug, quantity.replace("_", "-"))))
         yield Chart(key, title, caption, (Panel(label, what, tuple(curves), (level,), log_y=True),))

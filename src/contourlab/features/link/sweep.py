@@ -5,26 +5,104 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
 from contourlab.analysis.linear.divided_loop import DividedLoop, LinkTiming, divided_loop, timing_of
 from contourlab.app.json_values import HIDDEN
-from contourlab.arrays import Array, Flags
+from contourlab.arrays import Array, Flags, Index
 from contourlab.components.contract import Component
 from contourlab.components.link.network import Network
 from contourlab.errors import ComponentError, ParameterError
-from contourlab.features.link.grid import EACH, losses, passed_over, times
 from contourlab.features.run.causes.idealise import perfect_sensing, undisturbed, unlimited, without_friction
-from contourlab.feed import Reference
 from contourlab.feed.profile import Judged
-from contourlab.loop import Controller, Division, Machine, simulate_batch
+from contourlab.loop import Controller, Division, Machine
+from contourlab.metrics.run_figures import goal_named
+from contourlab.study import Setting
+
+LOSSES = np.linspace(0.0, 0.98, 50)
+EACH = 128
+"""Every multiple of the servo period is tested up to this one."""
+FARTHER = 64
+"""Values per doubling above `EACH`."""
+FEW = (4, 2, 1)
+"""Values per doubling of a quick grid, and the multiple of the servo period up to which it has each one: the most that fit."""
+
+
+def losses(few: int = 0) -> Array:
+    """Return the shares of lost messages to test; `few` as in `times`, with half as many values."""
+    return LOSSES[_multiples(max(few // 2, 1), max(few // 2, 1), len(LOSSES) - 1)] if few else LOSSES
+
+
+def times(quantity: str, period: float, longest: float, few: int = 0) -> Array:
+    """Return the times to test [s]: each multiple of the servo period up to `EACH`, then `FARTHER` values per doubling.
+
+    Grids of different length agree where they overlap, so a limit does not depend on `longest`.
+
+    Parameters
+    ----------
+    quantity : str
+        ``message_period`` begins at one servo period, other times begin at 0.
+    period, longest : float [s]
+        Servo period, and the last value.
+    few : int
+        For a quick grid, one of `FEW`: it replaces both numbers. 0 for the whole grid.
+
+    Raises
+    ------
+    ParameterError
+        If the longest time is shorter than a servo period.
+    """
+    if not longest >= period:
+        raise ParameterError("longest", f"{longest:g}", f">= the servo period, {period:g}", "s")
+    ticks = _multiples(*((few, few) if few else (EACH, FARTHER)), math.floor(longest / period + 1e-9)).astype(float)
+    return np.asarray(period * (ticks[1:] if quantity == "message_period" else ticks))
+
+
+def _multiples(each: int, farther: int, last: int) -> Index:
+    """Return 0 and each number up to `each`, then `farther` per doubling, and `last`."""
+    parts, start = [np.arange(min(each, last) + 1)], each
+    while start < last:
+        parts.append(np.arange(start, min(2 * start, last) + 1, start // farther))
+        start *= 2
+    return np.unique(np.concatenate([*parts, [last]]))
+
+
+def passed_over(values: Array, bad: Flags, unknown: Flags, period: float, most: int) -> Array:
+    """Return multiples of the servo period, evenly spaced, between the last good value and the first bad one.
+
+    Parameters
+    ----------
+    values : ndarray (n,) [s]
+        Increasing.
+    bad, unknown : ndarray (n,)
+        An unknown value is neither good nor bad.
+    period : float [s]
+        Servo period.
+    most : int
+        Largest number of values.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> values, no = np.array([0.0, 8.0, 16.0, 24.0]), np.zeros(4, dtype=bool)
+    >>> passed_over(values, np.array([False, False, True, False]), no, 1.0, 3).tolist()
+    [10.0, 12.0, 14.0]
+    """
+    if not bad.any():
+        return np.zeros(0)
+    first = int(np.argmax(bad))
+    good = np.flatnonzero(~unknown[:first])
+    if not good.size:
+        return np.zeros(0)
+    low, high = (round(value / period) for value in (values[good[-1]], values[first]))
+    step = max(1, math.ceil((high - low) / (most + 1)))
+    return period * np.arange(low + step, high, step, dtype=float)
+
 
 QUANTITIES = ("message_period", "delay", "jitter", "loss")
 """Quantities to sweep."""
-FIGURES = ("contour_error_rms", "contour_error_max", "contour_error_integral")
-"""Figures of the contour error that can be limited."""
 SEEDS = 8
 """Runs with jitter or loss: the worst counts."""
 CHUNK = 32
@@ -150,18 +228,16 @@ class LinkSetting:
 
     Attributes
     ----------
-    machine, controller, reference
-        The controller needs a network in at least one direction.
+    divided : Setting
+        Its controller needs a network in at least one direction. Its seed is the first.
     figure : str
-        One of `FIGURES`.
+        One of `contourlab.metrics.run_figures.GOALS`.
     allowed : float
         Largest error allowed.
-    seeds, seed : int
-        Number of runs with jitter or loss (the worst counts), and the first seed.
-    moving : bool
-        See `contourlab.loop.simulate_batch`.
+    seeds : int
+        Number of runs with jitter or loss: the worst counts.
     few : int
-        For a quick sweep, values per doubling, one of `contourlab.features.link.grid.FEW`: none between the last that holds and the first
+        For a quick sweep, values per doubling, one of `contourlab.features.link.sweep.FEW`: none between the last that holds and the first
         that fails, and no limits of stability. 0 for a whole sweep.
 
     Raises
@@ -170,25 +246,21 @@ class LinkSetting:
         If the figure is unknown, or no link is a network.
     """
 
-    machine: Machine
-    controller: Controller
-    reference: Reference
+    divided: Setting
     figure: str
     allowed: float
     seeds: int = SEEDS
-    seed: int = 0
-    moving: bool = False
     few: int = 0
 
     def __post_init__(self) -> None:
-        if self.figure not in FIGURES:
-            raise ParameterError("figure", repr(self.figure), "one of " + ", ".join(FIGURES))
-        links = {(name, way): link for name, axis in self.controller.axes.items() if axis.link for way, link in _ways(axis.link)}
+        self.figure = goal_named(self.figure, "figure").name
+        machine, controller = self.divided.machine, self.divided.controller
+        links = {(name, way): link for name, axis in controller.axes.items() if axis.link for way, link in _ways(axis.link)}
         self.networks = {key: link for key, link in links.items() if isinstance(link, Network)}
         if not self.networks:
             raise ParameterError("controller.axes", "without a network", 'divided, with a link of kind "network" in at least one direction')
-        self.ideal = undisturbed(unlimited(perfect_sensing(without_friction(self.machine, self.controller)[0])))
-        self.loops = tuple(_linear(self.machine, self.controller))
+        self.ideal = undisturbed(unlimited(perfect_sensing(without_friction(machine, controller)[0])))
+        self.loops = tuple(_linear(machine, controller))
 
     def by_chance(self, quantity: str) -> bool:
         """Return whether jitter or loss is drawn at random while a quantity is varied."""
@@ -201,7 +273,7 @@ class LinkSetting:
 
     def values(self, quantity: str, longest: float) -> Array:
         """Return the values of a quantity to test, up to a longest time [s]."""
-        return losses(self.few) if quantity == "loss" else times(quantity, self.machine.servo_period, longest, self.few)
+        return losses(self.few) if quantity == "loss" else times(quantity, self.divided.machine.servo_period, longest, self.few)
 
     def batches(self, quantities: Sequence[str], longest: float) -> int:
         """Return the largest number of batches of `CHUNK` runs that a quick sweep of some quantities takes."""
@@ -215,31 +287,30 @@ class LinkSetting:
         """Return the worst error over the seeds with the links as given; nan if a run left its limits."""
         seeds = self.runs("delay")
         own = {f"controller.axes.{a}.link.{w}.delay": np.full(seeds, part.delay) for (a, w), part in self.networks.items()}
-        return float(self._run(self.machine, own, self.reference, seeds).max())
+        return float(self._run(self.divided, own, seeds).max())
 
     def errors(self, quantity: str, values: Array) -> Array:
         """Return the error of each value for each seed (n, n_seed)."""
         seeds = self.runs(quantity)
-        run = self._run(self.machine, self.columns(quantity, values, seeds), self.reference, seeds)
+        run = self._run(self.divided, self.columns(quantity, values, seeds), seeds)
         return np.asarray(run.reshape(len(values), seeds))
 
     def repeats(self, quantity: str, values: Array) -> Array:
         """Return the error of a lap of the ideal machine over that of the lap before."""
-        laps = self.reference.laps
+        laps, reference = self.divided.reference.laps, self.divided.reference
         if len(laps) < 2 or self.few or self.by_chance(quantity):
             return np.full(len(values), math.nan)
         columns = self.columns(quantity, values, 1)
-        of_laps = (replace(self.reference, chosen=Judged((lap,), "lap")) for lap in laps[-2:])
-        before, last = (self._run(self.ideal, columns, reference) for reference in of_laps)
+        of_laps = (replace(reference, chosen=Judged((lap,), "lap")) for lap in laps[-2:])
+        before, last = (self._run(replace(self.divided, machine=self.ideal, reference=of_lap), columns) for of_lap in of_laps)
         with np.errstate(invalid="ignore", divide="ignore"):
             # A run that left its limits counts as infinite growth.
             return np.asarray(np.where(np.isnan(last), math.inf, last / before), dtype=float)
 
-    def _run(self, machine: Machine, columns: Mapping[str, Array], reference: Reference, seeds: int = 1) -> Array:
+    def _run(self, setting: Setting, columns: Mapping[str, Array], seeds: int = 1) -> Array:
         """Return the error of each lane; the lanes take the seeds in turns."""
-        drawn = [self.seed + i % seeds for i in range(len(next(iter(columns.values()))))]
-        given: dict[str, Any] = {"seed": drawn, "moving": self.moving}
-        return simulate_batch(machine, self.controller, reference, columns, **given).figures[self.figure]
+        drawn = [setting.seed + i % seeds for i in range(len(next(iter(columns.values()))))]
+        return setting.batch(columns, [self.figure], seed=drawn).figures[self.figure]
 
     def growth(self, quantity: str, value: float, size_limit: int = LARGEST) -> float:
         """Return the growth of the linear model in the worst of a few directions; nan without a model or if it is too large."""
@@ -254,7 +325,7 @@ class LinkSetting:
 
     def _timing(self, way: str, quantity: str, value: float) -> LinkTiming:
         part = next((part for (_, known), part in self.networks.items() if known == way), None)
-        return timing_of(None if part is None else part.replace(**{quantity: value}), self.machine.servo_period)
+        return timing_of(None if part is None else part.replace(**{quantity: value}), self.divided.machine.servo_period)
 
 
 def _ways(link: Division) -> Iterator[tuple[str, Component]]:
@@ -349,7 +420,7 @@ def _joined(setting: LinkSetting, quantity: str, parts: Sequence[tuple[Array, ..
 
 def _closed_in(setting: LinkSetting, sweep: LinkSweep, parts: list[tuple[Array, ...]]) -> LinkSweep:
     """Test every servo period between the last good value and the first bad one."""
-    period, tried = setting.machine.servo_period, set[float]()
+    period, tried = setting.divided.machine.servo_period, set[float]()
     while True:
         values, none, grown = sweep.values, np.zeros(len(sweep.values), dtype=bool), sweep.repeats > 1.0 + GROWN
         evenly = passed_over(values, ~sweep.holds, none, period, CHUNK), passed_over(values, grown, np.isnan(sweep.repeats), period, CHUNK)

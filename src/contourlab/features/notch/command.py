@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,12 +12,14 @@ from contourlab.analysis.linear.margins import Margins
 from contourlab.app.results import check_file, proposed
 from contourlab.errors import ParameterError
 from contourlab.features.run.margin_words import decibel, degrees
-from contourlab.features.tune.objective import FIGURES, Evaluation, evaluate
+from contourlab.features.tune.objective import Evaluation, evaluate
 from contourlab.figures import figure, number
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine
+from contourlab.metrics.run_figures import FIGURES
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
+from contourlab.study import Setting
 from contourlab.study.guards import Bounds, Guards
 from contourlab.study.notch import MOVED, NotchDesign, design_notch, resonance_of, with_velocity_gain
 
@@ -122,9 +124,9 @@ def notch_scenario(
     designs: dict[str, NotchDesign] = {}
     for name in axes or _in_need(machine, made, bounds):
         designs[name], made = design_notch(machine, made, name, bounds)
-    reference, guards = case.reference(), Guards([(machine, made)], bounds)
+    setting = Setting.of(case)
     runs = [
-        None if tried is None else evaluate(machine, tried, reference, guards, seed=case.seed, moving=case.moving)
+        None if tried is None else evaluate(replace(setting, controller=tried), bounds)
         for tried in (case.controller, made, _lowered(case.controller, designs))
     ]
     before, after, without = runs
@@ -194,6 +196,6 @@ def _runs(notched: Notched) -> str:
     shown = {head: run for head, run in runs.items() if run is not None}
     table = Table([Column("run", left=True), *map(Column, shown)])
     for key in SHOWN:
-        label, unit = FIGURES[key]
-        table.add(label, *("diverges" if one.run is None else figure(one.figures[key], unit) for one in shown.values()))
+        one = FIGURES[key]
+        table.add(one.label, *("diverges" if run.run is None else figure(run.figures[key], one.display) for run in shown.values()))
     return table.text()

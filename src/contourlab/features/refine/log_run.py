@@ -15,8 +15,9 @@ from contourlab.features.measure.measured_path import moving
 from contourlab.features.measure.study import Measured, measure
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
-from contourlab.loop import Controller, Machine, simulate_batch
+from contourlab.loop import Controller, Machine
 from contourlab.result import Result, Signal
+from contourlab.study import Setting
 
 LEAD = 50
 """Samples at rest that are simulated before the first move."""
@@ -117,7 +118,8 @@ class LogRun:
         rows : slice or ndarray of bool
             Samples to return.
         """
-        batch = simulate_batch(self.machine, self.controller, self.reference, variants, keep=self.signals, judge=False, moving=self.steady)
+        setting = Setting(self.machine, self.controller, self.reference, moving=self.steady)
+        batch = setting.batch(variants, keep=self.signals, judge=False)
         parts = [self.asked[rows][:, :, None] - batch.signals["position"][rows]]
         joined = np.concatenate(parts if self.command is None else [*parts, batch.signals["command"][rows]], axis=1)
         joined[:, :, (batch.failed_at >= 0) | ~np.isfinite(joined).all(axis=(0, 1))] = np.nan

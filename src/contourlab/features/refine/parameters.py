@@ -11,7 +11,7 @@ from contourlab.errors import ParameterError
 from contourlab.features.refine.log_run import LogRun
 from contourlab.figures import figure
 from contourlab.loop import parameters_of
-from contourlab.study.variables import DesignVariable, Space
+from contourlab.study.space import DesignVariable, Space
 
 SPAN = 10.0
 """Factor by which a parameter without a range may become smaller or larger."""

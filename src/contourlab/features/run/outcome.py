@@ -39,6 +39,7 @@ from contourlab.rendering.judgement import Trust, Verdict
 from contourlab.result import Result
 from contourlab.scenario import Case, PartProgram
 from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
+from contourlab.study import Setting
 
 KEPT_REPORTS = 16
 _REPORTS: dict[tuple[str, bytes, bytes, bytes], LimitReport] = {}
@@ -183,7 +184,8 @@ def run_case(
     if interval is not False:
         if any(number.drawn for number in numbers_of(machine, controller)):
             begin(f"drawing machines from the deviations, {case.name}")
-        sampled = part_interval(machine, controller, reference, tolerance=case.tolerance, progress=progress, **given)  # type: ignore[arg-type]
+        setting, others = Setting(machine, controller, reference, case.seed, case.moving), {"changes": case.changes, "learned": table}
+        sampled = part_interval(setting, tolerance=case.tolerance, progress=progress, **others)  # type: ignore[arg-type]
     begin(f"checking limits and margins of {case.name}")
     return Outcome(
         name=case.name,

@@ -15,23 +15,21 @@ from contourlab.errors import ParameterError
 from contourlab.features.measure.log_choice import positive
 from contourlab.features.run.command import check_plots
 from contourlab.features.run.schemes import loaded
-from contourlab.features.sensitivity.indices import Distribution, distributions
-from contourlab.features.sensitivity.runs import Kept, Runs
-from contourlab.features.sensitivity.study import Plan, Study, holds, present_values, sensitivity_study
-from contourlab.features.sensitivity.text import tables
+from contourlab.features.sensitivity.report import tables
+from contourlab.features.sensitivity.study import Drawn, Plan, Study, distributions, holds, present_values, sensitivity_study
 from contourlab.features.sensitivity.verdict import Ranking, ranking, verdict
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
-from contourlab.loop import parameters_of, simulate
+from contourlab.loop import parameters_of
 from contourlab.loop.batch import LANES
+from contourlab.metrics.run_figures import CONTOUR
 from contourlab.rendering.stages import Stages, shown
 from contourlab.rendering.table import paragraphs
-from contourlab.study import Evaluator, Space
-from contourlab.study.checkpoint import resumable, run_identity
+from contourlab.study import Runner, Setting, Space
+from contourlab.study.checkpoint import Checkpoint, resumable, run_identity
 from contourlab.study.executors import Executor, Workers
 
 if TYPE_CHECKING:
-    from contourlab.feed import Reference
     from contourlab.scenario import Case
 
 KEPT = "runs"
@@ -52,9 +50,9 @@ class Request:
     width : float
         Factor by which a parameter without bounds may become smaller or larger.
     distribution : str
-        One of `contourlab.features.sensitivity.indices.KINDS`.
+        One of `contourlab.features.sensitivity.study.KINDS`.
     deviations : sequence of str
-        See `contourlab.features.sensitivity.indices.distributions`.
+        See `contourlab.features.sensitivity.study.distributions`.
     servo_period : str
         Replaces that of the machine, with its unit; empty to keep it.
     executor : Executor
@@ -108,7 +106,7 @@ class Sensitivity:
         """Return the findings and the tables."""
         of, count, runs = self.study.plan.judged, len(self.study.space.numbers), self.runs_made + self.runs_reused
         given = f"servo period: {figure(self.servo_period, 'ms')}; parameters: {count}; runs: {runs}"
-        head = f"{self.scheme}: {of.label} {figure(self.study.present, of.unit, 4)}\n{given}"
+        head = f"{self.scheme}: {of.label} {figure(self.study.present, of.display, 4)}\n{given}"
         return "\n\n".join([head, paragraphs(map(str, self.findings)), *tables(self.study)])
 
 
@@ -157,14 +155,14 @@ def sensitivity_of(
     with resumable(Path(out) / KEPT, "runs"), staged(out, "summary.json", inputs=scenario.inputs) as stage:
         with shown(progress) as stages, request.executor.started(plugins) as pool:
             study, runs = _studied(case, request, (space, drawn), Path(out) / KEPT, stages, pool)
-        kept = () if runs.kept is None else runs.kept.findings("runs", runs.reused)
+        kept = () if runs.store is None else runs.store.findings("runs", runs.reused)
         findings = (*_on_case(case, left_out), *kept, *_on_quick(request, study), *verdict(study))
         request = replace(request, plan=study.plan)
         name, period = case.machine.name, case.machine.servo_period
-        result = Sensitivity(str(file), request, case.name, name, period, runs.made, runs.reused, study, ranking(study), findings)
+        result = Sensitivity(str(file), request, case.name, name, period, runs.runs, runs.reused, study, ranking(study), findings)
         write_json(stage / "summary.json", result)
         if plots:
-            from contourlab.features.sensitivity.pictures import charts_of
+            from contourlab.features.sensitivity.report import charts_of
             from contourlab.rendering.plots import write_charts
 
             write_charts(charts_of(study), stage / "plots", plots)
@@ -172,38 +170,35 @@ def sensitivity_of(
 
 
 def _studied(
-    case: Case, request: Request, varied: tuple[Space, tuple[Distribution, ...]], folder: Path, stages: Stages, pool: Workers | None
-) -> tuple[Study, Runs]:
-    machine, controller, plan, (space, drawn) = case.machine, case.controller, request.plan, varied
+    case: Case, request: Request, varied: tuple[Space, tuple[Drawn, ...]], folder: Path, stages: Stages, pool: Workers | None
+) -> tuple[Study, Runner]:
+    plan, (space, drawn) = request.plan, varied
     stages.begin("planning the motion")
-    reference = case.reference()
-    given = {"moving": case.moving, "seed": case.seed, "threads": request.executor.workers, "gpu": request.executor.gpu}
-    evaluator = Evaluator(machine, controller, reference, **given, effort=False, pool=pool)  # type: ignore[arg-type]
-    identity = run_identity([machine], controller, reference, seed=case.seed, moving=case.moving)
-    runs = Runs(evaluator, Kept(folder, identity), stages.advance)
+    setting, executor = Setting.of(case), request.executor
+    kept = Checkpoint(folder, run_identity([setting]))
+    # Contour and tracking error are stored in any case.
+    figures = (plan.judged.name,) if plan.judged.source != CONTOUR else ()
+    runs = Runner(setting, figures, executor.workers, executor.gpu, pool, kept, stages.advance)
     if not holds(space, runs):
-        # A single run reports where and when it fails.
-        simulate(machine, controller, reference, seed=case.seed, moving=case.moving)
+        setting.single()
     if request.quick:
         stages.begin("timing a run")
         one = present_values(space)
-        here = replace(evaluator, gpu=False, pool=None)
-        fits = affordable(lambda motion: replace(here, reference=motion)(one), reference, request.executor.workers)
+        fits = affordable(lambda motion: replace(setting, reference=motion).batch(one, figures), setting.reference, executor.workers)
         plan = plan.quick(len(space.numbers), LANES * fits)
     stages.expect(plan.work(len(space.numbers)))
-    known = parameters_of(machine, controller)
+    known = parameters_of(setting.machine, setting.controller)
     accepted = {name: known[name][0].parameters[known[name][1]] for name in space.names}
     limits = {name: (parameter.minimum, parameter.maximum) for name, parameter in accepted.items()}
-    level = _failure_level(case, reference, plan)
+    level = _failure_level(setting, plan)
     return sensitivity_study(space, runs, plan, drawn, level, limits=limits, stage=stages.begin), runs
 
 
-def _failure_level(case: Case, reference: Reference, plan: Plan) -> float:
-    """Return the figure [SI] of a run whose following error is always at its limit; infinite if an axis has no limit."""
-    limit = max(axis.limits.following_error for axis in case.machine.axes)
-    if plan.figure != "integral":
-        return limit
-    return float(limit * reference.judged.samples.size * case.machine.servo_period)
+def _failure_level(setting: Setting, plan: Plan) -> float:
+    """Return the figure [SI] of a run whose following error is always at its limit; infinite if an axis has no limit, or for no error."""
+    limit = max(axis.limits.following_error for axis in setting.machine.axes)
+    time = setting.reference.judged.samples.size * setting.machine.servo_period
+    return {"m": limit, "m s": float(limit * time)}.get(plan.judged.unit, math.inf)
 
 
 def _on_quick(request: Request, study: Study) -> Iterator[Finding]:

@@ -11,22 +11,167 @@ import numpy as np
 from contourlab.app.json_values import HIDDEN
 from contourlab.app.quick import too_slow
 from contourlab.arrays import Array
-from contourlab.errors import ParameterError
-from contourlab.features.sensitivity.curves import FINE, Curve, curves
-from contourlab.features.sensitivity.indices import (
-    Distribution,
-    MorrisIndices,
-    Sample,
-    SobolIndices,
-    morris_indices,
-    morris_points,
-    saltelli_points,
-    sample,
-    sobol_indices,
-)
-from contourlab.features.sensitivity.local import STEPS, Local, local
-from contourlab.features.sensitivity.runs import FIGURES, Figure, Runs
-from contourlab.study import Space
+from contourlab.errors import ParameterError, UnitError
+from contourlab.features.sensitivity.curves import FINE, STEPS, Curve, Local, curves, local
+from contourlab.loop.parameters import fits
+from contourlab.metrics.run_figures import RunFigure, goal_named
+from contourlab.scenario.quantities import read_number
+from contourlab.study import DesignVariable, Runner, Space
+from contourlab.study.design import morris_points, saltelli_points
+from contourlab.study.space import Distribution
+from contourlab.study.statistics import MorrisIndices, SobolIndices, morris_indices, sobol_indices
+
+UNIFORM, LOG_UNIFORM, NORMAL = KINDS = ("uniform", "log-uniform", "normal")
+REFUSED = 0.25
+"""Largest share of failed runs; with more, indices are refused."""
+BEYOND = 10.0
+"""Without a following-error limit, a failed run counts as this multiple of the worst successful one."""
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """The distribution of one parameter within its bounds.
+
+    Attributes
+    ----------
+    variable : DesignVariable
+    kind : str
+        One of `KINDS`; ``"normal"`` is centred on the present value and truncated at the bounds.
+    deviation : float [SI], > 0
+        Standard deviation of a normal distribution before truncation.
+    """
+
+    variable: DesignVariable = field(metadata=HIDDEN)
+    kind: str = UNIFORM
+    deviation: float = 0.0
+
+    def __post_init__(self) -> None:
+        variable = self.variable
+        if self.kind not in KINDS:
+            raise ParameterError("--distribution", repr(self.kind), f"one of {', '.join(KINDS)}")
+        if self.kind == LOG_UNIFORM and variable.low <= 0.0:
+            raise ParameterError(variable.name, f"bounds {variable.low:g} to {variable.high:g}", "above 0 for a log-uniform distribution")
+        if self.kind == NORMAL and not 0.0 < self.deviation < math.inf:
+            given = f"{self.deviation:g}" if self.deviation else "no deviation"
+            raise ParameterError(variable.name, given, f'given a deviation, as --deviation "{variable.short}=5 %"')
+        if self.kind == NORMAL and not variable.low <= variable.value <= variable.high:
+            raise ParameterError(variable.name, f"{variable.value:g}", "within its bounds for a normal distribution", variable.unit)
+
+    def values(self, places: Array) -> Array:
+        """Return the values [SI] at cumulative probabilities from 0 to 1."""
+        low, high = self.variable.low, self.variable.high
+        numbers = (self.variable.value, self.deviation) if self.kind == NORMAL else (low, high)
+        return Distribution(self.kind, numbers, low, high).values(places)
+
+
+def distributions(space: Space, kind: str = UNIFORM, deviations: Sequence[str] = ()) -> tuple[Drawn, ...]:
+    """Return a distribution for each parameter of a space.
+
+    Parameters
+    ----------
+    space : Space
+    kind : str
+        Distribution of the parameters without a deviation.
+    deviations : sequence of str
+        ``NAME=DEVIATION`` in ``%`` of the value or in the parameter's unit, or one deviation for all. These parameters are normal.
+
+    Raises
+    ------
+    ParameterError
+        If a name is not in the space, or a deviation cannot be read.
+    """
+    given: dict[str, float] = {}
+    for text in deviations:
+        name, equals, wanted = (part.strip() for part in text.rpartition("="))
+        chosen = [variable for variable in space.numbers if not equals or fits(variable.name, name)]
+        if not chosen:
+            known = ", ".join(variable.short for variable in space.numbers[:4])
+            raise ParameterError("--deviation", repr(text), f"NAME=DEVIATION with a varied parameter, such as {known}")
+        given |= {variable.name: _deviation(variable, wanted) for variable in chosen}
+    return tuple(
+        Drawn(variable, NORMAL, given[variable.name]) if variable.name in given else Drawn(variable, kind) for variable in space.numbers
+    )
+
+
+def _deviation(variable: DesignVariable, text: str) -> float:
+    unit = variable.display_unit
+    wanted = f"a deviation of {variable.short} above 0, such as 5 %{f' or 2 {unit}' if unit else ''}"
+    try:
+        if text.endswith("%"):
+            deviation = abs(variable.value) * float(text[:-1]) / 100.0
+        else:
+            deviation = float(read_number(text if variable.unit else float(text), variable.unit, variable.display))
+    except (UnitError, ValueError) as error:
+        raise ParameterError("--deviation", repr(text), wanted) from error
+    if not 0.0 < deviation < math.inf:
+        raise ParameterError("--deviation", repr(text), wanted)
+    return deviation
+
+
+@dataclass(frozen=True, eq=False)
+class Sample:
+    """Figures of runs, prepared for an estimator.
+
+    Attributes
+    ----------
+    values : ndarray (n,)
+        Decimal logarithm of the figure [SI] if `logarithmic`, else the figure [SI].
+    logarithmic : bool
+    runs, failed : int
+    cap : float [SI]
+        Upper limit of the figures, and the value of a failed run.
+    """
+
+    values: Array = field(metadata=HIDDEN)
+    logarithmic: bool
+    runs: int
+    failed: int
+    cap: float
+
+
+def sample(figures: Array, level: float, logarithmic: bool, space: Space, points: Array) -> Sample:
+    """Return figures prepared for an estimator.
+
+    Parameters
+    ----------
+    figures : ndarray (n,) [SI]
+        nan where a run failed.
+    level : float [SI]
+        Figure of a run that is always at the failure limit; infinite without a limit.
+    logarithmic : bool
+    space : Space
+    points : ndarray (n, n_parameter)
+        Points of the runs, 0 to 1, to report where runs fail.
+
+    Raises
+    ------
+    ParameterError
+        If more than `REFUSED` of the runs failed, or `logarithmic` is set and a figure is not above 0.
+    """
+    bad = np.isnan(figures)
+    share = float(bad.mean())
+    if share > REFUSED:
+        right = f"at most {100.0 * REFUSED:.0f} %: the indices would show what makes the loop fail, not what makes it accurate"
+        raise ParameterError(
+            "runs", f"{100.0 * share:.0f} % failed", f"{right}. Narrow the bounds, beginning with {_strayed(space, points[bad])}"
+        )
+    cap = level if math.isfinite(level) else BEYOND * float(figures[~bad].max())
+    values = np.minimum(np.where(bad, cap, figures), cap)
+    if logarithmic:
+        flat = values <= 0.0
+        if flat.any():
+            where = f"a figure of {values.min():g} in {int(flat.sum())} of {flat.size} runs, mainly {_strayed(space, points[flat])}"
+            raise ParameterError("--transform log", where, "above 0 in all runs; use --transform none, which reuses these runs")
+        values = np.log10(values)
+    return Sample(values, logarithmic, values.size, int(bad.sum()), cap)
+
+
+def _strayed(space: Space, points: Array) -> str:
+    """Name the parameter whose mean over points (n, n_parameter) is farthest from the middle of its range, and the nearer end."""
+    off = points.mean(axis=0) - 0.5
+    at = int(np.argmax(np.abs(off)))
+    return f"{space.numbers[at].short} at the {'upper' if off[at] > 0.0 else 'lower'} end"
+
 
 STAGES = {
     "curves": "curves, one parameter at a time",
@@ -51,7 +196,7 @@ class Plan:
     parts : sequence of str
         From `PARTS`.
     figure : str
-        One of `FIGURES`.
+        One of `contourlab.metrics.run_figures.GOALS`, by word or name.
     values : int, >= 5
         Number of values of each curve.
     base : int
@@ -81,8 +226,7 @@ class Plan:
                 raise ParameterError("--parts", repr(part), f"one of {', '.join(PARTS)}")
         if not self.parts:
             raise ParameterError("--parts", "none", f"at least one of {', '.join(PARTS)}")
-        if self.figure not in FIGURES:
-            raise ParameterError("--figure", repr(self.figure), f"one of {', '.join(FIGURES)}")
+        goal_named(self.figure, "--figure")
         if self.transform not in TRANSFORMS:
             raise ParameterError("--transform", repr(self.transform), " or ".join(TRANSFORMS))
         for name, least, part in (("values", 5, "curves"), ("trajectories", 4, "morris"), ("seed", 0, "")):
@@ -131,9 +275,9 @@ class Plan:
                 yield replace(self, parts=parts, values=QUICK_VALUES, base=base, trajectories=max(base // 8, 4))
 
     @property
-    def judged(self) -> Figure:
+    def judged(self) -> RunFigure:
         """The figure."""
-        return FIGURES[self.figure]
+        return goal_named(self.figure, "--figure")
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,7 +288,7 @@ class Study:
     ----------
     plan : Plan
     space : Space
-    distributions : tuple of Distribution
+    distributions : tuple of Drawn
         Distributions of the parameters, in the order of the space.
     present : float [SI]
         The figure with all parameters at their present values.
@@ -156,7 +300,7 @@ class Study:
 
     plan: Plan = field(metadata=HIDDEN)
     space: Space
-    distributions: tuple[Distribution, ...]
+    distributions: tuple[Drawn, ...]
     present: float
     curves: tuple[Curve, ...] | None = None
     local: Local | None = None
@@ -168,9 +312,9 @@ class Study:
 
 def sensitivity_study(
     space: Space,
-    runs: Runs,
+    runs: Runner,
     plan: Plan,
-    drawn: Sequence[Distribution],
+    drawn: Sequence[Drawn],
     level: float,
     *,
     limits: dict[str, tuple[float, float]] | None = None,
@@ -181,9 +325,9 @@ def sensitivity_study(
     Parameters
     ----------
     space : Space
-    runs : Runs
+    runs : Runner
     plan : Plan
-    drawn : sequence of Distribution
+    drawn : sequence of Drawn
         Distribution of each parameter, for the global indices.
     level : float [SI]
         Figure of a run whose following error is always at its limit.
@@ -197,7 +341,7 @@ def sensitivity_study(
     ParameterError
         If an option is out of range, too many runs fail, or the run fails with all parameters at their present values.
     """
-    n, judge = len(space.numbers), runs.judge(plan.judged.key)
+    n, judge = len(space.numbers), runs.judge(plan.judged.name)
     plan.check(n)
 
     def sampled(points: Array) -> Sample:
@@ -227,7 +371,7 @@ def sensitivity_study(
     return Study(plan, space, tuple(drawn), present, **parts)  # type: ignore[arg-type]
 
 
-def holds(space: Space, runs: Runs) -> bool:
+def holds(space: Space, runs: Runner) -> bool:
     """Return whether the run with all parameters at their present values succeeds."""
     return all(bool(np.isfinite(values[0])) for values in runs(present_values(space)).values())
 

@@ -14,10 +14,11 @@ from contourlab.components.link.network import Network
 from contourlab.errors import ParameterError
 from contourlab.features.link.cost import WAYS, allowed_error, divided, division_cost, undivided_error
 from contourlab.features.link.sweep import SEEDS, LinkSetting, LinkSweep
-from contourlab.features.swap.search import restarted
 from contourlab.features.swap.variants import Variant, Variants, losses
 from contourlab.loop import DIVISIONS, Division
 from contourlab.study import Space
+from contourlab.study.search import restarted
+from contourlab.study.statistics import wilson
 from contourlab.study.values import machine_with
 
 PERIOD = "message_period"
@@ -172,12 +173,11 @@ def network_cost(
     """
     costs = []
     for variant, point in zip(variants, points, strict=True):
-        machine, controller, reference, figure = variant.machine, variants.controller_at(point), variants.reference, variants.objective
-        whole = undivided_error(machine, controller, reference, figure, seed=variants.seed, moving=variants.moving)
+        setting = replace(variants.setting, machine=variant.machine, controller=variants.controller_at(point))
+        whole = undivided_error(setting, variants.objective)
         allowed = allowed_error(whole, within, floor=variants.floor)
-        over = divided(controller, division, ways, link)
-        setting = LinkSetting(machine, over, reference, figure, allowed, seeds, variants.seed, variants.moving, few)
-        cost = division_cost(setting, (PERIOD,), longest)
+        over = replace(setting, controller=divided(setting.controller, division, ways, link))
+        cost = division_cost(LinkSetting(over, variants.objective, allowed, seeds, few), (PERIOD,), longest)
         costs.append(VariantCost(variant.name, whole, allowed, cost.error, cost.unstable, cost.sweeps[PERIOD]))
         if progress is not None:
             progress(len(costs), len(variants))
@@ -226,7 +226,7 @@ class Coverage:
     @property
     def interval(self) -> tuple[float, float]:
         """The 95 % interval of the share."""
-        return wilson_interval(self.covered, len(self.points))
+        return wilson(self.covered, len(self.points))
 
     @property
     def without_design(self) -> int:
@@ -269,7 +269,7 @@ def coverage(
     size = SAMPLES if tolerance is not None else places
     if size < 1 or size & (size - 1):
         raise ParameterError("places", f"{size}", "a power of 2")
-    points = np.asarray(qmc.Sobol(len(region.names), seed=variants.seed).random(size))
+    points = np.asarray(qmc.Sobol(len(region.names), seed=variants.setting.seed).random(size))
     values, best = np.empty(size), np.empty(0 if tolerance is not None else size)
     for k, plant in enumerate(points):
         machine = machine_with(variants.members[0].machine, region.values(plant))
@@ -277,7 +277,7 @@ def coverage(
         found, broken = there.values(point[None, None])
         values[k] = math.inf if broken[0, 0] > 0.0 else found[0, 0]
         if tolerance is None:
-            restarted(there.objective_of(0), np.vstack([point, variants.space.start]), budget, variants.seed)
+            restarted(there.objective_of(0), np.vstack([point, variants.space.start]), budget, variants.setting.seed)
             best[k] = there.best[0]
     if tolerance is not None:
         good = values <= tolerance
@@ -285,15 +285,3 @@ def coverage(
         known = np.isfinite(best)
         good = losses(np.where(known, values, math.inf), np.where(known, best, 1.0), variants.floor) < full
     return Coverage(region, points, values, best, int(good.sum()), tolerance)
-
-
-def wilson_interval(hits: int, n: int) -> tuple[float, float]:
-    """Return Wilson's 95 % interval of a share.
-
-    >>> tuple(round(x, 3) for x in wilson_interval(8, 8))
-    (0.676, 1.0)
-    """
-    from scipy.stats import binomtest
-
-    low, high = binomtest(hits, n).proportion_ci(0.95, "wilson")
-    return float(low), float(high)

@@ -13,21 +13,21 @@ from contourlab.app.quick import affordable, too_slow
 from contourlab.app.results import proposed, staged
 from contourlab.errors import ParameterError
 from contourlab.features.link.command import USUAL_LONGEST, LinkOptions, LinkSettings, positive_quantity, read_options
-from contourlab.features.link.grid import FEW
+from contourlab.features.link.sweep import FEW
 from contourlab.features.run.command import RunOutcome, check_plots, file_names
 from contourlab.features.swap.beyond import NetworkCost, coverage, least_division, network_cost
 from contourlab.features.swap.linear import METHODS, linear_swap
-from contourlab.features.swap.pictures import matrices, write_matrices
-from contourlab.features.swap.result import swap_result, text_of
+from contourlab.features.swap.report import matrices, swap_result, text_of, write_matrices
 from contourlab.features.swap.search import SwapSettings
 from contourlab.features.swap.study import SwapStudy, swap_study
-from contourlab.features.swap.variants import OBJECTIVES, Variants, variants_of
+from contourlab.features.swap.variants import Variants, variants_of
 from contourlab.features.swap.warm_start import WarmStarts, warm_starts
 from contourlab.findings import Finding, finding
 from contourlab.loop.batch import LANES
+from contourlab.metrics.run_figures import goal_named
 from contourlab.rendering.stages import Stages, shown
 from contourlab.result import write_text_atomic
-from contourlab.study import Space
+from contourlab.study import Setting, Space
 from contourlab.study.checkpoint import Checkpoint, resumable, run_identity
 from contourlab.study.executors import Executor
 from contourlab.study.guards import Bounds
@@ -51,7 +51,7 @@ class SwapOptions:
     Attributes
     ----------
     objective, floor
-        What to minimise, and J_tol with its unit; default J_tol: see `contourlab.features.swap.variants.OBJECTIVES`.
+        What to minimise, and J_tol with its unit; default J_tol: see `contourlab.metrics.run_figures.GOALS`.
     parameters, width
         See `contourlab.study.Space.chosen`.
     local : sequence of str
@@ -159,8 +159,8 @@ def swap_scenario(
             budget = max(settings.budget // 4, LEAST)
             covered = coverage(variants, study.base.points[0], ready.region, budget=budget, **limits)  # type: ignore[arg-type]
         stages.begin("linear designs")
-        swapped = [name for name, _ in swaps] if options.linear else []
-        linear = tuple(design for name in swapped for design in linear_swap(variants.members, variants.controller, name, options.linear))
+        swapped, own = [name for name, _ in swaps] if options.linear else [], variants.setting.controller
+        linear = tuple(design for name in swapped for design in linear_swap(variants.members, own, name, options.linear))
         networks = _networks(study, options.network, network, stages)
         stages.begin("exact margins")
         findings = (*ready.findings, *checkpoint.findings("searches"))
@@ -178,8 +178,9 @@ def _quick_budget(variants: Variants, most: int) -> int:
     Twice, J* of each variant and the shared design, which has twice the budget, are searched from the beginning.
     """
     column = variants.space.columns(variants.space.start[None])
-    one = variants.evaluators[0]
-    batches = affordable(lambda motion: replace(one, reference=motion, gpu=False)(column), variants.reference, variants.threads)
+    first = variants.runners[0]
+    run = lambda motion: replace(first.setting, reference=motion).batch(column, first.figures)  # noqa: E731
+    batches = affordable(run, first.setting.reference, variants.threads)
     fits = batches * LANES / (2 * 3 * len(variants))
     if fits < 4 * LANES:
         raise too_slow(4 * LANES, fits)
@@ -212,7 +213,7 @@ def _networks(study: SwapStudy, options: LinkOptions, settings: LinkSettings, st
     choice = study.recommended or study.base
     if not choice.holds:
         return ()
-    local, controller = frozenset(choice.local), study.variants.controller
+    local, controller = frozenset(choice.local), study.variants.setting.controller
     divisions = settings.divisions
     if not options.divisions:
         own = next((axis.link.division for axis in controller.axes.values() if axis.link is not None), None)
@@ -275,9 +276,7 @@ class _Prepared:
 def _identity(ready: _Prepared, settings: SwapSettings) -> str:
     """Return a text of everything that determines the searches."""
     variants = ready.variants
-    machines = [variant.machine for variant in variants]
-    given = {"seed": variants.seed, "moving": variants.moving}
-    runs = run_identity(machines, variants.controller, variants.reference, **given, rooms=("analysis", "study", "features/swap"))  # type: ignore[arg-type]
+    runs = run_identity([runner.setting for runner in variants.runners], ("analysis", "study", "features/swap"))
     local = None if settings.local is None else [sorted(names) for names in settings.local]
     known = [[sorted(values.items()) for values in design] for design in settings.known]
     names = [f"{variant.name} {variant.modules}" for variant in variants]
@@ -297,22 +296,18 @@ def _prepared(file: str | Path, swaps: Sequence[tuple[str, Sequence[str]]], opti
         if name not in machine.axis_names:
             raise ParameterError("--axis", repr(name), f"one of {', '.join(machine.axis_names)}, the axes of {machine.name}")
     modules, left_out = _modules(machine, swaps, options.plugins)
-    unit, _, default = OBJECTIVES[options.objective]
-    example = "2 um*s" if "s" in unit else "2 um"
+    objective = goal_named(options.objective, "--objective")
     floor, tolerance = (
-        None if text is None else positive_quantity(option, text, unit, example)
+        None if text is None else positive_quantity(option, text, objective.quantity, objective.example(2))
         for option, text in (("--floor", options.floor), ("--tolerance", options.tolerance))
     )
     variants = Variants(
         variants_of(machine, modules),
-        controller,
-        case.reference(),
+        Setting.of(case),
         Space.chosen(machine, controller, options.parameters, options.width),
-        objective=options.objective,
-        floor=default if floor is None else floor,
+        objective=objective.name,
+        floor=objective.floor if floor is None else floor,
         bounds=Bounds(options.gain_margin, options.phase_margin),
-        moving=case.moving,
-        seed=case.seed,
         threads=options.executor.workers,
         gpu=options.executor.gpu,
     )
@@ -341,7 +336,6 @@ def _check(options: SwapOptions) -> None:
         (options.budget < 100, "--budget", options.budget, "100 or more candidates a search"),
         (options.seed < 0, "--seed", options.seed, "0 or more"),
         (places is not None and (places < 1 or places & (places - 1)), "--places", places, "a power of 2"),
-        (options.objective not in OBJECTIVES, "--objective", repr(options.objective), "one of " + ", ".join(OBJECTIVES)),
         (options.exhaustive and options.quick, "--exhaustive", "given with --quick", "left out: there are too many sets for a minute"),
         (options.exhaustive and options.local, "--exhaustive", "given with --local", "left out: it tries all sets, --local only a few"),
         (options.tolerance and not options.region, "--tolerance", options.tolerance, "given with --region: it limits J there"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -13,20 +13,17 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import ParameterError
 from contourlab.features.swap.variants import BROKEN, Variant, Variants, losses
 from contourlab.loop.batch import LANES
-from contourlab.study import Found, Space, search
+from contourlab.study import Found, Space
 from contourlab.study.checkpoint import Checkpoint
+from contourlab.study.search import POPULATION, restarted
 from contourlab.threads import in_threads
 
-Objective = Callable[[Array], Array]
 WarmStart = tuple[Mapping[str, float], ...]
 """A given design: values [SI] by dotted names, for each variant or one for all."""
 STARTS = 5
 """Points from which a search starts."""
-ALONE, SHARED, RESTARTS = 0.2, 0.1, (0.05, 0.01)
-"""First step of a search as a share of the box: for one variant, for a shared design (starts near known ones), and for the restarts.
-Gains compensate each other, so the optima lie along narrow, curved valleys: long steps overshoot them."""
-EXPLORED, POPULATION = 0.4, 16
-"""Share of the budget before the first restart, and size of the first generation."""
+ALONE, SHARED = 0.2, 0.1
+"""First step of a search as a share of the box: for one variant, and for a shared design, which starts near known ones."""
 EVENNESS = 0.01
 """Weight of the mean loss relative to the largest: breaks ties between designs that are equal for the worst variant."""
 
@@ -59,26 +56,6 @@ class SwapSettings:
     local: tuple[frozenset[str], ...] | None = None
     known: tuple[WarmStart, ...] = ()
     quick: bool = False
-
-
-def restarted(
-    objective: Objective, starts: Array, budget: int, seed: int, step: float = ALONE, target: float = -math.inf, size: int = POPULATION
-) -> Found:
-    """Search from all starts (n_start, n), then restart from the best until `budget` candidates are tried or `target` is reached.
-
-    The first generations have `size` candidates for each start. Each restart has a smaller first step, and generations twice as large as
-    before: encoder counts make the objective rough near its optimum (Auger & Hansen, CEC 2005).
-    """
-    first = max(int(EXPLORED * budget), 1)
-    found = search(objective, starts, budget=first, seed=seed, spread=step, population=size, target=target)
-    runs, turn, course = found.runs, 1, [found.course]
-    while budget - runs > size and found.value > target:
-        options = {"seed": seed + 1000 * turn, "spread": RESTARTS[min(turn, len(RESTARTS)) - 1], "population": size, "target": target}
-        more = search(objective, found.point[None], budget=budget - runs, **options)  # type: ignore[arg-type]
-        found = replace(found, point=more.point, value=more.value)
-        course.append(more.course + np.array([runs, 0.0]))
-        runs, size, turn = runs + more.runs, 2 * size, turn + 1
-    return replace(found, runs=runs, course=np.vstack(course))
 
 
 # --- designs -----------------------------------------------------------------------------------------------------------------------------

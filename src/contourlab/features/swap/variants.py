@@ -13,21 +13,15 @@ from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError
-from contourlab.feed import Reference
 from contourlab.loop import Axis, Controller, Machine
 from contourlab.loop.machine import AXIS_SLOTS
-from contourlab.study import Evaluator, Space
-from contourlab.study.evaluator import Pool
+from contourlab.metrics.run_figures import GOALS, goal_named
+from contourlab.study import Runner, Setting, Space
+from contourlab.study.executors import Workers
 from contourlab.study.guards import Bounds, Guards
 from contourlab.study.values import controller_with
 from contourlab.threads import in_threads
 
-OBJECTIVES = {
-    "contour_error_integral": ("m*s", "um s", 2e-6),
-    "contour_error_rms": ("m", "um", 1e-6),
-    "contour_error_max": ("m", "um", 1e-6),
-}
-"""Objectives: SI unit, display unit, and J_tol [SI]. J_tol of the integral is a mean of 1 um over a lap of 2 s."""
 BROKEN = 1e6
 """Value of a design that breaks a guard or fails to run: above that of any design that keeps the guards."""
 
@@ -78,17 +72,17 @@ class Variants:
     Attributes
     ----------
     members : tuple of Variant
-    controller : Controller
-    reference : Reference
+    setting : Setting
+        Of the first variant.
     space : Space
         Parameters of the controller to search. Values are rounded as in a file before a run, so that the file holds the judged values.
     objective : str
-        One of `OBJECTIVES`.
+        One of `contourlab.metrics.run_figures.GOALS`.
     floor : float [SI]
         J_tol.
     bounds : Bounds
-    moving, seed, threads, gpu
-        See `contourlab.study.Evaluator`.
+    threads, gpu
+        See `contourlab.study.Runner`.
     progress : callable, optional
         Called with the number of candidates tried so far, including those that are not run because they break a margin.
     best : ndarray (n_variant,)
@@ -97,14 +91,11 @@ class Variants:
     """
 
     members: tuple[Variant, ...]
-    controller: Controller
-    reference: Reference
+    setting: Setting
     space: Space
     objective: str = "contour_error_integral"
     floor: float = 2e-6
     bounds: Bounds = field(default_factory=Bounds)
-    moving: bool = False
-    seed: int = 0
     threads: int | None = None
     gpu: bool = False
     progress: Callable[[int], None] | None = None
@@ -114,18 +105,15 @@ class Variants:
     _lock: threading.Lock = field(init=False, repr=False, default_factory=threading.Lock)
 
     def __post_init__(self) -> None:
-        if self.objective not in OBJECTIVES:
-            raise ParameterError("objective", repr(self.objective), "one of " + ", ".join(OBJECTIVES))
         if not self.floor > 0.0:
-            raise ParameterError("floor", f"{self.floor:g}", "> 0", OBJECTIVES[self.objective][0])
+            raise ParameterError("floor", f"{self.floor:g}", "> 0", goal_named(self.objective, "objective").unit)
         outside = [name for name in self.space.names if not name.startswith("controller.")]
         if outside:
             raise ParameterError("parameters", outside[0], "a parameter of the controller: those of the machine differ between variants")
         self.space = replace(self.space, written=True)
-        self.evaluators = tuple(
-            Evaluator(v.machine, self.controller, self.reference, self.moving, self.seed, self.threads, gpu=self.gpu) for v in self
-        )
-        self.guards = tuple(Guards([(v.machine, self.controller)], self.bounds) for v in self)
+        figures = (self.objective, "limited_share")
+        self.runners = tuple(Runner(replace(self.setting, machine=v.machine), figures, self.threads, self.gpu) for v in self)
+        self.guards = tuple(Guards([(v.machine, self.setting.controller)], self.bounds) for v in self)
         self.best = np.full(len(self), np.inf)
         self.best_points = np.tile(self.space.start, (len(self), 1))
 
@@ -143,18 +131,18 @@ class Variants:
     @property
     def runs(self) -> int:
         """Runs so far."""
-        return sum(evaluator.runs for evaluator in self.evaluators)
+        return sum(runner.runs for runner in self.runners)
 
-    def run_in(self, pool: Pool | None) -> None:
+    def run_in(self, pool: Workers | None) -> None:
         """Run in the workers of a pool from now on; in threads of this process if there is none."""
-        for evaluator in self.evaluators:
-            evaluator.pool = pool
+        for runner in self.runners:
+            runner.pool = pool
         self.threads = self.threads if pool is None else pool.count
 
     @property
     def unit(self) -> str:
         """The display unit of the objective."""
-        return OBJECTIVES[self.objective][1]
+        return GOALS[self.objective].display
 
     def losses(self, values: Array) -> Array:
         """Return the loss of each variant against the present J*."""
@@ -162,7 +150,7 @@ class Variants:
 
     def controller_at(self, point: Array, local: Sequence[str] = ()) -> Controller:
         """Return the controller of a point; `local` are the parameters, by dotted name, that move with their axis."""
-        controller = controller_with(self.controller, self.space.values(point))
+        controller = controller_with(self.setting.controller, self.space.values(point))
         axes = {}
         for name, axis in controller.axes.items():
             head = f"controller.axes.{name}."
@@ -205,10 +193,10 @@ class Variants:
         sides = min(threads, len(which))
 
         def figures(at: int, own: int) -> dict[str, Array]:
-            return self.evaluators[which[at]](columns[at], threads=own) if next(iter(columns[at].values())).size else {}
+            return self.runners[which[at]](columns[at], threads=own) if next(iter(columns[at].values())).size else {}
 
         # The first runs of a machine compile its components, one after another.
-        if sides < 2 or any(self.evaluators[i].runs == 0 for i in which):
+        if sides < 2 or any(self.runners[i].runs == 0 for i in which):
             return [figures(at, threads) for at in range(len(which))]
         return in_threads(lambda at: figures(at, -(-threads // sides)), range(len(which)), sides)
 
@@ -228,15 +216,15 @@ class Variants:
 
     def state(self) -> dict[str, Array]:
         """Return the state that searches change."""
-        counts = np.array([self.tried, *(evaluator.runs for evaluator in self.evaluators)])
+        counts = np.array([self.tried, *(runner.runs for runner in self.runners)])
         return {"best": self.best.copy(), "best_points": self.best_points.copy(), "counts": counts}
 
     def restore(self, state: Mapping[str, Array]) -> None:
         """Restore a state."""
         self.best, self.best_points = state["best"], state["best_points"]
         self.tried, *runs = state["counts"].tolist()
-        for evaluator, count in zip(self.evaluators, runs, strict=True):
-            evaluator.runs = count
+        for runner, count in zip(self.runners, runs, strict=True):
+            runner.runs = count
 
     def objective_of(self, i: int) -> Callable[[Array], Array]:
         """Return the function to minimise for J* of variant `i`: J over J_tol of points (n, n_parameter)."""

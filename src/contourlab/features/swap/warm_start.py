@@ -124,7 +124,7 @@ def _remedy(beyond: Sequence[DesignVariable], values: dict[str, float]) -> str:
 
 def _not_taken(variants: Variants, variant: Variant, file: str, controller: Controller) -> list[Finding]:
     """Report the parameters that differ from the scenario's and are not searched."""
-    there, here = (parameters_of(variant.machine, of) for of in (controller, variants.controller))
+    there, here = (parameters_of(variant.machine, of) for of in (controller, variants.setting.controller))
     kept = [name for name in here if name.startswith("controller.") and name not in variants.space.names]
     differ = [name for name in kept if name not in there or getattr(*there[name]) != getattr(*here[name])]
     differ += [name for name in there if name not in here]

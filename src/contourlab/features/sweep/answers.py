@@ -8,14 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.features.sweep.design import DRAWN
-from contourlab.features.sweep.effects import Effect, Subset, effects, finite, subsets
-from contourlab.features.sweep.pairings import Pairings, best_choice, pairings_of
-from contourlab.features.sweep.query import counts
-from contourlab.features.sweep.rows import Rows, objectives
-from contourlab.features.sweep.statistics import LEAST, Estimate, convergence, estimate, pareto_front, quantile, variants_needed
+from contourlab.features.sweep.effects import Effect, Pairings, Subset, best_choice, effects, finite, pairings_of, subsets
+from contourlab.features.sweep.query import Rows, counts, objectives
 from contourlab.features.sweep.summary import remarks
 from contourlab.findings import Finding
+from contourlab.study.design import DRAWN
+from contourlab.study.statistics import LEAST, Estimate, convergence, estimate, pareto_front, quantile, variants_needed
 
 SHOWN_FRONT = 200
 """Most members of a Pareto front in the answers."""

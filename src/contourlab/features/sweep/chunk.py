@@ -12,11 +12,10 @@ import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import ContourlabError, EngineError, ParameterError
-from contourlab.features.sweep.distributions import chosen
 from contourlab.features.sweep.structures import Structure
 from contourlab.features.sweep.study import Study
-from contourlab.loop import parameters_of
-from contourlab.loop.batch import checked_variants, simulate_batch
+from contourlab.loop.batch import checked_variants
+from contourlab.study.space import chosen
 
 OK, DIVERGED, REFUSED = STATUSES = ("ok", "diverged", "refused")
 """Status of a variant: judged; left its following-error limit or became non-finite; a combination that a component refuses."""
@@ -51,6 +50,7 @@ def run_chunks(
     progress: Callable[[float], None] | None = None,
     *,
     gpu: bool = False,
+    asked: Array | None = None,
 ) -> list[Chunk]:
     """Simulate the variants of chunks together. The results depend on the study and the number of each chunk alone.
 
@@ -64,9 +64,11 @@ def run_chunks(
         Called with the share done.
     gpu : bool
         Whether a GPU runs the variants.
+    asked : ndarray (n_variant, n_dimension), optional
+        Places of the variants of a single chunk, instead of those of the design.
     """
     began, cpu = perf_counter(), process_time()
-    parts = [study.design.places(number) for number in numbers]
+    parts = [study.design.places(number) if asked is None else asked for number in numbers]
     places = np.concatenate(parts)
     n = len(places)
     codes = [np.asarray(choice.codes)[chosen(places[:, choice.dimension], len(choice.codes), choice.weights)] for choice in study.choices]
@@ -100,10 +102,10 @@ def run_chunks(
     return chunks
 
 
-def chunk_elsewhere(study: Study, number: int) -> Chunk:
+def chunk_elsewhere(study: Study, number: int, asked: Array | None = None) -> Chunk:
     """Run a chunk in one thread; raise errors of a kind that can be sent."""
     try:
-        return run_chunks(study, [number], 1)[0]
+        return run_chunks(study, [number], 1, asked=asked)[0]
     except ContourlabError as error:
         raise EngineError(f"chunk {number}: {error}") from None
 
@@ -159,18 +161,11 @@ def _simulate(
 ) -> None:
     """Simulate the accepted variants of a structure, and write their rows of the columns and signals."""
     rows, reference = rows[accepted], structure.reference
-    batch = simulate_batch(
-        structure.machine,
-        structure.controller,
-        reference,
-        {name: values[accepted] for name, values in given.items()} or _unchanged(structure, len(rows)),
+    batch = structure.batch(
+        {name: values[accepted] for name, values in given.items()} or structure.as_it_is(len(rows)),
+        study.figures,
         keep=study.signals,
         threads=threads,
-        part=any(name.startswith("part_") for name in study.figures),
-        effort=any(name in study.figures for name in ("command_energy", "command_largest", "limited_share")),
-        view=structure.view,
-        seed=structure.seed,
-        moving=structure.moving,
         progress=None if progress is None else (lambda sample: progress(sample / reference.n_sample)),
         gpu=gpu,
     )
@@ -186,9 +181,3 @@ def _simulate(
             values = np.where(np.isnan(values), np.nan, values)
         whole = signals.setdefault(name, np.full((len(columns["status"]), longest, values.shape[1]), np.nan))
         whole[rows, : values.shape[0]] = np.moveaxis(values, 2, 0)
-
-
-def _unchanged(structure: Structure, n: int) -> dict[str, Array]:
-    """Return one parameter at its own value, for variants that differ in choices only."""
-    name, (part, parameter) = next(iter(parameters_of(structure.machine, structure.controller).items()))
-    return {name: np.full(n, float(getattr(part, parameter)))}

@@ -21,8 +21,6 @@ from contourlab.extras import extra_module
 from contourlab.features.run.command import RunOptions, RunOutcome, run_session
 from contourlab.features.sweep.chunk import Chunk, chunk_elsewhere, run_chunks
 from contourlab.features.sweep.cost import agree, cost_of
-from contourlab.features.sweep.design import Design
-from contourlab.features.sweep.distributions import Distribution
 from contourlab.features.sweep.query import variant
 from contourlab.features.sweep.store import Store, check_folder, numbers_in, read_store, writing
 from contourlab.features.sweep.structures import Structure, Structured
@@ -34,7 +32,9 @@ from contourlab.rendering.stages import shown
 from contourlab.result import write_text_atomic
 from contourlab.scenario import Case, Scenario, dump, parse_scenario
 from contourlab.study.checkpoint import noted
+from contourlab.study.design import Design
 from contourlab.study.executors import Executor, Workers
+from contourlab.study.space import Distribution
 from contourlab.study.values import with_values
 
 AGAIN = "Repeat the command with --resume to continue"
@@ -208,7 +208,7 @@ def rerun(folder: str | Path, number: int, options: RunOptions) -> RunOutcome:
 def _differences(store: Store, row: Mapping[str, Any], case: Case, values: Mapping[str, float]) -> Iterator[Finding]:
     """Run a variant again as the study did; yield the first figure that is not that of its row."""
     numbers = tuple((name, i, Distribution("values", (value,))) for i, (name, value) in enumerate(values.items()))
-    structure = Structure(case.machine, case.controller, case.reference(), case.moving, case.seed, numbers)
+    structure = Structure(case.machine, case.controller, case.reference(), case.seed, case.moving, numbers)
     design = Design("list", 1, 1, (1,) * len(numbers))
     (chunk,) = run_chunks(Study("", "", design, (), {(): structure}, dict.fromkeys(values, ""), tuple(store.figures)), [0])
     for name, unit in store.figures.items():

@@ -21,20 +21,19 @@ from contourlab.errors import ParameterError
 from contourlab.extras import extra_module
 from contourlab.features.sweep.chunk import Chunk, chunk_elsewhere, joined, run_chunks
 from contourlab.features.sweep.command import AGAIN, kept_note, structures_of
-from contourlab.features.sweep.design import Design
 from contourlab.features.sweep.query import counts, rows
-from contourlab.features.sweep.statistics import pareto_front
 from contourlab.features.sweep.store import Store, check_folder, writing
 from contourlab.features.sweep.structures import Structured
 from contourlab.features.sweep.study import Study, study_of
-from contourlab.features.sweep.summary import remarks, rows_text
-from contourlab.features.sweep.words import title_of
+from contourlab.features.sweep.summary import remarks, rows_text, title_of
 from contourlab.figures import listing
 from contourlab.findings import Finding
 from contourlab.loop.batch import lanes_each
 from contourlab.rendering.stages import shown
 from contourlab.rendering.table import paragraphs
+from contourlab.study.design import Design
 from contourlab.study.executors import Executor, Workers
+from contourlab.study.statistics import pareto_front
 
 SAMPLERS = ("tpe", "nsga2", "cma-es")
 JOURNAL = "optuna.log"
@@ -80,17 +79,6 @@ class SearchOptions:
     def chosen(self) -> str:
         """The sampler."""
         return self.sampler or ("tpe" if len(self.minimise) == 1 else "nsga2")
-
-
-@dataclass(frozen=True)
-class Asked(Design):
-    """A design whose places a sampler has chosen."""
-
-    asked: Array = field(default_factory=lambda: np.zeros((0, 0)), repr=False)
-
-    def places(self, chunk: int) -> Array:
-        """Return the places of the batch at work."""
-        return self.asked
 
 
 @dataclass(frozen=True)
@@ -238,23 +226,18 @@ def _sampler(options: SearchOptions, seed: int) -> Any:
 def _simulated(study: Study, executor: Executor, pool: Workers | None) -> Callable[[Array, int], Chunk]:
     """Return the function that simulates the places of a batch, given its number."""
     if pool is None:
-        return lambda places, number: run_chunks(_at(study, places), [number], executor.workers, gpu=executor.gpu)[0]
+        return lambda places, number: run_chunks(study, [number], executor.workers, gpu=executor.gpu, asked=places)[0]
     key = pool.shared(study)
 
     def run(places: Array, number: int) -> Chunk:
         size = lanes_each(len(places), pool.count)
-        return joined(pool.map(_run_elsewhere, key, [(places[first : first + size], number) for first in range(0, len(places), size)]))
+        return joined(pool.map(_run_elsewhere, key, [(number, places[first : first + size]) for first in range(0, len(places), size)]))
 
     return run
 
 
-def _run_elsewhere(study: Study, item: tuple[Array, int]) -> Chunk:
-    return chunk_elsewhere(_at(study, item[0]), item[1])
-
-
-def _at(study: Study, places: Array) -> Study:
-    design = study.design
-    return replace(study, design=Asked("search", design.variants, design.chunk, design.levels, asked=places))
+def _run_elsewhere(study: Study, item: tuple[int, Array]) -> Chunk:
+    return chunk_elsewhere(study, *item)
 
 
 def _batch(

@@ -1,11 +1,13 @@
-"""Questions to a store: summary, SQL, worst variants, export."""
+"""Questions to a store: summary, SQL, worst variants, export, and the rows that answers are about."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
+from functools import cached_property
 from itertools import chain
 from pathlib import Path
 from sys import getsizeof
@@ -14,16 +16,16 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import ParameterError, UnitError, error_text
 from contourlab.extras import extra_module
 from contourlab.features.sweep.store import Store
+from contourlab.features.sweep.vary import belongs
 from contourlab.result.atomic import replacing
+from contourlab.study.statistics import share_of, wilson
 from contourlab.units import to_si
 
 QUANTILES = {"minimum": 0.0, "p5": 0.05, "median": 0.5, "p95": 0.95, "p99": 0.99, "maximum": 1.0}
-Z = 1.959963984540054
-"""Half width of the interval of 95 % of a normal distribution, in standard deviations."""
 PIECE = 4096
 """Rows between two looks at the memory of a query."""
 JUDGED = "part_error_max"
@@ -73,55 +75,6 @@ class Yield:
     share: float
     low: float
     high: float
-
-
-def wilson(passed: float, judged: float) -> tuple[float, float]:
-    """Return the Wilson interval of 95 % of a share; `judged` may be an `effective_size`.
-
-    >>> [round(end, 4) for end in wilson(98, 100)]
-    [0.93, 0.9945]
-    """
-    if not judged:
-        return 0.0, 1.0
-    share = passed / judged
-    centre = (share + Z * Z / (2 * judged)) / (1 + Z * Z / judged)
-    half = Z / (1 + Z * Z / judged) * math.sqrt(share * (1 - share) / judged + Z * Z / (4 * judged**2))
-    return (max(centre - half, 0.0) if passed else 0.0), (min(centre + half, 1.0) if passed < judged else 1.0)
-
-
-def effective_size(tallies: Sequence[tuple[Array, Array]]) -> float:
-    """Return how many independent variants tell as much about a yield as the pairings of modules, or variants that share draws, do.
-
-    Parameters
-    ----------
-    tallies : sequence of (ndarray (n_module,), ndarray (n_module,))
-        For each kind of modules: the judged pairings of each module, and those that passed. A draw that several variants share counts as
-        a module.
-
-    Notes
-    -----
-    The variance of the yield is the sum over the kinds of the jackknife variance over their modules; the interval takes Student's t, as
-    Korn and Graubard do for clusters. Bad modules that nobody has drawn are in no variance: the size is therefore at most the number of
-    kinds times the fewest modules of a kind, and that number itself where all pairings agree.
-
-    References
-    ----------
-    E. L. Korn, B. I. Graubard, "Confidence intervals for proportions with small expected number of positive counts estimated from survey
-    data", Survey Methodology 24, 1998.
-    """
-    from scipy.special import stdtrit
-
-    judged, passed = float(tallies[0][0].sum()), float(tallies[0][1].sum())
-    share, fewest = passed / judged, min(len(count) for count, _ in tallies)
-    if fewest < 2:
-        return 1.0
-    if not 0.0 < share < 1.0:
-        return float(fewest)
-    variance = sum(len(n) / (len(n) - 1) * float(np.sum((good - share * n) ** 2)) / judged**2 for n, good in tallies)
-    most = float(len(tallies) * fewest)
-    if variance == 0.0:
-        return most
-    return min(share * (1.0 - share) / variance * (Z / float(stdtrit(fewest - 1, 0.975))) ** 2, most)
 
 
 @contextmanager
@@ -211,16 +164,11 @@ def yield_of(store: Store) -> Yield | None:
     tolerance = store.tolerance
     if tolerance is None or JUDGED not in store.figures:
         return None
-    tally = f"SELECT count(*), count(*) FILTER ({JUDGED} <= {float(tolerance)!r}) FROM results WHERE status <> 'refused'"
-    (judged, passed), *_ = rows(store, tally)[1]
-    if not judged:
+    rows = _judged(store, JUDGED, ["variant", *store.modules, JUDGED])
+    if not rows.table.num_rows:
         return Yield(JUDGED, tolerance, 0, 0, math.nan, *wilson(0, 0))
-    share, size = passed / judged, float(judged)
-    group = store.manifest["group"]
-    if clusters := [*map(quoted, store.modules), *([f"variant // {group}"] if group > 1 else [])]:
-        tallies = [np.array(rows(store, f"{tally} GROUP BY {words}")[1], dtype=float).T for words in clusters]
-        size = effective_size([(n, good) for n, good in tallies])
-    return Yield(JUDGED, tolerance, passed, judged, share, *wilson(passed if size == judged else share * size, size))
+    passed, *share = share_of(rows.values <= tolerance, rows.clusters)
+    return Yield(JUDGED, tolerance, passed, len(rows.values), *share)
 
 
 def check_figure(store: Store, figure: str) -> None:
@@ -314,3 +262,111 @@ def export(store: Store, file: Path) -> Export:
 def _unit(field: Any) -> str:
     metadata: Mapping[bytes, bytes] = field.metadata or {}
     return metadata.get(b"unit", b"").decode()
+
+
+@dataclass(frozen=True, eq=False)
+class Rows:
+    """The judged rows of a store.
+
+    Attributes
+    ----------
+    store : Store
+    figure : str
+    table : pyarrow.Table
+        Without refused variants.
+    """
+
+    store: Store
+    figure: str
+    table: Any = field(repr=False)
+
+    @cached_property
+    def values(self) -> Array:
+        """The figure (n,); inf for a variant that diverged."""
+        found, _ = self.column(self.figure)
+        return np.where(np.isnan(found), np.inf, found)
+
+    @property
+    def tolerance(self) -> float | None:
+        """Tolerance [m] of the figure, if it has one and the store has a yield."""
+        return self.store.tolerance if self.figure == JUDGED else None
+
+    @cached_property
+    def members(self) -> dict[str, Index]:
+        """For each kind of modules, by its column, which one is in each row (n,), counted from 0 without gaps."""
+        return {name: np.unique(self.table[name].to_numpy(), return_inverse=True)[1] for name in self.store.modules}
+
+    @cached_property
+    def clusters(self) -> list[Index]:
+        """Which rows share a module or a draw, for each kind of modules (n,); empty if all rows are independent."""
+        group = self.store.manifest["group"]
+        shared = [np.unique(self.table["variant"].to_numpy() // group, return_inverse=True)[1]] if group > 1 else []
+        return [*self.members.values(), *shared]
+
+    def share_of_variance(self, chosen: Flags) -> float:
+        """Return the share of the variance of what ended that lies within some rows."""
+        ended = np.isfinite(self.values)
+        whole, part = self.values[ended], self.values[ended & chosen]
+        if len(part) in (0, len(whole)):
+            return float(len(part) > 0)
+        total = len(whole) * float(np.var(whole))
+        return min(len(part) * float(np.var(part)) / total, 1.0) if total else 0.0
+
+    def kind(self, name: str) -> str | None:
+        """Return the column of the modules that a column belongs to."""
+        return next((kind for kind in self.store.modules if belongs(name, kind.removesuffix(".module"))), None)
+
+    def where(self, chosen: Flags) -> Rows:
+        """Return some of the rows."""
+        return Rows(self.store, self.figure, self.table.filter(chosen))
+
+    def first(self, shared: str) -> str:
+        """Return the first column that an effect or subset is about."""
+        return next(name for name in self.store.columns if name == shared or fnmatchcase(name, shared) or name in shared.split(", "))
+
+    def column(self, name: str) -> tuple[Array, list[str]]:
+        """Return a column (n,), nan where it is empty; of texts, their places in the list that comes with it."""
+        column = self.table[name]
+        if name in self._texts:
+            coded = column.dictionary_encode().unify_dictionaries().combine_chunks()
+            return coded.indices.to_numpy(zero_copy_only=False).astype(float), list(map(str, coded.dictionary.to_pylist()))
+        return column.to_numpy().astype(float, copy=False), []
+
+    @cached_property
+    def _texts(self) -> set[str]:
+        arrow = extra_module("pyarrow")
+        return {name for name in self.store.columns if self.store.schema.field(name).type == arrow.string()}
+
+
+def read_rows(store: Store, figure: str | None = None) -> Rows:
+    """Read the columns of a store that the answers need.
+
+    Parameters
+    ----------
+    store : Store
+    figure : str, optional
+        By default the largest part error, or else the first figure.
+
+    Raises
+    ------
+    ParameterError
+        If the store has no such figure, or no variant that was judged.
+    """
+    chosen = figure or (JUDGED if JUDGED in store.figures else next(iter(store.figures)))
+    check_figure(store, chosen)
+    rows = _judged(store, chosen, ["variant", *store.modules, *store.columns, *dict.fromkeys([chosen, *objectives(store)])])
+    if not rows.table.num_rows:
+        raise ParameterError("STORE", str(store.folder), "a store with variants that were judged")
+    return rows
+
+
+def _judged(store: Store, figure: str, names: Sequence[str]) -> Rows:
+    """Return some columns of the rows that were not refused."""
+    table = store.dataset.to_table(columns=[*names, "status"])
+    chosen = extra_module("pyarrow.compute").not_equal(table["status"], "refused")
+    return Rows(store, figure, table.filter(chosen).drop_columns("status"))
+
+
+def objectives(store: Store) -> list[str]:
+    """Return the figures that a compromise weighs against the main one."""
+    return [name for name in ("cycle_time", "command_energy") if name in store.figures]

@@ -1,20 +1,472 @@
-"""``contourlab sweep report``: the answers of a store in words, for the terminal and for the page."""
+"""``contourlab sweep report``: the answers of a store in words, for the terminal and for one HTML page that needs no network."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import astuple, dataclass
+from itertools import combinations
 from pathlib import Path
+from typing import Any
 
-from contourlab.features.sweep.answers import Answers, answers_of
-from contourlab.features.sweep.effects import Effect, Subset
-from contourlab.features.sweep.page import write_page
-from contourlab.features.sweep.pairings import Pairings
-from contourlab.features.sweep.rows import read_rows
+import numpy as np
+
+from contourlab import __version__
+from contourlab.app.command_line import as_typed
+from contourlab.arrays import Array, Index
+from contourlab.features.sweep.answers import GOAL, Answers, answers_of
+from contourlab.features.sweep.effects import FEW, Effect, Pairings, Subset, best_choice, enough, means_of
+from contourlab.features.sweep.query import Rows, read_rows
 from contourlab.features.sweep.store import read_store
-from contourlab.features.sweep.summary import display
-from contourlab.features.sweep.words import kind_of, range_text, said, share_text, value_text
-from contourlab.figures import number
+from contourlab.features.sweep.summary import display, title_of
+from contourlab.figures import figure, listing, number
+from contourlab.rendering.charts import Chart, Curve, Panel
+from contourlab.rendering.html import embedded, entry_of, page_template
+from contourlab.rendering.plotly_parts import axis_look, layout_look, packed, plain
+from contourlab.rendering.style import REFERENCE, scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
+from contourlab.result import write_text_atomic
+
+SHORT = 0.1
+"""Time [s] below which milliseconds are shown."""
+CLEAR = 0.02
+"""Least difference of two yields that is worth a sentence."""
+SORTED = (0.9, 0.99, 0.999)
+"""Yields to reach by sorting out modules: the next one above the yield of all."""
+MATTERS = 0.01
+"""Least share of the variance of a parameter that matters."""
+LITTLE = "less than 1 %, or may explain nothing (interval from 0 %)"
+"""What a parameter explains that does not matter for certain."""
+
+
+@dataclass(frozen=True)
+class Words:
+    """Sentences.
+
+    Attributes
+    ----------
+    sentence, decides, stop, front, modules : str
+        The first answer; what decides the figure; whether more variants are needed; the Pareto front; what the modules decide, and which
+        to sort out. Empty where there is none.
+    """
+
+    sentence: str
+    decides: str
+    stop: str
+    front: str
+    modules: str
+
+
+def said(answers: Answers) -> Words:
+    """Return the answers in sentences."""
+    first = _best(answers) if answers.design == "search" else _yield(answers) if answers.share is not None else _spread(answers)
+    return Words(" ".join(filter(None, (first, _which(answers)))), _decides(answers), _stop(answers), _front(answers), _modules(answers))
+
+
+def kind_of(answers: Answers) -> str:
+    """Return what the variants are: pairings of modules, or machines, if only these vary."""
+    if answers.pairings is not None:
+        return "pairings"
+    return "machines" if answers.effects and all(one.column.startswith("axes.") for one in answers.effects) else "variants"
+
+
+def share_text(share: float | None, digits: int = 4) -> str:
+    """Return a share in percent; close to 0 and 1 without needless digits."""
+    return "-" if share is None else figure(round(share, digits), "%", digits)
+
+
+def range_text(low: float | None, high: float | None, digits: int = 4) -> str:
+    """Return an interval of shares in percent."""
+    return "-" if low is None or high is None else f"{share_text(low, digits).removesuffix(' %')} to {share_text(high, digits)}"
+
+
+def shown(value: float | None, unit: str, digits: int = 3) -> str:
+    """Return a value in its display unit."""
+    if unit == "s" and value is not None and abs(value) < SHORT:
+        return figure(value, "ms", digits)
+    name, factor = display(unit)
+    return "-" if value is None else f"{number(value * factor, digits)} {name}".strip()
+
+
+def value_text(subset: Subset) -> str:
+    """Return the value of a subset."""
+    return subset.value if isinstance(subset.value, str) else shown(subset.value, subset.unit, 4)
+
+
+def _yield(answers: Answers) -> str:
+    ends = range_text(answers.low, answers.high)
+    interval = f" ({ends} with 95 % confidence)" if answers.is_sample else ""
+    passing = f"{answers.passed:,} of {answers.judged:,} {kind_of(answers)} make the part within {shown(answers.tolerance, 'm', 6)}"
+    return f"{passing}: {share_text(answers.share)}{interval}."
+
+
+def _best(answers: Answers) -> str:
+    value = shown(answers.smallest, answers.unit)
+    return f"The best of {answers.judged:,} variants of a search has a {title_of(answers.figure)} of {value}."
+
+
+def _spread(answers: Answers) -> str:
+    ends = f" ({shown(answers.p95_low, answers.unit)} to {shown(answers.p95_high, answers.unit)} with 95 % confidence)"
+    interval = ends if answers.is_sample and answers.p95_low is not None else ""
+    most = f"95 % of {answers.judged:,} {kind_of(answers)} have a {title_of(answers.figure)} up to {shown(answers.p95, answers.unit)}"
+    return f"{most}{interval}; half of them up to {shown(answers.median, answers.unit)}."
+
+
+def _which(answers: Answers) -> str:
+    """Return which variants pass: those on one side of the best cut."""
+    best: Effect | None = max(answers.effects, key=lambda one: one.gain, default=None)
+    if best is None or best.below is None or best.above is None or abs(best.below - best.above) < CLEAR:
+        return ""
+    low_is_better = best.below > best.above
+    side, (good, bad) = ("up to" if low_is_better else "above"), sorted((best.below, best.above), reverse=True)
+    return f"Of those with {best.column} {side} {shown(best.cut, best.unit)}, {share_text(good, 3)} do, of the others {share_text(bad, 3)}."
+
+
+def _decides(answers: Answers) -> str:
+    strong = [one for one in answers.effects if one.index_low > 0.0 and one.index >= MATTERS]
+    rest = len(answers.effects) - len(strong)
+    if not answers.effects:
+        return ""
+    if not strong:
+        return f"No parameter decides the {title_of(answers.figure)} alone: each explains {LITTLE}."
+    named = listing([f"{one.column} ({share_text(one.index, 2)})" for one in strong])
+    others = "The other one explains" if rest == 1 else f"Each of the other {rest} explains"
+    tail = f" {others} {LITTLE}." if rest else ""
+    twice = " They add up to more than 100 %, because some of them are correlated." if sum(one.index for one in strong) > 1.0 else ""
+    what = f"What decides the {title_of(answers.figure)}, in order, with the share of its variance that each explains"
+    return f"{what}: {named}.{twice}{tail}"
+
+
+def _stop(answers: Answers) -> str:
+    if not answers.is_sample:
+        return f"A {answers.design} is no sample: more variants of it would not make these numbers surer."
+    said = []
+    if answers.low is not None and answers.high is not None:
+        half = figure((answers.high - answers.low) / 2.0, "%", 2)
+        said.append(f"The yield is known to +-{half}; {_enough(answers.needed_for_yield, answers)}.")
+    if answers.p95 is not None and answers.p95_low is not None and answers.p95_high is not None:
+        error = (answers.p95_high - answers.p95_low) / 2.0
+        known = f"The 95 % quantile, {shown(answers.p95, answers.unit)}, is known to +-{shown(error, answers.unit, 2)}"
+        share = f" ({figure(error / answers.p95, '%', 2)})" if answers.p95 > 0.0 else ""
+        said.append(f"{known}{share}; {_enough(answers.needed_for_p95, answers)}.")
+    return " ".join(said)
+
+
+def _enough(needed: int | None, answers: Answers) -> str:
+    if needed is None:
+        return "how many more it needs cannot be told"
+    goal = f"+-{figure(GOAL, '%')}"
+    if answers.pairings is not None:
+        kinds = answers.pairings.kinds
+        times = (needed / answers.judged) ** (1.0 / len(kinds))
+        modules = " and ".join(f"{_about(times * kind.modules)} {kind.column.removesuffix('.module')} modules" for kind in kinds)
+        return f"{goal} needs about {modules}" if times > 1.0 else f"that is enough for {goal}"
+    if needed <= answers.judged:
+        return f"{_about(needed)} variants are enough for {goal}"
+    return f"{goal} needs about {_about(needed - answers.judged)} more variants"
+
+
+def _about(count: float) -> str:
+    """Return a count in two digits.
+
+    >>> _about(22_400), _about(87)
+    ('22,000', '87')
+    """
+    return f"{float(f'{count:.2g}'):,.0f}"
+
+
+def _front(answers: Answers) -> str:
+    if not answers.objectives:
+        return ""
+    names = listing([title_of(name) for name in answers.objectives])
+    return f"{answers.front_size:,} of {answers.judged:,} {kind_of(answers)} are best compromises of {names}: no other is better in all."
+
+
+def _modules(answers: Answers) -> str:
+    found = answers.pairings
+    if found is None:
+        return ""
+    explained = listing([f"{kind.column.removesuffix('.module')} ({share_text(kind.index, 2)})" for kind in found.kinds])
+    rest = max(1.0 - sum(kind.index for kind in found.kinds), 0.0)
+    what = f"Share of the variance of the {title_of(answers.figure)} that the module explains, whatever its partners: {explained}"
+    pairing = f"; the pairing itself: {share_text(rest, 2)}" if len(found.kinds) > 1 else ""
+    return " ".join(filter(None, (_under(found), f"{what}{pairing}.", _sorting(found))))
+
+
+def _under(found: Pairings) -> str:
+    """Return under which choices the modules are judged."""
+    if not found.choices:
+        return ""
+    named = listing([f"{name} {value if isinstance(value, str) else number(value)}" for name, value in found.choices.items()])
+    yields = f", with which {share_text(found.share)} of {found.judged:,} pairings pass" if found.share is not None else ""
+    return f"Modules are judged under the best choice, {named}{yields}."
+
+
+def _sorting(found: Pairings) -> str:
+    """Return how few modules spoil the yield."""
+    if found.share is None or not found.bad:
+        return ""
+    goal = next((goal for goal in SORTED if found.share < goal), 1.0)
+    count = enough(found.bad, goal)
+    bad = found.bad[:count]
+    if bad[-1].left < goal:
+        return f"Even without the worst {count} modules the yield stays below {share_text(goal)}."
+    parts = [(kind.column.removesuffix(".module"), sum(one.column == kind.column for one in bad), kind.modules) for kind in found.kinds]
+    which = listing([f"{gone} of {modules:,} {name}" for name, gone, modules in parts if gone])
+    return f"Without the worst modules, {which}, the yield rises from {share_text(found.share)} to {share_text(bad[-1].left)}."
+
+
+CELLS = 200
+"""Most modules of a kind in a picture."""
+MOST = 6
+"""Most pictures."""
+WITHIN, BEYOND = ("#0b3c6f", "#dbe9f6"), ("#fde3cf", "#8c1c13")
+"""Colours up to the tolerance, and above it."""
+EVEN = ((0.0, "#0b3c6f"), (0.5, "#f2f2f2"), (1.0, "#8c1c13"))
+
+
+def matrices(answers: Answers, rows: Rows) -> Iterator[dict[str, Any]]:
+    """Yield a picture for each two kinds of modules, under the best choice, and for each kind and choice."""
+    if answers.pairings is None:
+        return
+    best = best_choice(rows)[1]
+    kinds = list(rows.store.modules)
+    choices = [name for name in answers.pairings.choices if len(np.unique(rows.column(name)[0])) <= FEW]
+    pairs = [(best, *pair) for pair in combinations(kinds, 2)] + [(rows, kind, name) for kind in kinds for name in choices]
+    for some, first, second in pairs[:MOST]:
+        yield _matrix(answers, some, first, second)
+
+
+def _matrix(answers: Answers, rows: Rows, first: str, second: str) -> dict[str, Any]:
+    """Return the picture of two columns: the mean figure of the pairings in each cell; nothing where one of them diverged."""
+    unit, factor = display(answers.unit)
+    (x, x_names), (y, y_names) = (_order(rows, name) for name in (first, second))
+    drawn = (x >= 0) & (y >= 0)
+    size = len(x_names) * len(y_names)
+    cell = y[drawn] * len(x_names) + x[drawn]
+    with np.errstate(invalid="ignore"):
+        count = np.bincount(cell, minlength=size)
+        z = np.bincount(cell, rows.values[drawn] * factor, size) / count
+    z[~np.isfinite(z)] = np.nan
+    names = first.removesuffix(".module"), second.removesuffix(".module")
+    heat = {
+        "type": "heatmap",
+        "x": x_names,
+        "y": y_names,
+        "z": packed(z) | {"shape": f"{len(y_names)},{len(x_names)}"},
+        "hovertemplate": f"{plain(names[0])} %{{x}}<br>{plain(names[1])} %{{y}}<br>%{{z:.4g}} {unit}<extra></extra>",
+        "hoverongaps": False,
+        "colorbar": {"title": {"text": unit}, "thickness": 14, "outlinewidth": 0},
+        **_colours(z, None if answers.tolerance is None else answers.tolerance * factor),
+    }
+    axes = [axis_look(label, type="category", showgrid=False, constrain="domain") for label in names]
+    height = min(max(16 * len(y_names) + 150, 220), 560)
+    layout = layout_look(height, xaxis=axes[0], yaxis=axes[1], hovermode="closest", plot_bgcolor="#444444", showlegend=False)
+    return {
+        "id": f"matrix-{names[0]}-{names[1]}".replace(".", "-"),
+        "title": f"{names[0]} and {names[1]}",
+        "caption": _caption(answers, rows, bool(count.max() > 1), (first, second)),
+        "view": "",
+        "spec": {"data": [heat], "layout": layout},
+        "height": height,
+    }
+
+
+def _order(rows: Rows, name: str) -> tuple[Index, list[str]]:
+    """Return the place of each row along an axis, -1 if it is not drawn, and the labels; modules in the order of their mean figure."""
+    if name not in rows.store.modules:
+        codes, labels = rows.column(name)
+        kept, place = np.unique(codes, return_inverse=True)
+        unit = rows.store.columns[name]
+        return place, [labels[int(code)] if labels else shown(float(code), unit, 4) for code in kept]
+    member, numbers = rows.members[name], np.unique(rows.table[name].to_numpy())
+    order = np.lexsort((means_of(member, rows.values).mean, np.bincount(member, np.isinf(rows.values))))
+    order = order[np.unique(np.linspace(0, len(order) - 1, CELLS).round().astype(int))]
+    place = np.full(len(numbers), -1)
+    place[order] = np.arange(len(order))
+    return place[member], [str(number) for number in numbers[order]]
+
+
+def _colours(z: Array, tolerance: float | None) -> dict[str, Any]:
+    """Return the colours: blue up to the tolerance, red above it."""
+    known = z[np.isfinite(z)]
+    low, high = (float(known.min()), float(np.quantile(known, 0.995))) if known.size else (0.0, 1.0)
+    if tolerance is None:
+        return {"zmin": low, "zmax": high, "colorscale": EVEN}
+    low, high = min(low, tolerance), max(high, tolerance * (1.0 + 1e-6))
+    middle = (tolerance - low) / (high - low)
+    scale = [(0.0, WITHIN[0]), (middle, WITHIN[1]), (middle, BEYOND[0]), (1.0, BEYOND[1])]
+    return {"zmin": low, "zmax": high, "colorscale": scale}
+
+
+def _caption(answers: Answers, rows: Rows, is_mean: bool, names: tuple[str, str]) -> str:
+    bound = "" if answers.tolerance is None else f" Blue: within {shown(answers.tolerance, 'm', 6)}; red: beyond."
+    parts = [f"The {title_of(answers.figure)} of each pairing{', the mean over all else' if is_mean else ''}.{bound}"]
+    parts.append("Modules are in the order of their mean, the best first; the ticks are their numbers.")
+    if np.isinf(rows.values).any():
+        parts.append("Dark: diverged.")
+    if any(rows.store.modules.get(name, 0) > CELLS for name in names):
+        parts.append(f"Of more than {CELLS} modules, {CELLS} are drawn, evenly along this order.")
+    return " ".join(parts)
+
+
+BARS, POINTS = 60, 2000
+"""Bars of a histogram, and most points of a cloud."""
+MOST_CURVES, WORTH_CURVES = 6, 0.02
+"""Most curves of a distribution, and the least index of the column that divides it."""
+TABLE_FRONT = 12
+"""Most rows of the table of the Pareto front."""
+
+
+def write_page(answers: Answers, rows: Rows, words: Words, file: Path) -> None:
+    """Write the page.
+
+    Raises
+    ------
+    OutputError
+        If it cannot be written.
+    """
+    groups = {
+        "distribution": [entry_of(_distribution(answers, rows))],
+        "convergence": [entry_of(chart) for chart in _convergence(answers)],
+        "front": list(_fronts(answers, rows)),
+        "modules": list(matrices(answers, rows)),
+    }
+    unit, factor = display(answers.unit)
+    text = page_template("sweep.html.j2").render(
+        title=answers.question or Path(answers.store).name,
+        kind=kind_of(answers),
+        answers=answers,
+        words=Words(*(text.replace(" %", "\N{NO-BREAK SPACE}%") for text in astuple(words))),
+        groups=groups,
+        unit=unit,
+        factor=factor,
+        front=_front_table(answers),
+        titles=[title_of(name) for name in answers.objectives],
+        next=as_typed(["contourlab", "sweep", "worst", answers.store]),
+        version=__version__,
+        study=rows.store.manifest["study"],
+        figure_title=title_of(answers.figure),
+        share=share_text,
+        between=range_text,
+        value=value_text,
+        shown=shown,
+        **embedded(groups),
+    )
+    write_text_atomic(file, str(text))
+
+
+def _distribution(answers: Answers, rows: Rows) -> Chart:
+    """Return histogram and cumulative curve, divided by the column of few values that decides most."""
+    unit, factor = display(answers.unit)
+    values = rows.values * factor
+    ended = values[np.isfinite(values)]
+    tolerance = None if answers.tolerance is None else answers.tolerance * factor
+    low, high = (float(ended.min()), float(np.quantile(ended, 0.999))) if ended.size else (0.0, 1.0)
+    if tolerance is not None:
+        low, high = min(low, 0.98 * tolerance), max(high, 1.02 * tolerance)
+    edges = np.linspace(low, high if high > low else low + 1.0, BARS + 1)
+    heights, sums = [], []
+    parts = _parts(answers, rows)
+    for i, (name, chosen) in enumerate(parts):
+        part = values if chosen is None else values[chosen]
+        counts, _ = np.histogram(part[np.isfinite(part)], edges)
+        x, y = np.repeat(edges, 2), np.concatenate([[0.0], np.repeat(100.0 * counts / len(part), 2), [0.0]])
+        below = np.count_nonzero(part < edges[0]) + np.concatenate([[0], np.cumsum(counts)])
+        look = scheme_style(i, len(parts))
+        heights.append(Curve(x, y, name, *look))
+        sums.append(Curve(edges, 100.0 * below / len(part), name, *look))
+    title = title_of(answers.figure)
+    label, span = f"{title} [{unit}]", None if tolerance is None else (float(edges[0]), tolerance)
+    within = "" if tolerance is None else f"within {shown(answers.tolerance, 'm', 6)}"
+    beyond = np.count_nonzero(values > edges[-1])
+    kind = kind_of(answers)
+    note = f" {beyond:,} {kind} lie beyond the right end." if beyond else ""
+    return Chart(
+        "distribution",
+        f"Distribution of the {title}",
+        f"Above: share of the {kind} in each of {BARS} intervals. Below: share with at most this {title}.{note}",
+        (
+            Panel(label, "share [%]", tuple(heights), span=span, span_label=within),
+            Panel(label, "up to here [%]", tuple(sums), span=span, y_range=(0.0, 103.0)),
+        ),
+        panel_height=210,
+    )
+
+
+def _parts(answers: Answers, rows: Rows) -> list[tuple[str, Any]]:
+    """Return names and rows of the parts of the distribution; None for all rows."""
+    index = {one.column: one.index for one in answers.effects}
+    columns = [name for name in dict.fromkeys(one.column for one in answers.subsets) if index.get(name, 0.0) >= WORTH_CURVES]
+    for name in sorted(columns, key=lambda name: -index[name]):
+        subsets = [one for one in answers.subsets if one.column == name]
+        if len(subsets) <= MOST_CURVES:
+            codes, labels = rows.column(rows.first(name))
+            wanted = [labels.index(one.value) if isinstance(one.value, str) else one.value for one in subsets]
+            return [(f"{name} {value_text(one)}", codes == code) for one, code in zip(subsets, wanted, strict=True)]
+    return [(f"all {kind_of(answers)}", None)]
+
+
+def _convergence(answers: Answers) -> Iterable[Chart]:
+    """Return yield and quantile over the number of variants."""
+    known = [one for one in answers.convergence if one.p95 is not None and one.p95_low is not None and one.p95_high is not None]
+    if len(answers.convergence) < 2 or (answers.tolerance is None and len(known) < 2):
+        return
+    unit, factor = display(answers.unit)
+    panels, kind = [], kind_of(answers)
+    if answers.tolerance is not None:
+        shares = [(one.share, one.share_low, one.share_high) for one in answers.convergence]
+        curves = _banded([one.variants for one in answers.convergence], shares, 100.0)
+        panels.append(Panel(f"number of {kind}", "yield [%]", curves, log_x=True))
+    if len(known) > 1:
+        curves = _banded([one.variants for one in known], [(one.p95, one.p95_low, one.p95_high) for one in known], factor)
+        panels.append(Panel(f"number of {kind}", f"95 % quantile [{unit}]", curves, log_x=True))
+    caption = f"Estimates from the first {kind} up to each number; dashed: their intervals of 95 %."
+    yield Chart("convergence", "Convergence", caption, tuple(panels))
+
+
+def _banded(variants: list[int], triples: list[Any], factor: float) -> tuple[Curve, ...]:
+    x, y = np.array(variants, dtype=float), np.array(triples, dtype=float) * factor
+    colour, _ = scheme_style(0, 1)
+    ends = [Curve(x, y[:, k], "95 % interval", colour, "dash", 1.0) for k in (1, 2)]
+    return (Curve(x, y[:, 0], "estimate", colour, width=2.0), *ends)
+
+
+def _fronts(answers: Answers, rows: Rows) -> Iterable[dict[str, Any]]:
+    """Return a picture of the first objective over each other one; a point tells its variant."""
+    if not answers.objectives:
+        return
+    n, kind = len(rows.values), kind_of(answers)
+    some = np.sort(np.random.default_rng(0).choice(n, min(n, POINTS), replace=False))
+    cloud = {name: rows.column(name)[0][some] for name in ("variant", *answers.objectives)}
+    front = {name: np.array([row[name] for row in answers.front], dtype=float) for name in cloud}
+    clouds = ((kind, REFERENCE, 4, cloud), ("best compromises", scheme_style(0, 2)[0], 8, front))
+    first, *others = ((name, *display(unit)) for name, unit in answers.objectives.items())
+    thinned = f" {POINTS:,} of {n:,} are drawn." if n > POINTS else ""
+    for other in others:
+        labels = [f"{title_of(name)} [{unit}]" if unit else title_of(name) for name, unit, _ in (other, first)]
+        curves = [
+            Curve(of[other[0]] * other[2], of[first[0]] * first[2], name, colour, half=np.zeros(len(of["variant"])))
+            for name, colour, _, of in clouds
+        ]
+        panel = Panel(labels[0], labels[1], tuple(curves))
+        title = f"{title_of(first[0])} and {title_of(other[0])}"
+        caption = f"The least is best on both axes. Hover over a point to see its number.{thinned}"
+        entry = entry_of(Chart(f"front-{other[0]}", title[0].upper() + title[1:], caption, (panel,), 380, loops=True))
+        for trace, (_, _, size, of) in zip(entry["spec"]["data"], clouds, strict=True):
+            trace["text"] = [f"variant {number:.0f}" for number in of["variant"]]
+            trace["hovertemplate"] = "%{text}<br>%{x:.4g}, %{y:.4g}<extra></extra>"
+            trace["marker"]["size"] = size
+            trace.pop("error_y")
+        yield entry
+
+
+def _front_table(answers: Answers) -> list[list[str]]:
+    """Return rows of the front: variant and objectives."""
+    if not answers.front:
+        return []
+    chosen = answers.front[:: max(-(-len(answers.front) // TABLE_FRONT), 1)]
+    return [[str(row["variant"]), *(shown(row[name], unit, 4) for name, unit in answers.objectives.items())] for row in chosen]
+
 
 SHOWN = 12
 """Most rows of a table on the terminal."""

@@ -7,28 +7,25 @@ import json
 import pickle
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import product
 from typing import Any
 
 from contourlab.errors import ContourlabError, ParameterError, UnitError
-from contourlab.features.sweep.distributions import Distribution, Variation, distribution
+from contourlab.features.sweep.vary import HEADS, Variation, distribution
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
-from contourlab.geometry.view import PathView, view_of
-from contourlab.loop import Controller, Machine, parameters_of
+from contourlab.loop import parameters_of
 from contourlab.loop.parameters import declared, matching
 from contourlab.scenario import Case, dump
-from contourlab.scenario.load import SCHEME_KEYS
 from contourlab.scenario.tree import Table, from_mapping, merge
+from contourlab.study import Setting
 from contourlab.study.checkpoint import run_identity
+from contourlab.study.space import Distribution
 from contourlab.units import si_unit, split, to_si
 
-HEADS = ("scheme", "contour", "program", *(key for key in SCHEME_KEYS if key != "learning"))
-"""First words of keys of the scenario file that a study can vary."""
 MOST = 256
 """Largest number of structures."""
-ROOMS = ("features/sweep/chunk", "features/sweep/design", "features/sweep/distributions")
+ROOMS = ("features/sweep/chunk", "study/design", "study/space")
 """Modules besides those of a run that decide the figures."""
 WORTH_SAYING = 1e-4
 """Least share of a distribution beyond the bounds of its parameter that is reported."""
@@ -62,33 +59,21 @@ class Choice:
 
 
 @dataclass(frozen=True)
-class Structure:
+class Structure(Setting):
     """Variants that differ in numbers only.
 
     Attributes
     ----------
-    machine, controller, reference, moving, seed
-        As in `contourlab.loop.simulate_batch`.
     numbers : tuple of (str, int, Distribution)
         Name, dimension of the design and distribution of each varied parameter.
     """
 
-    machine: Machine
-    controller: Controller
-    reference: Reference
-    moving: bool
-    seed: int
-    numbers: tuple[tuple[str, int, Distribution], ...]
-
-    @cached_property
-    def view(self) -> PathView:
-        """View of the path for estimator and judge."""
-        return view_of(self.reference.path)
+    numbers: tuple[tuple[str, int, Distribution], ...] = ()
 
     @property
     def identity(self) -> str:
         """Everything that decides the results, but for the varied values."""
-        return run_identity([self.machine], self.controller, self.reference, seed=self.seed, moving=self.moving, rooms=ROOMS)
+        return run_identity([self], ROOMS)
 
 
 @dataclass(frozen=True)
@@ -262,7 +247,7 @@ def _bound(
                 if drawn.beyond > WORTH_SAYING:
                     findings.setdefault(name, finding("CL921", parameter=name, share=drawn.beyond))
     structures = {
-        combo: Structure(case.machine, case.controller, references[combo], case.moving, case.seed, tuple(numbers[combo]))
+        combo: Structure(case.machine, case.controller, references[combo], case.seed, case.moving, tuple(numbers[combo]))
         for combo, case in cases.items()
     }
     remarks = (*findings.values(), *_on_cases(cases.values()))

@@ -14,16 +14,13 @@ from typing import Literal
 import numpy as np
 
 from contourlab.errors import ParameterError, ScenarioError, hint
-from contourlab.features.sweep.design import FIXED, INDEPENDENT, Design, Modules
-from contourlab.features.sweep.distributions import Variation, read_variations
-from contourlab.features.sweep.lists import read_list
-from contourlab.features.sweep.modules import listed_modules, module_entries, modules_of
 from contourlab.features.sweep.structures import ROOMS, Choice, Structure, Structured, structured
+from contourlab.features.sweep.vary import Variation, belongs, listed_modules, module_entries, read_list, read_variations
 from contourlab.findings import Finding, finding
 from contourlab.loop.batch import LANES
-from contourlab.loop.batch_result import FIGURE_UNITS
 from contourlab.loop.parameters import matching
 from contourlab.loop.simulate import UNITS as SIGNALS
+from contourlab.metrics.run_figures import FIGURES
 from contourlab.scenario import Case
 from contourlab.scenario.files import BUILTIN, shipped_hint
 from contourlab.scenario.load import changed_case, load_scenario
@@ -31,9 +28,10 @@ from contourlab.scenario.tables import read_values
 from contourlab.scenario.tree import Leaf, Table, read_tree
 from contourlab.scenario.values import DISTANCE
 from contourlab.study.checkpoint import program_text
+from contourlab.study.design import FIXED, INDEPENDENT, Design, Modules
 from contourlab.units import setting
 
-UNITS = {**FIGURE_UNITS, "cycle_time": "s"}
+UNITS = {**{name: figure.unit for name, figure in FIGURES.items()}, "cycle_time": "s"}
 """SI unit of each figure that a study can keep."""
 DEFAULT = ("part_error_max", "contour_error_max", "contour_error_rms", "contour_error_integral", "tracking_error_max", "cycle_time")
 JUDGED = "part_error_max"
@@ -154,7 +152,7 @@ def study_of(
     study = Study(
         file=str(file),
         text=path.read_text(encoding="utf-8-sig"),
-        design=_design(plain, content, made, modules_of(entries, made), variants),
+        design=_design(plain, content, made, _modules_of(entries, made), variants),
         choices=made.choices,
         structures=made.structures,
         columns=made.units,
@@ -197,6 +195,28 @@ def _known(content: Table, key: str, names: Sequence[str], known: Mapping[str, s
 
 
 # --- the design ------------------------------------------------------------------------------------------------------------------------
+
+
+def _modules_of(entries: dict[str, Leaf], made: Structured) -> tuple[Modules, ...]:
+    """Return the modules of each kind, with the dimensions of the design that are theirs.
+
+    Raises
+    ------
+    ScenarioError
+        If nothing of a module varies, or a draw is shared with something else; gives file and key.
+    """
+    found = []
+    for name, leaf in entries.items():
+        mine = {i: names for i, (names, _) in enumerate(made.dimensions) if any(belongs(one, name) for one in names)}
+        if not mine:
+            raise leaf.error(f"nothing varies that begins with {name}.: name the modules by the beginning of their parameters in [vary]")
+        for names in mine.values():
+            if other := next((one for one in names if not belongs(one, name)), None):
+                raise leaf.error(f"{names[0]} and {other} share a draw: leave out together")
+        listed = tuple(i for i, names in mine.items() if made.listed.issuperset(names))
+        count = made.dimensions[listed[0]][1] if isinstance(leaf.value, str) else int(leaf.value)
+        found.append(Modules(name, count, tuple(mine), listed))
+    return tuple(found)
 
 
 def _design(plain: StudyTable, content: Table, made: Structured, modules: tuple[Modules, ...], default: int | None) -> Design:

@@ -6,16 +6,17 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from contourlab.features.sweep.design import DRAWN
-from contourlab.features.sweep.manifest import SCHEMA
 from contourlab.features.sweep.query import Spread, Yield, counts, spreads, yield_of
-from contourlab.features.sweep.store import Store
+from contourlab.features.sweep.store import SCHEMA, Store
 from contourlab.figures import figure, number, shown_unit
 from contourlab.findings import Finding, finding
 from contourlab.rendering.table import Column, Table, paragraphs
+from contourlab.study.design import DRAWN
 
 WORKSHOP = {"m": ("um", 1e6), "m s": ("um s", 1e6)}
 """Display unit of the figures of errors, and the factor from SI."""
+
+KINDS = {"max": "largest", "rms": "rms", "mean": "mean"}
 
 
 @dataclass(frozen=True)
@@ -148,3 +149,13 @@ def _cell(value: Any, factor: float) -> str:
     if value is None:
         return "-"
     return number(value * factor, 5) if isinstance(value, float) else str(value)
+
+
+def title_of(name: str) -> str:
+    """Return a figure in words.
+
+    >>> title_of("part_error_max"), title_of("cycle_time")
+    ('largest part error', 'cycle time')
+    """
+    base, _, kind = name.rpartition("_")
+    return f"{KINDS[kind]} {title_of(base)}" if kind in KINDS else name.replace("_", " ")

@@ -12,14 +12,14 @@ from contourlab.app.results import check_file, proposed, staged
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.run.command import check_plots
 from contourlab.features.run.inputs import scenario_of
-from contourlab.features.tune.line_search import REFINEMENTS
+from contourlab.features.tune.report import tables
+from contourlab.features.tune.search import REFINEMENTS
 from contourlab.features.tune.study import Tuned, TuneSettings, tune
-from contourlab.features.tune.text import tables
 from contourlab.findings import Finding, finding
 from contourlab.rendering.stages import shown
 from contourlab.rendering.table import paragraphs
 from contourlab.result import write_text_atomic
-from contourlab.study import Space
+from contourlab.study import Setting, Space
 
 if TYPE_CHECKING:
     from contourlab.scenario import Case
@@ -124,15 +124,13 @@ def tune_scenario(
         with shown(progress) as stages, settings.executor.started(plugins, "Repeat the command") as pool:
             stages.expect(_work(case, settings))
             stages.begin("planning")
-            reference = case.reference()
-            given = {"moving": case.moving, "seed": case.seed, "pool": pool, "begin": stages.begin, "progress": stages.advance}
-            tuned = tune(case.machine, case.controller, reference, settings, **given)  # type: ignore[arg-type]
+            tuned = tune(Setting.of(case), settings, pool=pool, begin=stages.begin, progress=stages.advance)
         written = None if tuned.after.violations else Path(folder) / KEPT if out is None else Path(out)
         if written is not None:
             _write(tuned, case, stage / KEPT if out is None else written, scenario.name, plugins)
         drawn: list[Path] = []
         if plots:
-            from contourlab.features.tune.pictures import tuning_charts
+            from contourlab.features.tune.report import tuning_charts
             from contourlab.rendering.plots import write_charts
 
             charts = write_charts(tuning_charts(settings.goal, tuned), stage / "plots", tuple(plots))

@@ -13,35 +13,15 @@ from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.errors import DivergenceError, ParameterError
 from contourlab.feed import Reference
-from contourlab.loop import Controller, Machine, simulate
-from contourlab.metrics import judge, summarise
+from contourlab.loop import Machine
+from contourlab.metrics import judge
+from contourlab.metrics.figures import judged_part
 from contourlab.metrics.judge import check_follows
+from contourlab.metrics.run_figures import EFFORT, FIGURES, figures_from, figures_of_run, goal_named, needs
 from contourlab.result import Result
-from contourlab.study import Evaluator
-from contourlab.study.guards import Guards
+from contourlab.study import Runner, Setting
+from contourlab.study.guards import Bounds, Guards
 
-FIGURES = {
-    "part_error_max": ("part error, largest", "um"),
-    "part_error_rms": ("part error, rms", "um"),
-    "contour_error_integral": ("contour error, integral", "um s"),
-    "contour_error_rms": ("contour error, rms", "um"),
-    "contour_error_max": ("contour error, largest", "um"),
-    "contour_error_signed_mean": ("contour error, signed mean", "um"),
-    "tracking_error_rms": ("tracking error, rms", "um"),
-    "command_energy": ("command energy", "s"),
-    "command_largest": ("largest command, share of the drive's limit", "%"),
-    "limited_share": ("time at a drive's limit", "%"),
-}
-"""Figures of a run: printed name and display unit."""
-GOALS = {
-    "part": "part_error_max",
-    "integral": "contour_error_integral",
-    "max": "contour_error_max",
-    "rms": "contour_error_rms",
-    "tracking": "tracking_error_rms",
-    "energy": "command_energy",
-}
-"""Figures that a calibration can minimise."""
 TIE = 1e-3
 """Weight of the part error's rms beside its largest value: it decides between gains that reach the same."""
 
@@ -53,20 +33,19 @@ class Goal:
     Attributes
     ----------
     weights : tuple of (str, float)
-        Names from `GOALS`, weights > 0. In a sum, each figure is relative to its value at the start.
+        Words or names of `contourlab.metrics.run_figures.GOALS`, weights > 0. In a sum, each figure is relative to its value at the start.
     """
 
     weights: tuple[tuple[str, float], ...] = (("part", 1.0),)
 
     def __post_init__(self) -> None:
-        names = [name for name, _ in self.weights]
+        names = self.names
         for name, weight in self.weights:
-            if name not in GOALS:
-                raise ParameterError("objective", repr(name), f"one of {', '.join(GOALS)}, or a sum such as integral=1,energy=0.1")
             if not (weight > 0.0 and math.isfinite(weight)):
                 raise ParameterError("objective", f"{name}={weight:g}", "a weight > 0")
         if not names or len(set(names)) < len(names):
-            raise ParameterError("objective", ",".join(names) or "none", "at least one figure, none of them twice")
+            given = ",".join(name for name, _ in self.weights)
+            raise ParameterError("objective", given or "none", "at least one figure, none of them twice")
 
     @staticmethod
     def parse(text: str) -> Goal:
@@ -91,8 +70,14 @@ class Goal:
 
     @property
     def figure(self) -> str | None:
-        """Key of the only figure in `FIGURES`; None for a sum."""
-        return GOALS[self.weights[0][0]] if len(self.weights) == 1 else None
+        """Name of the only figure; None for a sum."""
+        return self.names[0] if len(self.weights) == 1 else None
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the figures."""
+        more = ", or a sum such as integral=1,energy=0.1"
+        return tuple(goal_named(name, "objective", more).name for name, _ in self.weights)
 
     @property
     def label(self) -> str:
@@ -102,7 +87,7 @@ class Goal:
     @property
     def unit(self) -> str:
         """Display unit of the objective; empty for a sum."""
-        return FIGURES[self.figure][1] if self.figure else ""
+        return FIGURES[self.figure].display if self.figure else ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,8 +122,8 @@ class Objective:
 
     Attributes
     ----------
-    evaluator : Evaluator
-        Computes the part error from now on if the goal includes it.
+    runner : Runner
+        Computes from now on the figures that the goal and the guards need.
     start : mapping of str to float [SI]
         Parameters at which the figures of a sum are scaled to 1.
 
@@ -148,34 +133,40 @@ class Objective:
     is no better.
     """
 
-    evaluator: Evaluator
+    runner: Runner
     goal: Goal
     start: Mapping[str, float]
     _scales: dict[str, float] = field(default_factory=dict, init=False, repr=False)
     _rms: float = field(default=math.inf, init=False, repr=False)
 
     def __post_init__(self) -> None:
-        self.evaluator.part |= any(name == "part" for name, _ in self.goal.weights)
-        if self.evaluator.part:
+        self.runner.figures = (*self.goal.names, "part_error_rms", "limited_share") if self._part else (*self.goal.names, "limited_share")
+        if self._part:
             rms = float(self.at(self.start).figures["part_error_rms"][0])
             self._rms = rms if rms > 0.0 else math.inf
         if self.goal.figure is None:
             figures = self.at(self.start).figures
-            scales = {GOALS[name]: float(figures[GOALS[name]][0]) for name, _ in self.goal.weights}
+            scales = {name: float(figures[name][0]) for name in self.goal.names}
             if not all(math.isfinite(scale) and scale > 0.0 for scale in scales.values()):
                 raise ParameterError("objective", self.goal.label, "a single figure: the run at the start fails, so a sum has no scale")
             self._scales = scales
 
+    @property
+    def _part(self) -> bool:
+        """Whether the part error is needed, the rms beside the largest."""
+        return needs(self.goal.names)["part"]
+
     def __call__(self, columns: Mapping[str, Array]) -> ObjectiveValues:
         """Run with parameter values [SI], each (n,)."""
-        figures = self.evaluator(columns)
-        if self.evaluator.part:
+        figures = self.runner(columns)
+        if self._part:
             rms = figures["part_error_rms"]
             excess = np.maximum(rms / self._rms - 1.0, 0.0)
             figures |= {"part_error_max": (1.0 + excess) * figures["part_error_max"] + TIE * rms}
-        values = figures[GOALS[self.goal.weights[0][0]]]
+        values = figures[self.goal.names[0]]
         if self._scales:
-            parts = [weight * figures[GOALS[name]] / self._scales[GOALS[name]] for name, weight in self.goal.weights]
+            weights = dict(zip(self.goal.names, (weight for _, weight in self.goal.weights), strict=True))
+            parts = [weight * figures[name] / self._scales[name] for name, weight in weights.items()]
             values = np.asarray(np.sum(parts, axis=0))
         failed = (figures["failed_at"] >= 0.0) | ~np.isfinite(values)
         return ObjectiveValues(np.where(failed, np.inf, values), figures["limited_share"], figures["command_largest"], figures)
@@ -192,7 +183,7 @@ class Evaluation:
     Attributes
     ----------
     figures : dict of str to float [SI]
-        By the keys of `FIGURES`; nan if the run failed.
+        By name; nan if the run failed.
     margins : dict of str to Margins
         By axis; omits axes without a linear model.
     violations : tuple of str
@@ -213,49 +204,30 @@ class Evaluation:
         return figure is not None and self.figures[figure] > other.figures[figure]
 
 
-def evaluate(
-    machine: Machine, controller: Controller, reference: Reference, guards: Guards, *, seed: int = 0, moving: bool = False
-) -> Evaluation:
-    """Run a controller once, judge it exactly, and check it against the bounds of `guards`.
-
-    Parameters
-    ----------
-    machine, controller, reference
-        See `contourlab.loop.simulate`.
-    seed : int
-        Seed of all noise.
-    moving : bool
-        Whether the axes start with the velocity of the reference.
-    """
-    exact = Guards([(machine, controller)], guards.bounds)
+def evaluate(setting: Setting, bounds: Bounds) -> Evaluation:
+    """Run a controller once, judge it exactly, and check it against the bounds."""
+    exact = Guards([(setting.machine, setting.controller)], bounds)
     margins = exact.exact({})
     try:
-        run = judge(simulate(machine, controller, reference, seed=seed, moving=moving), reference)
-        check_follows(run, reference)
+        run = judge(setting.single(), setting.reference)
+        check_follows(run, setting.reference)
     except DivergenceError as error:
         return Evaluation(dict.fromkeys(FIGURES, math.nan), margins, (f"diverges: {error}",), None)
-    figures = _figures(run, machine, reference)
+    figures = _figures(run, setting.machine, setting.reference)
     return Evaluation(figures, margins, exact.broken({}, figures["limited_share"], figures["command_largest"], margins), run)
 
 
 def _figures(run: Result, machine: Machine, reference: Reference) -> dict[str, float]:
-    metrics = summarise(run, reference)
-    error = metrics.contour_error
-    judged = metrics.judged.samples
-    tracking = np.linalg.norm((run["reference"] - run["position"])[judged], axis=1)
+    judged = judged_part(run, reference).samples
     # Relative to the drive's limit, if any, as in `contourlab.loop.BatchResult`.
     limits = np.array([getattr(axis.drive, "limit", math.inf) for axis in machine.axes], dtype=float)
     scales = np.where(np.isfinite(limits), limits, 1.0)
     asked, applied = run["command"][judged], run["applied_command"][judged]
-    return {
-        "part_error_max": metrics.part_error.max,
-        "part_error_rms": metrics.part_error.rms,
-        "contour_error_integral": error.integral,
-        "contour_error_rms": error.rms,
-        "contour_error_max": error.max,
-        "contour_error_signed_mean": error.signed_mean,
-        "tracking_error_rms": float(np.sqrt(np.mean(tracking**2))),
-        "command_energy": float(((applied / scales) ** 2).sum() * run.servo_period),
-        "command_largest": float((np.abs(asked) / scales).max()),
-        "limited_share": float((np.abs(asked) > limits).any(axis=1).mean()),
+    effort = {
+        "count": judged.size,
+        "sum_square": ((applied / scales) ** 2).sum(),
+        "largest": (np.abs(asked) / scales).max(),
+        "limited": (np.abs(asked) > limits).any(axis=1).sum(),
     }
+    figures = figures_of_run(run, judged) | figures_from(EFFORT, effort, run.servo_period)
+    return {name: float(value) for name, value in figures.items()}

@@ -6,21 +6,27 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 from contourlab.app.json_values import HIDDEN
 from contourlab.errors import ParameterError
 from contourlab.features.tune.drive_terms import DriveTerms, drive_terms, linuxcnc_findings
-from contourlab.features.tune.global_search import GlobalResult, global_search
-from contourlab.features.tune.line_search import SETTLED, LineRule, SearchPath, restore_margins, sequential
-from contourlab.features.tune.objective import FIGURES, Evaluation, Goal, Objective, evaluate
-from contourlab.features.tune.pole_placement import FRACTIONS, placed_start
-from contourlab.feed import Reference
+from contourlab.features.tune.objective import Evaluation, Goal, Objective, evaluate
+from contourlab.features.tune.search import (
+    FRACTIONS,
+    SETTLED,
+    GlobalResult,
+    LineRule,
+    SearchPath,
+    global_search,
+    placed_start,
+    restore_margins,
+    sequential,
+)
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine, parameters_of
-from contourlab.study import Evaluator, Space, calibration_order
-from contourlab.study.evaluator import Pool
-from contourlab.study.executors import Executor
+from contourlab.metrics.run_figures import FIGURES
+from contourlab.study import Runner, Setting, Space, calibration_order
+from contourlab.study.executors import Executor, Workers
 from contourlab.study.guards import Bounds, Guards
 from contourlab.study.values import with_values
 
@@ -120,14 +126,10 @@ class Tuned:
 
 
 def tune(
-    machine: Machine,
-    controller: Controller,
-    reference: Reference,
+    setting: Setting,
     settings: TuneSettings | None = None,
     *,
-    moving: bool = False,
-    seed: int = 0,
-    pool: Pool | None = None,
+    pool: Workers | None = None,
     begin: Callable[[str], None] = lambda stage: None,
     progress: Callable[[int, int], None] | None = None,
 ) -> Tuned:
@@ -135,13 +137,9 @@ def tune(
 
     Parameters
     ----------
-    machine, controller, reference
-        See `contourlab.loop.simulate`.
-    moving : bool
-        Whether the axes start with the velocity of the reference.
-    seed : int
-        Seed of all noise.
-    pool : Pool, optional
+    setting : Setting
+    settings : TuneSettings, optional
+    pool : Workers, optional
         Workers of the executor of the settings.
     begin : callable, optional
         Called with the name of each stage.
@@ -159,45 +157,40 @@ def tune(
     poles.
     """
     settings = settings or TuneSettings()
-    given: dict[str, Any] = {"moving": moving, "seed": seed, "pool": pool, "begin": begin, "progress": progress}
-    found = _tuned(machine, controller, reference, settings, **given)
-    if found.interrupted:
-        return found
-    if found.after.violations and not settings.parameters and settings.start == "scenario" and settings.method != "sequential":
+    tuned = _tuned(setting, settings, pool, begin, progress)
+    if tuned.interrupted:
+        return tuned
+    if tuned.after.violations and not settings.parameters and settings.start == "scenario" and settings.method != "sequential":
         with suppress(ParameterError):
-            placed = _tuned(machine, controller, reference, replace(settings, start="placed"), **given)
+            placed = _tuned(setting, replace(settings, start="placed"), pool, begin, progress)
             if not placed.after.violations:
                 return placed
-    return found
+    return tuned
 
 
 def _tuned(
-    machine: Machine,
-    controller: Controller,
-    reference: Reference,
+    setting: Setting,
     settings: TuneSettings,
-    *,
-    moving: bool,
-    seed: int,
-    pool: Pool | None,
+    pool: Workers | None,
     begin: Callable[[str], None],
     progress: Callable[[int, int], None] | None,
 ) -> Tuned:
     """Calibrate a controller from one start."""
+    machine, controller = setting.machine, setting.controller
     _check(machine, controller, settings)
     begin("first run")
-    before = evaluate(machine, controller, reference, Guards([(machine, controller)], settings.bounds), seed=seed, moving=moving)
+    before = evaluate(setting, settings.bounds)
     executor = settings.executor
-    evaluator = Evaluator(machine, controller, reference, moving, seed, executor.workers, gpu=executor.gpu, pool=pool)
+    runner = Runner(setting, threads=executor.workers, gpu=executor.gpu, pool=pool)
     if settings.start == "placed":
         begin("placing poles")
-        evaluator = replace(evaluator, controller=placed_start(evaluator, settings.goal, settings.bounds))
-    start = evaluator.controller
+        runner.setting = replace(setting, controller=placed_start(runner, settings.goal, settings.bounds))
+    start = runner.setting.controller
     space = Space.chosen(machine, start, settings.parameters, settings.width)
     values = {variable.name: variable.nearest for variable in space.numbers}
-    objective, guards = Objective(evaluator, settings.goal, values), Guards([(machine, start)], settings.bounds)
+    objective, guards = Objective(runner, settings.goal, values), Guards([(machine, start)], settings.bounds)
     start_objective = float(objective.at(values).value[0])
-    placed = _placed_values(evaluator, settings, space, begin)
+    placed = _placed_values(runner, settings, space, begin)
     path, global_result, candidates, interrupted = _candidates((objective, guards, space), values, placed, settings, begin, progress)
     method, best, rejected = _chosen(objective, guards, values, candidates)
     begin("checking the result")
@@ -206,14 +199,14 @@ def _tuned(
         best, left = _left((objective, guards, space), values, best, settings.rule)
     best = {variable.name: float(variable.written(best[variable.name])) for variable in space.numbers}
     tuned = with_values(machine, start, best)[1]
-    after = evaluate(machine, tuned, reference, guards, seed=seed, moving=moving)
+    after = evaluate(replace(setting, controller=tuned), settings.bounds)
     inside = all(variable.nearest == variable.value for variable in space.numbers)
     if inside and not before.violations and after.worse_than(before, settings.goal.figure):
         known = parameters_of(machine, controller)
         best = {variable.name: float(getattr(*known[variable.name])) for variable in space.numbers}
         method, tuned, after = "none", controller, before
     terms = drive_terms(machine, tuned, after.run)
-    runs = evaluator.runs + (len(FRACTIONS) if settings.start == "placed" else 0) + 2
+    runs = runner.runs + (len(FRACTIONS) if settings.start == "placed" else 0) + 2
     findings = [*_range_findings(space, best, guards), *rejected, *(left if method != "none" else [])]
     if global_result is not None and global_result.values is None:
         findings.append(finding("CL603"))
@@ -278,16 +271,16 @@ def _conclusions(goal: Goal, before: Evaluation, after: Evaluation) -> Iterator[
     """Yield the changes of the chosen figure and of the integral of the contour error."""
     for key in dict.fromkeys((goal.figure or "contour_error_integral", "contour_error_integral")):
         if math.isfinite(before.figures[key]) and before.figures[key]:
-            yield finding("CL609", FIGURES[key][0], ratio=after.figures[key] / before.figures[key])
+            yield finding("CL609", FIGURES[key].label, ratio=after.figures[key] / before.figures[key])
 
 
-def _placed_values(evaluator: Evaluator, settings: TuneSettings, space: Space, begin: Callable[[str], None]) -> list[dict[str, float]]:
+def _placed_values(runner: Runner, settings: TuneSettings, space: Space, begin: Callable[[str], None]) -> list[dict[str, float]]:
     """Return placed poles as a further start of the global search, within the ranges; nothing where the controller has none."""
     if settings.method == "sequential" or settings.start == "placed":
         return []
     begin("placing poles")
     with suppress(ParameterError):
-        known = parameters_of(evaluator.machine, placed_start(evaluator, settings.goal, settings.bounds))
+        known = parameters_of(runner.setting.machine, placed_start(runner, settings.goal, settings.bounds))
         return [{one.name: min(max(float(getattr(*known[one.name])), one.low), one.high) for one in space.numbers}]
     return []
 

@@ -18,13 +18,13 @@ from functools import cache
 import numpy as np
 
 from contourlab.analysis.linear.margins import Margins
-from contourlab.features.tune.line_search import LineRule, SearchPath, sequential
 from contourlab.features.tune.objective import Evaluation, Goal, Objective, evaluate
+from contourlab.features.tune.search import LineRule, SearchPath, sequential
 from contourlab.features.tune.study import TuneSettings, tune
 from contourlab.loop import Controller
 from contourlab.papers.ghaffari.setup import FITTED, TABLE_2, TABLE_3, Gains, Reading, axis_controller, circle, controller, machine
 from contourlab.papers.rows import COMPUTED, INPUT, Row, derived, ours, printed
-from contourlab.study import Evaluator, Space
+from contourlab.study import Runner, Setting, Space
 from contourlab.study.guards import Bounds, Guards
 from contourlab.study.values import with_values
 
@@ -69,15 +69,16 @@ def calibrate(first: int) -> Calibrated:
     if first == 1:
         start = replace(made, axes={"1": axis_controller(TABLE_2[1], reading), "3": calibrate(2).controller.axes["3"]})
         own = ".axes.1."
-    stage, reference = machine(first, reading), circle(reading)
+    setting = Setting(machine(first, reading), start, circle(reading))
+    stage = setting.machine
     space = Space.chosen(stage, start)
     space = space.only(name for name in space.names if own in name)
     values = {number.name: number.value for number in space.numbers}
     bounds = Bounds(gain_margin=0.0, phase_margin=0.0)
-    guards, evaluator = Guards([(stage, start)], bounds), Evaluator(stage, start, reference)
-    path = sequential(Objective(evaluator, INTEGRAL, values), guards, space, values, LineRule(plateau="best"))
+    guards = Guards([(stage, start)], bounds)
+    path = sequential(Objective(Runner(setting), INTEGRAL, values), guards, space, values, LineRule(plateau="best"))
     tuned = with_values(stage, start, path.values)[1]
-    before, after = (evaluate(stage, design, reference, guards) for design in (made, tuned))
+    before, after = (evaluate(replace(setting, controller=design), bounds) for design in (made, tuned))
     return Calibrated({n: _gains(tuned, n) for n in (first, 3)}, tuned, before, after, path)
 
 
@@ -170,7 +171,7 @@ def _within_margins() -> Row:
     """Return the calibration gain within margins, with all parameters of both axes free."""
     reading = Reading()
     settings = TuneSettings(goal=INTEGRAL, method="sequential")
-    study = tune(machine(1, reading), controller(1, TABLE_2, reading), circle(reading), settings)
+    study = tune(Setting(machine(1, reading), controller(1, TABLE_2, reading), circle(reading)), settings)
     gain, phase = _least(study.after.margins)
     before, integral = (_MICRO * one.figures["contour_error_integral"] for one in (study.before, study.after))
     note = f"{integral:.3g} um s after; as contourlab tune: at least 6 dB and 30 deg required, {gain:.3g} dB and {phase:.3g} deg reached"

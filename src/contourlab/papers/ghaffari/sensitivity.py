@@ -13,12 +13,10 @@ from itertools import chain
 
 import numpy as np
 
-from contourlab.features.sensitivity.curves import Curve, curves
-from contourlab.features.sensitivity.local import Slope, local
-from contourlab.features.sensitivity.runs import FIGURES, Runs
+from contourlab.features.sensitivity.curves import Curve, Slope, curves, local
 from contourlab.papers.ghaffari.setup import FITTED, TABLE_3, Gains, Reading, circle, controller, machine
 from contourlab.papers.rows import COMPUTED, DERIVED, Row, ours, printed
-from contourlab.study import Evaluator, Space
+from contourlab.study import Runner, Setting, Space
 
 BOUNDS = {
     "observer.model_gain": ("a_hat", "200 mm/s^2/full_scale..3000 mm/s^2/full_scale"),
@@ -40,7 +38,7 @@ AGREES = 0.05
 """Relative tolerance, as for the integrals of Fig 9."""
 STATED = Reading()
 _MICRO = 1e6
-FIGURE = FIGURES["integral"]
+FIGURE = "contour_error_integral"
 
 
 def sensitivity_rows() -> Iterator[Row]:
@@ -49,25 +47,25 @@ def sensitivity_rows() -> Iterator[Row]:
 
 
 @cache
-def _studied(number: int, reading: Reading = STATED, symbols: Sequence[str] = NAMES) -> tuple[Space, Runs]:
+def _studied(number: int, reading: Reading = STATED, symbols: Sequence[str] = NAMES) -> tuple[Space, Runner]:
     """Return parameters of an axis around Table III, and the runs of its configuration."""
     first = WITH[number]
     made, stage = controller(first, TABLE_3, reading), machine(first, reading)
     texts = [f"controller.axes.{number}.{name}={bounds}" for name, (symbol, bounds) in BOUNDS.items() if symbol in symbols]
-    return Space.chosen(stage, made, texts), Runs(Evaluator(stage, made, circle(reading), effort=False))
+    return Space.chosen(stage, made, texts), Runner(Setting(stage, made, circle(reading)))
 
 
 @cache
 def axis_curves(number: int) -> dict[str, Curve]:
     """Return the curves of an axis by symbol: the integral of the contour error [m s] over 41 values of each parameter [SI]."""
     space, runs = _studied(number)
-    return dict(zip(NAMES, curves(space, runs.judge(FIGURE.key)), strict=True))
+    return dict(zip(NAMES, curves(space, runs.judge(FIGURE)), strict=True))
 
 
 @cache
 def _axis_slopes(number: int) -> dict[str, Slope]:
     space, runs = _studied(number, symbols=SLOPES)
-    return dict(zip(SLOPES, local(space, runs.judge(FIGURE.key)).slopes, strict=True))
+    return dict(zip(SLOPES, local(space, runs.judge(FIGURE)).slopes, strict=True))
 
 
 def _gains(number: int) -> dict[str, float]:
@@ -110,7 +108,7 @@ def _fitted_minima() -> Iterator[Row]:
     """Yield the minimum over a_hat under the fitted filters, which were not fitted to it."""
     for number, gains in TABLE_3.items():
         space, runs = _studied(number, FITTED, MODEL[:1])
-        (curve,) = curves(space, runs.judge(FIGURE.key))
+        (curve,) = curves(space, runs.judge(FIGURE))
         assert curve.minimum is not None
         here, paper = curve.variable.display_value(curve.minimum.value), gains.observer_gain
         case, words = f"axis {number} in A3-A{WITH[number]}", "filters fitted to the two printed integrals"
@@ -159,4 +157,4 @@ def _integrals(number: int, table: dict[int, Gains]) -> list[float]:
     head = f"controller.axes.{number}.controller"
     factors = {"position_gain": [1.0, 2.0, 1.0], "integral_gain": [1.0, 1.0, 2.0]}
     columns = {f"{head}.{name}": float(getattr(part, name)) * np.array(factor) for name, factor in factors.items()}
-    return [float(value) for value in _MICRO * Evaluator(stage, made, circle(reading), effort=False)(columns)[FIGURE.key]]
+    return [float(value) for value in _MICRO * Runner(Setting(stage, made, circle(reading)))(columns)[FIGURE]]

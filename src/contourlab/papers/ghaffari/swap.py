@@ -19,7 +19,7 @@ from contourlab.papers.ghaffari.runs import PRINTED
 from contourlab.papers.ghaffari.setup import TABLE_3, Reading, axis, circle, controller, machine
 from contourlab.papers.rows import Row, ours, printed
 from contourlab.scenario import load_controller
-from contourlab.study import Space
+from contourlab.study import Setting, Space
 from contourlab.study.guards import Bounds
 
 CASE = "A3-A1 against A3-A2"
@@ -71,7 +71,7 @@ def swap_of(terms: Terms, budget: int, sets: tuple[tuple[str, ...], ...] = ()) -
     stage, made = machine(1, reading), controller(1, TABLE_3, reading)
     members = variants_of(stage, {"1": [("axis2", replace(axis(2, reading), name="1"))]})
     space = Space.chosen(stage, made)
-    variants = Variants(members, made, circle(reading), space, floor=terms.floor / _MICRO, bounds=terms.bounds)
+    variants = Variants(members, Setting(stage, made, circle(reading)), space, floor=terms.floor / _MICRO, bounds=terms.bounds)
     known = tuple(tuple(map(_gains, names)) for names in KNOWN) if reading.observer else ()
     candidates = tuple(name for name in space.names if members[0].module(name))
     head = "controller.axes.1.controller."

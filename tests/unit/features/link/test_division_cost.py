@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -17,6 +19,7 @@ from contourlab.features.link.cost import DivisionCost, allowed_error, divided, 
 from contourlab.features.link.sweep import LinkSetting, LinkSweep, swept
 from contourlab.loop import Division, simulate_batch
 from contourlab.scenario import load_controller, load_machine
+from contourlab.study import Setting
 
 Array = NDArray[np.float64]
 
@@ -38,11 +41,11 @@ def circle(machine: cl.Machine) -> cl.Reference:
 
 
 def delay_cost(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference, allowed: float, longest: float) -> DivisionCost:
-    return division_cost(LinkSetting(machine, controller, circle, "contour_error_rms", allowed), ("delay",), longest)
+    return division_cost(LinkSetting(Setting(machine, controller, circle), "contour_error_rms", allowed), ("delay",), longest)
 
 
 def test_the_undivided_error_is_that_of_a_run(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
-    found = undivided_error(machine, divided(controller, "observer", link=Network(delay=0.02)), circle)
+    found = undivided_error(Setting(machine, divided(controller, "observer", link=Network(delay=0.02)), circle))
     metrics = cl.summarise(cl.judge(cl.simulate(machine, controller, circle), circle), circle)
     assert found == pytest.approx(metrics.contour_error.rms, rel=1e-6)
 
@@ -52,7 +55,7 @@ def test_each_run_with_chance_is_that_of_its_seed(machine: cl.Machine, controlle
     noisy = replace(machine, axes=tuple(replace(axis, sensor=axis.sensor.replace(noise=2e-7)) for axis in machine.axes))
     made = divided(controller, "observer", link=Network(loss=0.1))
     losses = np.array([0.05, 0.1])
-    errors = LinkSetting(noisy, made, circle, "contour_error_rms", 1.0, seeds=3, seed=5).errors("loss", losses)
+    errors = LinkSetting(Setting(noisy, made, circle, seed=5), "contour_error_rms", 1.0, seeds=3).errors("loss", losses)
     for i in range(3):
         alone = simulate_batch(noisy, made, circle, {"controller.axes.*.link.*.loss": losses}, seed=5 + i)
         assert np.array_equal(errors[:, i], alone.figures["contour_error_rms"])
@@ -88,7 +91,7 @@ class Known(LinkSetting):
     """Links with known limits in servo periods: the last period with a small error, a stable model, and a stable run."""
 
     def __init__(self, machine: cl.Machine, error: int, linear: int, simulated: int) -> None:
-        self.machine, self.allowed, self.asked = machine, 1.0, 0
+        self.divided, self.allowed, self.asked = cast(Any, SimpleNamespace(machine=machine)), 1.0, 0
         self.error, self.linear, self.simulated = (1e-3 * (tick + 0.5) for tick in (error, linear, simulated))
 
     def errors(self, quantity: str, values: Array) -> Array:
@@ -123,7 +126,7 @@ def test_limits_do_not_depend_on_the_search_range(quantity: str, error: int, lin
 def test_the_delay_limit_is_that_of_the_linear_model(
     division: str, ways: str, delay: float, machine: cl.Machine, controller: cl.Controller, circle: cl.Reference
 ) -> None:
-    allowed = allowed_error(undivided_error(machine, controller, circle), 0.1)
+    allowed = allowed_error(undivided_error(Setting(machine, controller, circle)), 0.1)
     made = divided(controller, division, ways)
     cost = delay_cost(machine, made, circle, allowed, 0.03)
     sweep = cost.sweeps["delay"]
@@ -244,4 +247,4 @@ def test_command_figures_refer_to_the_command_at_the_drive(machine: cl.Machine, 
 def test_an_undivided_loop_that_fails_says_where(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
     tight = replace(machine, axes=tuple(replace(axis, limits=replace(axis.limits, following_error=1e-6)) for axis in machine.axes))
     with pytest.raises(DivergenceError, match="sample"):
-        undivided_error(tight, controller, circle)
+        undivided_error(Setting(tight, controller, circle))

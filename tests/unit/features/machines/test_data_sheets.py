@@ -13,6 +13,7 @@ from contourlab.features.machines.answers import read_answers
 from contourlab.features.machines.new_machine import new_machine, write_machine
 from contourlab.features.tune.study import TuneSettings, tune
 from contourlab.scenario import Case, load_controller, load_machine, scenario_from_parts
+from contourlab.study import Setting
 
 SHEETS = sorted((Path(__file__).parents[3] / "data_sheets").glob("*.toml"))
 ROUND = {"contour": {"name": "circle", "radius": "20 mm"}, "feed": {"law": "planned", "feedrate": "3 m/min"}}
@@ -67,6 +68,6 @@ def test_a_circle_and_a_part_run(case):
 
 @pytest.mark.slow
 def test_tuning_finds_at_most_a_factor_of_one_and_a_half(case):
-    tuned = tune(case.machine, case.controller, case.reference(), TuneSettings(budget=2000))
+    tuned = tune(Setting(case.machine, case.controller, case.reference()), TuneSettings(budget=2000))
     before, after = (one.figures["part_error_max"] for one in (tuned.before, tuned.after))
     assert before <= 1.5 * after

@@ -21,6 +21,7 @@ from contourlab.feed import Reference
 from contourlab.geometry import Line, Path
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine, simulate_batch
 from contourlab.rendering.judgement import Rank
+from contourlab.study import Setting
 
 PERIOD = 1e-3
 GAIN, FORCE_CONSTANT = 4000.0, 50.0
@@ -57,7 +58,7 @@ def uncertain(found: Machine, law: Controller) -> list:
 def test_a_force_across_the_path_gives_the_quantiles_of_its_normal_distribution() -> None:
     """The loop is linear and settles at F/(K_P K_f): this is a sample's largest contour error, and the rms is proportional to it."""
     law, force, deviation = controller(), 40.0, 5.0
-    found = part_interval(machine(axis("x"), axis("y", force, force=Origin(**FITTED, deviation=deviation))), law, along_x())
+    found = part_interval(Setting(machine(axis("x"), axis("y", force, force=Origin(**FITTED, deviation=deviation))), law, along_x()))
     pushes = found.values["axes.y.disturbance.force"]
     assert (found.samples, found.failed) == (SAMPLES, 0)
     assert found.figures["max"] == pytest.approx(pushes / (GAIN * FORCE_CONSTANT), rel=1e-9)
@@ -77,7 +78,7 @@ def test_a_force_across_the_path_gives_the_quantiles_of_its_normal_distribution(
 def test_a_number_without_effect_has_no_significant_rank() -> None:
     pushed = axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))
     moving = axis("x", mass=Origin(**FITTED, deviation=1.0))
-    found = part_interval(machine(moving, pushed), controller(), along_x())
+    found = part_interval(Setting(machine(moving, pushed), controller(), along_x()))
     assert [rank.name for rank in found.ranks] == ["axes.y.disturbance.force", "axes.x.plant.mass"]
     assert max(abs(found.ranks[1].rms), abs(found.ranks[1].max)) < found.noticeable
     told = spearmanr(found.values["axes.x.plant.mass"], found.figures["rms"]).statistic
@@ -86,7 +87,7 @@ def test_a_number_without_effect_has_no_significant_rank() -> None:
 
 def test_the_threshold_of_chance_is_that_of_a_test_at_five_percent() -> None:
     """For independent numbers one correlation in twenty exceeds it."""
-    found = part_interval(machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))), controller(), along_x(50))
+    found = part_interval(Setting(machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))), controller(), along_x(50)))
     rng = np.random.default_rng(1)
     beyond = [abs(spearmanr(*rng.standard_normal((2, SAMPLES))).statistic) > found.noticeable for _ in range(2000)]
     assert 0.03 < np.mean(beyond) < 0.07
@@ -107,7 +108,7 @@ def test_of_many_numbers_without_effect_none_is_significant() -> None:
 @pytest.mark.parametrize("threads", [1, 2, 5])
 def test_threads_change_nothing(threads: int) -> None:
     pair = machine(axis("x", mass=Origin(**FITTED, deviation=1.0)), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0)))
-    one, other = (part_interval(pair, controller(), along_x(200), threads=n) for n in (1, threads))
+    one, other = (part_interval(Setting(pair, controller(), along_x(200)), threads=n) for n in (1, threads))
     for name in ("rms", "max"):
         assert one.figures[name].tobytes() == other.figures[name].tobytes()
     assert one.ranks == other.ranks
@@ -166,7 +167,7 @@ def test_controller_parameters_are_not_varied() -> None:
     law = controller()
     stated = law.axes["y"].controller.traced({"position_gain": Origin(**FITTED, deviation=100.0)})
     law = replace(law, axes={**law.axes, "y": replace(law.axes["y"], controller=stated)})
-    found = part_interval(machine(axis("x"), axis("y", 40.0)), law, along_x(50))
+    found = part_interval(Setting(machine(axis("x"), axis("y", 40.0)), law, along_x(50)))
     assert ([one.code for one in found.findings], found.samples) == (["CL220"], 0)
     assert found.main == "" and found.rms is None
 
@@ -176,16 +177,16 @@ def test_a_machine_of_exact_numbers_has_no_interval_and_says_why() -> None:
         stated = {slot: getattr(one, slot) for slot in ("plant", "disturbance")}
         return replace(one, **{slot: part.traced(dict.fromkeys(part.parameters, Origin("design"))) for slot, part in stated.items()})
 
-    found = part_interval(machine(exact(axis("x")), exact(axis("y", 40.0))), controller(), along_x(50))
+    found = part_interval(Setting(machine(exact(axis("x")), exact(axis("y", 40.0))), controller(), along_x(50)))
     assert [one.code for one in found.findings] == ["CL221"]
-    found = part_interval(machine(exact(axis("x")), axis("y", 40.0)), controller(), along_x(50))
+    found = part_interval(Setting(machine(exact(axis("x")), axis("y", 40.0)), controller(), along_x(50)))
     assert [one.code for one in found.findings] == ["CL220"]
 
 
 def test_samples_equal_those_of_a_batch_and_are_counted_against_the_tolerance() -> None:
     pair, law = machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))), controller()
     reference, tolerance = along_x(), 40.0 / (GAIN * FORCE_CONSTANT)
-    found = part_interval(pair, law, reference, tolerance=tolerance)
+    found = part_interval(Setting(pair, law, reference), tolerance=tolerance)
     again = simulate_batch(pair, law, reference, found.values)
     assert np.array_equal(again.figures["contour_error_rms"], found.figures["rms"])
     assert found.beyond_tolerance == SAMPLES // 2  # the tolerance is the mean, and the points lie evenly around it
@@ -194,16 +195,16 @@ def test_samples_equal_those_of_a_batch_and_are_counted_against_the_tolerance() 
 def test_failed_samples_are_counted_and_widen_the_interval() -> None:
     pair = machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0)))
     tripping = replace(pair, axes=(pair.axes[0], replace(pair.axes[1], limits=Limits(following_error=40.0 / (GAIN * FORCE_CONSTANT)))))
-    found = part_interval(tripping, controller(), along_x(), tolerance=1.0)
+    found = part_interval(Setting(tripping, controller(), along_x()), tolerance=1.0)
     assert found.failed == found.beyond_tolerance == SAMPLES // 2
     assert found.max is not None and found.max.high == np.inf and np.isfinite(found.max.low)
 
 
 def test_changes_that_lanes_cannot_make_are_reported() -> None:
     pair, law = machine(axis("x"), axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))), controller()
-    assert [one.code for one in part_interval(pair, law, along_x(50), changes=[object()]).findings] == ["CL222"]
+    assert [one.code for one in part_interval(Setting(pair, law, along_x(50)), changes=[object()]).findings] == ["CL222"]
     stiff = replace(pair.axes[0], friction=Coulomb(coulomb=1.0).traced({"stribeck_velocity": Origin("assumed", deviation=1e-3)}))
-    assert part_interval(replace(pair, axes=(stiff, pair.axes[1])), law, along_x(50)).samples == SAMPLES
+    assert part_interval(Setting(replace(pair, axes=(stiff, pair.axes[1])), law, along_x(50))).samples == SAMPLES
 
 
 def test_a_changed_number_loses_its_deviation() -> None:

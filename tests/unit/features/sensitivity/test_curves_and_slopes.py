@@ -7,16 +7,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.helpers.modelled import Modelled
 
 from contourlab.components.controller.position import PositionController
 from contourlab.components.friction.laws import NoFriction
 from contourlab.components.ideal import IdealSensor
 from contourlab.errors import ParameterError
-from contourlab.features.sensitivity.curves import curves
-from contourlab.features.sensitivity.indices import distributions
-from contourlab.features.sensitivity.local import local
-from contourlab.features.sensitivity.runs import CHUNK, FIGURES, Columns, Kept, Runs
-from contourlab.features.sensitivity.study import Plan, sensitivity_study
+from contourlab.features.sensitivity.curves import curves, local
+from contourlab.features.sensitivity.study import Plan, distributions, sensitivity_study
 from contourlab.features.sensitivity.verdict import ranking, verdict
 from contourlab.feed import uniform
 from contourlab.geometry import contour
@@ -24,9 +22,11 @@ from contourlab.loop import AxisController, Controller, Machine, simulate
 from contourlab.metrics import judge as judged
 from contourlab.metrics import summarise
 from contourlab.papers.ghaffari.setup import TABLE_3, Reading, controller, machine
-from contourlab.study import DesignVariable, Evaluator, Space
+from contourlab.study import DesignVariable, Runner, Setting, Space
+from contourlab.study.checkpoint import Checkpoint
+from contourlab.study.runner import CHUNK, Columns
 
-KEY = FIGURES["integral"].key
+KEY = "contour_error_integral"
 READING = Reading()
 MACHINE, CONTROLLER = machine(1, READING), controller(1, TABLE_3, READING)
 REFERENCE = uniform(contour("circle", radius=0.02), 0.5, 2, READING.servo_period)
@@ -50,13 +50,13 @@ def model(columns: Columns) -> dict[str, np.ndarray]:
     """A product of powers that fails beyond a = 6: J = a^2 / b + a b."""
     a, b = columns.values()
     value = np.where(a > 6.0, np.nan, a**2 / b + a * b)
-    return {figure.key: value for figure in FIGURES.values()}
+    return {KEY: value}
 
 
 def test_slopes_and_interactions_are_the_derivatives() -> None:
     a, b = 2.0, 3.0
     figure = a**2 / b + a * b
-    found = local(PLANE, Runs(model).judge(KEY))
+    found = local(PLANE, Modelled(model).judge(KEY))
     slopes = [one.sensitivity for one in found.slopes]
     assert slopes == pytest.approx([(2 * a / b + b) * a / figure, (-(a**2) / b**2 + a) * b / figure], rel=1e-4)
     matrix = np.array([[2 / b * a * a, (-2 * a / b**2 + 1) * a * b], [0, 2 * a**2 / b**3 * b * b]]) / figure
@@ -78,7 +78,7 @@ def test_a_quantised_figure_is_reported() -> None:
 
 
 def test_a_number_on_its_bound_and_a_failing_one_are_reported() -> None:
-    judge = Runs(model).judge(KEY)
+    judge = Modelled(model).judge(KEY)
     found = local(PLANE, judge, {PLANE.names[0]: (2.0, 9.0)})
     assert np.isnan(found.slopes[0].sensitivity) and found.slopes[0].doubt is not None and found.slopes[0].doubt.code == "CL670"
     assert np.isfinite(found.slopes[1].sensitivity) and np.isnan(found.interactions[0, 1])
@@ -87,7 +87,7 @@ def test_a_number_on_its_bound_and_a_failing_one_are_reported() -> None:
 
 
 def test_a_curve_has_its_minimum_and_its_flat_and_failed_segments() -> None:
-    judge = Runs(model).judge(KEY)
+    judge = Modelled(model).judge(KEY)
     first, second = curves(PLANE, judge, 41)
     assert second.minimum is not None
     # dJ/db = 0 at b = sqrt(a)
@@ -103,7 +103,7 @@ def test_a_curve_has_its_minimum_and_its_flat_and_failed_segments() -> None:
 
 def test_a_curve_consists_of_single_runs() -> None:
     """Compiled lanes against one run at a time under the exact judge."""
-    runs = Runs(Evaluator(MACHINE, CONTROLLER, REFERENCE, effort=False))
+    runs = Runner(Setting(MACHINE, CONTROLLER, REFERENCE))
     curve = curves(GAINS, runs.judge(KEY), 5)[0]
     for k in (0, 3):
         value = float(curve.values[k])
@@ -127,7 +127,7 @@ def test_contour_error_of_a_circle_is_linear_in_a_mismatch() -> None:
     made = Controller({name: AxisController(law) for name in "xy"})
     reference = uniform(contour("circle", radius=0.02), feed, 4, period)
     name = "controller.axes.x.controller.model_gain"
-    judge = Runs(Evaluator(stage, made, reference, effort=False, moving=True)).judge(KEY)
+    judge = Runner(Setting(stage, made, reference, moving=True)).judge(KEY)
     values = gain * np.array([1.05, 1.1, 1.2])
     columns = {name: values, name.replace(".x.", ".y."): values}
     figures = judge(columns)
@@ -143,35 +143,35 @@ def test_saved_runs_are_reused_only_for_the_same_study(tmp_path: Path) -> None:
         return model(columns)
 
     columns = {name: np.linspace(1.0, 5.0, CHUNK + 7) for name in PLANE.names}
-    first = Runs(counted, Kept(tmp_path, "one"))
+    first = Modelled(counted, Checkpoint(tmp_path, "one"))
     figures = first(columns)[KEY]
-    assert (first.made, first.reused, calls) == (CHUNK + 7, 0, [CHUNK, 7])
-    again = Runs(counted, Kept(tmp_path, "one"))
+    assert (first.runs, first.reused, calls) == (CHUNK + 7, 0, [CHUNK, 7])
+    again = Modelled(counted, Checkpoint(tmp_path, "one"))
     np.testing.assert_array_equal(again(columns)[KEY], figures)
-    assert (again.made, again.reused) == (0, CHUNK + 7)
-    other = Runs(counted, Kept(tmp_path, "another"))
+    assert (again.runs, again.reused) == (0, CHUNK + 7)
+    other = Modelled(counted, Checkpoint(tmp_path, "another"))
     other(columns)
-    assert other.made == CHUNK + 7 and other.kept is not None and other.kept.others == 1
+    assert other.runs == CHUNK + 7 and other.store is not None and other.store.others == 1
 
 
 def test_a_damaged_file_is_reported_and_computed_again(tmp_path: Path) -> None:
     columns = {name: np.linspace(1.0, 5.0, 7) for name in PLANE.names}
-    kept = Kept(tmp_path, "one")
-    figures = Runs(model, kept)(columns)[KEY]
-    file = kept.file(columns)
+    kept = Checkpoint(tmp_path, "one")
+    figures = Modelled(model, kept)(columns)[KEY]
+    (file,) = kept.home.iterdir()
     data = bytearray(file.read_bytes())
     data[len(data) // 3] ^= 0xFF
     for spoiled in (bytes(data), data[:40], b""):
         file.write_bytes(spoiled)
-        again = Runs(model, Kept(tmp_path, "one"))
+        again = Modelled(model, Checkpoint(tmp_path, "one"))
         np.testing.assert_array_equal(again(columns)[KEY], figures)
-        assert again.made == 7 and again.kept is not None and again.kept.damaged == 1
+        assert again.runs == 7 and again.store is not None and again.store.damaged == 1
 
 
 def test_an_interrupted_study_continues_with_the_same_result(tmp_path: Path) -> None:
     plan = Plan(("curves", "sobol"), base=512, values=11)
     drawn = distributions(PLANE, "log-uniform")
-    whole = sensitivity_study(PLANE, Runs(model), plan, drawn, 1e3)
+    whole = sensitivity_study(PLANE, Modelled(model), plan, drawn, 1e3)
     done = 0
 
     def stopped(columns: Columns) -> dict[str, np.ndarray]:
@@ -182,8 +182,8 @@ def test_an_interrupted_study_continues_with_the_same_result(tmp_path: Path) -> 
         return model(columns)
 
     with pytest.raises(KeyboardInterrupt):
-        sensitivity_study(PLANE, Runs(stopped, Kept(tmp_path, "m")), plan, drawn, 1e3)
-    runs = Runs(model, Kept(tmp_path, "m"))
+        sensitivity_study(PLANE, Modelled(stopped, Checkpoint(tmp_path, "m")), plan, drawn, 1e3)
+    runs = Modelled(model, Checkpoint(tmp_path, "m"))
     resumed = sensitivity_study(PLANE, runs, plan, drawn, 1e3)
     assert runs.reused > 1000
     assert whole.sobol is not None and resumed.sobol is not None
@@ -194,7 +194,7 @@ def test_an_interrupted_study_continues_with_the_same_result(tmp_path: Path) -> 
 def test_threads_change_nothing() -> None:
     found = []
     for threads in (1, 3):
-        runs = Runs(Evaluator(MACHINE, CONTROLLER, REFERENCE, effort=False, threads=threads))
+        runs = Runner(Setting(MACHINE, CONTROLLER, REFERENCE), threads=threads)
         found.append(sensitivity_study(GAINS, runs, Plan(("local", "sobol"), base=16), distributions(GAINS), 0.1))
     one, three = found
     assert one.local is not None and three.local is not None and one.sobol is not None and three.sobol is not None
@@ -208,11 +208,11 @@ def test_conclusions_name_their_measure() -> None:
 
     def three(columns: Columns) -> dict[str, np.ndarray]:
         a, b, c = columns.values()
-        return {figure.key: a + b + 1e-4 * c for figure in FIGURES.values()}
+        return {KEY: a + b + 1e-4 * c}
 
     grounds = {"curves": "change over its curve", "local": "local sensitivity", "morris": "mu*", "sobol": "total index"}
     for part, ground in grounds.items():
-        study = sensitivity_study(flat, Runs(three), Plan((part,), base=64), distributions(flat), 1e3)
+        study = sensitivity_study(flat, Modelled(three), Plan((part,), base=64), distributions(flat), 1e3)
         order = ranking(study)
         assert order.measure == ground and set(order.matter) == {"x.a", "x.b"} and set(order.negligible) == {"x.c"}
         found = {one.code: one.values for one in verdict(study)}
@@ -221,7 +221,7 @@ def test_conclusions_name_their_measure() -> None:
 
 
 def test_failures_are_reported() -> None:
-    study = sensitivity_study(PLANE, Runs(model), Plan(("curves", "sobol"), base=64), distributions(PLANE, "log-uniform"), 1e3)
+    study = sensitivity_study(PLANE, Modelled(model), Plan(("curves", "sobol"), base=64), distributions(PLANE, "log-uniform"), 1e3)
     assert study.sobol_sample is not None and study.sobol_sample.failed > 0
     (failed,) = [one for one in verdict(study) if one.code == "CL674"]
     assert (failed.place, failed.values["failed"]) == ("Sobol", study.sobol_sample.failed)
@@ -230,4 +230,4 @@ def test_failures_are_reported() -> None:
 
 def test_a_failing_nominal_run_has_no_sensitivities() -> None:
     with pytest.raises(ParameterError, match="successful"):
-        sensitivity_study(around(7.0), Runs(model), Plan(("local",)), distributions(PLANE), 1.0)
+        sensitivity_study(around(7.0), Modelled(model), Plan(("local",)), distributions(PLANE), 1.0)

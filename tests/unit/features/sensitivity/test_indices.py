@@ -6,31 +6,25 @@ import math
 
 import numpy as np
 import pytest
+from tests.helpers.modelled import Modelled
 
 from contourlab.errors import ParameterError
-from contourlab.features.sensitivity.indices import (
-    Distribution,
-    distributions,
-    morris_indices,
-    morris_points,
-    saltelli_points,
-    sample,
-    sobol_indices,
-)
-from contourlab.features.sensitivity.runs import FIGURES, Columns, Runs
-from contourlab.features.sensitivity.study import Plan, Study, sensitivity_study
+from contourlab.features.sensitivity.study import Drawn, Plan, Study, distributions, sample, sensitivity_study
 from contourlab.features.sensitivity.verdict import verdict
 from contourlab.study import DesignVariable, Space
+from contourlab.study.design import morris_points, saltelli_points
+from contourlab.study.runner import Columns
+from contourlab.study.statistics import morris_indices, sobol_indices
 
 A, B = 7.0, 0.1
 PI = Space(tuple(DesignVariable(f"controller.axes.{name}.controller.p", 1.0, -math.pi, math.pi, logarithmic=False) for name in "xyz"))
 
 
 def ishigami(columns: Columns) -> dict[str, np.ndarray]:
-    """Return the function of Ishigami as a model: the same value for each figure."""
+    """Return the function of Ishigami as a model."""
     x, y, z = columns.values()
     value = np.sin(x) + A * np.sin(y) ** 2 + B * z**4 * np.sin(x)
-    return {figure.key: value for figure in FIGURES.values()}
+    return {"contour_error_integral": value}
 
 
 def shares() -> tuple[np.ndarray, np.ndarray, float]:
@@ -43,7 +37,7 @@ def shares() -> tuple[np.ndarray, np.ndarray, float]:
 
 def studied(base: int, second: bool = False) -> Study:
     plan = Plan(("morris", "sobol"), base=base, second=second, transform="none")
-    return sensitivity_study(PI, Runs(ishigami), plan, distributions(PI), math.inf)
+    return sensitivity_study(PI, Modelled(ishigami), plan, distributions(PI), math.inf)
 
 
 def test_sobol_indices_of_ishigami_lie_in_their_intervals() -> None:
@@ -113,11 +107,11 @@ NUMBER = DesignVariable("controller.axes.x.controller.gain", 3.0, 1.0, 9.0)
 
 def test_samples_follow_their_distribution() -> None:
     places = (np.arange(20000) + 0.5) / 20000
-    flat, log, normal = Distribution(NUMBER), Distribution(NUMBER, "log-uniform"), Distribution(NUMBER, "normal", 0.3)
+    flat, log, normal = Drawn(NUMBER), Drawn(NUMBER, "log-uniform"), Drawn(NUMBER, "normal", 0.3)
     assert flat.values(places).mean() == pytest.approx(5.0)
     assert np.log(log.values(places)).mean() == pytest.approx(math.log(3.0))
     assert (normal.values(places).mean(), normal.values(places).std()) == (pytest.approx(3.0), pytest.approx(0.3, rel=1e-3))
-    for one in (flat, log, Distribution(NUMBER, "normal", 5.0)):
+    for one in (flat, log, Drawn(NUMBER, "normal", 5.0)):
         ends = one.values(np.array([0.0, 1.0]))
         np.testing.assert_allclose(ends, [1.0, 9.0])
 
@@ -127,7 +121,7 @@ def test_the_truncated_normal_distribution_equals_scipys() -> None:
 
     places = np.linspace(0.01, 0.99, 23)
     known = truncnorm((1.0 - 3.0) / 2.0, (9.0 - 3.0) / 2.0, loc=3.0, scale=2.0).ppf(places)
-    np.testing.assert_allclose(Distribution(NUMBER, "normal", 2.0).values(places), known, rtol=1e-10)
+    np.testing.assert_allclose(Drawn(NUMBER, "normal", 2.0).values(places), known, rtol=1e-10)
 
 
 SPACE = Space((NUMBER, DesignVariable("controller.axes.y.controller.rate", 2.0, 1.0, 4.0, "1/s", "1/s")))

@@ -17,7 +17,7 @@ from contourlab.features.swap.variants import Variants, variants_of
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine
-from contourlab.study import Space
+from contourlab.study import Setting, Space
 from contourlab.study.guards import Bounds
 
 AHEAD = "controller.axes.x.controller.model_gain"
@@ -34,7 +34,10 @@ def variants() -> Variants:
     circle = uniform(contour("circle", radius=0.01), 1.0, 2, 1e-3)
     space = Space.chosen(machine, controller, ("model_gain=0.3 m/s^2/full_scale..4 m/s^2/full_scale",))
     return Variants(
-        variants_of(machine, {"x": [("strong", rigid("o", 2.0))]}), controller, circle, space, moving=True, bounds=Bounds(6.0, 30.0)
+        variants_of(machine, {"x": [("strong", rigid("o", 2.0))]}),
+        Setting(machine, controller, circle, moving=True),
+        space,
+        bounds=Bounds(6.0, 30.0),
     )
 
 
@@ -55,7 +58,7 @@ def test_the_required_rate_is_the_largest_of_the_variants(variants: Variants) ->
     for variant, one in zip(variants, cost.variants, strict=True):
         controller = variants.controller_at(variants.space.start)
         options = {"figure": variants.objective, "allowed": one.allowed, "moving": True}
-        each.append(message_rate(variant.machine, controller, variants.reference, "drive", "both", **options).rate)
+        each.append(message_rate(variant.machine, controller, variants.setting.reference, "drive", "both", **options).rate)
     assert cost.rate == max(each)
     for one in cost.variants:
         assert one.allowed == pytest.approx(one.undivided + 0.5 * max(one.undivided, variants.floor))

@@ -16,15 +16,14 @@ from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.errors import ContourlabError, ParameterError
 from contourlab.features.swap import search as searches
 from contourlab.features.swap.beyond import coverage, network_cost
-from contourlab.features.swap.pictures import drawing, matrices
-from contourlab.features.swap.result import swap_result, text_of
+from contourlab.features.swap.report import drawing, matrices, swap_result, text_of
 from contourlab.features.swap.search import SharedSpace, SwapSearch, SwapSettings, merged
 from contourlab.features.swap.study import SwapStudy, swap_study
 from contourlab.features.swap.variants import Variant, Variants, losses, variants_of
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine
-from contourlab.study import Space
+from contourlab.study import Setting, Space
 from contourlab.study.checkpoint import Checkpoint
 from contourlab.study.guards import Bounds
 
@@ -47,7 +46,9 @@ def variants_under(others: list[tuple[str, Axis]], texts: tuple[str, ...] = (FRE
     machine, controller = stage()
     members = variants_of(machine, {"x": others})
     circle = uniform(contour("circle", radius=0.01), 1.0, 2, 1e-3)
-    return Variants(members, controller, circle, Space.chosen(machine, controller, texts), moving=True, bounds=Bounds(0.0, 0.0, 1.0))
+    return Variants(
+        members, Setting(machine, controller, circle, moving=True), Space.chosen(machine, controller, texts), bounds=Bounds(0.0, 0.0, 1.0)
+    )
 
 
 def studied(others: list[tuple[str, Axis]], **settings: object) -> SwapStudy:

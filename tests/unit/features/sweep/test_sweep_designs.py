@@ -12,10 +12,10 @@ from made_studies import STUDY, made_study
 from scipy import stats
 
 from contourlab.errors import ScenarioError
-from contourlab.features.sweep.design import Design
-from contourlab.features.sweep.distributions import Distribution, chosen
-from contourlab.features.sweep.query import wilson
 from contourlab.features.sweep.study import load_study
+from contourlab.study.design import Design
+from contourlab.study.space import Distribution, chosen
+from contourlab.study.statistics import wilson
 
 PLACES = np.linspace(0.001, 0.999, 997)
 

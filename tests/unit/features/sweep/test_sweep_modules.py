@@ -12,13 +12,12 @@ from scipy import stats
 
 from contourlab.cli.main import main
 from contourlab.errors import ScenarioError
-from contourlab.features.sweep.design import Design, Modules
-from contourlab.features.sweep.pairings import _sorted_out
-from contourlab.features.sweep.query import effective_size, wilson
-from contourlab.features.sweep.statistics import share_of
+from contourlab.features.sweep.effects import _sorted_out
 from contourlab.features.sweep.study import load_study
 from contourlab.loop import simulate_batch
 from contourlab.scenario.load import load_scenario
+from contourlab.study.design import Design, Modules
+from contourlab.study.statistics import effective_size, share_of, wilson
 
 STUDY = """\
 scenario = "scenario.toml"

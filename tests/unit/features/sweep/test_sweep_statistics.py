@@ -9,9 +9,8 @@ import numpy as np
 import pytest
 from SALib.analyze import sobol
 
-from contourlab.features.sweep.design import Design
-from contourlab.features.sweep.query import wilson
-from contourlab.features.sweep.statistics import (
+from contourlab.study.design import Design
+from contourlab.study.statistics import (
     best_split,
     binned,
     convergence,
@@ -22,6 +21,7 @@ from contourlab.features.sweep.statistics import (
     ranks,
     total_indices,
     variants_needed,
+    wilson,
 )
 
 N = 20_000

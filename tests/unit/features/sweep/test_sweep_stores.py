@@ -26,9 +26,8 @@ from once import once
 
 from contourlab import load_scenario, simulate_batch
 from contourlab.cli.main import main
-from contourlab.features.sweep.manifest import read_manifest
 from contourlab.features.sweep.query import spreads
-from contourlab.features.sweep.store import read_store
+from contourlab.features.sweep.store import read_manifest, read_store
 from contourlab.result import Result
 
 Capture = pytest.CaptureFixture[str]

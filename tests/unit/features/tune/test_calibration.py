@@ -15,14 +15,14 @@ from contourlab.components.controller.cascade import Cascade
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.errors import ParameterError
-from contourlab.features.tune.line_search import LineRule, line_search, sequential
 from contourlab.features.tune.objective import Goal, Objective
+from contourlab.features.tune.search import LineRule, line_search, sequential
 from contourlab.features.tune.study import Tuned, TuneSettings, tune
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import AxisController, Controller
 from contourlab.papers.ghaffari.setup import TABLE_2, TABLE_3, Reading, controller, machine
-from contourlab.study import Evaluator, Space
+from contourlab.study import Runner, Setting, Space
 from contourlab.study.executors import Executor
 from contourlab.study.guards import Bounds, Guards
 from contourlab.study.values import with_values
@@ -34,7 +34,7 @@ INTEGRAL = Goal.parse("integral")
 
 def searched(names: list[str], bounds: Bounds = FREE, rule: LineRule = BEST, goal: str = "integral", **gains: float) -> Tuned:
     settings = TuneSettings(Goal.parse(goal), bounds, rule, method="sequential", parameters=tuple(names))
-    return tune(rigid_stage(), position_control(**gains), circle(), settings)
+    return tune(Setting(rigid_stage(), position_control(**gains), circle()), settings)
 
 
 @pytest.mark.parametrize("wrong", [0.6, 1.7])
@@ -54,9 +54,9 @@ def test_the_damping_of_a_rigid_axis_is_found() -> None:
 @pytest.mark.slow
 def test_each_step_moves_one_number_and_never_increases_the_error() -> None:
     stage, made = rigid_stage(), position_control(model_gain=0.7, model_damping=4.0)
-    space, evaluator = Space.chosen(stage, made), Evaluator(stage, made, circle())
+    space, runner = Space.chosen(stage, made), Runner(Setting(stage, made, circle()))
     values = {number.name: number.value for number in space.numbers}
-    path = sequential(Objective(evaluator, INTEGRAL, values), Guards([(stage, made)], Bounds()), space, values, LineRule(), passes=2)
+    path = sequential(Objective(runner, INTEGRAL, values), Guards([(stage, made)], Bounds()), space, values, LineRule(), passes=2)
     assert [step.variable.name for step in path.steps[: len(space.names)]] == list(space.names)
     reached = [path.steps[0].objective_before, *(step.objective_after for step in path.steps)]
     assert all(later <= earlier for earlier, later in pairwise(reached))
@@ -64,7 +64,7 @@ def test_each_step_moves_one_number_and_never_increases_the_error() -> None:
     for step in path.steps:
         assert step.before == now[step.variable.name]
         now[step.variable.name] = step.after
-        alone = evaluator({name: np.array([value]) for name, value in now.items()})
+        alone = runner({name: np.array([value]) for name, value in now.items()})
         assert alone["contour_error_integral"][0] == step.objective_after
     assert now == path.values
 
@@ -90,11 +90,11 @@ def test_the_drive_limits_a_gain() -> None:
     coarse = replace(stage, axes=tuple(replace(axis, sensor=Encoder(resolution=4e-6)) for axis in stage.axes))
     made = position_control(model_gain=0.8 * GAIN)
     settings = TuneSettings(INTEGRAL, FREE, BEST, method="sequential", parameters=("x.position_gain=1 full_scale/mm..30 full_scale/mm",))
-    free = tune(coarse, made, circle(), settings)
+    free = tune(Setting(coarse, made, circle()), settings)
     quiet, loud = (one.figures["command_largest"] for one in (free.before, free.after))
     allowed = 0.5 * (quiet + loud)
     assert quiet < allowed
-    kept = tune(coarse, made, circle(), replace(settings, bounds=replace(FREE, command=allowed)))
+    kept = tune(Setting(coarse, made, circle()), replace(settings, bounds=replace(FREE, command=allowed)))
     assert kept.after.figures["command_largest"] <= allowed * (1.0 + 1e-9)
     assert kept.path.steps[-1].bound.endswith("drive")
     assert not kept.after.violations
@@ -103,7 +103,7 @@ def test_the_drive_limits_a_gain() -> None:
 @pytest.mark.slow
 def test_missing_margins_of_the_start_are_restored_first() -> None:
     settings = TuneSettings(INTEGRAL, Bounds(6.0, 40.0), method="sequential")
-    found = tune(rigid_stage(), position_control(position_gain=60000.0), circle(), settings)
+    found = tune(Setting(rigid_stage(), position_control(position_gain=60000.0), circle()), settings)
     assert any("phase margin" in words and "axis x" in words for words in found.before.violations)
     assert found.path.steps[0].stage == "repair"
     assert not found.after.violations
@@ -113,7 +113,7 @@ def test_missing_margins_of_the_start_are_restored_first() -> None:
 @pytest.mark.slow
 def test_a_number_at_the_end_of_its_range_is_reported_in_every_stage() -> None:
     settings = TuneSettings(INTEGRAL, Bounds(6.0, 40.0), method="sequential")
-    found = tune(rigid_stage(), position_control(position_gain=60000.0), circle(), settings)
+    found = tune(Setting(rigid_stage(), position_control(position_gain=60000.0), circle()), settings)
     ends = {number.short: number.end(found.values[number.name]) for number in found.space.numbers}
     assert ends["y.velocity_gain"] == ends["x.velocity_gain"] != "" and sum(map(bool, ends.values())) == 2
     for stage in ("repair", "pass 1"):
@@ -127,11 +127,13 @@ def test_a_number_at_the_end_of_its_range_is_reported_in_every_stage() -> None:
 
 @pytest.mark.slow
 def test_a_diverging_start_is_repaired() -> None:
-    found = tune(rigid_stage(), position_control(position_gain=3e5), circle(), TuneSettings(width=10.0, budget=400))
+    found = tune(Setting(rigid_stage(), position_control(position_gain=3e5), circle()), TuneSettings(width=10.0, budget=400))
     assert found.before.run is None and "diverges" in found.before.violations[0]
     assert {step.variable.short.partition(".")[0] for step in found.path.steps if step.stage == "repair"} == {"x", "y"}
     assert found.after.run is not None and not found.after.violations
-    lost = tune(rigid_stage(), position_control(position_gain=5e6), circle(), TuneSettings(parameters=("x.model_gain",), budget=100))
+    lost = tune(
+        Setting(rigid_stage(), position_control(position_gain=5e6), circle()), TuneSettings(parameters=("x.model_gain",), budget=100)
+    )
     assert "diverges" in lost.after.violations[0]
 
 
@@ -140,13 +142,13 @@ def test_a_start_beyond_repair_is_replaced_by_placed_poles() -> None:
     """Poles a hundred times too fast, out of reach of the ranges: the search starts again from placed poles."""
     gains = Cascade.tune(20_000.0, 1.0, 1.2, 9.0)
     part = AxisController(controller=Cascade(**gains), velocity=FilteredDifference(bandwidth=1500.0))
-    found = tune(rigid_stage(), Controller(dict.fromkeys("xy", part)), circle(), TuneSettings(budget=200))
+    found = tune(Setting(rigid_stage(), Controller(dict.fromkeys("xy", part)), circle()), TuneSettings(budget=200))
     assert found.before.violations and not found.after.violations
 
 
 def test_violated_margins_are_reported() -> None:
     settings = TuneSettings(parameters=("x.model_gain",), bounds=Bounds(6.0, 60.0), budget=100)
-    found = tune(rigid_stage(), position_control(position_gain=60000.0), circle(), settings)
+    found = tune(Setting(rigid_stage(), position_control(position_gain=60000.0), circle()), settings)
     assert any("phase margin" in words and "axis x" in words for words in found.after.violations)
 
 
@@ -164,7 +166,10 @@ def test_the_result_is_the_same_on_any_number_of_threads(method: str) -> None:
     names = ("model_gain", "model_damping")
     made = position_control(model_gain=0.8, model_damping=5.0)
     one, two = (
-        tune(rigid_stage(), made, circle(), TuneSettings(parameters=names, method=method, budget=800, executor=Executor(workers=count)))
+        tune(
+            Setting(rigid_stage(), made, circle()),
+            TuneSettings(parameters=names, method=method, budget=800, executor=Executor(workers=count)),
+        )
         for count in (1, 2)
     )
     assert one.values == two.values
@@ -175,7 +180,7 @@ def test_the_result_is_the_same_on_any_number_of_threads(method: str) -> None:
 @pytest.mark.slow
 def test_the_global_search_is_no_worse_and_keeps_the_bounds() -> None:
     made = position_control(model_gain=0.8, model_damping=5.0)
-    found = tune(rigid_stage(), made, circle(), TuneSettings(method="both", budget=1500))
+    found = tune(Setting(rigid_stage(), made, circle()), TuneSettings(method="both", budget=1500))
     assert found.global_result is not None
     # One of its starts is that answer, normalised and back.
     assert found.global_result.objective <= found.path.steps[-1].objective_after * (1.0 + 1e-9)
@@ -185,8 +190,8 @@ def test_the_global_search_is_no_worse_and_keeps_the_bounds() -> None:
 
 def test_a_single_run_and_the_lanes_agree_on_the_result() -> None:
     found = searched(["model_gain"], model_gain=0.7)
-    evaluator = Evaluator(rigid_stage(), found.controller, circle())
-    lanes = evaluator({name: np.array([value]) for name, value in found.values.items()})
+    runner = Runner(Setting(rigid_stage(), found.controller, circle()), ("command_energy",))
+    lanes = runner({name: np.array([value]) for name, value in found.values.items()})
     for name in ("contour_error_integral", "contour_error_max", "command_energy", "command_largest", "limited_share"):
         assert found.after.figures[name] == pytest.approx(lanes[name][0], rel=1e-6, abs=1e-12), name
 
@@ -216,7 +221,7 @@ def test_an_unlimited_drive_never_saturates() -> None:
     """Its commands are large numbers, in the plant's own unit."""
     gains = {"velocity_gain": 4e4, "position_gain": 1.5e6, "model_gain": 1e-3 * GAIN}
     settings = TuneSettings(parameters=("x.integral_gain",), bounds=FREE, budget=100)
-    found = tune(rigid_stage(1e-3 * GAIN, 1e-3 * GAIN), position_control(**gains), circle(), settings)
+    found = tune(Setting(rigid_stage(1e-3 * GAIN, 1e-3 * GAIN), position_control(**gains), circle()), settings)
     assert found.before.figures["command_largest"] > 100.0
     assert found.before.figures["limited_share"] == found.after.figures["limited_share"] == 0.0
     assert not found.after.violations
@@ -233,7 +238,7 @@ def test_with_unreachable_margins_a_placed_start_still_works() -> None:
     reading = Reading()
     settings = TuneSettings(start="placed", parameters=("3.integral_gain",), bounds=Bounds(gain_margin=50.0), rule=BEST, budget=100)
     laps = uniform(contour("circle", radius=0.02), 0.5, 2, 1e-3)
-    found = tune(machine(1, reading), controller(1, TABLE_3, reading), laps, settings)
+    found = tune(Setting(machine(1, reading), controller(1, TABLE_3, reading), laps), settings)
     assert any("gain margin" in words for words in found.after.violations)
 
 
@@ -241,7 +246,7 @@ def test_weights_refer_to_figures_relative_to_the_start() -> None:
     stage, made = rigid_stage(), position_control(model_gain=0.8)
     name = "controller.axes.x.controller.model_gain"
     goal = Goal.parse("integral=1,energy=0.5")
-    judged = Objective(Evaluator(stage, made, circle()), goal, {name: 0.8})({name: np.array([0.8, 1.2])})
+    judged = Objective(Runner(Setting(stage, made, circle())), goal, {name: 0.8})({name: np.array([0.8, 1.2])})
     assert judged.value[0] == pytest.approx(1.5)
     parts = judged.figures
     energy, error = (parts[key][1] / parts[key][0] for key in ("command_energy", "contour_error_integral"))
@@ -253,8 +258,8 @@ def test_on_a_plateau_the_rule_decides(plateau: str) -> None:
     """With the right feedforward the gains hardly matter, so the rule chooses."""
     stage, made = rigid_stage(), position_control(model_gain=0.9 * GAIN)
     space = Space.chosen(stage, made, ["x.integral_gain"])
-    values, evaluator = {space.names[0]: 5.0}, Evaluator(stage, made, circle())
-    objective, guards = Objective(evaluator, INTEGRAL, values), Guards([(stage, made)], Bounds())
+    values, runner = {space.names[0]: 5.0}, Runner(Setting(stage, made, circle()))
+    objective, guards = Objective(runner, INTEGRAL, values), Guards([(stage, made)], Bounds())
     best = line_search(objective, guards, space.numbers[0], values, BEST)
     found = line_search(objective, guards, space.numbers[0], values, LineRule(plateau=plateau, within=0.2))
     assert found.objective_after <= 1.2 * best.objective_after * (1.0 + 1e-12)
@@ -268,7 +273,7 @@ def test_on_a_plateau_the_rule_decides(plateau: str) -> None:
 @pytest.mark.slow
 def test_placed_poles_keep_the_margins_and_serve_as_a_start() -> None:
     made = position_control(position_gain=100.0)
-    found = tune(rigid_stage(), made, circle(), TuneSettings(start="placed", budget=400))
+    found = tune(Setting(rigid_stage(), made, circle()), TuneSettings(start="placed", budget=400))
     assert not found.after.violations
     assert found.space.numbers[0].value != made.axes["y"].controller.values()["velocity_gain"]
     assert found.before.figures["contour_error_integral"] > 5.0 * found.after.figures["contour_error_integral"]
@@ -305,14 +310,14 @@ def test_bounds_out_of_range_are_refused(bounds: dict[str, float]) -> None:
 def test_a_controller_without_tunable_parameters_is_refused() -> None:
     nothing = position_control(velocity_gain=0.0, position_gain=0.0, integral_gain=0.0, model_gain=math.inf, model_damping=0.0)
     with pytest.raises(ParameterError, match="bounds"):
-        tune(rigid_stage(), nothing, circle())
+        tune(Setting(rigid_stage(), nothing, circle()))
 
 
 @pytest.mark.slow
 def test_tenfold_on_the_paper_s_circle() -> None:
     reading = Reading()
     stage, made = machine(1, reading), controller(1, TABLE_2, reading)
-    found = tune(stage, made, uniform(contour("circle", radius=0.02), 0.5, 2, reading.servo_period), TuneSettings(budget=1000))
+    found = tune(Setting(stage, made, uniform(contour("circle", radius=0.02), 0.5, 2, reading.servo_period)), TuneSettings(budget=1000))
     assert found.before.figures["contour_error_integral"] == pytest.approx(272.9e-6, rel=1e-3)
     assert found.before.figures["contour_error_integral"] > 10.0 * found.after.figures["contour_error_integral"]
     assert not found.after.violations

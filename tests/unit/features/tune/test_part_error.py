@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 
 import contourlab as cl
-from contourlab.features.tune.line_search import LineRule
+from contourlab.features.tune.search import LineRule
 from contourlab.features.tune.study import TuneSettings, tune
 from contourlab.scenario import Scenario, scenario_from_parts
+from contourlab.study import Setting
 from contourlab.study.values import with_values
 
 PART = "G21 G17 G90 F2400\nG64 P0.05\nG0 X5 Y5 Z5\nG1 Z0\nG1 X15\nY12\nG3 X10 Y17 I-5 J0\nG1 X5 Y12\nG0 Z5\nM2\n"
@@ -49,7 +50,7 @@ def test_a_calibration_never_ends_worse(scenario: Scenario, method: str) -> None
     controller, largest = case.controller, np.inf
     for _ in range(2):
         settings = TuneSettings(rule=LineRule(within=0.2), method=method, budget=200, parameters=("position_gain", "velocity_gain"))
-        tuned = tune(case.machine, controller, case.reference(), settings)
+        tuned = tune(Setting(case.machine, controller, case.reference()), settings)
         assert tuned.after.figures["part_error_max"] <= min(largest, tuned.before.figures["part_error_max"])
         controller, largest = tuned.controller, tuned.after.figures["part_error_max"]
 
@@ -66,7 +67,7 @@ def test_gains_of_an_axis_that_does_not_move_stay(method: str, tmp_path: Path) -
     known = cl.loop.parameters_of(case.machine, case.controller)
     slow = {name: 0.5 * getattr(*known[name]) for name in names if ".z." not in name}
     machine, controller = with_values(case.machine, case.controller, slow)
-    tuned = tune(machine, controller, case.reference(), TuneSettings(method=method, budget=300, starts=1, parameters=names))
+    tuned = tune(Setting(machine, controller, case.reference()), TuneSettings(method=method, budget=300, starts=1, parameters=names))
     assert tuned.method == method and not tuned.after.violations
     start = {variable.name: variable.value for variable in tuned.space.numbers}
     moved = {name for name, value in tuned.values.items() if value != start[name]}

@@ -14,26 +14,22 @@ from contourlab.arrays import Array, Flags
 from contourlab.components.contract import Component
 from contourlab.errors import ContourlabError
 from contourlab.features.run.trust.provenance import numbers_of
-from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
-from contourlab.loop import Controller, Learned, Machine, parameters_of, simulate_batch
+from contourlab.loop import Controller, Learned, Machine, parameters_of
 from contourlab.rendering.judgement import Interval, Number, Rank, Spread
+from contourlab.study import Setting
+from contourlab.study.space import Distribution
 
 SAMPLES = 64
 """Machines that are drawn: two groups of 32 lanes."""
 LEVELS = (0.05, 0.95)
 """Shares of the samples below the ends of an interval."""
-FIGURES = {"rms": "part_error_rms", "max": "part_error_max"}
 
 
 def part_interval(
-    machine: Machine,
-    controller: Controller,
-    reference: Reference,
+    setting: Setting,
     *,
-    seed: int = 0,
     tolerance: float | None = None,
-    moving: bool = False,
     changes: Sequence[object] = (),
     learned: Learned | None = None,
     threads: int | None = None,
@@ -44,14 +40,10 @@ def part_interval(
 
     Parameters
     ----------
-    machine, controller, reference
-        As they are run.
-    seed : int
-        Of the run: all samples see its noise, and the points depend on it.
+    setting : Setting
+        What is run. All samples see its noise, and the points depend on its seed.
     tolerance : float [m], optional
         Limit for the largest part error.
-    moving : bool
-        As in `contourlab.loop.simulate_batch`.
     changes : sequence
         Controllers that take over during the run; lanes cannot run them.
     learned : Learned, optional
@@ -71,6 +63,7 @@ def part_interval(
     -----
     The part error is that of the true axis positions, without the machine's error map.
     """
+    machine, controller = setting.machine, setting.controller
     simulated = [number for number in numbers_of(machine, controller) if number.simulated]
     uncertain = [number for number in simulated if number.drawn]
     if not uncertain:
@@ -78,18 +71,17 @@ def part_interval(
         return Interval(findings=(finding("CL221") if exact else finding("CL220"),))
     if changes:
         return Interval(findings=(finding("CL222"),))
-    columns = draw(uncertain, machine, controller, seed, n)
+    columns = draw(uncertain, machine, controller, setting.seed, n)
 
     def report_progress(done: int) -> None:
         if progress is not None:
-            progress(done, reference.n_sample)
+            progress(done, setting.reference.n_sample)
 
-    given = {"seed": seed, "threads": threads, "moving": moving, "learned": learned, "part": True}
     try:
-        batch = simulate_batch(machine, controller, reference, columns, progress=report_progress, **given)  # type: ignore[arg-type]
+        batch = setting.batch(columns, ["part_error_max"], progress=report_progress, threads=threads, learned=learned)
     except ContourlabError as error:
         return Interval(findings=(finding("CL224", reason=str(error)),))
-    figures = {name: batch.figures[key] for name, key in FIGURES.items()}
+    figures = {name: batch.figures[f"part_error_{name}"] for name in ("rms", "max")}
     bad = ~np.isfinite(figures["max"])
     failed = int(bad.sum())
     beyond = None if tolerance is None else int(np.count_nonzero(bad | (figures["max"] > tolerance)))
@@ -163,23 +155,17 @@ def draw(uncertain: Sequence[Number], machine: Machine, controller: Controller, 
     share = np.clip(share, 0.5**31, 1.0 - 0.5**31)
     mixed = ndtr(ndtri(share) @ _root(uncertain, machine).T)
     known = parameters_of(machine, controller)
-    return {number.name: _placed(number, known[number.name], mixed[:, i]) for i, number in enumerate(uncertain)}
+    return {number.name: _distribution(number, known[number.name]).values(mixed[:, i]) for i, number in enumerate(uncertain)}
 
 
-def _placed(number: Number, place: tuple[Component, str], share: Array) -> Array:
-    """Return values of a number at shares of its distribution."""
-    from scipy.special import ndtr, ndtri
-
-    part, name = place
-    parameter = part.parameters[name]
+def _distribution(number: Number, place: tuple[Component, str]) -> Distribution:
+    """Return the distribution of a number."""
+    parameter = place[0].parameters[place[1]]
     if number.range is not None:
-        low, high = number.range
-        return low + share * (high - low)
+        return Distribution("uniform", number.range)
     assert number.deviation is not None and isinstance(number.value, float)
-    least, most = (float(ndtr((bound - number.value) / number.deviation)) for bound in (parameter.minimum, parameter.maximum))
-    values: Array = number.value + number.deviation * ndtri(least + share * (most - least))
     lowest = np.nextafter(parameter.minimum, np.inf) if parameter.exclusive else parameter.minimum
-    return np.clip(values, lowest, parameter.maximum)
+    return Distribution("normal", (number.value, number.deviation), lowest, parameter.maximum)
 
 
 def _root(uncertain: Sequence[Number], machine: Machine) -> Array:

@@ -11,16 +11,68 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.features.sweep.query import Z, effective_size, wilson
+from contourlab.study.design import LEVELS, salib_problem
 
+Z = 1.959963984540054
+"""Half width of the interval of 95 % of a normal distribution, in standard deviations."""
 GROUPS, T = 20, 2.093
 """Groups of the jackknife, and half width of the interval of 95 % of Student's t with one degree of freedom less."""
+ANALYSIS: dict[str, Any] = {"num_resamples": 200, "conf_level": 0.95}
 BINS = 64
 """Most bins of a parameter."""
 LEAST, LEAST_MODULES = 128, 8
 """Fewest variants, and fewest modules of a kind, of an estimate of the convergence."""
 FEWEST = 74
 """Fewest independent variants whose interval of the quantile of 95 % ends below the largest."""
+
+
+def wilson(passed: float, judged: float) -> tuple[float, float]:
+    """Return the Wilson interval of 95 % of a share; `judged` may be an `effective_size`.
+
+    >>> [round(end, 4) for end in wilson(98, 100)]
+    [0.93, 0.9945]
+    """
+    if not judged:
+        return 0.0, 1.0
+    share = passed / judged
+    centre = (share + Z * Z / (2 * judged)) / (1 + Z * Z / judged)
+    half = Z / (1 + Z * Z / judged) * math.sqrt(share * (1 - share) / judged + Z * Z / (4 * judged**2))
+    return (max(centre - half, 0.0) if passed else 0.0), (min(centre + half, 1.0) if passed < judged else 1.0)
+
+
+def effective_size(tallies: Sequence[tuple[Array, Array]]) -> float:
+    """Return how many independent variants tell as much about a yield as the pairings of modules, or variants that share draws, do.
+
+    Parameters
+    ----------
+    tallies : sequence of (ndarray (n_module,), ndarray (n_module,))
+        For each kind of modules: the judged pairings of each module, and those that passed. A draw that several variants share counts as
+        a module.
+
+    Notes
+    -----
+    The variance of the yield is the sum over the kinds of the jackknife variance over their modules; the interval takes Student's t, as
+    Korn and Graubard do for clusters. Bad modules that nobody has drawn are in no variance: the size is therefore at most the number of
+    kinds times the fewest modules of a kind, and that number itself where all pairings agree.
+
+    References
+    ----------
+    E. L. Korn, B. I. Graubard, "Confidence intervals for proportions with small expected number of positive counts estimated from survey
+    data", Survey Methodology 24, 1998.
+    """
+    from scipy.special import stdtrit
+
+    judged, passed = float(tallies[0][0].sum()), float(tallies[0][1].sum())
+    share, fewest = passed / judged, min(len(count) for count, _ in tallies)
+    if fewest < 2:
+        return 1.0
+    if not 0.0 < share < 1.0:
+        return float(fewest)
+    variance = sum(len(n) / (len(n) - 1) * float(np.sum((good - share * n) ** 2)) / judged**2 for n, good in tallies)
+    most = float(len(tallies) * fewest)
+    if variance == 0.0:
+        return most
+    return min(share * (1.0 - share) / variance * (Z / float(stdtrit(fewest - 1, 0.975))) ** 2, most)
 
 
 def variants_needed(share: float, half: float) -> int:
@@ -276,6 +328,83 @@ def best_split(bins: Index, passed: Flags) -> tuple[int, float, float, float]:
     gain = low * high / n.sum() ** 2 * (below - above) ** 2 / (share * (1.0 - share))
     best = int(np.argmax(gain))
     return best, float(below[best]), float(above[best]), float(gain[best])
+
+
+# --- indices by SALib ---
+
+
+@dataclass(frozen=True, eq=False)
+class SobolIndices:
+    """Shares of the variance.
+
+    Attributes
+    ----------
+    first, first_interval : ndarray (n,)
+        First-order indices: the share of each parameter alone; and half the width of the 95 % confidence interval.
+    total, total_interval : ndarray (n,)
+        Total indices: the share of each parameter with all its interactions; and the same interval.
+    second, second_interval : ndarray (n, n) or None
+        Second-order indices: the share of an interaction of two parameters. Above the diagonal, else nan; None if not requested.
+    deviation : float
+        Standard deviation of the sample.
+    """
+
+    first: Array
+    first_interval: Array
+    total: Array
+    total_interval: Array
+    second: Array | None
+    second_interval: Array | None
+    deviation: float
+
+
+@dataclass(frozen=True, eq=False)
+class MorrisIndices:
+    """Elementary effects: the effect of a step over two thirds of the range, divided by its length.
+
+    Attributes
+    ----------
+    mu_star, mu_star_interval : ndarray (n,)
+        Mean magnitude of the effects, and half the width of its 95 % confidence interval.
+    mu : ndarray (n,)
+        Mean of the effects.
+    sigma : ndarray (n,)
+        Standard deviation of the effects: large if the effect is nonlinear or depends on other parameters.
+    """
+
+    mu_star: Array
+    mu_star_interval: Array
+    mu: Array
+    sigma: Array
+
+
+def sobol_indices(values: Array, n: int, second: bool = False, seed: int = 0) -> SobolIndices:
+    """Return the Sobol indices of the values at `saltelli_points`, with bootstrap intervals.
+
+    Notes
+    -----
+    If the values do not vary, all indices are 0. An estimate may lie a little below 0; its interval then includes 0.
+    """
+    zero = np.zeros(n)
+    if np.ptp(values) == 0.0:
+        pairs = np.where(np.triu(np.ones((n, n)), 1) > 0, 0.0, np.nan) if second else None
+        return SobolIndices(zero, zero, zero, zero, pairs, pairs, 0.0)
+    from SALib.analyze import sobol
+
+    # A generator, because SALib treats the seed 0 as no seed: its intervals would differ each time.
+    draw = np.random.default_rng(seed)
+    found = sobol.analyze(salib_problem(n), values, calc_second_order=second, print_to_console=False, seed=draw, **ANALYSIS)
+    arrays = {key: np.asarray(value, dtype=float) for key, value in found.items()}
+    names = ("S1", "S1_conf", "ST", "ST_conf", "S2", "S2_conf")
+    return SobolIndices(*(arrays.get(name) for name in names), float(values.std()))  # type: ignore[arg-type, call-arg]
+
+
+def morris_indices(points: Array, values: Array, seed: int = 0) -> MorrisIndices:
+    """Return the elementary effects of the values at `morris_points`, over the whole range of each parameter."""
+    from SALib.analyze import morris
+
+    found = morris.analyze(salib_problem(points.shape[1]), points, values, num_levels=LEVELS, seed=seed, **ANALYSIS)
+    return MorrisIndices(*(np.asarray(np.ma.getdata(found[key]), dtype=float) for key in ("mu_star", "mu_star_conf", "mu", "sigma")))
 
 
 # --- Pareto front ----------------------------------------------------------------------------------------------------------------------

@@ -1,10 +1,10 @@
-"""One parameter at a time: the line search, the sequential procedure of Ghaffari & Ulsoy, and the repair of margins before it."""
+"""The searches of a calibration: placed poles, one parameter at a time (Ghaffari & Ulsoy), and all at once."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -12,9 +12,66 @@ from contourlab.analysis.linear.sampled_loop import SampledLoop
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError
-from contourlab.features.tune.objective import Objective
-from contourlab.study import DesignVariable, Space
-from contourlab.study.guards import Guards
+from contourlab.features.tune.objective import Goal, Objective
+from contourlab.loop import Controller, Machine, parameters_of
+from contourlab.study import DesignVariable, Found, Runner, Space, search
+from contourlab.study.guards import Bounds, Guards
+from contourlab.study.placement import designed, fastest_speed, model_of
+
+FRACTIONS = np.geomspace(0.1, 1.0, 32)
+"""Fractions of the fastest poles, tried for all axes together."""
+
+
+def placed_start(runner: Runner, goal: Goal, bounds: Bounds) -> Controller:
+    """Return the controller with poles at the fraction of the fastest speed that gives the smallest objective.
+
+    Parameters
+    ----------
+    runner : Runner
+    goal : Goal
+        Only its first figure counts.
+
+    Raises
+    ------
+    ParameterError
+        If a controller cannot be designed from poles, its loop has no linear model or is stable at no speed, or every run fails or exceeds
+        the drive limits.
+    """
+    setting = runner.setting
+    machine, controller = setting.machine, setting.controller
+    speeds = {axis.name: fastest_speed(machine, axis, controller.axes[axis.name], bounds) for axis in machine.axes}
+    candidates = [made for fraction in FRACTIONS.tolist() if (made := _placed(machine, controller, speeds, fraction)) is not None]
+    if not candidates:
+        raise ParameterError("start", "placed", "scenario: no common fraction of the fastest poles gives gains on every axis")
+    parameters = [parameters_of(machine, candidate) for candidate in candidates]
+    columns: dict[str, np.ndarray] = {}
+    for name in parameters[-1]:
+        if ".controller." in name:
+            values = np.array([getattr(*known[name]) for known in parameters], dtype=float)
+            if np.isfinite(values).all():
+                columns[name] = values
+    last = {name: float(values[-1]) for name, values in columns.items()}
+    placed = replace(runner, setting=replace(setting, controller=candidates[-1]))
+    runs = Objective(placed, Goal(goal.weights[:1]), last)(columns)
+    good = (runs.limited <= bounds.limited) & (runs.largest <= bounds.command)
+    ranked = np.where(good, runs.value, np.inf)
+    if not np.isfinite(ranked).any():
+        raise ParameterError("start", "placed", "scenario: with placed poles every run fails or exceeds the drive limits")
+    return candidates[int(np.argmin(ranked))]
+
+
+def _placed(machine: Machine, controller: Controller, speeds: Mapping[str, float], fraction: float) -> Controller | None:
+    """Return the controller with poles at a fraction of the speeds; None if a plant's own damping is too large for such slow poles."""
+    axes = dict(controller.axes)
+    try:
+        for axis in machine.axes:
+            slots = axes[axis.name]
+            gains = designed(slots.controller, fraction * speeds[axis.name], model_of(machine, axis, slots), axis.name)
+            axes[axis.name] = replace(slots, controller=slots.controller.replace(**gains))
+    except ParameterError:
+        return None
+    return replace(controller, axes=axes)
+
 
 PLATEAUS = ("robust", "best", "largest")
 SETTLED = 1e-3
@@ -298,3 +355,123 @@ def _repair(
     bound = "; ".join(filter(None, (barrier, variable.end(float(values[at])))))
     step = Step("repair", variable, own, float(values[at]), float(objectives[present]), reached, bound, values, objectives)
     return least, reached, float(distance[at]), step
+
+
+POPULATION = 32
+KEPT = 8
+"""Number of points per generation that must keep the margins: the best points are checked in turn until it is reached."""
+
+
+@dataclass(frozen=True, eq=False)
+class GlobalResult:
+    """The result of the global search.
+
+    Attributes
+    ----------
+    values : dict of str to float [SI] or None
+        The best values that keep all bounds in the exact analysis; None if no start led to any.
+    objective : float
+        nan if `values` is None.
+    """
+
+    values: dict[str, float] | None
+    objective: float
+    search: Found
+
+
+def global_search(
+    objective: Objective,
+    guards: Guards,
+    space: Space,
+    given: Sequence[Mapping[str, float]],
+    *,
+    starts: int = 5,
+    budget: int = 6000,
+    seed: int = 0,
+    progress: Callable[[int, int], None] | None = None,
+) -> GlobalResult:
+    """Search all parameters at once.
+
+    Parameters
+    ----------
+    given : sequence of mapping of str to float [SI]
+        Known starts; the others are drawn from the middle half of the box.
+    starts : int, >= 1
+        Total number of starts.
+    budget : int
+        Total number of runs.
+    seed : int
+        Seed of the drawn starts and the search; the same seed gives the same result.
+    progress : callable, optional
+        Called with the number of runs done and in all.
+
+    Notes
+    -----
+    Margins take longer to compute than a run. Each generation therefore checks its best points in turn until `KEPT` of them keep the
+    bounds. A point that breaks a bound is ranked behind all others of its generation. The exact analysis checks the result. Ctrl-C ends
+    the search with the best values so far.
+    """
+    generator = np.random.default_rng(seed)
+    known = [space.points(values)[0] for values in given][:starts]
+    drawn = 0.25 + 0.5 * generator.random((starts - len(known), len(space.numbers)))
+    fixed = {name: value for name, value in given[0].items() if name not in space.names}
+    found = search(
+        _Ranked(objective, guards, space, fixed),
+        np.vstack([*known, drawn]) if known else drawn,
+        budget=budget,
+        seed=seed,
+        population=POPULATION,
+        progress=None if progress is None else lambda done: progress(done, budget),
+        stoppable=True,
+    )
+    for i in np.argsort(found.per_start, kind="stable"):
+        if not np.isfinite(found.per_start[i]):
+            break
+        values = fixed | space.values(found.points[i])
+        run = objective.at(values)
+        if not run.violations(values, guards):
+            return GlobalResult(values, float(run.value[0]), found)
+    return GlobalResult(None, float("nan"), found)
+
+
+class _Ranked:
+    """The objective of points; points that break a bound rank behind the others."""
+
+    def __init__(self, objective: Objective, guards: Guards, space: Space, fixed: Mapping[str, float]) -> None:
+        self.objective, self.guards, self.space, self.fixed = objective, guards, space, fixed
+        self.axes = tuple(dict.fromkeys(axis for name in space.names for axis in guards.concerned(name)))
+
+    def __call__(self, points: Array) -> Array:
+        columns = self.space.columns(points)
+        columns |= {name: np.full(len(points), value) for name, value in self.fixed.items()}
+        runs = self.objective(columns)
+        bounds = self.guards.bounds
+        excess = np.maximum(runs.limited - bounds.limited, 0.0)
+        if np.isfinite(bounds.command):
+            excess = excess + np.maximum(runs.largest / bounds.command - 1.0, 0.0)
+        excess = np.where(np.isfinite(excess), excess, np.inf)
+        ranked = runs.value.copy()
+        for first in range(0, len(points), POPULATION):
+            part = slice(first, first + POPULATION)
+            ranked[part] = self._generation(ranked[part], excess[part], {name: column[part] for name, column in columns.items()})
+        return ranked
+
+    def _generation(self, values: Array, excess: Array, columns: Mapping[str, Array]) -> Array:
+        """Return the ranked values of one generation of one start; points that break a bound rank behind the others."""
+        good = np.isfinite(values)
+        if not good.any():
+            return values
+        worst = float(values[good].max())
+        ranked = np.where(excess > 0.0, worst * (2.0 + excess), values)
+        order = [i for i in np.argsort(ranked, kind="stable").tolist() if good[i] and excess[i] <= 0.0]
+        loops = self.guards.loops(columns, self.axes)
+        kept = 0
+        for i in order:
+            missing, _ = self.guards.missing(loops[i])
+            if missing > 0.0:
+                ranked[i] = worst * (2.0 + missing)
+            else:
+                kept += 1
+                if kept == KEPT:
+                    break
+        return ranked

@@ -1,19 +1,24 @@
-"""Distributions of a varied parameter: read from a study file, cut at the bounds of the parameter, inverted at probabilities."""
+"""What a study varies: entries of ``[vary]``, columns of files of measured values, and populations of modules in ``[modules]``."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+import re
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from contourlab.arrays import Array
 from contourlab.components.contract import Parameter
-from contourlab.errors import ContourlabError, ScenarioError, UnitError, hint
+from contourlab.errors import ContourlabError, ScenarioError, UnitError, error_text, hint
+from contourlab.extras import extra_module
+from contourlab.findings import Finding, finding
+from contourlab.scenario.load import SCHEME_KEYS
 from contourlab.scenario.quantities import read_number
 from contourlab.scenario.tree import Leaf, Node, Table
+from contourlab.study.space import Distribution
 
 FORMS = {
     "normal": '["80 kg", "4 kg"], mean and standard deviation',
@@ -24,9 +29,9 @@ FORMS = {
     "values": '["70 kg", "80 kg"]',
 }
 """Kinds of distributions, each with its form in a study file."""
+HEADS = ("scheme", "contour", "program", *(key for key in SCHEME_KEYS if key != "learning"))
+"""First words of keys of the scenario file that a study can vary."""
 OPTIONS = ("within", "weights", "steps", "together")
-TAILS = (2.0**-60, 1.0 - 2.0**-53)
-"""Probabilities nearest to 0 and 1, so that the inverse of a distribution without ends stays finite."""
 
 
 @dataclass(frozen=True)
@@ -142,86 +147,6 @@ def _whole(table: Table, name: str) -> int:
 # --- distributions of one parameter ----------------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Distribution:
-    """The distribution of one parameter.
-
-    Attributes
-    ----------
-    kind : str
-        One of `FORMS`.
-    numbers : tuple of float [SI]
-        As in the study file; of ``"lognormal"`` the second has no unit.
-    low, high : float [SI]
-        Ends, inclusive.
-    weights : tuple of float
-        Relative probabilities of values; empty for equal ones.
-    """
-
-    kind: str
-    numbers: tuple[float, ...]
-    low: float = -math.inf
-    high: float = math.inf
-    weights: tuple[float, ...] = ()
-
-    @property
-    def beyond(self) -> float:
-        """Share of the distribution beyond its ends; the rest is scaled up to 1."""
-        if self.kind not in ("normal", "lognormal"):
-            return 0.0
-        first, last = self._ends()
-        return float(first + 1.0 - last)
-
-    def values(self, places: Array) -> Array:
-        """Return the values [SI] at cumulative probabilities from 0 to 1.
-
-        >>> Distribution("normal", (80.0, 4.0), low=0.0).values(np.array([0.5])).tolist()
-        [80.0]
-        """
-        if self.kind == "values":
-            return np.asarray(np.asarray(self.numbers)[chosen(places, len(self.numbers), self.weights)])
-        p = np.clip(np.asarray(places, dtype=float), *TAILS)
-        return np.asarray(np.clip(self._inverse(p), self.low, self.high))
-
-    def _inverse(self, p: Array) -> Array:
-        if self.kind in ("normal", "lognormal"):
-            from scipy.special import ndtri
-
-            first, last = self._ends()
-            z = ndtri(first + (last - first) * p)
-            centre, spread = self.numbers
-            return np.asarray(centre + spread * z if self.kind == "normal" else centre * np.exp(spread * z))
-        low, high = self.numbers[0], self.numbers[-1]
-        if self.kind == "uniform":
-            return low + (high - low) * p
-        if self.kind == "log-uniform":
-            return np.asarray(low * (high / low) ** p)
-        peak = self.numbers[1]
-        rising = low + np.sqrt(p * (high - low) * (peak - low))
-        falling = high - np.sqrt((1.0 - p) * (high - low) * (high - peak))
-        return np.where(p * (high - low) < peak - low, rising, falling)
-
-    def _ends(self) -> tuple[float, float]:
-        """Return the cumulative probabilities of the ends."""
-        from scipy.special import ndtr
-
-        centre, spread = self.numbers
-        ends = np.array([self.low, self.high])
-        if self.kind == "lognormal":
-            with np.errstate(divide="ignore"):
-                ends, centre = np.log(np.maximum(ends, 0.0)), math.log(centre)
-        first, last = ndtr((ends - centre) / spread)
-        return float(first), float(last)
-
-
-def chosen(places: Array, count: int, weights: Sequence[float] = ()) -> np.ndarray[Any, np.dtype[np.int64]]:
-    """Return the numbers of choices, from 0, at cumulative probabilities from 0 to 1."""
-    if not weights:
-        return np.minimum((np.asarray(places) * count).astype(np.int64), count - 1)
-    ends = np.cumsum(weights) / np.sum(weights)
-    return np.minimum(np.searchsorted(ends, places, side="right"), int(np.flatnonzero(weights)[-1])).astype(np.int64)
-
-
 def distribution(variation: Variation, parameter: Parameter, present: float) -> Distribution:
     """Return the distribution of one parameter, cut at its bounds.
 
@@ -298,3 +223,134 @@ def _bounds(table: Table, parameter: Parameter, present: float) -> tuple[float, 
     if len(ends) != 2 or not ends[0] < ends[1]:
         raise table.error('write the lowest and the highest value: ["70 kg", "90 kg"]', "within")
     return max(low, ends[0]), min(parameter.maximum, ends[1])
+
+
+_HEAD = re.compile(r"\s*(.*?)\s*(?:\[([^\]]*)\])?\s*\Z", re.DOTALL)
+
+
+def read_list(leaf: Leaf, folder: Path) -> tuple[tuple[Variation, ...], tuple[Finding, ...]]:
+    """Return the columns of a list as entries of ``[vary]``, and what was left out.
+
+    Parameters
+    ----------
+    leaf : Leaf
+        Name of the file in the study.
+    folder : Path
+        Folder of the study.
+
+    Raises
+    ------
+    ScenarioError
+        If the file cannot be read, has an empty cell, or no column is a parameter.
+
+    Notes
+    -----
+    A column is a parameter if its name has a dot or is a key of the scenario, such as ``program``; its unit is in brackets. Other columns,
+    such as a serial number, are left out.
+    """
+    table = _table(leaf, folder)
+    found, others = [], []
+    for head, column in zip(table.column_names, table.columns, strict=True):
+        name, unit = _HEAD.match(head).groups(default="")  # type: ignore[union-attr]
+        if "." not in name and name not in HEADS:
+            others.append(head)
+            continue
+        at = Table({}, str(leaf.value), head)
+        items = column.to_pylist()
+        for row, item in enumerate(items, 1):
+            if item is None or item != item or item == "":
+                raise at.error(f"row {row} is empty: write a value, or delete the row")
+        if unit and not any(isinstance(item, str) for item in items):
+            items = [f"{item!r} {unit}" for item in items]
+        found.append(Variation(name, at, "values", tuple(items), listed=True))
+    if not found or not table.num_rows:
+        raise leaf.error(f'{leaf.value}: no values: name each column as a parameter with its unit, such as "axes.x.plant.mass [kg]"')
+    return tuple(found), ((finding("CL924", file=str(leaf.value), columns=tuple(others)),) if others else ())
+
+
+def _table(leaf: Leaf, folder: Path) -> Any:
+    """Return the file as an Arrow table."""
+    arrow = extra_module("pyarrow")
+    if not isinstance(leaf.value, str) or Path(leaf.value).suffix.lower() not in (".csv", ".parquet"):
+        raise leaf.error(f"{leaf.value!r:.60}: write the name of a .csv or .parquet file")
+    file = folder / leaf.value
+    if not file.exists():
+        raise leaf.error(f"no file {leaf.value!r} in {folder.as_posix()}")
+    try:
+        if file.suffix.lower() == ".csv":
+            return _csv(file)
+        table = extra_module("pyarrow.parquet").read_table(file)
+    except (OSError, arrow.ArrowException) as error:
+        raise ScenarioError(f"{leaf.value}: cannot be read: {error_text(error)}", file=leaf.file, key=leaf.key) from error
+    units = [(one.metadata or {}).get(b"unit", b"").decode() for one in table.schema]
+    return table.rename_columns([f"{name} [{unit}]" if unit else name for name, unit in zip(table.column_names, units, strict=True)])
+
+
+def _csv(file: Path) -> Any:
+    """Return a table with commas, or with semicolons, which allow decimal commas."""
+    csv, data = extra_module("pyarrow.csv"), file.read_bytes()
+    semicolons = b";" in data.partition(b"\n")[0]
+    comma = semicolons and b"," in data
+    options = csv.ParseOptions(delimiter=";" if semicolons else ",")
+    return csv.read_csv(file, parse_options=options, convert_options=csv.ConvertOptions(decimal_point="," if comma else "."))
+
+
+MOST = 10**6
+"""Largest number of modules of a kind."""
+
+
+def belongs(name: str, modules: str) -> bool:
+    """Return whether a parameter or key belongs to the modules of a kind.
+
+    >>> belongs("axes.x.plant.mass", "axes.x")
+    True
+    """
+    return name == modules or name.startswith(modules + ".")
+
+
+def module_entries(content: Table) -> dict[str, Leaf]:
+    """Return the entries of ``[modules]``, by name; bare dotted keys are tables in tables.
+
+    Raises
+    ------
+    ScenarioError
+        If an entry is neither a number nor a file, or one is part of another; gives file and key.
+    """
+    found = dict(_leaves(content.table("modules"), ""))
+    for name, leaf in found.items():
+        value = leaf.value
+        if isinstance(value, bool) or not (isinstance(value, str) or (isinstance(value, int) and 2 <= value <= MOST)):
+            raise leaf.error(f"{value!r:.60}: write the number of modules, 2 to {MOST}, or a .csv or .parquet file with a row for each")
+        if any(belongs(name, other) for other in found if other != name):
+            raise leaf.error("belongs to other modules as well: delete one")
+    return found
+
+
+def _leaves(table: Table, prefix: str) -> Iterator[tuple[str, Leaf]]:
+    for name, node in table.entries.items():
+        key = f"{prefix}.{name}" if prefix else name
+        if isinstance(node, Table):
+            yield from _leaves(node, key)
+        else:
+            yield key, node
+
+
+def listed_modules(entries: dict[str, Leaf], folder: Path) -> tuple[tuple[Variation, ...], tuple[Finding, ...]]:
+    """Return what the files of modules vary; each row of a file is a module.
+
+    Raises
+    ------
+    ScenarioError
+        If a file cannot be read, or varies what is no part of its modules.
+    """
+    variations: list[Variation] = []
+    findings: list[Finding] = []
+    for name, leaf in entries.items():
+        if isinstance(leaf.value, str):
+            found, others = read_list(leaf, folder)
+            for one in found:
+                if not belongs(one.key, name):
+                    raise one.table.error(f"is no part of the modules {name}: its name must begin with {name}.")
+            variations += found
+            findings += others
+    return tuple(variations), tuple(findings)

@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Index
 from contourlab.components.contract import Component
 from contourlab.errors import ParameterError, UnitError
 from contourlab.loop import Controller, Machine, parameters_of
@@ -21,6 +21,8 @@ from contourlab.units import from_si, in_si
 
 WIDTH = 4.0
 """Default bounds are the value divided and multiplied by this."""
+TAILS = (2.0**-60, 1.0 - 2.0**-53)
+"""Places nearest to 0 and 1 that a drawn design or a distribution without ends takes."""
 NEAR = 0.005
 """Largest distance to a bound, as a share of the range, that counts as on it."""
 DIGITS = 6
@@ -232,6 +234,91 @@ class Space:
         """Return the space of some of the variables."""
         wanted = set(names)
         return replace(self, numbers=tuple(variable for variable in self.numbers if variable.name in wanted))
+
+
+# --- distributions ---
+
+
+@dataclass(frozen=True)
+class Distribution:
+    """The distribution of one parameter.
+
+    Attributes
+    ----------
+    kind : str
+        ``"normal"``, ``"lognormal"``, ``"uniform"``, ``"log-uniform"``, ``"triangular"`` or ``"values"``.
+    numbers : tuple of float [SI]
+        Mean and standard deviation; median and standard deviation of the logarithm; lowest and highest value; these with the likeliest
+        between them; or values.
+    low, high : float [SI]
+        Ends, inclusive.
+    weights : tuple of float
+        Relative probabilities of values; empty for equal ones.
+    """
+
+    kind: str
+    numbers: tuple[float, ...]
+    low: float = -math.inf
+    high: float = math.inf
+    weights: tuple[float, ...] = ()
+
+    @property
+    def beyond(self) -> float:
+        """Share of the distribution beyond its ends; the rest is scaled up to 1."""
+        if self.kind not in ("normal", "lognormal"):
+            return 0.0
+        first, last = self._ends()
+        return float(first + 1.0 - last)
+
+    def values(self, places: Array) -> Array:
+        """Return the values [SI] at cumulative probabilities from 0 to 1.
+
+        >>> Distribution("normal", (80.0, 4.0), low=0.0).values(np.array([0.5])).tolist()
+        [80.0]
+        """
+        if self.kind == "values":
+            return np.asarray(np.asarray(self.numbers)[chosen(places, len(self.numbers), self.weights)])
+        # Without an end the inverse at 0 or 1 is infinite.
+        ends = TAILS[0] if math.isinf(self.low) else 0.0, TAILS[1] if math.isinf(self.high) else 1.0
+        return np.asarray(np.clip(self._inverse(np.clip(np.asarray(places, dtype=float), *ends)), self.low, self.high))
+
+    def _inverse(self, p: Array) -> Array:
+        if self.kind in ("normal", "lognormal"):
+            from scipy.special import ndtri
+
+            first, last = self._ends()
+            z = ndtri(first + (last - first) * p)
+            centre, spread = self.numbers
+            return np.asarray(centre + spread * z if self.kind == "normal" else centre * np.exp(spread * z))
+        low, high = self.numbers[0], self.numbers[-1]
+        if self.kind == "uniform":
+            return low + (high - low) * p
+        if self.kind == "log-uniform":
+            return np.asarray(low * (high / low) ** p)
+        peak = self.numbers[1]
+        rising = low + np.sqrt(p * (high - low) * (peak - low))
+        falling = high - np.sqrt((1.0 - p) * (high - low) * (high - peak))
+        return np.where(p * (high - low) < peak - low, rising, falling)
+
+    def _ends(self) -> tuple[float, float]:
+        """Return the cumulative probabilities of the ends."""
+        from scipy.special import ndtr
+
+        centre, spread = self.numbers
+        ends = np.array([self.low, self.high])
+        if self.kind == "lognormal":
+            with np.errstate(divide="ignore"):
+                ends, centre = np.log(np.maximum(ends, 0.0)), math.log(centre)
+        first, last = ndtr((ends - centre) / spread)
+        return float(first), float(last)
+
+
+def chosen(places: Array, count: int, weights: Sequence[float] = ()) -> Index:
+    """Return the numbers of choices, from 0, at cumulative probabilities from 0 to 1."""
+    if not weights:
+        return np.minimum((np.asarray(places) * count).astype(np.int64), count - 1)
+    ends = np.cumsum(weights) / np.sum(weights)
+    return np.minimum(np.searchsorted(ends, places, side="right"), int(np.flatnonzero(weights)[-1])).astype(np.int64)
 
 
 # --- values as in a file ----------------------------------------------------------------------------------------------------------------

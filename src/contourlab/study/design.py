@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from contourlab.arrays import Array, Index
+from contourlab.study.space import TAILS
 
 INDEPENDENT, FIXED = ("random", "sobol", "latin-hypercube"), ("grid", "list")
 DRAWN = (*INDEPENDENT, "saltelli")
 """Designs that draw their variants; each draw on its own, or, in `FIXED`, the values of the study."""
+LEVELS = 4
+"""Levels of Morris' design."""
 SCRAMBLE = 1 << 64
 """Number in place of that of a chunk, for what all chunks share."""
 
@@ -130,22 +134,23 @@ class Design:
         return self._mixed(self._cube(key, len(self.levels), modules.count))
 
     def _mixed(self, cube: Array) -> Array:
-        """Return places with the correlations."""
+        """Return places with the correlations, within `TAILS`."""
+        cube = np.clip(cube, *TAILS)
         if not self.factor:
             return cube
         from scipy.special import ndtr, ndtri
 
-        normal = ndtri(np.clip(cube, 2.0**-60, 1.0 - 2.0**-53))
+        normal = ndtri(cube)
         # One sum after another: a matrix product may round differently for another number of rows.
         mixed = [sum((normal[:, j] * weight for j, weight in enumerate(row) if weight), np.zeros(len(cube))) for row in self.factor]
-        return np.asarray(ndtr(np.column_stack(mixed)))
+        return np.asarray(np.clip(ndtr(np.column_stack(mixed)), *TAILS))
 
     def _saltelli(self, chunk: int, n: int) -> Array:
         numbers = self.numbers(chunk)
         group, which = np.divmod(np.arange(numbers.start, numbers.stop), self.group)
         both = self._sobol(2 * n, SCRAMBLE, int(group[0]), int(group[-1] - group[0]) + 1)[group - group[0]]
         from_second = (which == 1)[:, None] | (which[:, None] - 2 == np.arange(n))
-        return np.asarray(np.where(from_second, both[:, n:], both[:, :n]))
+        return np.asarray(np.clip(np.where(from_second, both[:, n:], both[:, :n]), *TAILS))
 
     def _cube(self, key: int, n: int, rows: int) -> Array:
         """Return places (rows, n) of a chunk, or of modules whose keys begin at `SCRAMBLE` + 1."""
@@ -169,3 +174,45 @@ class Design:
 
 def _generator(seed: int, chunk: int) -> np.random.Generator:
     return np.random.Generator(np.random.Philox(np.random.SeedSequence([seed, chunk])))
+
+
+# --- the designs of SALib ---
+
+
+def salib_problem(n: int) -> dict[str, Any]:
+    """Return n parameters from 0 to 1 as SALib takes them."""
+    return {"num_vars": n, "names": [f"p{j}" for j in range(n)], "bounds": [[0.0, 1.0]] * n}
+
+
+def saltelli_points(n: int, base: int, second: bool = False, seed: int = 0) -> Array:
+    """Return the points of Saltelli's sampling in the unit cube: base (n + 2) points, or base (2 n + 2) for second order.
+
+    Parameters
+    ----------
+    n : int, >= 2
+        Number of parameters.
+    base : int
+        A power of two, which balances a Sobol sequence. The points of a smaller base are the first points of a larger one.
+    second : bool
+        Whether to sample for second-order indices.
+    seed : int
+
+    References
+    ----------
+    A. Saltelli et al., "Variance based sensitivity analysis of model output", Computer Physics Communications 181 (2010), 259-270.
+    """
+    from SALib.sample import sobol
+
+    return np.asarray(sobol.sample(salib_problem(n), base, calc_second_order=second, seed=seed), dtype=float)
+
+
+def morris_points(n: int, trajectories: int, seed: int = 0) -> Array:
+    """Return the points of Morris' design in the unit cube: trajectories (n + 1) points, on four levels.
+
+    References
+    ----------
+    M. D. Morris, "Factorial sampling plans for preliminary computational experiments", Technometrics 33 (1991), 161-174.
+    """
+    from SALib.sample import morris
+
+    return np.asarray(morris.sample(salib_problem(n), trajectories, num_levels=LEVELS, seed=seed), dtype=float)

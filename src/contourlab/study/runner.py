@@ -1,0 +1,134 @@
+"""Columns in, figures out: many candidates in chunks, in threads, on a GPU or in workers; finished chunks may be stored."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
+
+from contourlab.arrays import Array
+from contourlab.engine.gpu import LANES as GPU_LANES
+from contourlab.loop.batch import checked_variants, lanes_each
+from contourlab.study.cases import Setting
+from contourlab.study.checkpoint import Checkpoint
+
+if TYPE_CHECKING:
+    from contourlab.study.executors import Workers
+
+Columns: TypeAlias = Mapping[str, Array]
+"""Values [SI] by parameter name, each (n,)."""
+Judge: TypeAlias = Callable[[Columns], Array]
+"""One figure [SI] of candidates, nan where a run failed."""
+CHUNK = 1024
+"""Candidates that are simulated and stored together."""
+
+
+@dataclass(eq=False)
+class Runner:
+    """Run a setting with many sets of parameters, and return the figures of each run.
+
+    The same values give the same figures bit for bit, independent of the other candidates and of where they run.
+
+    Attributes
+    ----------
+    setting : Setting
+    figures : tuple of str
+        Names of figures that are needed besides those of contour error and tracking error.
+    threads : int, optional
+        One per processor by default.
+    gpu : bool
+        Whether a GPU runs the candidates.
+    pool : Workers, optional
+        Where to run; by default in this process.
+    store : Checkpoint, optional
+        Keeps finished chunks, which are then not run again; its study is that of the setting.
+    progress : callable, optional
+        Called with the candidates done and in all, for each call.
+    runs, reused : int
+        Number of new runs, and of runs read from the store.
+    """
+
+    setting: Setting
+    figures: tuple[str, ...] = ()
+    threads: int | None = None
+    gpu: bool = False
+    pool: Workers | None = None
+    store: Checkpoint | None = None
+    progress: Callable[[int, int], None] | None = None
+    runs: int = 0
+    reused: int = 0
+    _seen: set[Path] = field(init=False, repr=False, default_factory=set)
+    _key: str = field(init=False, repr=False, default="")
+
+    def judge(self, name: str) -> Judge:
+        """Return the function that computes one figure of candidates."""
+        return lambda columns: self(columns)[name]
+
+    def __call__(self, columns: Columns, threads: int | None = None) -> dict[str, Array]:
+        """Return figures and ``failed_at`` of `contourlab.loop.BatchResult`, each (n,); figures of a failed run are nan.
+
+        Parameters
+        ----------
+        columns : mapping of str to ndarray (n,)
+        threads : int, optional
+            By default `threads` of the runner.
+
+        Raises
+        ------
+        ParameterError
+            If a name is unknown or a value out of range.
+        """
+        n = len(next(iter(columns.values())))
+        size = GPU_LANES if self.gpu and self.store is None else CHUNK
+        parts = []
+        for first in range(0, n, size):
+            parts.append(self._chunk(_cut(columns, first, size), threads or self.threads))
+            if self.progress is not None:
+                self.progress(min(first + size, n), n)
+        return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+
+    def _chunk(self, columns: Columns, threads: int | None) -> dict[str, Array]:
+        """Return the figures of a chunk, from the store if it has them."""
+        n = len(next(iter(columns.values())))
+        if self.store is None:
+            self.runs += n
+            return self.run(columns, threads)
+        keys = [f"\n{name}\n".encode() + values.astype("<f8").tobytes() for name, values in columns.items()]
+        file = self.store.path(*keys, *(name.encode() for name in self.figures))
+        figures = self.store.load(file)
+        if figures is None:
+            figures = self.run(columns, threads)
+            self.runs += n
+            self.store.store(file, figures)
+        elif file not in self._seen:  # several parts of a study need the run with the present values: count it once
+            self.reused += n
+        self._seen.add(file)
+        return figures
+
+    def run(self, columns: Columns, threads: int | None = None) -> dict[str, Array]:
+        """Run candidates, whatever is stored."""
+        if self.pool is None:
+            return _run(self.setting, columns, self.figures, threads=threads, gpu=self.gpu)
+        checked_variants(self.setting.machine, self.setting.controller, columns)
+        self._key = self._key or self.pool.shared(self.setting)
+        n = len(next(iter(columns.values())))
+        size = lanes_each(n, self.pool.count)
+        pieces = [(_cut(columns, first, size), self.figures) for first in range(0, n, size)]
+        parts = self.pool.map(_run_elsewhere, self._key, pieces)
+        return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+
+
+def _cut(columns: Columns, first: int, size: int) -> dict[str, Array]:
+    return {name: np.asarray(values)[first : first + size] for name, values in columns.items()}
+
+
+def _run(setting: Setting, columns: Columns, figures: tuple[str, ...], **options: Any) -> dict[str, Array]:
+    batch = setting.batch(columns, figures, **options)
+    return {**batch.figures, "failed_at": batch.failed_at.astype(float)}
+
+
+def _run_elsewhere(setting: Setting, item: tuple[Columns, tuple[str, ...]]) -> dict[str, Array]:
+    return _run(setting, *item, threads=1)
