@@ -13,6 +13,10 @@ if TYPE_CHECKING:
     from contourlab.features.run.command import RunOutcome
 
 
+TYPED: list[str] = []
+"""The words of the command, after the name of the program."""
+
+
 class HasText(Protocol):
     """A result of a command."""
 
@@ -78,7 +82,7 @@ def suggest(as_json: bool, *words: object) -> None:
 
 def suggest_again(as_json: bool, *more: str, without: str = "") -> None:
     """Print the command as typed, with more words or without one, as the next one."""
-    suggest(as_json, *(word for word in sys.argv[1:] if word != without), *more)
+    suggest(as_json, *(word for word in TYPED if word != without), *more)
 
 
 def conclude(outcome: RunOutcome, as_json: bool) -> int:

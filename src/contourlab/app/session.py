@@ -1,0 +1,272 @@
+"""The skeleton of a question: how it is asked in Python and on the command line, and what its answer can do.
+
+A question is a function ``question(*inputs, settings, session) -> Answer``. It computes only; `Answer.save` writes. `question` makes the
+public function of it, whose keywords are the options of its settings. `execute` is the command: ask, save, return the answer to print.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import dataclass, field
+from functools import wraps
+from html import escape
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from contourlab.app.command_line import as_typed
+from contourlab.app.options import REQUIRED, Options, Part
+from contourlab.app.results import check_file, check_folder
+
+if TYPE_CHECKING:
+    import matplotlib.axes
+    import pandas
+
+    from contourlab.rendering.stages import Stages
+
+AnswerT = TypeVar("AnswerT")
+
+
+@dataclass(frozen=True)
+class Session:
+    """What a question knows about where it is asked.
+
+    Attributes
+    ----------
+    out : Path or None
+        Folder in which its answer will be saved; None if that is not known.
+    write : Path or None
+        A single file that will be written.
+    progress : bool
+        Whether to show a bar.
+    command : str
+        The command, as typed; a question that is asked in Python gets the one that does the same.
+    """
+
+    out: Path | None = None
+    write: Path | None = None
+    progress: bool = False
+    command: str = ""
+
+    def will_write(self, inputs: Iterable[str | Path], *names: str) -> None:
+        """Refuse, before the work, to replace inputs or foreign files, and what cannot be written; `names` are the files of the folder.
+
+        Raises
+        ------
+        ParameterError, OutputError
+            See `contourlab.app.results.check_folder`.
+        """
+        if self.write is not None:
+            check_file(self.write, inputs)
+        if self.out is not None and (names or self.write is None):
+            check_folder(self.out, *names, inputs=inputs)
+
+    def stages(self) -> AbstractContextManager[Stages]:
+        """Show stages of the work while the block runs."""
+        from contourlab.rendering.stages import shown
+
+        return shown(self.progress)
+
+
+QUIET = Session()
+"""Of a question that is asked in Python."""
+
+
+class Answer:
+    """What a question returns: figures, findings, and perhaps a verdict. Its fields are its JSON."""
+
+    @property
+    def text(self) -> str:
+        """The answer for the terminal."""
+        raise NotImplementedError
+
+    @property
+    def exit_code(self) -> int:
+        """Exit code of the command: 1 if a verdict failed."""
+        return 1 if getattr(self, "passed", True) is False else 0
+
+    @property
+    def stopped(self) -> BaseException | None:
+        """What ended the work early, if anything: the command raises it after it has printed."""
+        return None
+
+    @property
+    def json(self) -> Any:
+        """What the command prints as JSON."""
+        return self
+
+    @property
+    def rows(self) -> Sequence[dict[str, Any]]:
+        """The answer as rows of a table."""
+        from contourlab.app.json_values import json_values
+
+        return [json_values(self)]
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return the answer as a table, in SI."""
+        import pandas
+
+        return pandas.json_normalize(list(self.rows))
+
+    def _charts(self) -> Iterator[Any]:
+        yield from ()
+
+    def plot(self, ax: matplotlib.axes.Axes | None = None, *, key: str = "") -> matplotlib.axes.Axes:
+        """Draw a picture of the answer.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default on a new figure.
+        key : str
+            Which picture; by default the first.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+        """
+        from contourlab.rendering.matplotlib_view import draw_chart
+
+        return draw_chart(self._charts(), key, ax)
+
+    def save(self, folder: str | Path = "results") -> Any:
+        """Write the files of the answer into a folder; return the answer with their names."""
+        raise NotImplementedError
+
+    def next_command(self, asked: Asked) -> Sequence[object] | None:
+        """Return the words of the command to type next, without the name of the program; words that are None go with the one before."""
+        return None
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{escape(self.text)}</pre>"
+
+
+def question(settings: type[Options]) -> Callable[[Callable[..., AnswerT]], Callable[..., AnswerT]]:
+    """Make a public function of a question: its keywords are the options of `settings`; it writes no file and prints nothing."""
+
+    def made(ask: Callable[..., AnswerT]) -> Callable[..., AnswerT]:
+        @wraps(ask)
+        def asked(*inputs: Any, **options: Any) -> AnswerT:
+            chosen = options.pop("settings", None) or settings(**options)
+            words = ["contourlab", ask.__name__, *(str(each) for each in inputs if isinstance(each, str | Path)), *chosen.words()]
+            return ask(*inputs, settings=chosen, session=Session(command=as_typed(words)))
+
+        own = [each for each in inspect.signature(ask).parameters.values() if each.name not in ("settings", "session")]
+        keywords = [
+            inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=_default(part), annotation=annotation(part))
+            for name, part in settings.parts.items()
+        ]
+        returns = inspect.signature(ask).return_annotation
+        asked.__signature__ = inspect.Signature([*own, *keywords], return_annotation=returns)  # type: ignore[attr-defined]
+        asked.__annotations__ = {each.name: each.annotation for each in (*own, *keywords)} | {"return": returns}
+        asked.__doc__ = documented(inspect.getdoc(ask) or "", settings)
+        asked.ask = ask  # type: ignore[attr-defined]
+        return asked
+
+    return made
+
+
+def _default(part: Part) -> Any:
+    return inspect.Parameter.empty if part.default is REQUIRED else part.default
+
+
+def annotation(part: Part) -> str:
+    """Return the type of an option in Python, as text."""
+    kind = "str | Path" if part.kind is Path else part.kind.__name__
+    if part.many:
+        return f"{kind} | Sequence[{kind}]"
+    return f"{kind} | None" if part.default is None else kind
+
+
+def documented(text: str, settings: type[Options]) -> str:
+    """Add the options to the docstring of a question, in NumPy form."""
+    lines = []
+    for name, part in settings.parts.items():
+        kind = annotation(part).replace(" | None", "").replace(" | ", " or ").replace("Sequence[", "sequence of ").replace("]", "")
+        least = f", {part.option.bound}" if part.option.bound else ""
+        unit = f" [{part.option.unit}]" if part.option.unit else ""
+        optional = ", optional" if part.default is None else ""
+        choices = f" One of {', '.join(part.option.choices)}." if part.option.choices else ""
+        lines += [f"{name} : {kind}{unit}{optional}", f"    {part.option.help}{least and f' {part.option.bound}.'}{choices}"]
+    head, mark, rest = text.partition("\n\nReturns\n")
+    return f"{head}\n" + "\n".join(lines) + mark + rest
+
+
+@dataclass(frozen=True)
+class Command:
+    """A question on the command line.
+
+    Attributes
+    ----------
+    ask : str
+        Its function, as ``module:function``.
+    settings : type of Options
+        Its options; the docstring is the help.
+    files : type of Options
+        Its arguments, and where and how it is saved.
+    """
+
+    ask: str
+    settings: type[Options]
+    files: type[Options]
+
+    @property
+    def help(self) -> str:
+        """The help of the command."""
+        return inspect.getdoc(self.settings) or ""
+
+
+@dataclass(frozen=True)
+class Commands:
+    """A group of commands; `default` may be left out on the command line."""
+
+    help: str
+    members: dict[str, Command]
+    default: str = ""
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A question as it was typed.
+
+    Attributes
+    ----------
+    name : str
+        Name of the command.
+    settings, files : Options
+    words : tuple of str
+        All words after the name of the program.
+    """
+
+    name: str
+    settings: Any
+    files: Any
+    words: tuple[str, ...] = ()
+    inputs: tuple[Any, ...] = field(default=())
+
+    def again(self, *more: str, without: str = "") -> list[str]:
+        """Return the command as typed, with more words or without one."""
+        return [*(word for word in self.words if word != without), *more]
+
+
+def execute(command: Command, name: str, values: dict[str, Any], words: Sequence[str], progress: bool) -> tuple[Any, Asked]:
+    """Ask a question as a command does: ask, then save; return the answer and how it was asked."""
+    module, _, function = command.ask.partition(":")
+    settings, files = (kind(**{key: values[key] for key in kind.parts}) for kind in (command.settings, command.files))
+    of_files = command.files.parts
+    inputs: list[Any] = []
+    for key, part in of_files.items():
+        if part.option.argument:
+            inputs += getattr(files, key) if part.many else [getattr(files, key)]
+    saving = {key: getattr(files, key) for key, part in of_files.items() if not part.option.argument and key != "as_json"}
+    typed = as_typed(["contourlab", *name.split(), *(str(each) for each in inputs if each is not None), *settings.words()])
+    session = Session(saving.get("out"), saving.get("write"), progress, typed)
+    ask = getattr(import_module(module), function)
+    answer = getattr(ask, "ask", ask)(*inputs, settings=settings, session=session)
+    if "out" in saving:
+        answer = answer.save(saving.pop("out"), **saving)
+    elif saving:
+        answer = answer.save(**saving)
+    return answer, Asked(name, settings, files, tuple(words), tuple(inputs))
