@@ -125,12 +125,14 @@ class Part:
         ParameterError
             If the value has another type, or is out of bounds.
         """
+        if value is None:
+            return None if self.default is REQUIRED else self.default
         if self.many:
-            values = (value,) if isinstance(value, str | os.PathLike) else () if value is None else tuple(value)
+            values = (value,) if isinstance(value, str | os.PathLike) else tuple(value)
             if self.option.listed:
                 values = tuple(name.strip() for text in values for name in str(text).split(","))
             return tuple(self._one(item) for item in values)
-        return None if value is None and self.default in (None, REQUIRED) else self._one(value)
+        return self._one(value)
 
     def _one(self, value: Any) -> Any:
         limits, (read, wanted) = self.option, KINDS[self.kind]
@@ -160,12 +162,12 @@ class Part:
                 yield from (self.typed, str(item))
 
 
-@dataclass_transform(kw_only_default=True, frozen_default=True, field_specifiers=(option, argument))
+@dataclass_transform(kw_only_default=True, frozen_default=True)
 def options(kind: type[Kind]) -> type[Kind]:
     """Make a class of options: a frozen dataclass of keywords, which knows its parts."""
     made: Any = dataclass(frozen=True, kw_only=True)(kind)
     hints = get_type_hints(made)
-    made.parts = {part.name: _part(part, hints[part.name]) for part in fields(made) if "option" in part.metadata}
+    made.PARTS = {part.name: _part(part, hints[part.name]) for part in fields(made) if "option" in part.metadata}
     return made  # type: ignore[no-any-return]
 
 
@@ -181,16 +183,16 @@ class Options:
 
     Attributes
     ----------
-    parts : dict of str to Part
+    PARTS : dict of str to Part
         The options by the names of their fields.
     """
 
-    parts: ClassVar[dict[str, Part]] = {}
+    PARTS: ClassVar[dict[str, Part]] = {}
 
     def __post_init__(self) -> None:
-        for name, part in self.parts.items():
+        for name, part in self.PARTS.items():
             object.__setattr__(self, name, part.checked(getattr(self, name)))
-        for name, part in self.parts.items():
+        for name, part in self.PARTS.items():
             if part.option.unit and part.kind is str:
                 self.si(name)
 
@@ -204,7 +206,7 @@ class Options:
         """
         from contourlab.units import to_si
 
-        limits, text = self.parts[name].option, getattr(self, name)
+        limits, text = self.PARTS[name].option, getattr(self, name)
         if text is None:
             return None
         try:
@@ -215,6 +217,10 @@ class Options:
             raise ParameterError(name, text, "> 0")
         return value
 
+    def words_of(self, kind: type[Options]) -> list[str]:
+        """Return the words of a command that has the options of a base."""
+        return [word for name, part in kind.PARTS.items() for word in part.words(getattr(self, name))]
+
     def words(self, *but: str) -> list[str]:
         """Return the words of a command that give these options, except those of the fields in `but`."""
-        return [word for name, part in self.parts.items() if name not in but for word in part.words(getattr(self, name))]
+        return [word for name, part in self.PARTS.items() if name not in but for word in part.words(getattr(self, name))]

@@ -7,14 +7,15 @@ public function of it, whose keywords are the options of its settings. `execute`
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import AbstractContextManager
+import os
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, ExitStack
 from dataclasses import dataclass, field
 from functools import wraps
 from html import escape
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from contourlab.app.command_line import as_typed
 from contourlab.app.options import REQUIRED, Options, Part
@@ -35,20 +36,35 @@ class Session:
 
     Attributes
     ----------
-    out : Path or None
-        Folder in which its answer will be saved; None if that is not known.
-    write : Path or None
-        A single file that will be written.
+    saving : mapping
+        How its answer will be saved: the keywords of `Answer.save`, and ``out``, the folder; empty if it may not be.
     progress : bool
         Whether to show a bar.
     command : str
         The command, as typed; a question that is asked in Python gets the one that does the same.
     """
 
-    out: Path | None = None
-    write: Path | None = None
+    saving: Mapping[str, Any] = field(default_factory=dict)
     progress: bool = False
     command: str = ""
+    _held: ExitStack = field(default_factory=ExitStack)
+    _bar: ExitStack = field(default_factory=ExitStack)
+
+    def __enter__(self) -> Session:
+        self._held.push(self._bar)
+        return self
+
+    def __exit__(self, *error: Any) -> None:
+        self._held.__exit__(*error)
+
+    @property
+    def folder(self) -> Path:
+        """The folder of the answer; one that never exists if the answer may not be saved."""
+        return Path(self.saving.get("out", os.devnull))
+
+    def hold(self, context: AbstractContextManager[Any]) -> None:
+        """Keep a context until the answer is saved."""
+        self._held.enter_context(context)
 
     def will_write(self, inputs: Iterable[str | Path], *names: str) -> None:
         """Refuse, before the work, to replace inputs or foreign files, and what cannot be written; `names` are the files of the folder.
@@ -58,16 +74,21 @@ class Session:
         ParameterError, OutputError
             See `contourlab.app.results.check_folder`.
         """
-        if self.write is not None:
-            check_file(self.write, inputs)
-        if self.out is not None and (names or self.write is None):
-            check_folder(self.out, *names, inputs=inputs)
+        if self.saving.get("write") is not None:
+            check_file(self.saving["write"], inputs)
+        if "out" in self.saving:
+            check_folder(self.saving["out"], *names, inputs=inputs)
 
-    def stages(self) -> AbstractContextManager[Stages]:
-        """Show stages of the work while the block runs."""
+    def stages(self) -> Stages:
+        """Return the stages of the work; they are shown until the session is closed, or asked for new ones."""
         from contourlab.rendering.stages import shown
 
-        return shown(self.progress)
+        self._bar.close()
+        return self._bar.enter_context(shown(self.progress))
+
+    def close(self) -> None:
+        """Show no stages any more."""
+        self._bar.close()
 
 
 QUIET = Session()
@@ -91,6 +112,14 @@ class Answer:
     def stopped(self) -> BaseException | None:
         """What ended the work early, if anything: the command raises it after it has printed."""
         return None
+
+    SILENT: ClassVar[bool] = False
+    """Whether the interrupt of a partial answer says all of it."""
+
+    @property
+    def asides(self) -> Sequence[object]:
+        """What the command prints on standard error."""
+        return ()
 
     @property
     def json(self) -> Any:
@@ -143,20 +172,26 @@ class Answer:
         return f"<pre>{escape(self.text)}</pre>"
 
 
-def question(settings: type[Options]) -> Callable[[Callable[..., AnswerT]], Callable[..., AnswerT]]:
+def question(settings: type[Options], name: str = "") -> Callable[[Callable[..., AnswerT]], Callable[..., AnswerT]]:
     """Make a public function of a question: its keywords are the options of `settings`; it writes no file and prints nothing."""
 
     def made(ask: Callable[..., AnswerT]) -> Callable[..., AnswerT]:
         @wraps(ask)
         def asked(*inputs: Any, **options: Any) -> AnswerT:
             chosen = options.pop("settings", None) or settings(**options)
-            words = ["contourlab", ask.__name__, *(str(each) for each in inputs if isinstance(each, str | Path)), *chosen.words()]
-            return ask(*inputs, settings=chosen, session=Session(command=as_typed(words)))
+            words = [
+                "contourlab",
+                name or ask.__name__,
+                *(str(each) for each in inputs if isinstance(each, str | Path)),
+                *chosen.words(),
+            ]
+            with Session(command=as_typed(words)) as session:
+                return ask(*inputs, settings=chosen, session=session)
 
         own = [each for each in inspect.signature(ask).parameters.values() if each.name not in ("settings", "session")]
         keywords = [
             inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=_default(part), annotation=annotation(part))
-            for name, part in settings.parts.items()
+            for name, part in settings.PARTS.items()
         ]
         returns = inspect.signature(ask).return_annotation
         asked.__signature__ = inspect.Signature([*own, *keywords], return_annotation=returns)  # type: ignore[attr-defined]
@@ -183,7 +218,7 @@ def annotation(part: Part) -> str:
 def documented(text: str, settings: type[Options]) -> str:
     """Add the options to the docstring of a question, in NumPy form."""
     lines = []
-    for name, part in settings.parts.items():
+    for name, part in settings.PARTS.items():
         kind = annotation(part).replace(" | None", "").replace(" | ", " or ").replace("Sequence[", "sequence of ").replace("]", "")
         least = f", {part.option.bound}" if part.option.bound else ""
         unit = f" [{part.option.unit}]" if part.option.unit else ""
@@ -254,19 +289,19 @@ class Asked:
 def execute(command: Command, name: str, values: dict[str, Any], words: Sequence[str], progress: bool) -> tuple[Any, Asked]:
     """Ask a question as a command does: ask, then save; return the answer and how it was asked."""
     module, _, function = command.ask.partition(":")
-    settings, files = (kind(**{key: values[key] for key in kind.parts}) for kind in (command.settings, command.files))
-    of_files = command.files.parts
+    settings, files = (kind(**{key: values[key] for key in kind.PARTS}) for kind in (command.settings, command.files))
+    of_files = command.files.PARTS
     inputs: list[Any] = []
     for key, part in of_files.items():
         if part.option.argument:
             inputs += getattr(files, key) if part.many else [getattr(files, key)]
     saving = {key: getattr(files, key) for key, part in of_files.items() if not part.option.argument and key != "as_json"}
     typed = as_typed(["contourlab", *name.split(), *(str(each) for each in inputs if each is not None), *settings.words()])
-    session = Session(saving.get("out"), saving.get("write"), progress, typed)
     ask = getattr(import_module(module), function)
-    answer = getattr(ask, "ask", ask)(*inputs, settings=settings, session=session)
-    if "out" in saving:
-        answer = answer.save(saving.pop("out"), **saving)
-    elif saving:
-        answer = answer.save(**saving)
+    with Session(saving, progress, typed) as session:
+        answer = getattr(ask, "ask", ask)(*inputs, settings=settings, session=session)
+        if "out" in saving:
+            answer = answer.save(saving["out"], **{key: value for key, value in saving.items() if key != "out"})
+        elif saving:
+            answer = answer.save(**saving)
     return answer, Asked(name, settings, files, tuple(words), tuple(inputs))

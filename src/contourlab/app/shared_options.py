@@ -174,16 +174,14 @@ class Varied(Options):
         'Parameter to vary, e.g. "3.position_gain=2 full_scale/mm..8 full_scale/mm"; repeatable; by default all calibrated.',
         metavar="NAME[=LOW..HIGH]",
     )
-    width: float = option(
-        4.0, "Range of a parameter without bounds: from value / WIDTH to value * WIDTH.", above=1.0, most=1000.0, advanced=True
-    )
+    width: float = option(4.0, "Range of a parameter without bounds: from value / WIDTH to value * WIDTH.", advanced=True)
 
 
 @options
 class Seeded(Options):
     """A seed."""
 
-    seed: int = option(0, "Seed of sampling and search; the same seed gives the same result.", least=0, most=2**63 - 1, advanced=True)
+    seed: int = option(0, "Seed of sampling and search; the same seed gives the same result.", least=0, advanced=True)
 
 
 @options

@@ -120,7 +120,7 @@ def _in_typed_words(error: BaseException, typed: Sequence[str]) -> str:
     text = str(error)
     if not isinstance(error, ParameterError) or not text.startswith(error.name):
         return text
-    option = "--" + error.name.replace("_", "-")
+    option = "--" + error.name.rstrip("_").replace("_", "-")
     given = any(word.partition("=")[0] == option for word in typed)
     return option + text.removeprefix(error.name) if given else text
 

@@ -8,11 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 import typer
 
-from contourlab.cli.output import wants_progress
 from contourlab.errors import ParameterError
 
 if TYPE_CHECKING:
-    from contourlab.features.run.command import RunOptions
     from contourlab.program import Reading
 
 ScenarioFile: TypeAlias = Annotated[
@@ -46,30 +44,6 @@ Plots: TypeAlias = Annotated[list[str] | None, typer.Option(help="Also write plo
 Pdf: TypeAlias = Annotated[bool, typer.Option("--pdf", help="Also write report.pdf, one page to print.")]
 Signals: TypeAlias = Annotated[list[str] | None, typer.Option(help="Write only this signal; repeatable; by default all.")]
 Plugins: TypeAlias = Annotated[list[Path] | None, typer.Option("--plugin", help="Load components from a Python file; repeatable.")]
-
-WithInterval: TypeAlias = Annotated[
-    bool | None,
-    typer.Option(
-        "--interval/--no-interval",
-        help="Compute an uncertainty interval of the part error from the stated deviations, as by default.",
-        show_default=False,
-    ),
-]
-
-
-def options_of(
-    out: Path,
-    as_json: bool,
-    plugin: list[Path] | None,
-    plots: list[str] | None,
-    signals: list[str] | None,
-    interval: bool | None,
-    pdf: bool,
-) -> RunOptions:
-    """Return the options that run, compare and learn share."""
-    from contourlab.features.run.command import RunOptions
-
-    return RunOptions(out, tuple(plugin or ()), tuple(plots or ()), tuple(signals or ()), wants_progress(as_json), interval, pdf)
 
 
 def listed(schemes: str | None) -> tuple[str, ...]:

@@ -4,14 +4,10 @@ from __future__ import annotations
 
 import os
 import sys
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 from contourlab.app.command_line import as_typed
 from contourlab.app.json_values import json_text
-
-if TYPE_CHECKING:
-    from contourlab.features.run.command import RunOutcome
-
 
 TYPED: list[str] = []
 """The words of the command, after the name of the program."""
@@ -83,20 +79,6 @@ def suggest(as_json: bool, *words: object) -> None:
 def suggest_again(as_json: bool, *more: str, without: str = "") -> None:
     """Print the command as typed, with more words or without one, as the next one."""
     suggest(as_json, *(word for word in TYPED if word != without), *more)
-
-
-def conclude(outcome: RunOutcome, as_json: bool) -> int:
-    """Print the outcome of a command, and return its exit code: 0, or 1 if a verdict fails.
-
-    Raises
-    ------
-    DivergenceError
-        If a scheme ran away; raised after printing.
-    """
-    show(outcome.summary, outcome.table, as_json)
-    if outcome.runaway is not None:
-        raise outcome.runaway
-    return 0 if outcome.passed else 1
 
 
 def wants_progress(as_json: bool) -> bool:

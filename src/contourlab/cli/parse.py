@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import sys
 from collections.abc import Callable, Mapping
 from importlib import import_module
 from pathlib import Path
@@ -94,7 +95,7 @@ def line_of(found: Any) -> str:
 
 def _command(name: str, place: str, command: Command) -> Any:
     """Return a command with its options, arguments first."""
-    files, settings = (kind.parts.values() for kind in (command.files, command.settings))
+    files, settings = (kind.PARTS.values() for kind in (command.files, command.settings))
     own = inspect.get_annotations(command.settings)
     every = sorted((*settings, *files), key=lambda part: (not part.option.argument, part.name not in own))
 
@@ -111,7 +112,7 @@ def _parameter(part: Part) -> inspect.Parameter:
     says = part.option
     kind: Any = list[part.kind] if part.many and not says.listed else str if part.many else part.kind  # type: ignore[name-defined]
     default = inspect.Parameter.empty if part.default is REQUIRED else None if part.many or part.default == "" else part.default
-    look: dict[str, Any] = {"help": _escaped(says.help), "metavar": _escaped(says.metavar) or None, "show_default": default is not None}
+    look: dict[str, Any] = {"help": _escaped(says.help), "metavar": says.metavar or None, "show_default": default is not None}
     look |= {"rich_help_panel": "Advanced"} if says.advanced else {}
     about = typer.Argument(**look) if says.argument else typer.Option("/".join(filter(None, (part.typed, part.negative))), **look)
     annotation: Any = Annotated[kind if default is not None else kind | None, about]
@@ -127,10 +128,14 @@ def _answered(command: Command, place: str, values: dict[str, Any]) -> int:
     """Ask a question, print the answer and the next command; return the exit code."""
     as_json = bool(values.get("as_json"))
     answer, asked = execute(command, place, values, output.TYPED, wants_progress(as_json))
+    if answer.SILENT and isinstance(answer.stopped, KeyboardInterrupt):
+        raise answer.stopped
     if as_json:
         emit_json(answer.json)
     elif answer.text:
         say(answer.text)
+    for aside in answer.asides:
+        print(aside, file=sys.stderr)
     if words := answer.next_command(asked):
         suggest(as_json, *words)
     if answer.stopped is not None:

@@ -137,7 +137,7 @@ def analyse_scenario(
     whole : bool
         Whether to analyse also whole laps and trials on the path, which takes up to minutes.
     """
-    from contourlab.features.run.schemes import loaded
+    from contourlab.features.run.inputs import loaded
 
     scenario = loaded(file, schemes, plugins)
     analysis = Analysis(scenario.name, {case.name: _analyse(case, whole) for case in scenario.cases()})

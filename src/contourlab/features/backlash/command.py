@@ -58,7 +58,7 @@ def backlash_scenario(
     DivergenceError
         If a run of an unchanged scheme diverges.
     """
-    from contourlab.features.run.schemes import loaded
+    from contourlab.features.run.inputs import loaded
 
     scenario = loaded(file, schemes, plugins)
     cases = scenario.cases()

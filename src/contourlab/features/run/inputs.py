@@ -131,3 +131,21 @@ def refuse_drawing(file: str | Path, machine: str | Path | None = None, controll
         f"{what}, not a part program: write a scenario, say {path.stem}.toml, and run that:\n\n" + "\n".join(lines) + "\n",
         file=path,
     )
+
+
+def loaded(file: str | Path, schemes: Sequence[str], plugins: Sequence[str | Path]) -> Scenario:
+    """Read a scenario with the schemes asked for, or with its own.
+
+    Raises
+    ------
+    ScenarioError
+        If the file is not a scenario, or has no such scheme.
+    """
+    from contourlab.scenario import BUILTIN, chosen, load_scenario, shipped_hint
+
+    if not (str(file).startswith(BUILTIN) or Path(file).suffix.lower() == ".toml" or Path(file).is_dir()):
+        if not Path(file).exists():
+            raise ScenarioError(f"no such file{shipped_hint(file)}", file=file)
+        raise ScenarioError(mistaken(file, "a scenario") or "not a scenario: its name must end in .toml", file=file)
+    scenario = load_scenario(file, plugins=plugins)
+    return chosen(scenario, schemes) if schemes else scenario

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from contourlab.app.session import Answer
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, UnitError, error_text
 from contourlab.extras import extra_module
@@ -263,7 +264,7 @@ def quoted(name: str) -> str:
 
 
 @dataclass(frozen=True)
-class Export:
+class Export(Answer):
     """A file of rows.
 
     Attributes

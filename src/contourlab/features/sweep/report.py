@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import astuple, dataclass
 from pathlib import Path
 
+from contourlab.app.session import Answer, Asked
 from contourlab.features.sweep.answers import Answers, answers_of
 from contourlab.features.sweep.effects import Effect, Subset
 from contourlab.features.sweep.page import write_page
@@ -21,7 +23,7 @@ SHOWN = 12
 
 
 @dataclass(frozen=True)
-class SweepReport:
+class SweepReport(Answer):
     """The answers of a store, and their page.
 
     Attributes
@@ -32,6 +34,10 @@ class SweepReport:
 
     page: Path
     answers: Answers
+
+    def next_command(self, asked: Asked) -> Sequence[object]:
+        """List the worst variants."""
+        return ["sweep", "worst", *asked.inputs]
 
     @property
     def text(self) -> str:

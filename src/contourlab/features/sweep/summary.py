@@ -6,6 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from contourlab.app.json_values import HIDDEN
+from contourlab.app.session import Answer, Asked
 from contourlab.features.sweep.design import DRAWN
 from contourlab.features.sweep.manifest import SCHEMA
 from contourlab.features.sweep.query import Spread, Yield, counts, spreads, yield_of
@@ -19,7 +21,7 @@ WORKSHOP = {"m": ("um", 1e6), "m s": ("um s", 1e6)}
 
 
 @dataclass(frozen=True)
-class SweepSummary:
+class SweepSummary(Answer):
     """What a store holds.
 
     Attributes
@@ -59,6 +61,11 @@ class SweepSummary:
     cpu_seconds: float
     rate: float
     findings: tuple[Finding, ...]
+    fresh: bool = field(default=False, metadata=HIDDEN)
+
+    def next_command(self, asked: Asked) -> Sequence[object] | None:
+        """Read the report of a study that was run."""
+        return ["sweep", "report", self.store] if self.fresh else None
 
     @property
     def text(self) -> str:
