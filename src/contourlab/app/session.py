@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import inspect
 import os
+import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, ExitStack
 from dataclasses import dataclass, field
@@ -66,8 +67,17 @@ class Session:
         """Keep a context until the answer is saved."""
         self._held.enter_context(context)
 
-    def will_write(self, inputs: Iterable[str | Path], *names: str) -> None:
-        """Refuse, before the work, to replace inputs or foreign files, and what cannot be written; `names` are the files of the folder.
+    def will_write(self, inputs: Iterable[str | Path], *names: str, pictures_only: bool = False) -> None:
+        """Refuse, before the work, to replace inputs or foreign files, and what cannot be written.
+
+        Parameters
+        ----------
+        inputs : iterable of str or Path
+            Files that the question reads.
+        names : str
+            Files that the answer writes into the folder for certain, the summary first.
+        pictures_only : bool
+            Whether pictures are all that it writes there.
 
         Raises
         ------
@@ -76,7 +86,7 @@ class Session:
         """
         if self.saving.get("write") is not None:
             check_file(self.saving["write"], inputs)
-        if "out" in self.saving:
+        if "out" in self.saving and (self.saving.get("plots") or not pictures_only):
             check_folder(self.saving["out"], *names, inputs=inputs)
 
     def stages(self) -> Stages:
@@ -85,6 +95,11 @@ class Session:
 
         self._bar.close()
         return self._bar.enter_context(shown(self.progress))
+
+    def line(self, text: str) -> None:
+        """Show a line of progress, at a terminal."""
+        if self.progress:
+            sys.stderr.write(text + "\n")
 
     def close(self) -> None:
         """Show no stages any more."""
@@ -178,6 +193,7 @@ def question(settings: type[Options], name: str = "") -> Callable[[Callable[...,
     def made(ask: Callable[..., AnswerT]) -> Callable[..., AnswerT]:
         @wraps(ask)
         def asked(*inputs: Any, **options: Any) -> AnswerT:
+            direct = {key: options.pop(key) for key in keys if key in options}
             chosen = options.pop("settings", None) or settings(**options)
             words = [
                 "contourlab",
@@ -186,9 +202,10 @@ def question(settings: type[Options], name: str = "") -> Callable[[Callable[...,
                 *chosen.words(),
             ]
             with Session(command=as_typed(words)) as session:
-                return ask(*inputs, settings=chosen, session=session)
+                return ask(*inputs, **direct, settings=chosen, session=session)
 
         own = [each for each in inspect.signature(ask).parameters.values() if each.name not in ("settings", "session")]
+        keys = [each.name for each in own if each.kind is inspect.Parameter.KEYWORD_ONLY]
         keywords = [
             inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=_default(part), annotation=annotation(part))
             for name, part in settings.PARTS.items()

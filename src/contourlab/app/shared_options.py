@@ -53,6 +53,16 @@ class Written(Options):
 
 
 @options
+class WrittenController(Written):
+    """An answer with a controller file."""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.write is not None and self.write.suffix.lower() != ".toml":
+            raise ParameterError("write", repr(str(self.write)), "a controller file, which ends in .toml")
+
+
+@options
 class OfScenario(Options):
     """An argument: a scenario."""
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
@@ -11,7 +10,7 @@ import typer
 from contourlab.errors import ParameterError
 
 if TYPE_CHECKING:
-    from contourlab.program import Reading
+    pass
 
 ScenarioFile: TypeAlias = Annotated[
     str, typer.Argument(metavar="SCENARIO", help="A scenario (.toml), or the name of a shipped one.", show_default=False)
@@ -117,21 +116,3 @@ def program_keys(
         "most_moves": most_moves,
     }
     return {name: value for name, value in keys.items() if value is not None}
-
-
-def typed_keys(keys: Mapping[str, Any]) -> list[str]:
-    """Return keys of the table ``program`` as words of a command."""
-    from contourlab.features.run.inputs import of_program
-
-    return [word for name, value in of_program(keys).items() for word in ([name] if isinstance(value, bool) else [name, str(value)])]
-
-
-def reading_of(file: Path, dialect: str, block_delete: bool, tools: Path | None, most_moves: int | None) -> Reading:
-    """Return the options of the reader, which reports a missing end as a notice only; refuse a drawing."""
-    from contourlab.features.run.inputs import refuse_drawing
-    from contourlab.program import Reading
-
-    refuse_drawing(file)
-    chosen: Any = dialect  # Reading checks it
-    most = Reading.most_moves if most_moves is None else most_moves
-    return Reading(dialect=chosen, require_end=False, block_delete=block_delete, tools=tools, most_moves=most)

@@ -130,7 +130,9 @@ def _answered(command: Command, place: str, values: dict[str, Any]) -> int:
     answer, asked = execute(command, place, values, output.TYPED, wants_progress(as_json))
     if answer.SILENT and isinstance(answer.stopped, KeyboardInterrupt):
         raise answer.stopped
-    if as_json:
+    if hasattr(answer, "write"):  # too long for one text
+        print(*answer.write(sys.stdout, as_json), sep="\n", end="", file=sys.stderr)
+    elif as_json:
         emit_json(answer.json)
     elif answer.text:
         say(answer.text)

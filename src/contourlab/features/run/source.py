@@ -7,12 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from contourlab.app.shared_options import Dialect
 from contourlab.errors import ParameterError
-from contourlab.features.run.inputs import loaded, refuse_drawing, scenario_of
+from contourlab.features.run.inputs import loaded, scenario_of
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine
-from contourlab.program import Reading
 from contourlab.scenario import Case, Scenario
 from contourlab.scenario.values import Contour, FeedSettings, RunSettings
 
@@ -71,11 +69,3 @@ def case_asked(inputs: Sequence[Source], settings: Any) -> tuple[Scenario, Case]
     """Return the scenario that a question is asked about, and its case: that of the option ``scheme``, or its base."""
     scenario = scenario_asked(inputs, settings)
     return scenario, scenario.base if not settings.scheme else scenario.case(settings.scheme)
-
-
-def reading_of(file: str | Path, options: Dialect) -> Reading:
-    """Return the options of the reader of a part program, which reports a missing end as a notice only; refuse a drawing."""
-    refuse_drawing(file)
-    chosen: Any = options.dialect  # Reading checks it
-    most = Reading.most_moves if options.most_moves is None else options.most_moves
-    return Reading(dialect=chosen, require_end=False, block_delete=options.block_delete, tools=options.tools, most_moves=most)

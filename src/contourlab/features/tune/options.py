@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from contourlab.app.options import argument, option, options
 from contourlab.app.session import Command
-from contourlab.app.shared_options import Drawn, Margins, Motion, Seeded, Varied, Workers, Written
-from contourlab.errors import ParameterError
+from contourlab.app.shared_options import Drawn, Margins, Motion, Seeded, Varied, Workers, WrittenController
 
 
 @options
@@ -29,15 +28,10 @@ class Tune(Workers, Seeded, Varied, Margins, Motion):
 
 
 @options
-class Files(Written, Drawn):
+class Files(WrittenController, Drawn):
     """The argument, and what is saved."""
 
     file: str = argument("SCENARIO", "A scenario (.toml), or a part program.")
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        if self.write is not None and self.write.suffix.lower() != ".toml":
-            raise ParameterError("write", repr(str(self.write)), "a controller file, which ends in .toml")
 
 
 COMMANDS = {"tune": Command("contourlab.features.tune.command:tune", Tune, Files)}
