@@ -59,17 +59,12 @@ def unknown_words(words: list[str]) -> Iterator[str]:
                 yield f"{place}: no option {word}"
         elif hasattr(command, "commands"):
             if word not in command.commands and getattr(command, "default", ""):
-                command, place = built(command, command.default), f"{place} {command.default}"
+                command, place = command.builder(command.default), f"{place} {command.default}"
                 continue
             if word not in command.commands:
                 yield f"{place}: no command {word}"
                 return
-            command, place = built(command, word), f"{place} {word}"
-
-
-def built(group: Any, name: str) -> Any:
-    """Return a command of a group."""
-    return group.builder(name) if hasattr(group, "builder") else group.commands[name]
+            command, place = command.builder(word), f"{place} {word}"
 
 
 def unknown_modules(text: str) -> Iterator[str]:

@@ -15,9 +15,9 @@ from markup import plain
 from ports import ports_page
 
 from contourlab.app.json_schema import json_schema
-from contourlab.cli.commands.schema import results
 from contourlab.cli.main import root
 from contourlab.cli.parse import PANEL_OF
+from contourlab.cli.results import results
 from contourlab.components.contract import Component
 from contourlab.components.registry import components
 from contourlab.features.components.description import describe, parameter_cells
@@ -137,7 +137,7 @@ def _command(name: str, command: Any) -> str:
     if records:
         rows = [[f"`{names.replace('|', BAR + '|')}`", plain(text.replace(BAR + "[", "["))] for names, text in records]
         lines.append(_table(["option", "meaning"], rows))
-    members = (command.whole() if hasattr(command, "whole") else getattr(command, "commands", {})).items()
+    members = command.whole().items() if hasattr(command, "whole") else ()
     return "\n".join([*lines, *(_command(f"{name} {sub}", member).replace("### ", "#### ", 1) for sub, member in members)])
 
 

@@ -4,21 +4,13 @@ from __future__ import annotations
 
 import os
 import sys
-from typing import Any, Protocol
+from typing import Any
 
 from contourlab.app.command_line import as_typed
 from contourlab.app.json_values import json_text
 
 TYPED: list[str] = []
 """The words of the command, after the name of the program."""
-
-
-class HasText(Protocol):
-    """A result of a command."""
-
-    @property
-    def text(self) -> str:
-        """Text for the terminal."""
 
 
 def silence() -> None:
@@ -50,19 +42,6 @@ def emit_json(value: Any) -> None:
     say(json_text(value))
 
 
-def show(value: Any, text: str, as_json: bool) -> None:
-    """Print a value as JSON, or else its text."""
-    say(json_text(value) if as_json else text)
-
-
-def show_result(result: HasText, as_json: bool) -> None:
-    """Print a result as JSON or as text."""
-    if as_json:
-        emit_json(result)
-    else:
-        say(result.text)
-
-
 def suggest(as_json: bool, *words: object) -> None:
     """Print the next command to type; words that are None are left out with the option before them."""
     if as_json:
@@ -74,11 +53,6 @@ def suggest(as_json: bool, *words: object) -> None:
         else:
             typed.append(str(word))
     say(f"\nnext: {as_typed(['contourlab', *typed])}")
-
-
-def suggest_again(as_json: bool, *more: str, without: str = "") -> None:
-    """Print the command as typed, with more words or without one, as the next one."""
-    suggest(as_json, *(word for word in TYPED if word != without), *more)
 
 
 def wants_progress(as_json: bool) -> bool:

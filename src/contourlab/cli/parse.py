@@ -6,7 +6,6 @@ import inspect
 import sys
 from collections.abc import Callable, Mapping
 from importlib import import_module
-from pathlib import Path
 from typing import Annotated, Any
 
 import typer
@@ -69,15 +68,6 @@ class Group(TyperGroup):
 
 def command_of(name: str) -> Any:
     """Return a command, or the group of commands of that name."""
-    if (Path(__file__).parent / "commands" / f"{name}.py").exists():
-        old = getattr(import_module(f"contourlab.cli.commands.{name}"), name)
-        holder = typer.Typer(add_completion=False, pretty_exceptions_enable=False, context_settings=HELP)
-        if isinstance(old, typer.Typer):
-            holder.add_typer(old, name=name)
-        else:
-            holder.command(name)(old)
-            holder.command("other")(lambda: None)
-        return typer.main.get_group(holder).commands[name]
     found = import_module(HOMES.get(name, f"contourlab.features.{name}.options")).COMMANDS[name]
     if isinstance(found, Command):
         return _command(name, name, found)

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from contourlab.app.json_schema import json_schema
 from contourlab.app.json_values import json_values
-from contourlab.cli.commands.schema import results
 from contourlab.cli.main import main, root
+from contourlab.cli.results import results
 from contourlab.findings import Finding, finding
 
 
@@ -105,9 +105,7 @@ def test_a_type_without_a_json_form_is_refused() -> None:
 @pytest.mark.slow
 def test_every_command_with_json_has_a_schema(capsys: pytest.CaptureFixture[str]) -> None:
     commands = root().whole()
-    members = {
-        name: command.whole() if hasattr(command, "whole") else getattr(command, "commands", {}) for name, command in commands.items()
-    }
+    members = {name: command.whole() if hasattr(command, "whole") else {} for name, command in commands.items()}
     with_json = {
         name for name, command in commands.items() for inner in [command, *members[name].values()]
         if any("--json" in parameter.opts for parameter in inner.params)

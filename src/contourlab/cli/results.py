@@ -1,11 +1,9 @@
-"""``contourlab schema``: the JSON Schema of what a command prints with ``--json``."""
+"""The types of what the commands print with ``--json``."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any
-
-import typer
+from typing import Any
 
 
 def results() -> dict[str, Any]:
@@ -68,19 +66,3 @@ def results() -> dict[str, Any]:
         "sweep": SweepSummary | SweepReport | Search | Export | Summary | tuple[dict[str, Any], ...],
         "tune": Calibration,
     }
-
-
-def schema(
-    command: Annotated[str, typer.Argument(metavar="COMMAND", help="A command that has --json, such as run.", show_default=False)],
-) -> None:
-    """Print the JSON Schema of what a command prints with --json."""
-    import json
-
-    from contourlab.app.json_schema import json_schema
-    from contourlab.cli.output import say
-    from contourlab.errors import ParameterError
-
-    known = results()
-    if command not in known:
-        raise ParameterError("COMMAND", repr(command), f"one of {', '.join(known)}")
-    say(json.dumps(json_schema(known[command], f"contourlab {command} --json"), indent=2))
