@@ -7,9 +7,11 @@ needs these classes only.
 from __future__ import annotations
 
 import dataclasses
+import inspect
 import math
 import operator
 import os
+import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, fields
 from pathlib import Path
@@ -97,6 +99,10 @@ KINDS: dict[type, tuple[Callable[[Any], Any], str]] = {
 """Types of values: how each is read, and what it is."""
 
 
+QUANTITIES = {"m": "a length", "s": "a time", "m/s": "a speed", "Hz": "a frequency", "kg*m^2": "an inertia"}
+"""Quantities by their SI unit."""
+
+
 @dataclass(frozen=True)
 class Part:
     """An option with its name and type: `kind` is the type of a value, or of each of `many` values."""
@@ -111,6 +117,13 @@ class Part:
     def typed(self) -> str:
         """The option as typed."""
         return self.option.name or f"--{self.name.rstrip('_').replace('_', '-')}"
+
+    @property
+    def wanted(self) -> str:
+        """What a quantity must be, with the example in its help, or its default."""
+        quoted = re.search(r'e\.g\. "([^"]+)"', self.option.help)
+        example = quoted[1] if quoted else re.sub(r"(?<=\d)(?=[a-zA-Z])", " ", str(self.default))
+        return f'{QUANTITIES[self.option.unit]} with its unit, such as "{example}"'
 
     @property
     def negative(self) -> str:
@@ -143,7 +156,7 @@ class Part:
         if limits.choices and value not in limits.choices:
             raise ParameterError(self.name, repr(value), f"one of {', '.join(limits.choices)}")
         least, most, above = (math.nan if x is None else x for x in (limits.least, limits.most, limits.above))
-        if self.kind in (int, float) and (value < least or value > most or value <= above or value != value):
+        if limits.bound and self.kind in (int, float) and (value < least or value > most or value <= above or value != value):
             raise ParameterError(self.name, f"{value:g}" if self.kind is float else f"{value}", limits.bound, limits.unit)
         return value
 
@@ -167,7 +180,8 @@ def options(kind: type[Kind]) -> type[Kind]:
     """Make a class of options: a frozen dataclass of keywords, which knows its parts."""
     made: Any = dataclass(frozen=True, kw_only=True)(kind)
     hints = get_type_hints(made)
-    made.PARTS = {part.name: _part(part, hints[part.name]) for part in fields(made) if "option" in part.metadata}
+    found = {part.name: _part(part, hints[part.name]) for part in fields(made) if "option" in part.metadata}
+    made.PARTS = dict(sorted(found.items(), key=lambda item: item[0] not in inspect.get_annotations(made)))  # its own first
     return made  # type: ignore[no-any-return]
 
 
@@ -212,7 +226,7 @@ class Options:
         try:
             value = to_si(text, limits.unit)
         except UnitError as error:
-            raise ParameterError(name, repr(text), f"a quantity with its unit, {limits.unit}") from error
+            raise ParameterError(name, repr(text), self.PARTS[name].wanted) from error
         if not value > 0.0:
             raise ParameterError(name, text, "> 0")
         return value

@@ -179,7 +179,7 @@ class Answer:
         """Write the files of the answer into a folder; return the answer with their names."""
         raise NotImplementedError
 
-    def next_command(self, asked: Asked) -> Sequence[object] | None:
+    def _next(self, asked: Asked) -> Sequence[object] | None:
         """Return the words of the command to type next, without the name of the program; words that are None go with the one before."""
         return None
 

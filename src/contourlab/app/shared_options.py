@@ -164,8 +164,8 @@ class LogAxes(LogColumns):
 class Margins(Options):
     """Margins to keep."""
 
-    gain_margin: float = option(6.0, "Smallest allowed gain margin of an axis, in dB.", least=0.0, most=60.0, unit="dB")
-    phase_margin: float = option(30.0, "Smallest allowed phase margin of an axis, in degrees.", least=0.0, most=90.0, unit="deg")
+    gain_margin: float = option(6.0, "Smallest allowed gain margin of an axis, in dB.", unit="dB")
+    phase_margin: float = option(30.0, "Smallest allowed phase margin of an axis, in degrees.", unit="deg")
 
     @property
     def margins(self) -> Bounds:
@@ -191,7 +191,7 @@ class Varied(Options):
 class Seeded(Options):
     """A seed."""
 
-    seed: int = option(0, "Seed of sampling and search; the same seed gives the same result.", least=0, advanced=True)
+    seed: int = option(0, "Seed of sampling and search; the same seed gives the same result.", advanced=True)
 
 
 @options

@@ -1,4 +1,4 @@
-"""Lines of help of the commands, made from their questions by ``python tools/surface.py``: do not edit."""
+"""Lines of help of the commands, made by ``python tools/surface.py``: do not edit."""
 
 LINES = {
     "demo": "Run a shipped part on a shipped machine under several controllers, and compare them.",

@@ -40,7 +40,7 @@ class Entry(Answer):
         """The text."""
         return self.words
 
-    def next_command(self, asked: Asked) -> Sequence[object]:
+    def _next(self, asked: Asked) -> Sequence[object]:
         """Look at an entry, or use it."""
         return self.then
 

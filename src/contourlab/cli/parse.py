@@ -66,9 +66,14 @@ class Group(TyperGroup):
         return {name: self.builder(name) for name in self.commands}
 
 
+def home_of(name: str) -> str:
+    """Return the module of the options of a command."""
+    return HOMES.get(name, f"contourlab.features.{name}.options")
+
+
 def command_of(name: str) -> Any:
     """Return a command, or the group of commands of that name."""
-    found = import_module(HOMES.get(name, f"contourlab.features.{name}.options")).COMMANDS[name]
+    found = import_module(home_of(name)).COMMANDS[name]
     if isinstance(found, Command):
         return _command(name, name, found)
     made = Group(name=name, help=found.help, context_settings=HELP, rich_markup_mode="rich", no_args_is_help=True)
@@ -86,8 +91,7 @@ def line_of(found: Any) -> str:
 def _command(name: str, place: str, command: Command) -> Any:
     """Return a command with its options, arguments first."""
     files, settings = (kind.PARTS.values() for kind in (command.files, command.settings))
-    own = inspect.get_annotations(command.settings)
-    every = sorted((*settings, *files), key=lambda part: (not part.option.argument, part.name not in own))
+    every = sorted((*settings, *files), key=lambda part: not part.option.argument)
 
     def call(**values: Any) -> int:
         return _answered(command, place, values)
@@ -128,7 +132,7 @@ def _answered(command: Command, place: str, values: dict[str, Any]) -> int:
         say(answer.text)
     for aside in answer.asides:
         print(aside, file=sys.stderr)
-    if words := answer.next_command(asked):
+    if words := answer._next(asked):
         suggest(as_json, *words)
     if answer.stopped is not None:
         raise answer.stopped

@@ -56,7 +56,7 @@ class Reproduction(Answer):
         return all(row.passed is not False for row in self.figures)
 
     @property
-    def json(self) -> tuple[Row, ...]:
+    def json(self) -> Any:
         """The rows."""
         return self.figures
 
@@ -95,7 +95,7 @@ class Reproduction(Answer):
             self.draw(Path(folder), tuple(plots))
         return replace(self, whole=whole)
 
-    def next_command(self, asked: Asked) -> Sequence[object]:
+    def _next(self, asked: Asked) -> Sequence[object]:
         """Use the machine of the paper."""
         return NEXT[self.paper].split()
 

@@ -151,7 +151,7 @@ class Analysis(Answer):
             files = write_charts(self._charts(), stage / "plots", tuple(plots))
         return replace(self, files=tuple(Path(folder) / file.relative_to(stage) for file in files))
 
-    def next_command(self, asked: Asked) -> Sequence[object]:
+    def _next(self, asked: Asked) -> Sequence[object]:
         """Run the schemes."""
         return ["compare", *asked.inputs, "--schemes", ",".join(asked.settings.schemes) or None]
 

@@ -38,7 +38,7 @@ class BacklashOutcome(Answer):
             for axis, gap in study.axes.items()
         ]
 
-    def next_command(self, asked: Asked) -> Sequence[object]:
+    def _next(self, asked: Asked) -> Sequence[object]:
         """Compare the schemes."""
         return ["compare", *asked.inputs]
 

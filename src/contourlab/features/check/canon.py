@@ -210,7 +210,7 @@ class Listed(Answer):
             out.flush()
             return [f"{self.file}:{notice.line}:{notice.column}: {notice.message}" for notice in reader.notices]
 
-    def next_command(self, asked: Asked) -> Sequence[object] | None:
+    def _next(self, asked: Asked) -> Sequence[object] | None:
         """Check the program; nothing where the output is no terminal."""
         return ["check", self.file, *asked.settings.words()] if sys.stdout.isatty() else None
 

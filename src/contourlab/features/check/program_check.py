@@ -87,7 +87,7 @@ class Checked(Answer):
         """Faults and notices, one a row."""
         return [{"fault": kind, **vars(one)} for kind, many in ((True, self.problems), (False, self.notices)) for one in many]
 
-    def next_command(self, asked: Asked) -> Sequence[object] | None:
+    def _next(self, asked: Asked) -> Sequence[object] | None:
         """Run the program."""
         if self.faults:
             return None

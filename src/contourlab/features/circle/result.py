@@ -6,6 +6,7 @@ import base64
 import hashlib
 import json
 import math
+import shlex
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
@@ -15,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.analysis.identification.gauss_newton import fit_covariance
+from contourlab.app.command_line import as_typed
 from contourlab.app.json_values import HIDDEN, json_values, write_json
 from contourlab.app.results import staged
 from contourlab.app.session import Answer, Asked
@@ -210,13 +212,18 @@ class CircleTest(Answer):
             _write_page(saved, self.fit, stage / "report.html")
         return saved
 
-    def next_command(self, asked: Asked) -> Sequence[object]:
-        """Give a tolerance, or identify the cause."""
+    @property
+    def next_step(self) -> str:
+        """The command to type next: with a tolerance, or what identifies the cause."""
         if self.tolerance is None:
-            return asked.again("--tolerance", f"{float(f'{5e5 * self.circular_deviation:.1g}'):g} um")
+            wanted = float(f"{5e5 * self.circular_deviation:.1g}")
+            return f"{self.command} {as_typed(['--tolerance', f'{wanted:g} um'])}"
         if self.lag:
-            return ["identify", self.inputs[0], "--model", "first-order"]
-        return ["explain", self.findings[0].code if self.findings else "CL480"]
+            return as_typed(["contourlab", "identify", str(self.inputs[0]), "--model", "first-order"])
+        return as_typed(["contourlab", "explain", self.findings[0].code if self.findings else "CL480"])
+
+    def _next(self, asked: Asked) -> Sequence[object]:
+        return shlex.split(self.next_step)[1:]
 
     @property
     def sentence(self) -> str:

@@ -117,7 +117,7 @@ class Commissioned(Answer):
                 (Path(folder) / name).unlink(missing_ok=True)  # of an earlier answer
         return replace(self, files=tuple(files))
 
-    def next_command(self, asked: Asked) -> Sequence[object] | None:
+    def _next(self, asked: Asked) -> Sequence[object] | None:
         """Log a run: of the excitation, or of the safe gains."""
         if not (self.pid or (self.files and not asked.settings.log)):
             return None

@@ -111,7 +111,7 @@ class Exported(Answer):
             write_json(stage / summary, saved)
         return saved
 
-    def next_command(self, asked: Asked) -> Sequence[object] | None:
+    def _next(self, asked: Asked) -> Sequence[object] | None:
         """Read the first finding, or analyse the scenario."""
         if self.findings:
             return ["explain", self.findings[0].code]

@@ -60,7 +60,7 @@ class Identification(Answer):
         return self.identified.findings
 
     @property
-    def json(self) -> Identified:
+    def json(self) -> Any:
         """What was identified."""
         return replace(self.identified, axis_file=self.written)
 
@@ -119,7 +119,7 @@ class Identification(Answer):
             write_text_atomic(saved.written, axis_file(self.identified))
         return saved
 
-    def next_command(self, asked: Asked) -> Sequence[object]:
+    def _next(self, asked: Asked) -> Sequence[object]:
         """Write the axis file, or look at it."""
         return asked.again("--write", "axis.toml") if self.wanted is None else ["machines", self.wanted]
 

@@ -41,7 +41,7 @@ class Counts(Answer):
         return not self.result.missed["n_sample"]
 
     @property
-    def json(self) -> Interpolated:
+    def json(self) -> Any:
         """The result."""
         return self.result
 
@@ -70,7 +70,7 @@ class Counts(Answer):
         """
         return self if folder is None else replace(self, result=_written(Path(folder), self.interpolation, self.result))
 
-    def next_command(self, asked: Asked) -> Sequence[object]:
+    def _next(self, asked: Asked) -> Sequence[object]:
         """Save the counts, or use the encoder."""
         return ["components", "quadrature-encoder"] if self.result.files else asked.again("--out", "interpolated")
 

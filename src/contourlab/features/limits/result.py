@@ -128,7 +128,7 @@ class LimitTest(Answer):
         more = (finding("CL475", lines=skipped),) if skipped else ()
         return replace(self, annotated=str(annotate), findings=(*self.findings, *more))
 
-    def next_command(self, asked: Asked) -> Sequence[object]:
+    def _next(self, asked: Asked) -> Sequence[object]:
         """Give limits, write the annotated program, run it, or judge the log."""
         file, settings = asked.inputs[0], asked.settings
         if self.passed is None:

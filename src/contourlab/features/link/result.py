@@ -184,7 +184,7 @@ class LinkResult(Answer):
                 files = tuple(Path(folder) / file.relative_to(stage) for file in write_charts(self._charts(), stage / "plots", plots))
         return replace(self, plots=files, folder=str(folder))
 
-    def next_command(self, asked: Asked) -> Sequence[object] | None:
+    def _next(self, asked: Asked) -> Sequence[object] | None:
         """Find what the error depends on."""
         return None if self.interrupted else ["sensitivity", *asked.inputs]
 

@@ -88,13 +88,13 @@ class MeasuredRuns(Answer):
         return tuple({str(one): one for run in self.runs for one in run.findings}.values())
 
     @property
-    def json(self) -> MeasuredSummary:
+    def json(self) -> Any:
         """The summary."""
         schemes = {run.name: _scheme(run) for run in self.runs}
         return MeasuredSummary(self.title, self.command, self.tolerance, self.passed, schemes)
 
     @property
-    def data(self) -> ReportData:
+    def data(self) -> Any:
         """The data of the report."""
         measured = ((run.name, run.measured) for run in self.runs)
         schemes = [SchemeReport(name, one.result, one.metrics, circles=one.circles, spikes=one.spikes) for name, one in measured]
@@ -219,8 +219,8 @@ def compare(*files: Any, settings: Compare, session: Session = QUIET) -> Runs | 
 
     Raises
     ------
-    ScenarioError, LogError
-        If a file cannot be read, or the axes of the runs differ.
+    ScenarioError, LogError, ParameterError
+        If a file cannot be read, the axes of the runs differ, or an option is for a scenario only.
     """
     if len(files) == 1:
         return compare_schemes(files, settings, session)

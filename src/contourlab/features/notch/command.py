@@ -96,7 +96,7 @@ class Notched(Answer):
         write_text_atomic(Path(write), proposed(head, dump(self.controller, self.machine)))
         return replace(self, controller_file=Path(write))
 
-    def next_command(self, asked: Asked) -> Sequence[object]:
+    def _next(self, asked: Asked) -> Sequence[object]:
         """Write the controller, or analyse the scenario."""
         wanted = asked.files.write is None and self.designs
         return asked.again("--write", "notched.toml") if wanted else ["analyse", *asked.inputs]

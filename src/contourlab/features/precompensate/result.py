@@ -112,7 +112,7 @@ class Precompensated(Answer):
         self.writer(saved)
         return saved
 
-    def next_command(self, asked: Asked) -> Sequence[object] | None:
+    def _next(self, asked: Asked) -> Sequence[object] | None:
         """Check the program."""
         return ["check", self.out] if self.written else None
 

@@ -25,7 +25,6 @@ from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
 from contourlab.rendering.charts import Chart, traces_chart
-from contourlab.rendering.plots import write_charts
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.units import to_si
@@ -99,6 +98,8 @@ class Refinement(Answer):
         """
         saved = self
         if plots:
+            from contourlab.rendering.plots import write_charts
+
             with staged(folder, inputs=self.inputs) as stage:
                 files = write_charts(self._charts(), stage / "plots", plots)
                 saved = replace(saved, plots=tuple(Path(folder) / file.relative_to(stage) for file in files))
@@ -108,7 +109,7 @@ class Refinement(Answer):
             return replace(saved, findings=(*self.findings, finding("CL565")))
         return replace(saved, machine_file=Path(write), controller_files=_write(self.result, self.logs, Path(write)))
 
-    def next_command(self, asked: Asked) -> Sequence[object]:
+    def _next(self, asked: Asked) -> Sequence[object]:
         """Write the machine, or find what the error depends on."""
         return asked.again("--write", "machine.toml") if asked.files.write is None else ["sensitivity", *asked.inputs]
 

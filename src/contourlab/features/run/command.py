@@ -28,7 +28,6 @@ from contourlab.rendering.table import paragraphs
 from contourlab.result import write_text_atomic
 
 if TYPE_CHECKING:
-    from contourlab.rendering.data import ReportData
     from contourlab.scenario import Case, Scenario
 
 FIRST, LEARNING = ("planning", 1.0), (("analysing", 4.0), ("learning", 30.0))
@@ -99,7 +98,7 @@ class Runs(Answer):
         return end
 
     @cached_property
-    def data(self) -> ReportData:
+    def data(self) -> Any:
         """The data of the report."""
         from contourlab.features.run.page import report_data
         from contourlab.scenario.dump import dump

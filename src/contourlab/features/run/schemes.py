@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from contourlab.app.session import QUIET, Session, question
 from contourlab.errors import ScenarioError
+from contourlab.features.learn import learn as learn_machine
 from contourlab.features.run.command import Runs, run_schemes
 from contourlab.features.run.options import Compare, Learn
 from contourlab.features.run.source import scenario_asked
-
-if TYPE_CHECKING:
-    from contourlab.scenario import Case, Scenario
+from contourlab.scenario import Case, Scenario
 
 
 def compare_schemes(source: Sequence[Any], settings: Compare, session: Session) -> Runs:
@@ -48,6 +47,31 @@ def learn_schemes(*source: Any, settings: Learn, session: Session = QUIET) -> Ru
         raise ScenarioError(f"no scheme learns: add a law, for example:\n\n{example}\n", file=scenario.file)
     scenario = _with_settings(replace(scenario, all_cases=_with_first(learning)), settings.trials, settings.table)
     return run_schemes(scenario, session, interval=settings.interval, foretell=True)
+
+
+def learn(*source: Any, **options: Any) -> Any:
+    """Learn from trial to trial: the schemes of a scenario that learn, or one machine with a law.
+
+    Parameters
+    ----------
+    *source : str, Path or Scenario; or Machine, Controller, Reference and LearningLaw
+        A scenario, as a file or read; or what `contourlab.features.learn.learn` takes.
+    **options : object
+        Those of ``contourlab learn``; or the keywords of `contourlab.features.learn.learn`.
+
+    Returns
+    -------
+    Runs or LearningRun
+        `LearningRun` of a machine.
+
+    Raises
+    ------
+    ScenarioError
+        If none of the schemes learns.
+    """
+    if source and isinstance(source[0], str | Path | Scenario):
+        return learn_schemes(*source, **options)
+    return learn_machine(*source, **options)
 
 
 def _with_first(cases: Sequence[Case]) -> tuple[Case, ...]:

@@ -148,7 +148,7 @@ class Sensitivity(Answer):
                 write_charts(self._charts(), stage / "plots", plots)
         return replace(self, folder=str(folder))
 
-    def next_command(self, asked: Asked) -> Sequence[object]:
+    def _next(self, asked: Asked) -> Sequence[object]:
         """Calibrate the scenario."""
         return ["tune", *asked.inputs, "--scheme", self.request.scheme or None]
 

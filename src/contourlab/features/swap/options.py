@@ -42,6 +42,7 @@ class Swap(Network, Workers, Seeded, Varied, Margins, Plugins):
             raise ParameterError("axis", ", ".join(self.axis), "given once for each axis, with all files of the axis in one --with")
         places = self.places
         faults = [
+            (self.seed < 0, "seed", self.seed, "0 or more"),
             (places is not None and (places < 1 or places & (places - 1)), "places", places, "a power of 2"),
             (self.exhaustive and self.quick, "exhaustive", "given with --quick", "left out: there are too many sets for a minute"),
             (self.exhaustive and self.local, "exhaustive", "given with --local", "left out: it tries all sets, --local only a few"),

@@ -125,7 +125,7 @@ class SwapResult(Answer):
             write_json(stage / "swap.json", self)
         return replace(self, lines=tuple(lines))
 
-    def next_command(self, asked: Asked) -> Sequence[object]:
+    def _next(self, asked: Asked) -> Sequence[object]:
         """Answer in full; or divide the controllers."""
         return asked.again(without="--quick") if asked.settings.quick else ["link", *asked.inputs]
 

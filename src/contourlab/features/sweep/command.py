@@ -214,7 +214,7 @@ class Rows(Answer):
         """Write nothing."""
         return self
 
-    def next_command(self, asked: Asked) -> Sequence[object] | None:
+    def _next(self, asked: Asked) -> Sequence[object] | None:
         """Run the worst variant again."""
         if not (self.whole and self.store):
             return None

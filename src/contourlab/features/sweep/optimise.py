@@ -112,7 +112,7 @@ class Search(Answer):
         """The best variants, one a row [SI]."""
         return list(self.best)
 
-    def next_command(self, asked: Asked) -> Sequence[object] | None:
+    def _next(self, asked: Asked) -> Sequence[object] | None:
         """Run the best variant again."""
         if not self.best:
             return None

@@ -35,7 +35,7 @@ class SweepReport(Answer):
     page: Path
     answers: Answers
 
-    def next_command(self, asked: Asked) -> Sequence[object]:
+    def _next(self, asked: Asked) -> Sequence[object]:
         """List the worst variants."""
         return ["sweep", "worst", *asked.inputs]
 

@@ -63,7 +63,7 @@ class SweepSummary(Answer):
     findings: tuple[Finding, ...]
     fresh: bool = field(default=False, metadata=HIDDEN)
 
-    def next_command(self, asked: Asked) -> Sequence[object] | None:
+    def _next(self, asked: Asked) -> Sequence[object] | None:
         """Read the report of a study that was run."""
         return ["sweep", "report", self.store] if self.fresh else None
 

@@ -141,7 +141,7 @@ class Calibration(Answer):
                 drawn = tuple(Path(folder) / chart.relative_to(stage) for chart in charts)
         return replace(self, controller_file=written, plots=drawn)
 
-    def next_command(self, asked: Asked) -> Sequence[object] | None:
+    def _next(self, asked: Asked) -> Sequence[object] | None:
         """Run the motion with the new controller; or start elsewhere."""
         if self.controller_file is not None:
             given = replace(asked.settings, controller=str(self.controller_file))
