@@ -36,7 +36,7 @@ def check_results(monkeypatch: pytest.MonkeyPatch) -> None:
         return json_text(result)
 
     monkeypatch.setattr(main, "_call", named_call)
-    monkeypatch.setattr("contourlab.cli.output.json_text", checked)
+    monkeypatch.setattr("contourlab.app.json_values.json_text", checked)
 
 
 def _closed(schema: Any) -> Any:

@@ -13,14 +13,12 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, ExitStack
 from dataclasses import dataclass, field
 from functools import wraps
-from html import escape
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from contourlab.app.command_line import as_typed
 from contourlab.app.options import REQUIRED, Options, Part
-from contourlab.app.results import check_file, check_folder
 
 if TYPE_CHECKING:
     import matplotlib.axes
@@ -84,6 +82,8 @@ class Session:
         ParameterError, OutputError
             See `contourlab.app.results.check_folder`.
         """
+        from contourlab.app.results import check_file, check_folder  # the help does without
+
         if self.saving.get("write") is not None:
             check_file(self.saving["write"], inputs)
         if "out" in self.saving and (self.saving.get("plots") or not pictures_only):
@@ -184,6 +184,8 @@ class Answer:
         return None
 
     def _repr_html_(self) -> str:
+        from html import escape
+
         return f"<pre>{escape(self.text)}</pre>"
 
 

@@ -7,7 +7,6 @@ import sys
 from typing import Any
 
 from contourlab.app.command_line import as_typed
-from contourlab.app.json_values import json_text
 
 TYPED: list[str] = []
 """The words of the command, after the name of the program."""
@@ -39,7 +38,9 @@ def say(text: str) -> None:
 
 def emit_json(value: Any) -> None:
     """Print one strict JSON document, without NaN or infinity."""
-    say(json_text(value))
+    from contourlab.app import json_values  # the help does without
+
+    say(json_values.json_text(value))
 
 
 def suggest(as_json: bool, *words: object) -> None:
