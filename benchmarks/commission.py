@@ -21,7 +21,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "helpers"))
 from linuxcnc_rig import PID, Plant, Rig, RigError, missing
 
-from contourlab.features.commission.command import commission, prepare
+from contourlab.features.commission.command import commission
 
 COLUMNS = ("machine", "axis", "gain", "damping", "friction", "play mm", "noise um", "before um", "after um", "predicted um")
 HEADS = f"| {' | '.join((*COLUMNS, 'before/after', 'gain -25 %', 'gain +25 %'))} |"
@@ -51,11 +51,11 @@ def answer(plants: dict[str, Plant], folder: Path) -> list[str]:
     """Commission a machine and run it with the new gains; return its rows without the machine's number."""
     rig = Rig(plants)
     ini, hal = rig.write(folder)
-    prepare(ini, hal, folder / "out")
+    commission(ini, hal).save(folder / "out")
     program = (folder / "out" / "excite.ngc").read_text()
     before = largest(rig.run(program, folder / "log.csv"))
     begun = time.perf_counter()
-    result = commission(ini, hal, [folder / "log.csv"], folder / "out")
+    result = commission(ini, hal, log=[folder / "log.csv"]).save(folder / "out")
     print(f"gains after {time.perf_counter() - begun:.0f} s; {', '.join(one.code for one in result.findings)}", file=sys.stderr)
     runs = {}
     for share in (1.0, 0.75, 1.25):

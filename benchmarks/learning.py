@@ -27,7 +27,6 @@ from schemes import TRIALS, compared
 
 from contourlab.components.registry import component
 from contourlab.features.learn import LearningRun, Stopping, learn
-from contourlab.features.run.command import RunOptions
 from contourlab.features.run.schemes import learn_schemes
 from contourlab.feed import Reference, uniform
 from contourlab.geometry import contour
@@ -141,9 +140,8 @@ def part_table(out: Path, quick: bool) -> list[dict[str, Any]]:
             text = SCENARIO.format(name=PROGRAM, machine=machine, file=json.dumps(str(PROGRAMS / PROGRAM)), trials=10)
             file.write_text(text, encoding="utf-8")
             plots = () if quick else ("png",)
-            options = RunOptions(out / machine, plots=plots, signals=("reference", "position", "part_error"))
             begun = time.perf_counter()
-            done = learn_schemes(file, options)
+            done = learn_schemes(file).save(out / machine, plots=plots, signals=("reference", "position", "part_error"))
             seconds = time.perf_counter() - begun
         before, after = (done.summary["schemes"][name] for name in ("before learning", "after learning"))
         row: dict[str, Any] = {"machine": machine, "seconds": seconds, "duration": before["metrics"]["cycle_time"]}

@@ -22,8 +22,9 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 from rich.text import Text
 
+from contourlab.app.session import Session
 from contourlab.errors import ContourlabError
-from contourlab.features.run.command import RunOptions, run_session
+from contourlab.features.run.command import run_schemes
 from contourlab.scenario import Scenario, scenario_from_parts
 
 DEFAULT = Path(__file__).resolve().parents[2] / "shared" / "gcode"
@@ -56,7 +57,7 @@ def run(file: Path, out: Path) -> dict[str, Any]:
     row: dict[str, Any] = {"program": file.name}
     try:
         scenario = scenario_of(file)
-        done = run_session(scenario, RunOptions(out / file.stem, signals=SIGNALS), command=command_of(file))
+        done = run_schemes(scenario, Session(command=command_of(file))).save(out / file.stem, signals=SIGNALS)
     except ContourlabError as error:
         return row | {"error": str(error).removeprefix(f"{file}:"), "seconds": time.perf_counter() - begin}
     found = done.summary["schemes"]["base"]

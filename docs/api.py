@@ -10,8 +10,36 @@ from typing import Any, get_args
 
 import contourlab
 from contourlab import errors
+from contourlab.app.session import Answer
 
 GROUPS = {
+    "Ask": (
+        "What the commands answer: each function has the name and the options of its command.",
+        (
+            "run",
+            "compare",
+            "learn",
+            "check",
+            "measure",
+            "circle",
+            "limits",
+            "identify",
+            "refine",
+            "interpolate",
+            "analyse",
+            "backlash",
+            "sensitivity",
+            "tune",
+            "notch",
+            "swap",
+            "link",
+            "sweep",
+            "commission",
+            "precompensate",
+            "export",
+            "reproduce",
+        ),
+    ),
     "Read": (
         "Scenarios, part programs and drawings.",
         ("load_scenario", "Scenario", "read_program", "parse_program", "Program", "Reading", "read_contour"),
@@ -57,7 +85,7 @@ GROUPS = {
     ),
     "Results": ("Signals with units, how a run ended, and one page about runs.", ("Result", "Signal", "Status", "report")),
     "Analyse": ("Margins without a run.", ("contour_margins", "internal_stability")),
-    "Learn": ("Learning from trial to trial.", ("learn", "Stopping", "LearnedTable", "Learned", "learning_analysis")),
+    "Learn": ("Learning from trial to trial.", ("Stopping", "LearnedTable", "Learned", "learning_analysis")),
     "Components": (
         "Find, write, check and translate the parts of a machine.",
         (
@@ -104,6 +132,8 @@ def types() -> dict[str, type]:
     public = set(waiting)
     while waiting:
         target = waiting.pop()
+        if inspect.isclass(target) and issubclass(target, Answer):
+            continue  # what it holds is on the page of results as JSON
         own = [vars(target).get("__init__"), *(member for _, member in members(target))] if inspect.isclass(target) else []
         for function in (target, *filter(None, map(function_of, own))):
             scope = vars(sys.modules[target.__module__])

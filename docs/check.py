@@ -13,10 +13,9 @@ from pathlib import Path
 from typing import Any
 
 import generate
-import typer
 
 import contourlab
-from contourlab.cli.main import app
+from contourlab.cli.main import root
 
 ROOT = Path(__file__).resolve().parents[1]
 FENCE = re.compile(r"^```(\w*)[^\n]*\n(.*?)^```", re.MULTILINE | re.DOTALL)
@@ -51,7 +50,7 @@ def unknown_words(words: list[str]) -> Iterator[str]:
         rules = re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
         yield from (f"make {word}: no such target" for word in words[1:] if "=" not in word and word not in rules)
         return
-    command: Any = typer.main.get_command(app)
+    command: Any = root()
     place = "contourlab"
     for word in words[1:]:
         options = {option for parameter in command.params for option in parameter.opts} | {"--help", "-h", "--debug"}
@@ -59,13 +58,13 @@ def unknown_words(words: list[str]) -> Iterator[str]:
             if word.partition("=")[0] not in options:
                 yield f"{place}: no option {word}"
         elif hasattr(command, "commands"):
-            if word not in command.commands and hasattr(command, "default"):
-                command, place = command.commands[command.default], f"{place} {command.default}"
+            if word not in command.commands and getattr(command, "default", ""):
+                command, place = command.builder(command.default), f"{place} {command.default}"
                 continue
             if word not in command.commands:
                 yield f"{place}: no command {word}"
                 return
-            command, place = command.commands[word], f"{place} {word}"
+            command, place = command.builder(word), f"{place} {word}"
 
 
 def unknown_modules(text: str) -> Iterator[str]:

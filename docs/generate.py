@@ -16,8 +16,9 @@ from markup import plain
 from ports import ports_page
 
 from contourlab.app.json_schema import json_schema
-from contourlab.cli.commands.schema import results
-from contourlab.cli.main import app
+from contourlab.cli.main import root
+from contourlab.cli.parse import PANEL_OF
+from contourlab.cli.results import results
 from contourlab.components.contract import Component
 from contourlab.components.registry import components
 from contourlab.features.components.description import describe, parameter_cells
@@ -120,10 +121,9 @@ def _component(kind: type[Component]) -> str:
 
 def commands_page() -> str:
     """Return the page of all commands, grouped as ``contourlab --help`` groups them."""
-    command: Any = typer.main.get_command(app)
     parts, panels = [COMMANDS], {}
-    for name, sub in command.commands.items():
-        panels.setdefault(sub.rich_help_panel, []).append((name, sub))
+    for name, sub in root().whole().items():
+        panels.setdefault(PANEL_OF[name], []).append((name, sub))
     for panel, members in panels.items():
         parts.append(f"## {panel}\n")
         parts += [_command(name, sub) for name, sub in members]
@@ -138,7 +138,7 @@ def _command(name: str, command: Any) -> str:
     if records:
         rows = [[f"`{names.replace('|', BAR + '|')}`", plain(text.replace(BAR + "[", "["))] for names, text in records]
         lines.append(_table(["option", "meaning"], rows))
-    members = getattr(command, "commands", {}).items()
+    members = command.whole().items() if hasattr(command, "whole") else ()
     return "\n".join([*lines, *(_command(f"{name} {sub}", member).replace("### ", "#### ", 1) for sub, member in members)])
 
 

@@ -11,7 +11,7 @@ from jsonschema import Draft202012Validator
 import contourlab.cli.main as main
 from contourlab.app.json_schema import json_schema
 from contourlab.app.json_values import json_text, json_values
-from contourlab.cli.commands.schema import results
+from contourlab.cli.results import results
 
 
 @cache
@@ -36,7 +36,7 @@ def check_results(monkeypatch: pytest.MonkeyPatch) -> None:
         return json_text(result)
 
     monkeypatch.setattr(main, "_call", named_call)
-    monkeypatch.setattr("contourlab.cli.output.json_text", checked)
+    monkeypatch.setattr("contourlab.app.json_values.json_text", checked)
 
 
 def _closed(schema: Any) -> Any:

@@ -296,7 +296,7 @@ def test_an_unwritable_target_is_refused_before_refining(
 
     (tmp_path / "taken").mkdir()
     (tmp_path / "file").write_text("")
-    monkeypatch.setattr(refine, "refine", lambda *args, **more: pytest.fail("refined"))
+    monkeypatch.setattr(refine, "refined", lambda *args, **more: pytest.fail("refined"))
     assert option in refused(*words(scene, "--plots", "png", option, str(tmp_path / {"--write": "taken", "--out": "file"}[option])))
     assert sorted(file.name for file in tmp_path.iterdir()) == ["file", "taken"]
 
@@ -310,7 +310,7 @@ def test_input_files_are_not_overwritten(scene: Path, tmp_path: Path, monkeypatc
     shutil.copy(copy / "log.csv", copy / "second.csv")
     before = contents(copy)
     assert name in before
-    monkeypatch.setattr(refine, "refine", lambda *args, **more: pytest.fail("refined"))
+    monkeypatch.setattr(refine, "refined", lambda *args, **more: pytest.fail("refined"))
     said = refused(*words(copy, "--validation", str(copy / "second.csv"), "--write", str(copy / name)))
     assert str(copy / name) in said and "--write" in said
     assert contents(copy) == before

@@ -237,7 +237,7 @@ def test_an_unwritable_target_is_refused_before_anything_runs(
     words: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("contourlab.features.tune.command.tune", lambda *_, **__: pytest.fail("it ran"))
+    monkeypatch.setattr("contourlab.features.tune.command.calibrated", lambda *_, **__: pytest.fail("it ran"))
     (tmp_path / "folder.toml").mkdir()
     (tmp_path / "file").write_text("of the user")
     assert main(["tune", str(written(tmp_path)), *words]) == 2

@@ -10,7 +10,7 @@ import pytest
 from tests.helpers.typed_commands import invoke
 
 from contourlab.app.results import SAFETY
-from contourlab.features.export.command import TARGETS, export_controller
+from contourlab.features.export.command import TARGETS, export
 
 SCENARIO = """
 name = "circle"
@@ -47,7 +47,7 @@ def test_files_and_json(tmp_path: Path, scenario: Path) -> None:
 
 @pytest.mark.parametrize("to", sorted(TARGETS))
 def test_every_exported_controller_says_that_it_is_no_safety_function(tmp_path: Path, scenario: Path, to: str) -> None:
-    exported = export_controller(scenario, to, tmp_path / "code", axes=("y",))
+    exported = export(scenario, to=to, axis="y").save(tmp_path / "code")
     texts = {}
     for file in exported.files:
         if file.suffix == ".fmu":

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from linuxcnc_rig import Plant, Rig, missing
 
-from contourlab.features.commission.command import commission, prepare
+from contourlab.features.commission.command import commission
 from contourlab.features.commission.excitation import excitation
 from contourlab.features.commission.hal_files import read_setup
 from contourlab.features.commission.identification import IdentifiedAxis, identify_axis
@@ -40,11 +40,11 @@ def test_one_log_gives_gains_for_the_real_control(tmp_path: Path) -> None:
         pytest.skip(missing())
     rig = Rig(PLANTS)
     ini, hal = rig.write(tmp_path)
-    prepare(ini, hal, tmp_path / "out")
+    commission(ini, hal).save(tmp_path / "out")
     log = rig.run((tmp_path / "out" / "excite.ngc").read_text(), tmp_path / "log.csv")
     program = tmp_path / "part.ngc"
     program.write_text(PROGRAM)
-    result = commission(ini, hal, [log], tmp_path / "out", program=program)
+    result = commission(ini, hal, log=[log], program=program).save(tmp_path / "out")
     assert result.passed
     for axis, plant in PLANTS.items():
         model = result.models[axis]

@@ -13,7 +13,7 @@ from linuxcnc_rig import Plant, Rig, missing
 from tests.helpers.exported_axes import exported
 
 from contourlab.engine.translate import hal
-from contourlab.features.export.command import export_controller
+from contourlab.features.export.command import export
 from contourlab.feed import Reference
 from contourlab.loop import simulate
 from contourlab.scenario import load_scenario
@@ -87,7 +87,7 @@ def machine_files(tmp_path: Path) -> Iterator[Path]:
         pytest.skip(missing())
     file = tmp_path / "rig.toml"
     file.write_text(SCENARIO)
-    export_controller(file, "hal", tmp_path / "code")
+    export(file, to="hal").save(tmp_path / "code")
     controllers, nets = "", ""
     for n, axis in enumerate(NAMES):
         subprocess.run(["halcompile", "--install", f"axis_{axis}.comp"], cwd=tmp_path / "code", check=True, capture_output=True)

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 from linuxcnc_rig import Plant, Rig, missing
 
-from contourlab.features.measure.log_choice import LogChoice
-from contourlab.features.precompensate.command import precompensate_from_logs
+from contourlab.features.precompensate.command import precompensate
 
 PROGRAM = "G21 G90 G17 G64 P0.002\nG1 F1800 X15 Y0\nG3 X15 Y0 I-15 J0\nG1 X0 Y0\nM2\n"
 PLANTS = {"x": Plant(gain=2300.0, play=0.015), "y": Plant(gain=1800.0, damping=34.0)}
@@ -32,7 +31,7 @@ def test_three_passes_make_a_better_circle(tmp_path: Path) -> None:
         log = rig.run(program.read_text(), tmp_path / f"run-{k}.csv")
         rms.append(float(np.sqrt((radial(log) ** 2).mean())))
         program = tmp_path / f"part-{k + 1}.ngc"
-        results.append(precompensate_from_logs(part, [LogChoice(log)], program, passes=tmp_path / "passes"))
+        results.append(precompensate(part, log=[log], passes=tmp_path / "passes").save(program))
     assert results[-1].position == "load"
     assert rms[3] < rms[0] / 5.0, rms
     durations = [one.duration for one in results[-1].passes]

@@ -21,6 +21,7 @@ from numpydoc.validate import validate
 
 import contourlab
 from contourlab import errors
+from contourlab.app.session import Answer
 
 sys.path.append(str(Path(__file__).parents[2] / "docs"))
 import api
@@ -37,15 +38,18 @@ COMPLETE = FORM | {"PR01", "PR04", "RT01"}
 NUMBER, ARRAY = re.compile(r"(float|ArrayLike|Array)( \| None)?"), re.compile(r"(ArrayLike|Array)( \| None)?")
 WITHOUT_UNIT = {
     "alignment",
+    "command",
     "curvature_step",
     "divergence",
     "factor",
     "feedrate_ripple",
+    "forgetting",
     "gain",
     "growth_margin",
     "improvement",
     "index",
     "lap",
+    "limited",
     "modulus",
     "norm",
     "override",
@@ -56,6 +60,8 @@ WITHOUT_UNIT = {
     "singular_values",
     "strength",
     "unsure",
+    "width",
+    "within",
     "worst_factor",
 }
 """Numbers that are ratios, factors or counts."""
@@ -78,8 +84,8 @@ def documented(target: Any) -> dict[str, str]:
 
 
 def parameters(target: Any) -> dict[str, inspect.Parameter]:
-    """Return the parameters of a function or of a class; a component declares and documents its own with `param`."""
-    if inspect.isclass(target) and issubclass(target, (Exception, contourlab.Component)):
+    """Return the parameters of a function or of a class; a component documents its own with `param`; a question makes its answer."""
+    if inspect.isclass(target) and issubclass(target, (Exception, contourlab.Component, Answer)):
         return {}
     return dict(inspect.signature(target).parameters)
 
@@ -95,7 +101,8 @@ def raised(function: Any) -> set[str]:
 
 def allowed(function: Any) -> set[str]:
     """Return the errors that a docstring covers, those derived from them too."""
-    named = [entry.type or entry.name for entry in NumpyDocString(inspect.getdoc(function) or "")["Raises"]]
+    entries = NumpyDocString(inspect.getdoc(function) or "")["Raises"]
+    named = [name for entry in entries for name in (entry.type or entry.name).split(", ")]
     kinds = tuple(getattr(errors, name) for name in named if name in errors.__all__)
     return {name for name in errors.__all__ if issubclass(getattr(errors, name), kinds)}
 
@@ -180,8 +187,8 @@ def test_every_type_in_a_signature_and_every_error_has_a_page():
     page = api.api_page()
     for name in [*NAMES, *TYPES]:
         target = thing(name)
-        functions = [target, *(function_of(member) for _, member in members(target))] if inspect.isclass(target) else [target]
-        for function in functions:
+        held = members(target) if inspect.isclass(target) and not issubclass(target, Answer) else ()
+        for function in (target, *(function_of(member) for _, member in held)):
             scope = {**vars(sys.modules[target.__module__]), **vars(errors)}
             raises = [entry.type or entry.name for entry in NumpyDocString(inspect.getdoc(function) or "")["Raises"]]
             for word in re.findall(r"\b[A-Z]\w+", f"{signature(function)} {' '.join(raises)}"):

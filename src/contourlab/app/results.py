@@ -96,6 +96,14 @@ def _is_same(one: str | Path, other: str | Path) -> bool:
         return False
 
 
+def check_folder(out: str | Path, *names: str, inputs: Iterable[str | Path] = (), option: str = "--out") -> None:
+    """Check before the work that results can be written into a folder, and leave nothing behind; see `staged`."""
+    folder = Path(out)
+    _check(folder, names[0] if names else "", names, tuple(inputs), option)
+    with _temporary(folder, option):
+        pass
+
+
 @contextmanager
 def staged(out: str | Path, *names: str, inputs: Iterable[str | Path] = (), option: str = "--out") -> Iterator[Path]:
     """Yield a temporary folder for results; if the block succeeds, they replace the previous results in `out`.

@@ -11,47 +11,22 @@ import sys
 from collections.abc import Sequence
 from contextlib import nullcontext
 from functools import cache
-from importlib import import_module
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from contourlab.cli import output
+from contourlab.cli.lines import LINES
 from contourlab.cli.output import say, silence
+from contourlab.cli.parse import HELP, Group, command_of
 from contourlab.errors import ContourlabError, ParameterError, error_text
 from contourlab.rendering.stages import heartbeat
 
 NAME = "contourlab"
 BAD_INPUT, INTERNAL, INTERRUPTED = 2, 70, 130
-PANELS = {
-    "Start": ("demo", "run", "check", "new"),
-    "Simulate": ("compare", "learn", "analyse", "backlash", "link", "sweep"),
-    "Measure": ("measure", "circle", "limits", "identify", "refine", "interpolate"),
-    "Tune": ("tune", "notch", "commission", "precompensate", "sensitivity", "swap", "export"),
-    "Papers": ("reproduce",),
-    "Look up": ("components", "machines", "explain", "schema", "canon"),
-}
-"""Commands by the panel of the help that lists them: each is a function, or a group, in the module of its name."""
 
-app = typer.Typer(
-    name=NAME,
-    add_completion=False,
-    pretty_exceptions_enable=False,
-    context_settings={"help_option_names": ["-h", "--help"]},
-)
-
-
-def _add_commands() -> None:
-    for panel, names in PANELS.items():
-        for name in names:
-            command = getattr(import_module(f"contourlab.cli.commands.{name}"), name)
-            if isinstance(command, typer.Typer):
-                app.add_typer(command, name=name, rich_help_panel=panel)
-            else:
-                app.command(name, rich_help_panel=panel)(command)
-
-
-_add_commands()
+app = typer.Typer(name=NAME, cls=Group, add_completion=False, pretty_exceptions_enable=False, context_settings=HELP)
 
 
 def _print_version(wanted: bool) -> None:
@@ -122,17 +97,20 @@ def _take_debug(arguments: Sequence[str]) -> tuple[list[str], bool]:
 
 
 @cache
-def _command() -> typer.core.TyperGroup:
-    """Return the command with its sub-commands; building it takes longer than many of them."""
-    return typer.main.get_group(app)
+def root() -> Group:
+    """Return the command with its sub-commands, which are built when they are called."""
+    group = typer.main.get_group(app)
+    assert isinstance(group, Group)
+    group.hold(LINES, command_of)
+    return group
 
 
 def _call(arguments: list[str]) -> int:
     """Parse and run; return the exit code of the command, 0 if it returns None."""
-    command = _command()
+    output.TYPED[:] = arguments
     try:
-        with command.make_context(NAME, arguments) as context:
-            return int(command.invoke(context) or 0)
+        with root().make_context(NAME, arguments) as context:
+            return int(root().invoke(context) or 0)
     except typer.Exit as done:
         return int(done.exit_code)
 
@@ -142,7 +120,7 @@ def _in_typed_words(error: BaseException, typed: Sequence[str]) -> str:
     text = str(error)
     if not isinstance(error, ParameterError) or not text.startswith(error.name):
         return text
-    option = "--" + error.name.replace("_", "-")
+    option = "--" + error.name.rstrip("_").replace("_", "-")
     given = any(word.partition("=")[0] == option for word in typed)
     return option + text.removeprefix(error.name) if given else text
 

@@ -4,21 +4,12 @@ from __future__ import annotations
 
 import os
 import sys
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any
 
 from contourlab.app.command_line import as_typed
-from contourlab.app.json_values import json_text
 
-if TYPE_CHECKING:
-    from contourlab.features.run.command import RunOutcome
-
-
-class HasText(Protocol):
-    """A result of a command."""
-
-    @property
-    def text(self) -> str:
-        """Text for the terminal."""
+TYPED: list[str] = []
+"""The words of the command, after the name of the program."""
 
 
 def silence() -> None:
@@ -47,20 +38,9 @@ def say(text: str) -> None:
 
 def emit_json(value: Any) -> None:
     """Print one strict JSON document, without NaN or infinity."""
-    say(json_text(value))
+    from contourlab.app import json_values  # the help does without
 
-
-def show(value: Any, text: str, as_json: bool) -> None:
-    """Print a value as JSON, or else its text."""
-    say(json_text(value) if as_json else text)
-
-
-def show_result(result: HasText, as_json: bool) -> None:
-    """Print a result as JSON or as text."""
-    if as_json:
-        emit_json(result)
-    else:
-        say(result.text)
+    say(json_values.json_text(value))
 
 
 def suggest(as_json: bool, *words: object) -> None:
@@ -74,25 +54,6 @@ def suggest(as_json: bool, *words: object) -> None:
         else:
             typed.append(str(word))
     say(f"\nnext: {as_typed(['contourlab', *typed])}")
-
-
-def suggest_again(as_json: bool, *more: str, without: str = "") -> None:
-    """Print the command as typed, with more words or without one, as the next one."""
-    suggest(as_json, *(word for word in sys.argv[1:] if word != without), *more)
-
-
-def conclude(outcome: RunOutcome, as_json: bool) -> int:
-    """Print the outcome of a command, and return its exit code: 0, or 1 if a verdict fails.
-
-    Raises
-    ------
-    DivergenceError
-        If a scheme ran away; raised after printing.
-    """
-    show(outcome.summary, outcome.table, as_json)
-    if outcome.runaway is not None:
-        raise outcome.runaway
-    return 0 if outcome.passed else 1
 
 
 def wants_progress(as_json: bool) -> bool:

@@ -3,14 +3,145 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+from importlib import import_module
 from pathlib import Path
+from typing import Any
 
-from contourlab.papers.rows import CLOSE, COMPUTED, DERIVED, HEADS, IDENTITY, INPUT, OURS, OUTSIDE, Bands, Part, Row, banded
+from contourlab.app.json_values import json_values
+from contourlab.app.options import Options
+from contourlab.app.session import QUIET, Answer, Asked, Session, question
+from contourlab.errors import ParameterError
+from contourlab.papers.options import Reproduce
+from contourlab.papers.rows import CLOSE, COMPUTED, DERIVED, HEADS, IDENTITY, INPUT, OURS, OUTSIDE, Bands, Part, Row, banded, read_bands
+from contourlab.rendering.stages import begin_stage
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.study.checkpoint import said_if_interrupted
 
 FAR = CLOSE[-1]
 KINDS = {INPUT: "inputs", DERIVED: "derived", IDENTITY: "identities"}
+
+
+NEXT = {
+    "ghaffari": "compare builtin:ghaffari/demo-stage",
+    "gecer_ulu": "compare builtin:gecer-ulu/contour",
+    "shahin": "backlash builtin:backlash/part",
+    "emps": "run builtin:emps/circle",
+    "ubc": "run builtin:ubc/pole-placement",
+}
+"""The command that goes on from each paper."""
+
+
+@dataclass(frozen=True, eq=False)
+class Reproduction(Answer):
+    """The figures of a paper or a log, beside ours.
+
+    Attributes
+    ----------
+    paper : str
+    figures : tuple of Row
+    whole : bool
+        Whether the text has every row, not only the computed figures.
+    """
+
+    paper: str
+    figures: tuple[Row, ...]
+    draw: Callable[[Path, tuple[str, ...]], Any] = field(repr=False)
+    whole: bool = False
+
+    @property
+    def passed(self) -> bool:
+        """Whether every figure stays in its band."""
+        return all(row.passed is not False for row in self.figures)
+
+    @property
+    def json(self) -> Any:
+        """The rows."""
+        return self.figures
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The figures, one a row."""
+        return [json_values(row) for row in self.figures]
+
+    @property
+    def text(self) -> str:
+        """The figures as a table."""
+        return text_of(self.figures, whole=self.whole)
+
+    def save(self, folder: str | Path = "results", *, plots: Sequence[str] = (), whole: bool = False) -> Reproduction:
+        """Draw the pictures of the paper or log into a folder.
+
+        Parameters
+        ----------
+        folder : str or Path
+        plots : sequence of str
+            Formats: png, svg or pdf; none by default.
+        whole : bool
+            Whether the text has every row.
+
+        Returns
+        -------
+        Reproduction
+
+        Raises
+        ------
+        OutputError
+            If the folder is not writable.
+        """
+        if plots:
+            begin_stage("drawing")
+            self.draw(Path(folder), tuple(plots))
+        return replace(self, whole=whole)
+
+    def _next(self, asked: Asked) -> Sequence[object]:
+        """Use the machine of the paper."""
+        return NEXT[self.paper].split()
+
+
+@question(Reproduce)
+def reproduce(paper: str, *, settings: Options, session: Session = QUIET) -> Reproduction:
+    """Recompute the figures of a paper or a log, and compare.
+
+    Parameters
+    ----------
+    paper : str
+        ghaffari, gecer_ulu, shahin, emps or ubc.
+
+    Returns
+    -------
+    Reproduction
+
+    Raises
+    ------
+    ParameterError
+        If there is no such paper.
+    LogError
+        If a log cannot be read.
+    """
+    if paper not in NEXT:
+        raise ParameterError("paper", repr(paper), f"one of {', '.join(NEXT)}")
+    plots = session.saving.get("plots")
+    if plots:
+        check_pictures(session.folder, plots)  # before work that takes a minute
+    study, pictures = (import_module(f"contourlab.papers.{paper}.{part}") for part in ("study", "pictures"))
+    stages = session.stages()
+    draw: Callable[[Path, tuple[str, ...]], Any] = pictures.draw
+    if paper == "emps":
+        log = getattr(settings, "log", None)
+        parts, draw = study.parts_of(log, getattr(settings, "validation", None)), partial(pictures.draw, log)
+    elif paper == "ubc":
+        folder = getattr(settings, "log_folder", None)
+        parts = study.parts_of(folder, with_unseen=getattr(settings, "unseen", True), stage=stages.begin)
+        draw = partial(pictures.draw, folder)
+    else:
+        parts = study.PARTS
+    stages.expect(len(parts) + bool(plots))
+    return Reproduction(paper, tuple(run_parts(parts, read_bands(paper), stages.begin)), draw)
+
+
+ghaffari, gecer_ulu, shahin, emps, ubc = (partial(reproduce.ask, paper) for paper in NEXT)  # type: ignore[attr-defined]
 
 
 def run_parts(parts: Iterable[Part], bands: Bands, stage: Callable[[str], object] | None = None) -> list[Row]:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from contourlab.errors import ParameterError
 from contourlab.figures import number
 from contourlab.rendering.charts import Bars, Chart, Magnified, Matrix, Multiples, Panel, PathChart, PolarChart, Tile
 from contourlab.rendering.style import BAND, INK, LIMIT, MUTED
@@ -40,6 +41,29 @@ def drawing(chart: Chart | PolarChart | PathChart | Multiples | Bars | Matrix) -
         Matrix: _matrix_drawing,
     }
     return draw[type(chart)](chart)
+
+
+def draw_chart(charts: Iterable[Any], key: str = "", place: Axes | None = None) -> Axes:
+    """Draw the first of some charts, or the one of a key, on given axes or a new figure; return the axes.
+
+    Raises
+    ------
+    ParameterError
+        If there is no such chart, or it cannot be drawn on given axes.
+    """
+    known = list(charts)
+    chart = next((chart for chart in known if key in ("", chart.key)), None)
+    if chart is None:
+        raise ParameterError("key", repr(key), f"one of {', '.join(chart.key for chart in known) or 'none: the answer has no picture'}")
+    if place is None:
+        return drawing(chart).axes[0]
+    if isinstance(chart, Chart):
+        draw_panel(place, chart.panels[0])
+    elif isinstance(chart, PathChart):
+        draw_path(place, chart)
+    else:
+        raise ParameterError("ax", "given", f"left out: {chart.key} needs a figure of its own")
+    return place
 
 
 def _figure(height: float) -> Figure:

@@ -53,10 +53,10 @@ def write_plots(data: ReportData, folder: str | Path, formats: Sequence[str] = (
     ResultError
         If a result has not been judged.
     """
-    return write_charts(_charts(data), folder, formats)
+    return write_charts(charts_of(data), folder, formats)
 
 
-def _charts(data: ReportData) -> Iterator[Chart | PolarChart | PathChart]:
+def charts_of(data: ReportData) -> Iterator[Chart | PolarChart | PathChart]:
     """Yield all charts, one at a time."""
     yield from (chart for chart in path_charts(data, POINTS) if isinstance(chart, PathChart))
     yield from polar_charts(data, POINTS)

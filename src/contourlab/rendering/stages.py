@@ -216,6 +216,15 @@ class Stages:
         self._bar.update(self._task, completed=share, total=1.0 if share else None, left=words, description=self._heart.doing())
 
 
+_shown: list[Stages] = []
+
+
+def begin_stage(words: str) -> None:
+    """Show a new stage of the command, if it shows any."""
+    if _shown:
+        _shown[-1].begin(words)
+
+
 @contextmanager
 def shown(wanted: bool, console: Console | None = None) -> Iterator[Stages]:
     """Show stages on standard error while the block runs, and leave no bar behind.
@@ -228,7 +237,8 @@ def shown(wanted: bool, console: Console | None = None) -> Iterator[Stages]:
         By default standard error.
     """
     if not wanted:
-        yield Stages()
+        with _current(Stages()) as stages:
+            yield stages
         return
     from rich.console import Console as Terminal
     from rich.progress import BarColumn, Progress, SpinnerColumn, TaskProgressColumn, TextColumn, TimeElapsedColumn
@@ -239,7 +249,18 @@ def shown(wanted: bool, console: Console | None = None) -> Iterator[Stages]:
     columns = (SpinnerColumn(), text, BarColumn(), TaskProgressColumn(), TimeElapsedColumn(), left)
     with Progress(*columns, console=terminal, transient=True) as bar:
         try:
-            yield Stages(bar)
+            with _current(Stages(bar)) as stages:
+                yield stages
         finally:
             if _running is not None:
                 _running.show_bar = None
+
+
+@contextmanager
+def _current(stages: Stages) -> Iterator[Stages]:
+    """Let `begin_stage` show these stages while the block runs."""
+    _shown.append(stages)
+    try:
+        yield stages
+    finally:
+        _shown.remove(stages)

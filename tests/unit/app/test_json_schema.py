@@ -11,14 +11,13 @@ from typing import Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
 import pytest
-import typer
 from jsonschema import Draft202012Validator
 from numpy.typing import NDArray
 
 from contourlab.app.json_schema import json_schema
 from contourlab.app.json_values import json_values
-from contourlab.cli.commands.schema import results
-from contourlab.cli.main import app, main
+from contourlab.cli.main import main, root
+from contourlab.cli.results import results
 from contourlab.findings import Finding, finding
 
 
@@ -105,9 +104,10 @@ def test_a_type_without_a_json_form_is_refused() -> None:
 
 @pytest.mark.slow
 def test_every_command_with_json_has_a_schema(capsys: pytest.CaptureFixture[str]) -> None:
-    commands = typer.main.get_command(app).commands  # type: ignore[attr-defined]
+    commands = root().whole()
+    members = {name: command.whole() if hasattr(command, "whole") else {} for name, command in commands.items()}
     with_json = {
-        name for name, command in commands.items() for inner in [command, *getattr(command, "commands", {}).values()]
+        name for name, command in commands.items() for inner in [command, *members[name].values()]
         if any("--json" in parameter.opts for parameter in inner.params)
     }  # fmt: skip
     assert with_json == set(results())

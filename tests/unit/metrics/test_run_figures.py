@@ -78,8 +78,5 @@ def test_one_new_entry_is_an_objective_of_every_study(setting: Setting) -> None:
 
 @pytest.mark.usefixtures("crest")
 def test_one_new_entry_is_a_row_of_the_report(setting: Setting, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from contourlab.features.run.command import RunOptions, run_scenario
-
     monkeypatch.chdir(tmp_path)
-    outcome = run_scenario("builtin:ghaffari/demo-stage", RunOptions(out=tmp_path / "results"))
-    assert any(CREST.label in line for line in outcome.table.splitlines())
+    assert any(CREST.label in line for line in cl.run("builtin:ghaffari/demo-stage").text.splitlines())

@@ -10,7 +10,7 @@ import pytest
 from refusals import refuses
 
 from contourlab.errors import ContourlabError, ProgramError
-from contourlab.features.check.program_check import check_program
+from contourlab.features.check.program_check import check
 from contourlab.features.machines.answers import preset_file, read_answers
 from contourlab.features.machines.new_machine import new_machine, write_machine
 from contourlab.features.run.outcome import run_case
@@ -55,7 +55,7 @@ def test_a_part_longer_than_the_travel_is_refused(
     """Also at the ends of an arc's bulge, and in whatever parts a check plans."""
     monkeypatch.setattr("contourlab.features.check.planned_motion.PART", size)
     part = program(tmp_path, moves)
-    (found,) = check_program(part, router).findings
+    (found,) = check(part, machine=router).findings
     assert (found.code, found.place) == ("CL478", f"axis {axis}")
     assert (found.values["line"], found.values["travel"]) == (line, AXES[axis])
     assert found.values["length"] == pytest.approx(length, rel=1e-9)
@@ -73,7 +73,7 @@ PLACED = [
 @pytest.mark.parametrize("moves", PLACED)
 def test_a_place_is_not_refused(moves: str, router: Path, tmp_path: Path) -> None:
     part = program(tmp_path, moves)
-    assert check_program(part, router).findings == ()
+    assert check(part, machine=router).findings == ()
     assert scenario(router, part).base.reference().n_sample
     assert scenario(router, part, fit=True).motion.notes == ()
 
@@ -87,7 +87,7 @@ def test_a_part_that_is_too_long_is_fitted_on_request(router: Path, tmp_path: Pa
 
 def test_a_travel_by_its_ends_names_the_first_line(tmp_path: Path) -> None:
     part = program(tmp_path, "G1 X100\nG2 X100 Y0 I20 J40\nG1 X160\nG1 X-170\n")
-    (found,) = check_program(part, "xyz").findings
+    (found,) = check(part, machine="xyz").findings
     assert (found.code, found.place, found.values["line"]) == ("CL470", "axis x", 3)
     values = [found.values[name] for name in ("low", "high", "start", "stop")]
     assert values == pytest.approx([-0.17, 0.12 + math.hypot(0.02, 0.04), -0.15, 0.15])
@@ -104,7 +104,7 @@ def test_an_unknown_travel_is_named(router: Path, tmp_path: Path) -> None:
         (tmp_path / "machine" / file.name).write_text(text, encoding="utf-8")
     part = program(tmp_path, "G1 X1\n")
     named = [("CL479", ["y", "z"])]
-    found = check_program(part, tmp_path / "machine").findings
+    found = check(part, machine=tmp_path / "machine").findings
     assert [(one.code, one.values["axes"]) for one in found] == named
     outcome = run_case(scenario(tmp_path / "machine", part).base, explain=False)
     assert [(one.code, one.values["axes"]) for one in outcome.findings if one.code == "CL479"] == named

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -21,14 +21,17 @@ from contourlab.analysis.linear.contour_transfer import (
 from contourlab.analysis.linear.divided_loop import link_growth
 from contourlab.analysis.linear.margins import Margins, doubling
 from contourlab.analysis.linear.sampled_loop import sampled_loop
-from contourlab.app.json_values import HIDDEN
+from contourlab.app.json_values import HIDDEN, json_values
 from contourlab.app.results import staged
+from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array, Complex
 from contourlab.errors import ComponentError
+from contourlab.features.analyse.options import Analyse
 from contourlab.features.learn.foretold import learning_findings
 from contourlab.features.run.command import file_names
 from contourlab.features.run.margin_words import decibel, degrees, gain_words, phase_words
 from contourlab.features.run.outcome import coupling_findings
+from contourlab.features.run.source import Source, scenario_asked
 from contourlab.figures import NONE, listing, number
 from contourlab.findings import Finding, finding
 from contourlab.rendering.charts import Chart, Curve, Level, Panel
@@ -90,12 +93,66 @@ class SchemeAnalysis:
 
 
 @dataclass(frozen=True)
-class Analysis:
-    """The result of the command: the analysis of each scheme, and the pictures written."""
+class Analysis(Answer):
+    """The analysis of each scheme, and the pictures written."""
 
     name: str
     schemes: Mapping[str, SchemeAnalysis]
     files: tuple[Path, ...] = ()
+    inputs: tuple[Path, ...] = field(default=(), metadata=HIDDEN, repr=False)
+
+    @property
+    def passed(self) -> bool:
+        """Whether all schemes are good."""
+        return self.good
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """The findings of all schemes."""
+        return tuple(one for scheme in self.schemes.values() for one in scheme.findings)
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The margins of the axes, one a row."""
+        return [
+            {"scheme": name, "axis": axis, **json_values(margins)}
+            for name, scheme in self.schemes.items()
+            for axis, margins in scheme.margins.items()
+        ]
+
+    def _charts(self) -> Iterator[Chart]:
+        yield from _charts(self.schemes)
+
+    def save(self, folder: str | Path = "results", *, plots: Sequence[str] = ()) -> Analysis:
+        """Write pictures into a folder.
+
+        Parameters
+        ----------
+        folder : str or Path
+        plots : sequence of str
+            Formats: png, svg or pdf; none by default.
+
+        Returns
+        -------
+        Analysis
+            With the names of its files.
+
+        Raises
+        ------
+        OutputError
+            If the folder cannot be written to.
+        """
+        if not plots:
+            return self
+        from contourlab.rendering.plots import write_charts
+
+        with staged(folder, inputs=self.inputs) as stage:
+            files = write_charts(self._charts(), stage / "plots", tuple(plots))
+        return replace(self, files=tuple(Path(folder) / file.relative_to(stage) for file in files))
+
+    def _next(self, asked: Asked) -> Sequence[object]:
+        """Run the schemes."""
+        return ["compare", *asked.inputs, "--schemes", ",".join(asked.settings.schemes) or None]
 
     @property
     def good(self) -> bool:
@@ -112,41 +169,27 @@ class Analysis:
         return "\n\n".join(filter(None, [verdict, *parts, "\n".join(map(str, self.files))]))
 
 
-def analyse_scenario(
-    file: str | Path,
-    *,
-    schemes: Sequence[str] = (),
-    plugins: Sequence[str | Path] = (),
-    plots: Sequence[str] = (),
-    out: str | Path = "results",
-    whole: bool = False,
-) -> Analysis:
-    """Analyse the schemes of a scenario: margins of each axis, margins of the coupling in all path directions, convergence of learning.
+@question(Analyse)
+def analyse(*source: Source, settings: Analyse, session: Session = QUIET) -> Analysis:
+    """Analyse the schemes of a scenario: margins of each axis and of the coupling in all path directions, convergence of learning.
 
     Parameters
     ----------
-    schemes : sequence of str
-        See `contourlab.features.run.schemes.compare_schemes`.
-    plugins : sequence of str or Path
-        Python files with components.
-    plots : sequence of str
-        Formats of the pictures: png, svg, pdf; none by default.
-    out : str or Path
-        Folder of the pictures.
-    whole : bool
-        Whether to analyse also whole laps and trials on the path, which takes up to minutes.
+    *source : str, Path, Scenario, Case, or a Machine, its Controller and a Reference
+        A scenario, as a file or read; or what it consists of.
+
+    Returns
+    -------
+    Analysis
+
+    Raises
+    ------
+    ScenarioError
+        If the scenario cannot be read, or has no such scheme.
     """
-    from contourlab.features.run.schemes import loaded
-
-    scenario = loaded(file, schemes, plugins)
-    analysis = Analysis(scenario.name, {case.name: _analyse(case, whole) for case in scenario.cases()})
-    if not plots:
-        return analysis
-    from contourlab.rendering.plots import write_charts
-
-    with staged(out, inputs=scenario.inputs) as stage:
-        files = write_charts(_charts(analysis.schemes), stage / "plots", tuple(plots))
-    return replace(analysis, files=tuple(Path(out) / file.relative_to(stage) for file in files))
+    scenario = scenario_asked(source, settings)
+    schemes = {case.name: _analyse(case, settings.whole) for case in scenario.cases()}
+    return Analysis(scenario.name, schemes, inputs=scenario.inputs)
 
 
 def _analyse(case: Case, whole: bool) -> SchemeAnalysis:

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from time import process_time
+from typing import Any
 
 from contourlab.app.json_values import HIDDEN
 from contourlab.app.quick import PLANNED
+from contourlab.app.session import QUIET, Answer, Asked, Session, question
+from contourlab.features.backlash.options import Backlash
 from contourlab.features.backlash.study import BacklashStudy, Cycle, backlash_study, loose_axes
+from contourlab.features.run.source import Source, scenario_asked
 from contourlab.figures import NONE, figure, number
-from contourlab.rendering.stages import shown
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.study.checkpoint import said_if_interrupted
 
@@ -20,12 +22,25 @@ FEW = 0.05
 
 
 @dataclass(frozen=True)
-class BacklashOutcome:
-    """The result of the command: the study of each scheme."""
+class BacklashOutcome(Answer):
+    """The study of the backlash of each scheme."""
 
     name: str
     schemes: Mapping[str, BacklashStudy]
     servo_period: float = field(metadata=HIDDEN)
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The gaps of the axes, one a row [SI]."""
+        return [
+            {"scheme": name, "axis": axis, "estimate": gap.estimate, "lost_motion": gap.lost_motion, "recommended": study.recommended}
+            for name, study in self.schemes.items()
+            for axis, gap in study.axes.items()
+        ]
+
+    def _next(self, asked: Asked) -> Sequence[object]:
+        """Compare the schemes."""
+        return ["compare", *asked.inputs]
 
     @property
     def text(self) -> str:
@@ -33,23 +48,18 @@ class BacklashOutcome:
         return "\n\n".join(text for name, study in self.schemes.items() for text in _texts(name, study, self.servo_period))
 
 
-def backlash_scenario(
-    file: str | Path, *, schemes: Sequence[str] = (), plugins: Sequence[str | Path] = (), quick: bool = False, progress: bool = False
-) -> BacklashOutcome:
-    """Study the backlash of the schemes of a scenario.
+@question(Backlash)
+def backlash(*source: Source, settings: Backlash, session: Session = QUIET) -> BacklashOutcome:
+    """Study the backlash of the schemes of a scenario whose machine has axes with backlash.
 
     Parameters
     ----------
-    file : str or Path
-        A scenario whose machine has axes with backlash.
-    schemes : sequence of str
-        As in `contourlab.features.run.schemes.compare_schemes`; all by default.
-    plugins : sequence of str or Path
-        Python files with components.
-    quick : bool
-        Whether to answer within a minute; see `backlash_study`.
-    progress : bool
-        Whether to show a bar.
+    *source : str, Path, Scenario, Case, or a Machine, its Controller and a Reference
+        A scenario, as a file or read; or what it consists of.
+
+    Returns
+    -------
+    BacklashOutcome
 
     Raises
     ------
@@ -58,20 +68,19 @@ def backlash_scenario(
     DivergenceError
         If a run of an unchanged scheme diverges.
     """
-    from contourlab.features.run.schemes import loaded
-
-    scenario = loaded(file, schemes, plugins)
+    scenario = scenario_asked(source, settings)
     cases = scenario.cases()
     studies: dict[str, BacklashStudy] = {}
     outcome = BacklashOutcome(scenario.name, studies, cases[0].machine.servo_period)
-    with said_if_interrupted(lambda: outcome.text), shown(progress) as stages:
+    stages = session.stages()
+    with said_if_interrupted(lambda: outcome.text):
         stages.expect(sum(3 + len(loose_axes(case.machine)) for case in cases))
         began = process_time()
         for i, case in enumerate(cases):
             stages.begin(f"planning {case.name}")
             reference = case.reference()
             left = (1.0 - (process_time() - began) / PLANNED) / (len(cases) - i)
-            given = {"quick": max(left, 0.5 / len(cases)) if quick else None, "stage": stages.begin, "progress": stages.advance}
+            given = {"quick": max(left, 0.5 / len(cases)) if settings.quick else None, "stage": stages.begin, "progress": stages.advance}
             study = backlash_study(case.name, case.machine, case.controller, reference, seed=case.seed, **given)  # type: ignore[arg-type]
             studies[case.name] = study
     return outcome

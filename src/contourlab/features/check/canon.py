@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import json
+import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal, TextIO, TypedDict
 
+from contourlab.app.session import QUIET, Answer, Asked, Session
+from contourlab.features.check import options
+from contourlab.features.check.reading import reading_of
 from contourlab.program import Arc, Dwell, Feed, Move, Plane, Point, Reader, Reading, Spline, Traverse, open_program
 
 _KINDS = {Traverse: "traverse", Feed: "feed", Arc: "arc", Spline: "nurbs", Dwell: "dwell"}
@@ -148,39 +153,71 @@ def canonical_moves(reader: Reader) -> Iterator[dict[str, Any]]:
         yield canonical(move, state.feedrate * per_turn)
 
 
-def write_canon(file: str | Path, out: TextIO, *, as_json: bool, reading: Reading | None = None) -> list[str]:
-    """Write the moves of a part program; write nothing if it has a fault.
+@dataclass(frozen=True, eq=False)
+class Listed(Answer):
+    """The moves of a part program, as a list that may be long.
 
-    Parameters
+    Attributes
     ----------
-    as_json : bool
-        One JSON document, ``{"moves": [...]}``, in place of one line per move.
-    reading : Reading, optional
-        By default a program needs no end word.
-
-    Returns
-    -------
-    list of str
-        Notices of the reader.
-
-    Raises
-    ------
-    ProgramError
-        If the program has a fault, with its line.
+    file : Path
+    reading : Reading
+        How the program is read.
     """
-    chosen = reading or Reading(require_end=False)
-    with open_program(file, chosen, still=True) as reader, tempfile.SpooledTemporaryFile(IN_MEMORY, "w+", encoding="utf-8") as buffer:
-        buffer.write('{"moves": [' if as_json else "")
-        before = "\n"
-        for move in canonical_moves(reader):
-            buffer.write(before + json.dumps(move) if as_json else _line(move))
-            before = ",\n"
-        buffer.write("\n]}\n" if as_json else "")
-        buffer.seek(0)
-        while part := buffer.read(1 << 20):
-            out.write(part)
-        out.flush()
-        return [f"{file}:{notice.line}:{notice.column}: {notice.message}" for notice in reader.notices]
+
+    file: Path
+    reading: Reading
+
+    def __iter__(self) -> Iterator[dict[str, Any]]:
+        with open_program(self.file, self.reading, still=True) as reader:
+            yield from canonical_moves(reader)
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The moves, one a row."""
+        return list(self)
+
+    @property
+    def text(self) -> str:
+        """The moves, one a line."""
+        return "".join(map(_line, self)).rstrip("\n")
+
+    def write(self, out: TextIO, as_json: bool) -> list[str]:
+        """Write the moves as lines, or as one JSON document, ``{"moves": [...]}``; nothing if the program has a fault.
+
+        Returns
+        -------
+        list of str
+            Notices of the reader.
+
+        Raises
+        ------
+        ProgramError
+            If the program has a fault, with its line.
+        """
+        with (
+            open_program(self.file, self.reading, still=True) as reader,
+            tempfile.SpooledTemporaryFile(IN_MEMORY, "w+", encoding="utf-8") as buffer,
+        ):
+            buffer.write('{"moves": [' if as_json else "")
+            before = "\n"
+            for move in canonical_moves(reader):
+                buffer.write(before + json.dumps(move) if as_json else _line(move))
+                before = ",\n"
+            buffer.write("\n]}\n" if as_json else "")
+            buffer.seek(0)
+            while part := buffer.read(1 << 20):
+                out.write(part)
+            out.flush()
+            return [f"{self.file}:{notice.line}:{notice.column}: {notice.message}" for notice in reader.notices]
+
+    def _next(self, asked: Asked) -> Sequence[object] | None:
+        """Check the program; nothing where the output is no terminal."""
+        return ["check", self.file, *asked.settings.words()] if sys.stdout.isatty() else None
+
+
+def canon(file: str | Path, *, settings: options.Canon, session: Session = QUIET) -> Listed:
+    """Return the moves of a part program."""
+    return Listed(Path(file), reading_of(file, settings))
 
 
 def _line(move: dict[str, Any]) -> str:

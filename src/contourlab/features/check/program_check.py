@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any
 
+from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.errors import ContourlabError, ProgramError
+from contourlab.features.check.options import Check
 from contourlab.features.check.planned_motion import PlannedMotion, parts
+from contourlab.features.check.reading import reading_of
 from contourlab.findings import Finding
-from contourlab.program import Arc, Dwell, Feed, Program, Reading, Spline, Traverse, open_program
+from contourlab.program import Arc, Dwell, Feed, Program, Spline, Traverse, open_program
 from contourlab.program.reader import NO_END
-from contourlab.rendering.stages import shown
 from contourlab.rendering.table import paragraphs
 
+FAULTY = 2
 MOST_FEEDS = 12
 """Largest number of feedrates to print one by one."""
 _KINDS = {Traverse: "traverse", Feed: "feed", Arc: "arc", Spline: "spline", Dwell: "dwell"}
@@ -35,7 +40,7 @@ class Message:
 
 
 @dataclass(frozen=True)
-class Checked:
+class Checked(Answer):
     """The result of a check; as JSON field by field.
 
     Attributes
@@ -71,6 +76,25 @@ class Checked:
     feed_time_without_acceleration: float | None = None
     machine: dict[str, str] = field(default_factory=dict)
     added_stops: int = 0
+
+    @property
+    def exit_code(self) -> int:
+        """Exit code of the command: 2 for a faulty program."""
+        return FAULTY if self.faults else 0
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """Faults and notices, one a row."""
+        return [{"fault": kind, **vars(one)} for kind, many in ((True, self.problems), (False, self.notices)) for one in many]
+
+    def _next(self, asked: Asked) -> Sequence[object] | None:
+        """Run the program."""
+        if self.faults:
+            return None
+        machine = asked.settings.machine
+        parts = ["--machine", machine or "xyz", "--controller", None if machine else "xyz-controller"]
+        end = [] if self.has_end else ["--no-require-end"]
+        return ["run", *asked.inputs, *parts, *asked.settings.words("machine"), *end]
 
     @property
     def faults(self) -> int:
@@ -111,20 +135,18 @@ class Checked:
         return rows
 
 
-def check_program(
-    file: str | Path, machine: str | Path | None = None, *, reading: Reading | None = None, progress: bool = False
-) -> Checked:
+@question(Check)
+def check(file: str | Path, *, settings: Check, session: Session = QUIET) -> Checked:
     """Read a part program to its end and collect its faults; compute its box, its feeds, and its cycle time on a machine.
 
     Parameters
     ----------
-    machine : str or Path, optional
-        File, or name of a shipped machine. Its limits give the cycle time; leaving its travel is a fault. By default `DEFAULT_MACHINE`;
-        leaving its travel is no fault.
-    reading : Reading, optional
-        By default a program needs no end word.
-    progress : bool
-        Whether to show progress on standard error.
+    file : str or Path
+        A part program; it needs no end word.
+
+    Returns
+    -------
+    Checked
 
     Raises
     ------
@@ -134,9 +156,9 @@ def check_program(
         If the machine cannot be read.
     """
     problems: list[ProgramError] = []
-    seen, motion = _Seen(), PlannedMotion(machine)
-    chosen = reading or Reading(require_end=False)
-    with open_program(file, chosen, problems=problems) as reader, shown(progress) as stages:
+    seen, motion = _Seen(), PlannedMotion(settings.machine)
+    chosen, stages = reading_of(file, settings), session.stages()
+    with open_program(file, chosen, problems=problems) as reader:
         stages.begin(f"reading {Path(file).name}")
         for part in parts(reader, problems):
             seen.add(part.program)

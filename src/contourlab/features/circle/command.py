@@ -9,16 +9,15 @@ from pathlib import Path
 
 import numpy as np
 
-from contourlab.app.command_line import as_typed
-from contourlab.app.json_values import write_json
-from contourlab.app.results import staged
+from contourlab.app.session import QUIET, Session, question
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.circle.fit import CircleFit, fit_circle
+from contourlab.features.circle.options import Circle
 from contourlab.features.circle.polar_file import is_polar, own_columns, polar_runs
 from contourlab.features.circle.result import SURE, Cause, CircleTest, Correlation, causes_of, correlations_of, lags_of
-from contourlab.features.circle.runs import Circle, CircleRun, find_circle, runs_of
-from contourlab.features.measure.log_choice import LogChoice, open_log, positive
+from contourlab.features.circle.runs import CircleRun, find_circle, runs_of
+from contourlab.features.measure.log_choice import LogChoice, open_log
 from contourlab.features.measure.study import ACTUAL
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log, read_record
@@ -44,22 +43,6 @@ SAME = 0.01
 """Share by which fitted radii of one circle may differ."""
 
 
-@dataclass(frozen=True)
-class CircleOptions:
-    """Options as typed.
-
-    Attributes
-    ----------
-    radius, feed, pitch, tolerance : str, optional
-        As ``"50 mm"``, ``"1000 mm/min"``, ``"10 mm"``, ``"8 um"``.
-    """
-
-    radius: str | None = None
-    feed: str | None = None
-    pitch: str | None = None
-    tolerance: str | None = None
-
-
 @dataclass(frozen=True, eq=False)
 class _Read:
     """Runs of all files, the axes, and findings on the files."""
@@ -69,17 +52,18 @@ class _Read:
     findings: list[Finding]
 
 
-def circle_test(choices: Sequence[LogChoice], out: str | Path, options: CircleOptions | None = None, command: str = "") -> CircleTest:
-    """Fit the causes to measured circles; write summary.json and report.html into a folder.
+@question(Circle)
+def circle(*logs: str | Path, settings: Circle, session: Session = QUIET) -> CircleTest:
+    """Find the causes that shape measured circles.
 
     Parameters
     ----------
-    choices : sequence of LogChoice
+    *logs : str or Path
         Logs, or text files of angle and radius: one with all runs, or one for each sense.
-    out : str or Path
-    options : CircleOptions, optional
-    command : str
-        Command line as typed.
+
+    Returns
+    -------
+    CircleTest
 
     Raises
     ------
@@ -87,33 +71,18 @@ def circle_test(choices: Sequence[LogChoice], out: str | Path, options: CircleOp
         If a file cannot be read, or holds no circle.
     ParameterError
         If an option is out of range.
-    OutputError
-        If the folder cannot be written to.
     """
-    from contourlab.features.circle.page import write_page
-
-    options = options or CircleOptions()
-    pitch, tolerance = (_length(f"--{name}", getattr(options, name)) for name in ("pitch", "tolerance"))
-    read = _read(choices, options)
-    files = [choice.file for choice in choices]
-    with about(*files):
-        fit = fit_circle(read.runs, read.axes, pitch)
-        result = _result(fit, read, " and ".join(Path(file).name for file in files), command, tolerance)
-    result = replace(result, report=str(Path(out) / "report.html"), next_command=_next(result, choices[0]))
-    with staged(out, "summary.json", "report.html", inputs=files) as folder:
-        write_json(folder / "summary.json", result)
-        write_page(result, fit, folder / "report.html")
-    return result
+    session.will_write(logs, "summary.json", "report.html")
+    read = _read([LogChoice.of(log, settings) for log in logs], settings)
+    with about(*logs):
+        fit = fit_circle(read.runs, read.axes, settings.si("pitch"))
+        name = " and ".join(Path(log).name for log in logs)
+        return replace(_result(fit, read, name, session.command, settings.si("tolerance")), fit=fit, inputs=tuple(logs))
 
 
-def _length(option: str, text: str | None) -> float | None:
-    return None if text is None else positive(option, text, "m", 'a length with its unit, such as "10 mm"')
-
-
-def _read(choices: Sequence[LogChoice], options: CircleOptions) -> _Read:
+def _read(choices: Sequence[LogChoice], settings: Circle) -> _Read:
     """Read the runs of all files, around one nominal radius."""
-    radius = _length("--radius", options.radius)
-    feed = math.nan if options.feed is None else positive("--feed", options.feed, "m/s", 'a feed, such as "1000 mm/min"')
+    radius, feed = settings.si("radius"), settings.si("feed")
     read = _Read([], ("x", "y"), [])
     is_known = radius is not None
     for choice in choices:
@@ -121,7 +90,7 @@ def _read(choices: Sequence[LogChoice], options: CircleOptions) -> _Read:
         record = read_record(choice.file, choice.format)
         if named or is_polar(record, named):
             with about(choice.file, options=("radius",)):
-                read.runs.extend(polar_runs(record, named, radius, feed))
+                read.runs.extend(polar_runs(record, named, radius, math.nan if feed is None else feed))
             axes = tuple(choice.axes) or ("x", "y")
         else:
             log = open_log(replace(choice, columns=columns))
@@ -162,7 +131,7 @@ def _log_runs(log: Log, axes: tuple[str, ...], radius: float | None) -> tuple[tu
     circle = find_circle(position if reference is None else reference)
     if radius is not None and abs(radius - circle.radius) > 0.05 * radius:
         raise ResultError(f"a circle of {1e3 * circle.radius:.6g} mm radius, not of {1e3 * radius:.6g} mm")
-    circle = Circle(circle.centre, circle.radius if radius is None else radius)
+    circle = replace(circle, radius=circle.radius if radius is None else radius)
     return runs_of(log.record.file.name, position, result.servo_period, circle, reference), reference is not None
 
 
@@ -240,13 +209,3 @@ def _fit_findings(fit: CircleFit, causes: Sequence[Cause], correlations: Sequenc
     if SURE * fit.residual > largest:
         findings.append(finding("CL493", residual=fit.residual))
     return findings
-
-
-def _next(test: CircleTest, choice: LogChoice) -> str:
-    """Return the next command: a tolerance, or what identifies the cause."""
-    if test.tolerance is None:
-        wanted = f"{float(f'{5e5 * test.circular_deviation:.1g}'):g} um"
-        return f"{test.command or as_typed(['contourlab', 'circle', str(choice.file)])} {as_typed(['--tolerance', wanted])}"
-    if test.lag:
-        return as_typed(["contourlab", "identify", str(choice.file), "--model", "first-order"])
-    return as_typed(["contourlab", "explain", test.findings[0].code if test.findings else "CL480"])

@@ -2,23 +2,38 @@
 
 from __future__ import annotations
 
+import base64
+import hashlib
+import json
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+import shlex
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import combinations
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from contourlab.analysis.identification.least_squares import fit_covariance
-from contourlab.app.json_values import HIDDEN
+from contourlab.app.command_line import as_typed
+from contourlab.app.json_values import HIDDEN, json_values, write_json
+from contourlab.app.results import staged
+from contourlab.app.session import Answer, Asked
 from contourlab.arrays import Array
 from contourlab.features.circle.fit import CircleFit, ReversalSpike
 from contourlab.features.circle.signatures import Term, columns_of
 from contourlab.figures import figure, number
 from contourlab.findings import Finding
 from contourlab.metrics import Bidirectional, CircleFigures
+from contourlab.rendering.charts import Chart, traces_chart
+from contourlab.rendering.html import page_template, template_file
+from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
+from contourlab.result import write_text_atomic
 
+POINTS = 2400
+"""Most points of a run in the picture."""
 SURE = 3.0
 """Deviations from which a cause counts as found."""
 TIED = 0.9
@@ -96,8 +111,8 @@ class Lag:
     deviation: float
 
 
-@dataclass(frozen=True)
-class CircleTest:
+@dataclass(frozen=True, eq=False)
+class CircleTest(Answer):
     """The result of a circle test.
 
     Attributes
@@ -151,7 +166,8 @@ class CircleTest:
     passed: bool | None
     findings: tuple[Finding, ...]
     report: str = field(default="", metadata=HIDDEN)
-    next_command: str = field(default="", metadata=HIDDEN)
+    fit: CircleFit | None = field(default=None, metadata=HIDDEN, repr=False)
+    inputs: tuple[str | Path, ...] = field(default=(), metadata=HIDDEN, repr=False)
 
     @property
     def circular_deviation(self) -> float:
@@ -165,6 +181,49 @@ class CircleTest:
         report = f"report: {self.report}" if self.report else ""
         parts = (paragraphs([self.sentence]), self._causes().text(), paragraphs(self._about()), paragraphs(map(str, self.findings)), report)
         return "\n\n".join(filter(None, parts))
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The causes, one a row."""
+        return [json_values(cause) for cause in self.causes]
+
+    def _charts(self) -> Iterator[Chart]:
+        assert self.fit is not None
+        runs = {f"{run.name} {k + 1}": (np.degrees(run.angle), 1e6 * run.deviation) for k, run in enumerate(self.fit.runs)}
+        yield traces_chart("circle", "Deviation from the circle", ("angle [deg]", "radial deviation [um]"), runs)
+
+    def save(self, folder: str | Path = "results") -> CircleTest:
+        """Write summary.json and report.html into a folder.
+
+        Returns
+        -------
+        CircleTest
+            With the name of its report.
+
+        Raises
+        ------
+        OutputError
+            If the folder cannot be written to.
+        """
+        assert self.fit is not None
+        saved = replace(self, report=str(Path(folder) / "report.html"))
+        with staged(folder, "summary.json", "report.html", inputs=self.inputs) as stage:
+            write_json(stage / "summary.json", saved)
+            _write_page(saved, self.fit, stage / "report.html")
+        return saved
+
+    @property
+    def next_step(self) -> str:
+        """The command to type next: with a tolerance, or what identifies the cause."""
+        if self.tolerance is None:
+            wanted = float(f"{5e5 * self.circular_deviation:.1g}")
+            return f"{self.command} {as_typed(['--tolerance', f'{wanted:g} um'])}"
+        if self.lag:
+            return as_typed(["contourlab", "identify", str(self.inputs[0]), "--model", "first-order"])
+        return as_typed(["contourlab", "explain", self.findings[0].code if self.findings else "CL480"])
+
+    def _next(self, asked: Asked) -> Sequence[object]:
+        return shlex.split(self.next_step)[1:]
 
     @property
     def sentence(self) -> str:
@@ -294,3 +353,54 @@ def lags_of(fit: CircleFit) -> tuple[Lag, ...]:
         deviation = fit_covariance([design[:, None, :] for design in designs], rest).deviations[0]
         lags.append(Lag(axis, float(solution[0]), float(deviation)))
     return tuple(lags)
+
+
+def _write_page(test: CircleTest, fit: CircleFit, file: str | Path) -> None:
+    """Write the report as one HTML file that needs no network."""
+    script = template_file("circle.js")
+    rows = [
+        {"name": cause.name, "adds": plus_minus(cause.contribution, cause.deviation), "value": value_text(cause), "sure": cause.is_sure}
+        for cause in test.causes
+    ]
+    text = page_template("circle.html.j2").render(
+        test=test,
+        rows=rows,
+        data=json.dumps(_data(test, fit), separators=(",", ":")).replace("</", "<\\/"),
+        style=template_file("report.css"),
+        script=script,
+        hash="sha256-" + base64.b64encode(hashlib.sha256(script.encode()).digest()).decode("ascii"),
+        colours=[scheme_style(k, len(fit.runs))[0] for k in range(len(fit.runs))],
+    )
+    write_text_atomic(Path(file), str(text))
+
+
+def _data(test: CircleTest, fit: CircleFit) -> dict[str, Any]:
+    """Return angles [rad], deviations and the curve of each cause [um] for each run."""
+    curves: dict[str, list[Array]] = {}
+    for cause in test.causes:
+        if cause.cause == "reversal spikes":
+            curves[cause.name] = fit.spike_curves(cause.axis)
+            continue
+        # Terms of one name add up: two vibrations.
+        alike = [fit.curves(term) for term in fit.terms if (term.cause, term.axis) == (cause.cause, cause.axis)]
+        curves[cause.name] = [np.sum(parts, axis=0) for parts in zip(*alike, strict=True)]
+    runs = []
+    for k, run in enumerate(fit.runs):
+        # The last whole turn, evenly thinned.
+        last = np.flatnonzero(np.abs(run.turned - run.turned[-1]) <= 2.0 * np.pi)
+        kept = last[:: max(len(last) // POINTS, 1)]
+        runs.append(
+            {
+                "clockwise": run.clockwise,
+                "colour": scheme_style(k, len(fit.runs))[0],
+                "angle": np.round(run.angle[kept], 5).tolist(),
+                "deviation": _um(run.deviation[kept]),
+                "curves": [_um(parts[k][kept]) for parts in curves.values()],
+            }
+        )
+    return {"axes": fit.axes, "causes": list(curves), "runs": runs}
+
+
+def _um(values: Array) -> list[float]:
+    rounded: list[float] = np.round(1e6 * values, 4).tolist()
+    return rounded

@@ -5,14 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import chain
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from contourlab.app.json_values import HIDDEN
 from contourlab.app.results import check_file
+from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.features.commission.control_terms import Term, cascade_of, check_control, term_table, terms_of
@@ -21,12 +23,12 @@ from contourlab.features.commission.hal_files import AxisSetup, Setup, read_setu
 from contourlab.features.commission.identification import IdentifiedAxis, identify_axis
 from contourlab.features.commission.loop import GAINS, robustly_stable
 from contourlab.features.commission.loop_class import LoopClass, decided
+from contourlab.features.commission.options import LinuxCNC
 from contourlab.features.commission.records import AxisLog, doubts, law_of, moving, read_log
 from contourlab.features.commission.report import changes, circle_errors, circle_png, gain_table, page, text_of
 from contourlab.features.commission.tuning import AxisTask, Moves, TunedAxis, largest_error, shared_delay, tune_axis
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
-from contourlab.rendering.stages import shown
 from contourlab.rendering.table import Table, paragraphs
 from contourlab.result.atomic import replacing
 from contourlab.threads import in_threads
@@ -49,8 +51,8 @@ class Prediction:
 
 
 @dataclass(frozen=True, eq=False)
-class Commissioned:
-    """Result of the command; its fields are the JSON output.
+class Commissioned(Answer):
+    """What to run, or the gains of each servo loop.
 
     Attributes
     ----------
@@ -79,6 +81,48 @@ class Commissioned:
     terms: tuple[Term, ...] = ()
     answer: tuple[str, ...] = ()
     tables: tuple[Table, ...] = field(default=(), metadata=HIDDEN)
+    contents: Mapping[str, str | bytes] = field(default_factory=dict, metadata=HIDDEN, repr=False)
+    inputs: tuple[str | Path, ...] = field(default=(), metadata=HIDDEN, repr=False)
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The proposed gains, one axis a row."""
+        return [{"axis": axis, **gains} for axis, gains in self.pid.items()]
+
+    def save(self, folder: str | Path = "commissioning") -> Commissioned:
+        """Write excitation, sampler and steps; or report, diffs and picture; all or none.
+
+        Parameters
+        ----------
+        folder : str or Path
+
+        Returns
+        -------
+        Commissioned
+            With the names of its files.
+
+        Raises
+        ------
+        OutputError, ParameterError
+            If a file cannot be written, or would replace an input.
+        """
+        files = {Path(folder) / name: content for name, content in self.contents.items()}
+        with ExitStack() as stack:
+            for file, content in files.items():
+                data = content if isinstance(content, bytes) else content.encode("utf-8", "replace")
+                check_file(file, self.inputs, "--out")
+                stack.enter_context(replacing(file)).write_bytes(data)
+        for name in SECOND[1:3] if SECOND[0] in self.contents else ():
+            if name not in self.contents:
+                (Path(folder) / name).unlink(missing_ok=True)  # of an earlier answer
+        return replace(self, files=tuple(files))
+
+    def _next(self, asked: Asked) -> Sequence[object] | None:
+        """Log a run: of the excitation, or of the safe gains."""
+        if not (self.pid or (self.files and not asked.settings.log)):
+            return None
+        log = "log2.txt" if asked.settings.log else "log1.txt"
+        return ["commission", "linuxcnc", *asked.inputs, "--log", log, "--out", asked.files.out]
 
     @property
     def passed(self) -> bool:
@@ -93,86 +137,42 @@ class Commissioned:
         return "\n\n".join(filter(None, [paragraphs(self.answer), *tables, paragraphs(map(str, self.findings)), files]))
 
 
-def prepare(ini: str | Path, hal: str | Path, out: str | Path) -> Commissioned:
-    """Write the excitation, the lines of the sampler, and the steps, if an axis can be commissioned and none has a pid without gains.
-
-    Raises
-    ------
-    ScenarioError
-        If INI or HAL cannot be read, no axis has a pid, or a travel is too short.
-    OutputError, ParameterError
-        If a file cannot be written, or would replace an input.
-    """
-    setup = read_setup(ini, hal)
-    axes, files = {axis.name: axis.loop for axis in setup.axes}, _files(out, FIRST, (ini, hal))
-    answer = tuple(f"{name}: {axis.loop}: {axis.why}." for name, axis in axes.items())
-    if not setup.closed or any(axis.idle for axis in setup.axes):
-        return Commissioned(axes, {}, {}, {}, {}, setup.findings, (), answer=answer)
-    _write(dict(zip(files, (excitation(setup), sampler_lines(setup), steps(setup, Path(out))), strict=True)))
-    return Commissioned(axes, {}, {}, {}, {}, setup.findings, files, answer=answer)
-
-
-def _files(out: str | Path, names: Sequence[str], inputs: Sequence[str | Path]) -> tuple[Path, ...]:
-    files = tuple(Path(out) / name for name in names)
-    for file in files:
-        check_file(file, inputs, "--out")
-    return files
-
-
-def _write(contents: Mapping[Path, str | bytes]) -> None:
-    """Write all files or none."""
-    with ExitStack() as stack:
-        for file, content in contents.items():
-            stack.enter_context(replacing(file)).write_bytes(content if isinstance(content, bytes) else content.encode("utf-8", "replace"))
-
-
+@question(LinuxCNC)
 def commission(
-    ini: str | Path,
-    hal: str | Path,
-    logs: Sequence[str | Path],
-    out: str | Path,
-    *,
-    program: str | Path | None = None,
-    control: str | None = None,
-    margins: tuple[float, float] = (6.0, 30.0),
-    seed: int = 0,
-    progress: bool = False,
+    ini: str | Path, hal: str | Path, *, control: str = "linuxcnc", settings: LinuxCNC, session: Session = QUIET
 ) -> Commissioned:
-    """Identify each axis from logs, tune its pid, and write report, diffs and picture.
+    """Find the gains of each servo loop of a control from its files and logs; without logs, what to run.
 
     Parameters
     ----------
     ini, hal : str or Path
         Files of LinuxCNC, with the gains in use.
-    logs : sequence of str or Path
-        Of the same machine with these gains.
-    out : str or Path
-        Folder.
-    program : str or Path, optional
-        Part program to predict and tune for; by default the commands of the logs.
-    control : str, optional
-        Another control, in whose terms to give the gains too: a key of `control_terms.CONTROLS`.
-    margins : tuple of float [dB, deg]
-        Of gain and phase, kept with one period more of delay than identified.
-    seed : int
-        Of search and noise.
-    progress : bool
-        Whether to show progress.
+    control : str
+        The control: ``"linuxcnc"``.
+
+    Returns
+    -------
+    Commissioned
 
     Raises
     ------
     ScenarioError, LogError, ProgramError, FeedError
-        If a file cannot be read, or the program cannot be planned.
-    OutputError, ParameterError
-        If a file cannot be written or would replace an input, or the control is unknown.
+        If a file cannot be read, no axis has a pid, a travel is too short, or the program cannot be planned.
+    ParameterError
+        If an option or the control is unknown.
     """
-    if control is not None:
-        check_control(control)
-    setup = read_setup(ini, hal)
-    inputs = [ini, hal, *logs] + ([] if program is None else [program])
-    files = _files(out, SECOND, inputs)
+    if control != "linuxcnc":
+        raise ParameterError("control", repr(control), "'linuxcnc'")
+    if settings.for_ is not None:
+        check_control(settings.for_)
+    setup, program = read_setup(ini, hal), settings.program
+    inputs = (ini, hal, *settings.log, *([] if program is None else [program]))
+    for name in (SECOND if settings.log else FIRST) if session.saving else ():
+        check_file(session.folder / name, inputs, "--out")
+    if not settings.log:
+        return _prepared(setup, inputs, session)
     findings, records = list(setup.findings), list[dict[str, AxisLog]]()
-    for log in logs:
+    for log in settings.log:
         record, more = read_log(log, setup)
         record = {axis.name: record[axis.name] for axis in setup.closed if axis.name in record}
         findings += more
@@ -180,14 +180,24 @@ def commission(
         findings += wrong
         bad = {one.place.removeprefix("axis ") for one in wrong}
         records.append({name: moving(one) for name, one in record.items() if name not in bad})
-    planned = {} if program is None else planned_commands(Path(program), setup)
-    work = _Work(setup, records, planned, margins, seed)
+    planned = {} if program is None else planned_commands(program, setup)
+    work = _Work(setup, records, planned, (settings.gain_margin, settings.phase_margin), settings.seed)
     if all(one.code != "CL871" for one in findings):
-        with shown(progress) as stages:
-            stages.begin("identifying and tuning the axes")
-            findings += chain.from_iterable(in_threads(work.axis, setup.closed))
-            findings += work.compared()
-    return _written(work, findings, files, program, control)
+        session.stages().begin("identifying and tuning the axes")
+        findings += chain.from_iterable(in_threads(work.axis, setup.closed))
+        findings += work.compared()
+    return _answered(work, findings, inputs, program, settings.for_)
+
+
+def _prepared(setup: Setup, inputs: tuple[str | Path, ...], session: Session) -> Commissioned:
+    """Return the excitation, the lines of the sampler, and the steps, if an axis can be commissioned and none has a pid without gains."""
+    axes = {axis.name: axis.loop for axis in setup.axes}
+    answer = tuple(f"{name}: {axis.loop}: {axis.why}." for name, axis in axes.items())
+    contents: dict[str, str | bytes] = {}
+    if setup.closed and not any(axis.idle for axis in setup.axes):
+        folder = session.folder if session.saving else Path("commissioning")
+        contents = dict(zip(FIRST, (excitation(setup), sampler_lines(setup), steps(setup, folder)), strict=True))
+    return Commissioned(axes, {}, {}, {}, {}, setup.findings, (), answer=answer, contents=contents, inputs=inputs)
 
 
 @dataclass(eq=False)
@@ -303,10 +313,10 @@ class _Work:
         return chosen
 
 
-def _written(
-    work: _Work, findings: Sequence[Finding], files: Sequence[Path], program: str | Path | None, control: str | None
+def _answered(
+    work: _Work, findings: Sequence[Finding], inputs: tuple[str | Path, ...], program: Path | None, control: str | None
 ) -> Commissioned:
-    """Write the files of the answer and return it."""
+    """Return the answer, with the contents of its files."""
     setup, gains, safe = work.setup, work.gains(), work.safe()
     axes = {axis.name: work.loops.get(axis.name, axis.loop) for axis in setup.axes}
     answer = tuple(_line(axis, work, gains) for axis in setup.axes)
@@ -321,18 +331,16 @@ def _written(
         tables |= {f"The proposed gains in other terms: {control}": term_table(terms)} if terms else {}
     tables = {head: table for head, table in tables.items() if table.rows}
     diff, picture = "" if silent else changes(setup, gains), _circle(work, gains)
-    report, gain_diff, safe_diff, image = files
-    title = f"Commissioning of {setup.ini.file.name}" + ("" if program is None else f" for {Path(program).name}")
+    report, gain_diff, safe_diff, image = SECOND
+    title = f"Commissioning of {setup.ini.file.name}" + ("" if program is None else f" for {program.name}")
     text = page(title, answer, tables, diff, picture, findings)
-    contents: dict[Path, str | bytes] = {report: text}
+    contents: dict[str, str | bytes] = {report: text}
     contents |= {} if silent else {gain_diff: diff, safe_diff: changes(setup, safe)}
     contents |= {} if picture is None else {image: picture}
-    _write(contents)
-    for file in (gain_diff, safe_diff) if silent else ():
-        file.unlink(missing_ok=True)  # of an earlier answer
     models = {axis.name: work.models[axis.name] for axis in setup.axes if axis.name in work.models}
     predicted = {name: work.predicted[name] for name in models if name in work.predicted}
-    return Commissioned(axes, gains, safe, predicted, models, tuple(findings), tuple(contents), terms, answer, tuple(tables.values()))
+    found = (axes, gains, safe, predicted, models, tuple(findings), (), terms, answer, tuple(tables.values()))
+    return Commissioned(*found, contents=contents, inputs=inputs)
 
 
 def _line(axis: AxisSetup, work: _Work, gains: Mapping[str, Mapping[str, float]]) -> str:

@@ -3,22 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from contourlab.app.json_values import write_json
+from contourlab.app.json_values import HIDDEN, json_values, write_json
 from contourlab.app.results import staged
+from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array
 from contourlab.engine.translate import c99_control, fmi, hal, structured_text
 from contourlab.engine.translate.control import LIBRARY, Field
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.export.axis_controller import AxisControl, axis_control
 from contourlab.features.export.mock_up import compiler, unit_of
+from contourlab.features.export.options import Export
 from contourlab.features.export.recorded_run import SAMPLES, record, there_and_back
 from contourlab.file_kinds import kind_of
 from contourlab.findings import Finding, finding
@@ -57,8 +59,8 @@ class ExportedAxis:
 
 
 @dataclass(frozen=True)
-class Exported:
-    """The result of the command; its fields are the JSON output.
+class Exported(Answer):
+    """The controllers of axes as code.
 
     Attributes
     ----------
@@ -76,6 +78,44 @@ class Exported:
     files: tuple[Path, ...]
     axes: dict[str, ExportedAxis]
     findings: tuple[Finding, ...]
+    contents: Mapping[str, str | bytes] = field(default_factory=dict, metadata=HIDDEN, repr=False)
+    inputs: tuple[Any, ...] = field(default=(), metadata=HIDDEN, repr=False)
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The axes, one a row."""
+        return [{"axis": name, **json_values(axis)} for name, axis in self.axes.items()]
+
+    def save(self, folder: str | Path = "export") -> Exported:
+        """Write the code and a summary into a folder.
+
+        Parameters
+        ----------
+        folder : str or Path
+
+        Returns
+        -------
+        Exported
+            With the names of its files.
+
+        Raises
+        ------
+        OutputError
+            If the folder cannot be written, or a file there is not ours.
+        """
+        summary = f"export-{self.to}.json"
+        saved = replace(self, files=tuple(Path(folder) / name for name in (*self.contents, summary)))
+        with staged(folder, summary, *self.contents, inputs=self.inputs) as stage:
+            for name, content in self.contents.items():
+                write_bytes_atomic(stage / name, content if isinstance(content, bytes) else content.encode("ascii", "replace"))
+            write_json(stage / summary, saved)
+        return saved
+
+    def _next(self, asked: Asked) -> Sequence[object] | None:
+        """Read the first finding, or analyse the scenario."""
+        if self.findings:
+            return ["explain", self.findings[0].code]
+        return ["analyse", *asked.inputs] if asked.settings.machine is None else None
 
     @property
     def text(self) -> str:
@@ -121,34 +161,18 @@ TARGETS: dict[str, Callable[[AxisControl, Motion], dict[str, str | bytes]]] = {"
 """The files of an axis by name, for each language."""
 
 
-def export_controller(
-    file: str | Path,
-    to: str,
-    out: str | Path,
-    *,
-    machine: str | Path | None = None,
-    scheme: str | None = None,
-    axes: tuple[str, ...] = (),
-    plugins: Sequence[str | Path] = (),
-) -> Exported:
-    """Write the controllers of the axes of a machine as code into a folder.
+@question(Export)
+def export(file: str | Path, *, settings: Export, session: Session = QUIET) -> Exported:
+    """Translate the controllers of the axes of a machine into code for a control.
 
     Parameters
     ----------
     file : str or Path
-        A controller with `machine`, or a scenario without.
-    to : str
-        One of `TARGETS`.
-    out : str or Path
-        Created if missing.
-    machine : str or Path, optional
-        A file, the name of a shipped one, or the folder of a machine.
-    scheme : str, optional
-        Of the scenario; by default the scenario without schemes.
-    axes : tuple of str
-        By default all.
-    plugins : sequence of str or Path
-        Python files with components.
+        A controller with ``machine``, or a scenario without.
+
+    Returns
+    -------
+    Exported
 
     Raises
     ------
@@ -156,13 +180,10 @@ def export_controller(
         If the files cannot be read, or a part of a controller cannot run in its axis alone.
     EngineError
         If a component cannot be translated.
-    OutputError
-        If the folder cannot be written, or a file there is not ours.
     """
-    if to not in TARGETS:
-        raise ParameterError("--to", repr(to), "one of " + ", ".join(TARGETS))
-    loaded, steered, motion, inputs = _read(file, machine, scheme, plugins)
-    found = {name: axis_control(loaded, steered, name) for name in axes or loaded.axis_names}
+    to = settings.to
+    loaded, steered, motion, inputs = _read(file, settings.machine, settings.scheme, settings.plugin)
+    found = {name: axis_control(loaded, steered, name) for name in settings.axis or loaded.axis_names}
     if len({control.control.name for control in found.values()}) != len(found):
         raise ParameterError("axes", ", ".join(found), "named with letters of ASCII, so that their code has different names")
     made: dict[str, str | bytes] = {}
@@ -170,15 +191,7 @@ def export_controller(
         made |= TARGETS[to](control, motion)
     digest = next(iter(found.values())).digest
     described = {name: _described(control) for name, control in found.items()}
-    summary = f"export-{to}.json"
-    paths = tuple(Path(out) / name for name in (*made, summary))
-    result = Exported(to, digest, paths, described, tuple(_findings(steered, found, to)))
-    with staged(out, summary, *made, inputs=inputs) as stage:
-        for name, content in made.items():
-            data = content if isinstance(content, bytes) else content.encode("ascii", "replace")
-            write_bytes_atomic(stage / name, data)
-        write_json(stage / summary, result)
-    return result
+    return Exported(to, digest, (), described, tuple(_findings(steered, found, to)), made, inputs)
 
 
 def _read(

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from contextlib import nullcontext
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from contourlab.app.json_values import json_values
-from contourlab.app.results import check_file, staged
+from contourlab.app.results import staged
+from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.components.origin import Origin
+from contourlab.features.identify.options import Identify
 from contourlab.features.identify.request import Request
 from contourlab.features.identify.result import Identified, Picture, join_names
-from contourlab.features.run.command import check_plots
+from contourlab.features.measure.log_choice import LogChoice
+from contourlab.findings import Finding
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.scenario.provenance import origin_table
@@ -24,68 +26,128 @@ from contourlab.units import from_si
 SHOWN = {"m": "um", "m/s": "m/min"}
 
 
-@dataclass(frozen=True)
-class Identification:
-    """Output of the command.
+@dataclass(frozen=True, eq=False)
+class Identification(Answer):
+    """An identified axis.
 
     Attributes
     ----------
-    done : bool
-        Whether the parameters are usable and the requested file is written.
+    identified : Identified
+    wanted : Path or None
+        Axis file that was asked for; written only if the parameters are usable.
+    plots : tuple of Path
+        Pictures that were written.
     """
 
-    done: bool
-    summary: dict[str, Any]
-    text: str
+    identified: Identified
+    inputs: tuple[str | Path, ...] = field(default=(), repr=False)
+    wanted: Path | None = None
+    plots: tuple[Path, ...] = ()
+
+    @property
+    def passed(self) -> bool:
+        """Whether the parameters are usable, and the file that was asked for is written."""
+        return self.identified.usable and (self.written is not None or self.wanted is None)
+
+    @property
+    def written(self) -> Path | None:
+        """The axis file that was written."""
+        return self.wanted if self.identified.usable and self.identified.tables else None
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What was found."""
+        return self.identified.findings
+
+    @property
+    def json(self) -> Any:
+        """What was identified."""
+        return replace(self.identified, axis_file=self.written)
+
+    @property
+    def text(self) -> str:
+        """Parameters, fit, findings and files."""
+        identified = self.identified
+        lines = [_text(identified), *(f"plot: {file}" for file in self.plots)]
+        if self.written is not None:
+            lines.append(f"axis file: {self.written}")
+        elif self.wanted is not None:
+            why = f"these logs give no axis file for model {identified.model}" if identified.usable else "the results are not usable"
+            lines.append(f"{self.wanted} not written: {why}")
+        elif identified.usable and identified.tables:
+            lines.append("no axis file: name one with --write")
+        return "\n".join(lines)
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The parameters, one a row."""
+        return [{"parameter": name, **json_values(one)} for name, one in self.identified.parameters.items()]
+
+    def _charts(self) -> Iterator[Any]:
+        yield from map(_chart, self.identified.pictures)
+
+    def save(self, folder: str | Path = "results", *, write: str | Path | None = None, plots: Sequence[str] = ()) -> Identification:
+        """Write an axis file, if the parameters are usable, and pictures.
+
+        Parameters
+        ----------
+        folder : str or Path
+            Of the pictures, in ``plots``; other files there stay.
+        write : str or Path, optional
+            The axis file.
+        plots : sequence of str
+            Formats: png, svg or pdf.
+
+        Returns
+        -------
+        Identification
+            With the names of its files.
+
+        Raises
+        ------
+        OutputError
+            If a file cannot be written.
+        """
+        drawn: tuple[Path, ...] = ()
+        if plots:
+            from contourlab.rendering.plots import write_charts
+
+            with staged(folder, inputs=self.inputs) as stage:
+                drawn = tuple(Path(folder) / file.relative_to(stage) for file in write_charts(self._charts(), stage / "plots", plots))
+        saved = replace(self, wanted=None if write is None else Path(write), plots=drawn)
+        if saved.written is not None:
+            write_text_atomic(saved.written, axis_file(self.identified))
+        return saved
+
+    def _next(self, asked: Asked) -> Sequence[object]:
+        """Write the axis file, or look at it."""
+        return asked.again("--write", "axis.toml") if self.wanted is None else ["machines", self.wanted]
 
 
-def identify_log(
-    request: Request, *, out: str | Path | None = None, plots: Sequence[str] = (), folder: str | Path = "results"
-) -> Identification:
-    """Identify an axis and write its axis file.
+@question(Identify)
+def identify(*logs: str | Path, settings: Identify, session: Session = QUIET) -> Identification:
+    """Identify a model of an axis from logs.
 
     Parameters
     ----------
-    request : Request
-        Model, logs and options.
-    out : str or Path, optional
-        Axis file; written only if the parameters are usable.
-    plots : sequence of str
-        Formats: png, svg or pdf. Plots go to ``plots`` in `folder`; other files there stay.
+    *logs : str or Path
+        Logs of runs that excite the axis.
+
+    Returns
+    -------
+    Identification
 
     Raises
     ------
     LogError, ResultError
         If a log cannot be read or lacks a signal, or the axis cannot be identified; names the log.
     ParameterError
-        If an option is out of range, or `out` is also an input file.
-    OutputError
-        If `out` or `folder` cannot be written; raised before a log is read.
+        If an option is out of range.
     """
-    check_plots(plots)
+    request = Request(settings, tuple(LogChoice.of(log, settings) for log in logs))
     request.check()
-    if out is not None:
-        check_file(out, request.inputs)
-    drawn: list[Path] = []
-    with staged(folder, inputs=request.inputs) if plots else nullcontext() as stage:
-        identified = request.identify()
-        if stage is not None:
-            from contourlab.rendering.plots import write_charts
-
-            files = write_charts([_chart(picture) for picture in identified.pictures], stage / "plots", plots)
-            drawn = [Path(folder) / file.relative_to(stage) for file in files]
-    lines = [_text(identified), *(f"plot: {file}" for file in drawn)]
-    written = out is not None and identified.usable and bool(identified.tables)
-    if out is not None and written:
-        write_text_atomic(Path(out), axis_file(identified))
-        lines.append(f"axis file: {out}")
-    elif out is not None:
-        why = f"these logs give no axis file for model {identified.model}" if identified.usable else "the results are not usable"
-        lines.append(f"{out} not written: {why}")
-    elif identified.usable and identified.tables:
-        lines.append("no axis file: name one with --write")
-    summary = json_values(replace(identified, axis_file=Path(out) if out is not None and written else None))
-    return Identification(identified.usable and (written or out is None), summary, "\n".join(lines))
+    session.will_write(request.inputs, pictures_only=True)
+    return Identification(request.identify(), request.inputs)
 
 
 def axis_file(identified: Identified) -> str:

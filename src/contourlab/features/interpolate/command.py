@@ -2,51 +2,91 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import ExitStack
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from contourlab.analysis.encoder.interpolation import interpolation_order
 from contourlab.app.json_values import json_text
 from contourlab.app.results import spared
-from contourlab.errors import ParameterError, UnitError
+from contourlab.app.session import QUIET, Answer, Asked, Session, question
+from contourlab.features.interpolate.options import Interpolate
 from contourlab.features.interpolate.signals import read_quadrature
 from contourlab.features.interpolate.study import Interpolated, Interpolation
-from contourlab.features.interpolate.text import counts_csv
+from contourlab.features.interpolate.text import counts_csv, text
 from contourlab.logs.load import about
-from contourlab.units import to_si
 
 FILES = {"counts": "interpolated.csv", "picture": "interpolation.png", "summary": "interpolation.json"}
 """Files written into the folder."""
 
 
-def interpolate_file(
-    file: str | Path,
-    out: str | Path | None = None,
-    *,
-    pitch: str = "20 um",
-    resolution: str = "25 nm",
-    columns: str | None = None,
-    reference: str | None = None,
-    forgetting: float | None = None,
-) -> Interpolated:
+@dataclass(frozen=True, eq=False)
+class Counts(Answer):
+    """Interpolated signals of an encoder.
+
+    Attributes
+    ----------
+    result : Interpolated
+    interpolation : Interpolation
+    """
+
+    result: Interpolated
+    interpolation: Interpolation = field(repr=False)
+
+    @property
+    def passed(self) -> bool:
+        """Whether no period was missed."""
+        return not self.result.missed["n_sample"]
+
+    @property
+    def json(self) -> Any:
+        """The result."""
+        return self.result
+
+    @property
+    def text(self) -> str:
+        """The result for the terminal."""
+        return text(self.result)
+
+    def save(self, folder: str | Path | None = "interpolated") -> Counts:
+        """Write interpolated.csv, interpolation.json and interpolation.png into a folder; all or none.
+
+        Parameters
+        ----------
+        folder : str or Path, optional
+            None writes nothing.
+
+        Returns
+        -------
+        Counts
+            With the names of its files.
+
+        Raises
+        ------
+        OutputError
+            If a result cannot be written; then nothing is written.
+        """
+        return self if folder is None else replace(self, result=_written(Path(folder), self.interpolation, self.result))
+
+    def _next(self, asked: Asked) -> Sequence[object]:
+        """Save the counts, or use the encoder."""
+        return ["components", "quadrature-encoder"] if self.result.files else asked.again("--out", "interpolated")
+
+
+@question(Interpolate)
+def interpolate(file: str | Path, *, settings: Interpolate, session: Session = QUIET) -> Counts:
     """Correct, interpolate and count quadrature signals, and measure their errors.
 
     Parameters
     ----------
     file : str or Path
         A table of numbers; see `contourlab.logs.delimited.read`.
-    out : str or Path, optional
-        Folder for interpolated.csv, interpolation.json and interpolation.png; without it nothing is written.
-    pitch, resolution : str
-        Travel per period of the signals, and per count. The resolution must be the pitch over four times a whole number.
-    columns : str, optional
-        Names or numbers of the two signals, cosine first: ``"u1,u2"``.
-    reference : str, optional
-        Name or number of the column of the true position; by default "reference", if present.
-    forgetting : float, optional
-        0.9 to 1: correct sample by sample with recursive least squares. By default one ellipse is fitted to all samples.
+
+    Returns
+    -------
+    Counts
 
     Raises
     ------
@@ -54,26 +94,16 @@ def interpolate_file(
         If the file has no quadrature signals, or they do not form an ellipse; with the line if known.
     ParameterError, UnitError
         If pitch, resolution or forgetting are out of range.
-    OutputError
-        If a result cannot be written; then nothing is written.
     """
-    period, count = _length("--pitch", pitch, "20 um"), _length("--resolution", resolution, "25 nm")
-    order = interpolation_order(period, count)
-    if out is not None:
+    period = settings.si("pitch")
+    order = interpolation_order(period, settings.si("resolution"))
+    if session.saving.get("out") is not None:
         for name in FILES.values():
-            spared(Path(out) / name, [file])
-    record = read_quadrature(file, columns, reference)
+            spared(session.folder / name, [file])
+    record = read_quadrature(file, settings.columns, settings.reference)
     with about(record.source.file, options=("forgetting",)):
-        interpolation = Interpolation(record, period, order, forgetting)
-    result = interpolation.result()
-    return result if out is None else _written(Path(out), interpolation, result)
-
-
-def _length(option: str, text: str, example: str) -> float:
-    try:
-        return to_si(text, "m")
-    except UnitError as error:
-        raise ParameterError(option, repr(text), f'a length with its unit, such as "{example}"') from error
+        interpolation = Interpolation(record, period, order, settings.forgetting)
+    return Counts(interpolation.result(), interpolation)
 
 
 def _written(folder: Path, interpolation: Interpolation, result: Interpolated) -> Interpolated:

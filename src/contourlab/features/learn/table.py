@@ -17,8 +17,7 @@ from contourlab.errors import ResultError
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Learned, Machine
 from contourlab.result.atomic import replacing
-from contourlab.scenario import dump
-from contourlab.scenario.dump import component_table
+from contourlab.scenario.dump import component_table, dump
 from contourlab.scenario.provenance import unstated
 from contourlab.scenario.toml_text import toml
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from contourlab.errors import ProgramError
-from contourlab.features.check.canon import write_canon
+from contourlab.features.check.canon import Listed
 from contourlab.program import Reading
 from contourlab.result import write_bytes_atomic
 
@@ -78,5 +78,5 @@ def write_annotated(program: Path, out: Path, texts: Iterable[tuple[int, str]], 
 def moves_of(program: Path, reading: Reading) -> str:
     """Return the moves of a program as canonical text."""
     text = io.StringIO()
-    write_canon(program, text, as_json=True, reading=reading)
+    Listed(program, reading).write(text, as_json=True)
     return text.getvalue()

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
-from contourlab.app.command_line import as_typed
 from contourlab.app.results import check_file
+from contourlab.app.session import QUIET, Session, question
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import LogError, ParameterError, ResultError, UnitError
 from contourlab.features.check.planned_motion import DEFAULT_MACHINE
-from contourlab.features.limits.annotate import write_annotated
+from contourlab.features.check.reading import reading_of, refuse_drawing
 from contourlab.features.limits.log_limits import KINDS, AxisPeak, control_samples, course, moving_part
-from contourlab.features.limits.result import LimitTest, ProgramLine, comments
+from contourlab.features.limits.options import Limits
+from contourlab.features.limits.result import LimitTest, ProgramLine
 from contourlab.features.measure.log_choice import PROGRAMS, LogChoice, open_log
 from contourlab.features.measure.measured_path import progress_along
 from contourlab.features.measure.study import ACTUAL
@@ -42,46 +43,18 @@ HELD = 0.005
 BLOCK = 65536
 
 
-@dataclass(frozen=True)
-class LimitOptions:
-    """Options as typed.
-
-    Attributes
-    ----------
-    machine : str, optional
-        File or name of a shipped machine.
-    velocity, acceleration, jerk : str, optional
-        One quantity for all axes, or ``"x=200 mm/s, y=100 mm/s"``; each overrides the machine.
-    tolerance : str, optional
-        Part by which a limit may be exceeded, as ``"1 %"``.
-    program : str or Path, optional
-        Program of a log.
-    line_column : str, optional
-        Column of a log with program lines.
-    annotate : str or Path, optional
-        Program to write, with comments.
-    """
-
-    machine: str | None = None
-    velocity: str | None = None
-    acceleration: str | None = None
-    jerk: str | None = None
-    tolerance: str | None = None
-    program: str | Path | None = None
-    line_column: str | None = None
-    annotate: str | Path | None = None
-
-
-def check_limits(choice: LogChoice, options: LimitOptions, reading: Reading | None = None) -> LimitTest:
-    """Check a log or a part program against limits; write the annotated program if asked.
+@question(Limits)
+def limits(file: str | Path, *, settings: Limits, session: Session = QUIET) -> LimitTest:
+    """Compare what a control commanded, or our planner would, with the limits of a machine.
 
     Parameters
     ----------
-    choice : LogChoice
+    file : str or Path
         A log, or a part program by its suffix.
-    options : LimitOptions
-    reading : Reading, optional
-        By default a program needs no end word.
+
+    Returns
+    -------
+    LimitTest
 
     Raises
     ------
@@ -89,26 +62,21 @@ def check_limits(choice: LogChoice, options: LimitOptions, reading: Reading | No
         If a file cannot be read.
     ParameterError
         If an option is out of range, or has no effect.
-    OutputError
-        If the annotated program cannot be written.
     """
-    reading = reading or Reading(require_end=False)
-    tolerance = HELD if options.tolerance is None else _share(options.tolerance)
-    is_program = Path(choice.file).suffix.lower() in PROGRAMS and kind_of(choice.file) != "a log"  # .nc: G-code or NetCDF
+    choice, reading = LogChoice.of(file, settings), reading_of(settings.program or Path("log"), settings)
+    tolerance = HELD if settings.tolerance is None else _share(settings.tolerance)
+    is_program = Path(file).suffix.lower() in PROGRAMS and kind_of(file) != "a log"  # .nc: G-code or NetCDF
     planned = is_program and not choice.format and not choice.columns
-    program = Path(choice.file) if planned else None if options.program is None else Path(options.program)
-    if planned and (options.program or options.line_column):
-        raise ParameterError("--program", str(options.program or options.line_column), "left out: the file is itself a program")
-    if options.annotate is not None:
+    program = Path(file) if planned else settings.program
+    if planned and (settings.program or settings.line_column):
+        raise ParameterError("--program", str(settings.program or settings.line_column), "left out: the file is itself a program")
+    annotate = session.saving.get("annotate")
+    if annotate is not None:
         if program is None:
-            raise ParameterError("--annotate", repr(str(options.annotate)), "with the program of the log: add --program PART.ngc")
-        check_file(options.annotate, [choice.file, program], "--annotate")
-    test = _planned(Path(choice.file), options, tolerance, reading) if planned else _logged(choice, options, tolerance, reading)
-    if options.annotate is not None and program is not None:
-        skipped = write_annotated(program, Path(options.annotate), comments(test.lines), reading)
-        more = (finding("CL475", lines=skipped),) if skipped else ()
-        test = replace(test, annotated=str(options.annotate), findings=(*test.findings, *more))
-    return replace(test, next_command=_next(test, choice, options, program))
+            raise ParameterError("--annotate", repr(str(annotate)), "with the program of the log: add --program PART.ngc")
+        check_file(annotate, [file, program], "--annotate")
+    test = _planned(Path(file), settings, tolerance, reading) if planned else _logged(choice, settings, tolerance, reading)
+    return replace(test, program=program, reading=reading)
 
 
 def _share(text: str) -> float:
@@ -121,7 +89,7 @@ def _share(text: str) -> float:
     return share
 
 
-def _limits(options: LimitOptions, axes: Sequence[str], machine: Machine | None) -> dict[str, list[float]]:
+def _limits(options: Limits, axes: Sequence[str], machine: Machine | None) -> dict[str, list[float]]:
     """Return the limits of each kind by axis, inf for none."""
     limits: dict[str, list[float]] = {}
     for kind, unit in _UNITS.items():
@@ -151,10 +119,8 @@ def _by_axis(option: str, text: str, unit: str, axes: Sequence[str], example: st
     return values
 
 
-def _planned(file: Path, options: LimitOptions, tolerance: float, reading: Reading) -> LimitTest:
+def _planned(file: Path, options: Limits, tolerance: float, reading: Reading) -> LimitTest:
     """Check what the planner would command."""
-    from contourlab.features.run.inputs import refuse_drawing
-
     refuse_drawing(file)
     machine = load_machine(DEFAULT_MACHINE if options.machine is None else named_file(options.machine))
     asked = _limits(options, machine.axis_names, machine)
@@ -212,7 +178,7 @@ def _rows(
     return tuple(rows)
 
 
-def _logged(choice: LogChoice, options: LimitOptions, tolerance: float, reading: Reading) -> LimitTest:
+def _logged(choice: LogChoice, options: Limits, tolerance: float, reading: Reading) -> LimitTest:
     """Check what a log holds: its reference, or without one its position."""
     log = open_log(choice)
     result, axes = log.result, tuple(choice.axes) or log.result.axes
@@ -251,7 +217,7 @@ def _positions(log: Log, axes: Sequence[str]) -> tuple[str, Array]:
 
 
 def _lines_of(
-    log: Log, choice: LogChoice, options: LimitOptions, axes: Sequence[str], position: Array, reading: Reading
+    log: Log, choice: LogChoice, options: Limits, axes: Sequence[str], position: Array, reading: Reading
 ) -> tuple[Index, Array | None]:
     """Return the program line of each sample, 0 for none, and the distance from the program's path [m]."""
     n = len(position)
@@ -319,18 +285,3 @@ def _exceeded(peaks: Sequence[AxisPeak], tolerance: float) -> tuple[Finding, ...
         )
         for peak in sorted(over, key=lambda peak: -(peak.use or 0.0))
     )
-
-
-def _next(test: LimitTest, choice: LogChoice, options: LimitOptions, program: Path | None) -> str:
-    """Return the next command."""
-    if test.passed is None:
-        return as_typed(["contourlab", "limits", str(choice.file), "--machine", "xyz"])
-    if program is not None and options.annotate is None:
-        out = f"{program.stem}-annotated{program.suffix}"
-        typed = ["contourlab", "limits", str(choice.file), *([] if test.source == "plan" else ["--program", str(program)])]
-        for option in ("machine", *KINDS):
-            typed += [f"--{option}", getattr(options, option)] if getattr(options, option) else []
-        return as_typed([*typed, "--annotate", out])
-    if test.source == "plan":
-        return as_typed(["contourlab", "run", str(choice.file), "--machine", options.machine or "xyz"])
-    return as_typed(["contourlab", "measure", str(choice.file)])

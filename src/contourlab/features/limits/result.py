@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
 
-from contourlab.app.json_values import HIDDEN
-from contourlab.features.limits.log_limits import AxisPeak
+from contourlab.app.json_values import HIDDEN, json_values
+from contourlab.app.session import Answer, Asked
+from contourlab.errors import ParameterError
+from contourlab.features.limits.annotate import write_annotated
+from contourlab.features.limits.log_limits import KINDS, AxisPeak
 from contourlab.figures import NONE, figure, listing, number
-from contourlab.findings import Finding
+from contourlab.findings import Finding, finding
+from contourlab.program import Reading
 from contourlab.rendering.table import Column, Table, paragraphs
 
 MOST_LINES = 8
@@ -43,7 +49,7 @@ class ProgramLine:
 
 
 @dataclass(frozen=True)
-class LimitTest:
+class LimitTest(Answer):
     """The result of a check of limits.
 
     Attributes
@@ -86,7 +92,55 @@ class LimitTest:
     given: tuple[str, ...] = ()
     planned_within: str = ""
     annotated: str = ""
-    next_command: str = field(default="", metadata=HIDDEN)
+    program: Path | None = field(default=None, metadata=HIDDEN)
+    reading: Reading | None = field(default=None, metadata=HIDDEN, repr=False)
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The largest values, one a row [SI]."""
+        return [json_values(peak) for peak in self.peaks]
+
+    def save(self, *, annotate: str | Path | None = None) -> LimitTest:  # type: ignore[override]
+        """Write the program with times, limits and errors as comments.
+
+        Parameters
+        ----------
+        annotate : str or Path, optional
+            File to write; none by default.
+
+        Returns
+        -------
+        LimitTest
+            With the name of its file.
+
+        Raises
+        ------
+        ParameterError
+            If the program is not known.
+        OutputError
+            If the file cannot be written.
+        """
+        if annotate is None:
+            return self
+        if self.program is None or self.reading is None:
+            raise ParameterError("annotate", repr(str(annotate)), "with the program of the log: add --program PART.ngc")
+        skipped = write_annotated(self.program, Path(annotate), comments(self.lines), self.reading)
+        more = (finding("CL475", lines=skipped),) if skipped else ()
+        return replace(self, annotated=str(annotate), findings=(*self.findings, *more))
+
+    def _next(self, asked: Asked) -> Sequence[object]:
+        """Give limits, write the annotated program, run it, or judge the log."""
+        file, settings = asked.inputs[0], asked.settings
+        if self.passed is None:
+            return ["limits", file, "--machine", "xyz"]
+        if self.program is not None and not self.annotated:
+            out = f"{self.program.stem}-annotated{self.program.suffix}"
+            of_log = [] if self.source == "plan" else ["--program", self.program]
+            limits = [word for name in ("machine", *KINDS) for word in settings.PARTS[name].words(getattr(settings, name))]
+            return ["limits", file, *of_log, *limits, "--annotate", out]
+        if self.source == "plan":
+            return ["run", file, "--machine", settings.machine or "xyz"]
+        return ["measure", file]
 
     @property
     def worst(self) -> tuple[ProgramLine, ...]:

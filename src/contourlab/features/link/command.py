@@ -4,32 +4,30 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from contourlab.app.json_values import write_json
 from contourlab.app.quick import affordable, too_slow
-from contourlab.app.results import staged
+from contourlab.app.session import QUIET, Session, question
 from contourlab.components.link.network import Network
 from contourlab.errors import DivergenceError, ParameterError, UnitError
 from contourlab.features.link import cost
 from contourlab.features.link.cost import WAYS, DivisionCost, allowed_error, divided, division_cost
-from contourlab.features.link.result import LinkResult, SchemeCost, link_charts, scheme_text
+from contourlab.features.link.options import Link
+from contourlab.features.link.result import LinkResult, SchemeCost
 from contourlab.features.link.sweep import FEW, QUANTITIES, SEEDS, LinkSetting
+from contourlab.features.run.source import Source, scenario_asked
 from contourlab.findings import finding
 from contourlab.loop import DIVISIONS
 from contourlab.metrics.run_figures import goal_named
-from contourlab.rendering.stages import Stages, shown
-from contourlab.rendering.table import paragraphs
+from contourlab.rendering.stages import Stages
 from contourlab.study import Setting
 from contourlab.units import to_si
 
 if TYPE_CHECKING:
     from contourlab.feed import Reference
     from contourlab.loop import Controller
-    from contourlab.rendering.charts import Chart
     from contourlab.scenario import Case
 
 LONGEST = 10.0
@@ -39,127 +37,50 @@ MOST_SEEDS = 256
 """A batch runs all seeds of 32 values at once."""
 
 
-@dataclass(frozen=True)
-class LinkOptions:
-    """Options as typed.
-
-    Attributes
-    ----------
-    divisions, ways, quantities, axes : tuple of str
-        Empty for all. A scenario with its own links keeps them unless a division is given.
-    figure : str
-        One of `contourlab.metrics.run_figures.GOALS`, by word or name.
-    within : str, optional
-        Allowed error above that of the undivided loop, as ``"10 %"``, the default.
-    tolerance : str, optional
-        Largest error allowed, instead of `within`, as ``"15 um"``.
-    network : mapping of str to str
-        Message period, delay, jitter and loss of the links while another is varied.
-    extrapolate : bool
-        Whether messages are extrapolated instead of held.
-    longest : str, optional
-        Largest time to test, by default `USUAL_LONGEST`.
-    seeds : int, optional
-        Runs with jitter or loss, by default `contourlab.features.link.sweep.SEEDS`.
-    quick : bool
-        Whether to test only as many values as fit into a minute: each limit then lies between two of them.
-    """
-
-    divisions: tuple[str, ...] = ()
-    ways: tuple[str, ...] = ()
-    quantities: tuple[str, ...] = ()
-    axes: tuple[str, ...] = ()
-    figure: str = "rms"
-    within: str | None = None
-    tolerance: str | None = None
-    network: Mapping[str, str] | None = None
-    extrapolate: bool = False
-    longest: str | None = None
-    seeds: int | None = None
-    quick: bool = False
-
-
-def link_scenario(
-    file: str | Path,
-    options: LinkOptions,
-    *,
-    schemes: Sequence[str] = (),
-    plugins: Sequence[str | Path] = (),
-    plots: Sequence[str] = (),
-    folder: str | Path = "results",
-    progress: bool = False,
-) -> LinkResult:
-    """Divide the controllers of a scenario's schemes, vary the links, and write ``summary.json`` and pictures into a folder.
+@question(Link)
+def link(*source: Source, settings: Link, session: Session = QUIET) -> LinkResult:
+    """Divide the controllers of a scenario's schemes, and vary the links between base and axes.
 
     Ctrl-C keeps the divisions that ended.
 
     Parameters
     ----------
-    file : str or Path
-        A scenario.
-    options : LinkOptions
-    schemes : sequence of str
-        See `contourlab.features.run.schemes.compare_schemes`; all by default.
-    plugins : sequence of str or Path
-        Python files with components.
-    plots : sequence of str
-        png, svg or pdf, into ``plots`` in `folder`.
-    folder : str or Path
-        Folder of results.
-    progress : bool
-        Whether to show progress.
+    *source : str, Path, Scenario, Case, or a Machine, its Controller and a Reference
+        A scenario, as a file or read; or what it consists of.
+
+    Returns
+    -------
+    LinkResult
 
     Raises
     ------
     ScenarioError, ParameterError
         If the scenario cannot be read, or an option is out of range or has no effect.
-    OutputError
-        If the folder cannot be written; raised before anything is simulated.
     DivergenceError
         If an undivided loop diverges.
     """
-    from contourlab.features.run.command import check_plots
-    from contourlab.features.run.schemes import loaded
-
-    check_plots(plots)
-    settings = read_options(options)
-    scenario = loaded(file, schemes, plugins)
+    known = read_options(settings)
+    scenario = scenario_asked(source, settings)
     cases = scenario.cases()
-    _refuse_idle(options, settings, cases)
+    _refuse_idle(settings, known, cases)
+    session.will_write(scenario.inputs, "summary.json")
     costs: dict[str, SchemeCost] = {}
-    interrupt: KeyboardInterrupt | None = None
-    with staged(folder, "summary.json", inputs=scenario.inputs) as stage:
-        with shown(progress) as stages:
-            stages.expect(sum(1 + len(list(_controllers(case.controller, options, settings))) for case in cases))
-            schemes_ready = (_ready(case, options, settings, stages) for case in cases)
-            chosen = _chosen(list(schemes_ready), settings) if options.quick else schemes_ready
-            try:
-                for scheme in chosen:
-                    for cost_so_far in scheme.costs(settings, stages):
-                        costs[scheme.case.name] = cost_so_far
-            except KeyboardInterrupt as stop:
-                if not costs:
-                    raise
-                interrupt = stop
-        texts = [scheme_text(name if len(cases) > 1 else scenario.name, of_scheme) for name, of_scheme in costs.items()]
-        left_out = [case.name for case in cases if case.name not in costs] if interrupt is None else []
-        findings = (finding("CL766", schemes=left_out),) if left_out else ()
-        texts += [paragraphs(map(str, findings))] if findings else []
-        result = LinkResult(scenario.name, costs, findings)
-        write_json(stage / "summary.json", result)
-        if plots:
-            from contourlab.rendering.plots import write_charts
-
-            charts: list[Chart] = []
-            for name, of_scheme in costs.items():
-                charts += link_charts(name if len(costs) > 1 else "", of_scheme)
-            files = write_charts(charts, stage / "plots", plots)
-            texts.append("\n".join(f"plot: {Path(folder) / written.relative_to(stage)}" for written in files))
-    text = "\n\n".join(texts)
-    if interrupt is not None:
-        interrupt.add_note(f"Finished before, and kept in {Path(folder) / 'summary.json'}:\n\n{text}")
-        raise interrupt
-    return replace(result, text=text)
+    interrupted = False
+    stages = session.stages()
+    stages.expect(sum(1 + len(list(_controllers(case.controller, settings, known))) for case in cases))
+    schemes_ready = (_ready(case, settings, known, stages) for case in cases)
+    chosen = _chosen(list(schemes_ready), known) if settings.quick else schemes_ready
+    try:
+        for scheme in chosen:
+            for cost_so_far in scheme.costs(known, stages):
+                costs[scheme.case.name] = cost_so_far
+    except KeyboardInterrupt:
+        if not costs:
+            raise
+        interrupted = True
+    left_out = [] if interrupted else [case.name for case in cases if case.name not in costs]
+    findings = (finding("CL766", schemes=left_out),) if left_out else ()
+    return LinkResult(scenario.name, costs, findings, len(cases) > 1, interrupted, scenario.inputs)
 
 
 @dataclass(frozen=True)
@@ -189,7 +110,7 @@ class _Scheme:
             yield SchemeCost(self.figure, undivided, allowed, tuple(costs))
 
 
-def _ready(case: Case, options: LinkOptions, settings: LinkSettings, stages: Stages) -> _Scheme:
+def _ready(case: Case, options: Link, settings: LinkSettings, stages: Stages) -> _Scheme:
     stages.begin(f"planning {case.name}")
     setting, figure = Setting.of(case), goal_named(options.figure, "--figure").name
 
@@ -220,7 +141,7 @@ def _chosen(schemes: Sequence[_Scheme], settings: LinkSettings) -> Iterator[_Sch
         raise too_slow(min(scheme.share(settings, few) for scheme in schemes), 1.0)
 
 
-def _controllers(controller: Controller, options: LinkOptions, settings: LinkSettings) -> Iterator[tuple[str, Controller]]:
+def _controllers(controller: Controller, options: Link, settings: LinkSettings) -> Iterator[tuple[str, Controller]]:
     if _as_it_is(controller, options):
         yield "links of the scenario", controller
         return
@@ -247,7 +168,7 @@ class LinkSettings:
     quantities: tuple[str, ...]
 
 
-def read_options(options: LinkOptions) -> LinkSettings:
+def read_options(options: Link) -> LinkSettings:
     """Return options in SI.
 
     Raises
@@ -270,16 +191,16 @@ def read_options(options: LinkOptions) -> LinkSettings:
     longest = positive_quantity("--longest", text, "s", "100 ms")
     if longest > LONGEST:
         raise ParameterError("--longest", text, f"up to {LONGEST:g} s, the limit of a link")
-    network = {name: _of_network(name, given) for name, given in (options.network or {}).items()}
+    network = {name: _of_network(name, given) for name, given in options.network.items()}
     return LinkSettings(
         within=_within("10 %" if options.within is None else options.within),
         allowed=allowed,
         longest=longest,
         seeds=seeds,
         network=Network(**network, between="extrapolate" if options.extrapolate else "hold"),
-        divisions=_named("--division", options.divisions, tuple(DIVISIONS)),
+        divisions=_named("--division", options.division, tuple(DIVISIONS)),
         ways=_named("--ways", options.ways, tuple(WAYS)),
-        quantities=_named("--vary", tuple(name.replace("-", "_") for name in options.quantities), QUANTITIES),
+        quantities=_named("--vary", tuple(name.replace("-", "_") for name in options.vary), QUANTITIES),
     )
 
 
@@ -334,14 +255,14 @@ def _each_once(option: str, names: tuple[str, ...]) -> None:
         raise ParameterError(option, repr(",".join(names)), f"different names: {twice} is given twice")
 
 
-def _as_it_is(controller: Controller, options: LinkOptions) -> bool:
+def _as_it_is(controller: Controller, options: Link) -> bool:
     """Return whether a controller keeps its own links."""
-    return not options.divisions and any(axis.link is not None for axis in controller.axes.values())
+    return not options.division and any(axis.link is not None for axis in controller.axes.values())
 
 
-def _refuse_idle(options: LinkOptions, settings: LinkSettings, cases: Sequence[Case]) -> None:
+def _refuse_idle(options: Link, settings: LinkSettings, cases: Sequence[Case]) -> None:
     """Refuse options that would have no effect."""
-    texts = {f"--{name.replace('_', '-')}": text for name, text in (options.network or {}).items()}
+    texts = {f"--{name.replace('_', '-')}": text for name, text in options.network.items()}
     texts |= {"--ways": ",".join(options.ways), "--axes": ",".join(options.axes), "--extrapolate": "given" * options.extrapolate}
     own_links = [case for case in cases if _as_it_is(case.controller, options)]
     for case in own_links:

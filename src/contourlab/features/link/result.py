@@ -5,11 +5,15 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from contourlab.app.json_values import HIDDEN
+from contourlab.app.json_values import HIDDEN, write_json
+from contourlab.app.results import staged
+from contourlab.app.session import Answer, Asked
 from contourlab.features.link.cost import DivisionCost
 from contourlab.features.link.sweep import GROWN, QUANTITIES, LinkSweep
 from contourlab.figures import figure
@@ -97,14 +101,91 @@ def _ranges(sweeps: Mapping[str, LinkSweep]) -> Iterator[Finding]:
         yield finding("CL759", ", ".join(names), step=step, last=last)
 
 
-@dataclass(frozen=True)
-class LinkResult:
-    """The result of the command; `text` is its printed form."""
+@dataclass(frozen=True, eq=False)
+class LinkResult(Answer):
+    """What dividing the controllers of some schemes costs.
+
+    Attributes
+    ----------
+    name : str
+        Of the scenario.
+    schemes : dict of str to SchemeCost
+    findings : tuple of Finding
+    """
+
+    SILENT = True
 
     name: str
     schemes: dict[str, SchemeCost]
     findings: tuple[Finding, ...] = ()
-    text: str = field(default="", metadata=HIDDEN)
+    several: bool = field(default=False, metadata=HIDDEN)
+    interrupted: bool = field(default=False, metadata=HIDDEN)
+    inputs: tuple[Path, ...] = field(default=(), metadata=HIDDEN, repr=False)
+    plots: tuple[Path, ...] = field(default=(), metadata=HIDDEN)
+    folder: str = field(default="", metadata=HIDDEN)
+
+    @property
+    def text(self) -> str:
+        """The cost of each scheme as tables, and its findings."""
+        texts = [scheme_text(name if self.several else self.name, of_scheme) for name, of_scheme in self.schemes.items()]
+        texts += [paragraphs(map(str, self.findings))] if self.findings else []
+        texts += ["\n".join(f"plot: {file}" for file in self.plots)] if self.plots else []
+        return "\n\n".join([*texts, *([f"results: {self.folder}"] if self.folder else [])])
+
+    @property
+    def stopped(self) -> BaseException | None:
+        """The interrupt that ended the work, if one did."""
+        if not self.interrupted:
+            return None
+        end = KeyboardInterrupt()
+        end.add_note(f"Finished before, and kept in {Path(self.folder) / 'summary.json'}:\n\n{self.text}")
+        return end
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The divisions, one a row [SI]."""
+        return [
+            {"scheme": name, "division": cost.name, "undivided": scheme.undivided, "allowed": scheme.allowed}
+            | {quantity: sweep.most for quantity, sweep in cost.sweeps.items()}
+            for name, scheme in self.schemes.items()
+            for cost in scheme.divisions
+        ]
+
+    def _charts(self) -> Iterator[Chart]:
+        for name, of_scheme in self.schemes.items():
+            yield from link_charts(name if len(self.schemes) > 1 else "", of_scheme)
+
+    def save(self, folder: str | Path = "results", *, plots: Sequence[str] = ()) -> LinkResult:
+        """Write ``summary.json`` and pictures into a folder.
+
+        Parameters
+        ----------
+        folder : str or Path
+        plots : sequence of str
+            Formats: png, svg or pdf; into ``plots`` in the folder.
+
+        Returns
+        -------
+        LinkResult
+            With the names of its files.
+
+        Raises
+        ------
+        OutputError
+            If the folder cannot be written to.
+        """
+        files: tuple[Path, ...] = ()
+        with staged(folder, "summary.json", inputs=self.inputs) as stage:
+            write_json(stage / "summary.json", self)
+            if plots:
+                from contourlab.rendering.plots import write_charts
+
+                files = tuple(Path(folder) / file.relative_to(stage) for file in write_charts(self._charts(), stage / "plots", plots))
+        return replace(self, plots=files, folder=str(folder))
+
+    def _next(self, asked: Asked) -> Sequence[object] | None:
+        """Find what the error depends on."""
+        return None if self.interrupted else ["sensitivity", *asked.inputs]
 
 
 # --- text --------------------------------------------------------------------------------------------------------------------------------

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 import shlex
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Literal
 
@@ -14,6 +14,7 @@ import numpy as np
 from contourlab.app.command_line import as_typed, chosen_options
 from contourlab.app.json_values import json_values, write_json
 from contourlab.app.results import staged
+from contourlab.app.session import QUIET, Answer, Session, question
 from contourlab.arrays import Array
 from contourlab.errors import LogError, ParameterError, ResultError, UnitError
 from contourlab.features.measure.log_choice import (
@@ -21,18 +22,22 @@ from contourlab.features.measure.log_choice import (
     distinct_names,
     is_program,
     open_log,
-    positive,
     program_path,
     reference_columns,
 )
-from contourlab.features.measure.study import Measured, gap_findings, measure
+from contourlab.features.measure.options import Measure
+from contourlab.features.measure.study import Measured, gap_findings
+from contourlab.features.measure.study import measure as judged_log
 from contourlab.features.measure.summary import MeasuredScheme, MeasuredSummary
-from contourlab.features.run.command import RunOutcome, check_plots, file_names
+from contourlab.features.run.command import Runs, file_names
+from contourlab.features.run.options import Compare
+from contourlab.features.run.schemes import compare_schemes
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log
 from contourlab.logs.load import about
 from contourlab.metrics import reversal_figures
+from contourlab.rendering.data import Provenance, ReportData, SchemeReport
 from contourlab.units import to_si
 
 _OF_COLUMNS = ("--column", "--columns", "--format", "--period")
@@ -40,7 +45,7 @@ _OF_COLUMNS = ("--column", "--columns", "--format", "--period")
 
 
 @dataclass(frozen=True, eq=False)
-class _Run:
+class MeasuredRun:
     """A measured run, judged, with the name for its results."""
 
     name: str
@@ -50,58 +55,178 @@ class _Run:
     inputs: tuple[str | Path, ...]
 
 
-def measure_log(
-    choice: LogChoice,
-    out: str | Path,
-    *,
-    reference: str | None = None,
-    shift: str | None = None,
-    tolerance: str | None = None,
-    plots: Sequence[str] = (),
-    command: str = "",
-) -> RunOutcome:
-    """Judge a log; write signals, summary.json, report.html and plots into a folder.
+@dataclass(frozen=True, eq=False)
+class MeasuredRuns(Answer):
+    """Judged measured runs.
+
+    Attributes
+    ----------
+    title : str
+    runs : tuple of MeasuredRun
+    tolerance : float or None [m]
+    command : str
+        The command that does the same.
+    files : dict of str to str
+        What was saved, and where.
+    """
+
+    title: str
+    runs: tuple[MeasuredRun, ...]
+    tolerance: float | None
+    command: str
+    files: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def passed(self) -> bool | None:
+        """Whether each run is within the tolerance; None without one."""
+        limit = self.tolerance
+        return None if limit is None else all(run.measured.metrics.contour_error.max <= limit for run in self.runs)
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """The findings of all runs, each once."""
+        return tuple({str(one): one for run in self.runs for one in run.findings}.values())
+
+    @property
+    def json(self) -> Any:
+        """The summary."""
+        schemes = {run.name: _scheme(run) for run in self.runs}
+        return MeasuredSummary(self.title, self.command, self.tolerance, self.passed, schemes)
+
+    @property
+    def data(self) -> Any:
+        """The data of the report."""
+        measured = ((run.name, run.measured) for run in self.runs)
+        schemes = [SchemeReport(name, one.result, one.metrics, circles=one.circles, spikes=one.spikes) for name, one in measured]
+        notes = [str(note) if len(self.runs) == 1 else f"{run.name}: {note}" for run in self.runs for note in run.findings]
+        about_runs: dict[str, Any] = {"tolerance": self.tolerance, "notes": notes, "is_measured": True, "next_steps": [self._step]}
+        path = self.runs[0].measured.reference.path
+        return ReportData(self.title, schemes, path, Provenance(self.command, self.command), **about_runs)
+
+    @property
+    def text(self) -> str:
+        """Tables and findings; files and the next command once it is saved."""
+        from contourlab.rendering.page_tables import reversal_text
+        from contourlab.rendering.tables import comparison_text
+
+        data = self.data
+        reversals = reversal_text(data)
+        lines = [comparison_text(data).rstrip(), *([f"\n{reversals}"] if reversals else [])]
+        lines += [line for run in self.runs for line in _lines(run, self.tolerance)]
+        files = [f"{what}: {file}" for what, file in self.files.items()]
+        return "\n".join([*lines, *files, *([f"\nnext: {self._step[1]}"] if files else [])])
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The figures of each run, one run a row."""
+        return [{"run": name, **json_values(scheme)} for name, scheme in self.json.schemes.items()]
+
+    def _charts(self) -> Iterator[Any]:
+        from contourlab.rendering.plots import charts_of
+
+        yield from charts_of(self.data)
+
+    @property
+    def _step(self) -> tuple[str, str]:
+        """What to do next, and the command for it: judge the worst run against a tolerance, or identify its worst axis."""
+        worst = max(self.runs, key=lambda run: run.measured.metrics.contour_error.max)
+        typed = shlex.split(self.command) if len(self.runs) == 1 else ["contourlab", "measure", str(worst.log.record.file)]
+        if self.tolerance is None:
+            twice = 2e6 * worst.measured.metrics.contour_error.max
+            return "Judge it against a tolerance:", as_typed([*typed, "--tolerance", f"{float(f'{twice:.1g}'):g} um"])
+        errors = [math.inf if math.isnan(one.rms) else one.rms for one in worst.measured.metrics.tracking_error]
+        axis = worst.measured.result.axes[errors.index(max(errors))]
+        model = "rigid" if "force" in worst.log.result else "first-order"
+        words = ["contourlab", "identify", typed[2], "--model", model, "--axis", axis, *chosen_options(typed, *_OF_COLUMNS)]
+        return "Identify the axis that strays most:", as_typed(words)
+
+    def save(self, folder: str | Path = "results", *, plots: Sequence[str] = (), **_: Any) -> MeasuredRuns:
+        """Write signals, summary.json, report.html and plots into a folder.
+
+        Parameters
+        ----------
+        folder : str or Path
+        plots : sequence of str
+            Formats: png, svg or pdf.
+
+        Returns
+        -------
+        MeasuredRuns
+            With the names of its files.
+
+        Raises
+        ------
+        OutputError
+            If the folder cannot be written to.
+        """
+        from contourlab.rendering.html import write_html
+
+        files = file_names([run.name for run in self.runs])
+        with staged(folder, *_outputs(self.runs), inputs=[file for run in self.runs for file in run.inputs]) as stage:
+            for run in self.runs:
+                run.measured.result.save(stage / "signals" / f"{files[run.name]}.nc")
+            write_json(stage / "summary.json", self.json)
+            write_html(self.data, stage / "report.html")
+            if plots:
+                from contourlab.rendering.plots import write_plots
+
+                write_plots(self.data, stage / "plots", tuple(plots))
+        return replace(self, files={"report": str(Path(folder) / "report.html")})
+
+
+def _outputs(runs: Sequence[MeasuredRun]) -> list[str]:
+    """Return the files of a saved answer, the summary first."""
+    names = file_names([run.name for run in runs])
+    return ["summary.json", "report.html", *(f"signals/{name}.nc" for name in names.values())]
+
+
+@question(Measure)
+def measure(log: str | Path, *, settings: Measure, session: Session = QUIET) -> MeasuredRuns:
+    """Judge a measured run with the figures of a simulated one.
 
     Parameters
     ----------
-    reference : str, optional
-        Columns of the reference separated by commas, in the order of the axes; or a part program. By default the columns of that name.
-    shift : str, optional
-        Zero of the part program in the coordinates of the log: ``"fit"``, or lengths separated by commas.
-    tolerance : str, optional
-        Largest contour error that passes, as ``"25 um"``.
-    plots : sequence of str
-        Formats: png, svg or pdf.
+    log : str or Path
+        A log of a machine, or a result.
+
+    Returns
+    -------
+    MeasuredRuns
 
     Raises
     ------
     LogError
         If the log cannot be read or lacks a signal.
-    OutputError
-        If the folder cannot be written to.
     """
-    check_plots(plots)
-    limit = None if tolerance is None else positive("--tolerance", tolerance, "m", 'a length with its unit, such as "25 um"')
-    run = _judged(choice, reference, shift)
-    return _written([run], run.log.record.file.name, out, limit, command, plots)
+    choice = LogChoice.of(log, settings)
+    run = _judged(choice, settings.reference, settings.shift)
+    session.will_write(run.inputs, *_outputs([run]))
+    return MeasuredRuns(run.log.record.file.name, (run,), settings.si("tolerance"), session.command)
 
 
-def compare_runs(files: Sequence[str | Path], out: str | Path, *, plots: Sequence[str] = (), command: str = "") -> RunOutcome:
-    """Judge several runs and compare them with the first.
+@question(Compare)
+def compare(*files: Any, settings: Compare, session: Session = QUIET) -> Runs | MeasuredRuns:
+    """Run the schemes of a scenario side by side, and time the servo tick of each; or compare finished runs with the first.
 
     Parameters
     ----------
-    files : sequence of str or Path
-        Logs, results (.nc), or folders of results with one scheme.
-    out, plots, command
-        See `measure_log`.
+    *files : str, Path or Scenario
+        A scenario, as a file or read; or at least two finished runs: logs, results (.nc), or folders of results with one scheme.
+
+    Returns
+    -------
+    Runs or MeasuredRuns
 
     Raises
     ------
-    LogError
-        If a file cannot be read, or the axes differ.
+    ScenarioError, LogError, ParameterError
+        If a file cannot be read, the axes of the runs differ, or an option is for a scenario only.
     """
-    check_plots(plots)
+    if len(files) == 1:
+        return compare_schemes(files, settings, session)
+    for name, part in Compare.PARTS.items():
+        if getattr(settings, name) != part.default:
+            raise ParameterError(part.typed, "given", "omitted when you compare runs from files: it applies to a scenario only")
     judged = [_judged(LogChoice(_signals_of(Path(file)))) for file in files]
     names = _names([Path(file) for file in files])
     runs = [replace(run, name=name) for name, run in zip(names, judged, strict=True)]
@@ -112,10 +237,11 @@ def compare_runs(files: Sequence[str | Path], out: str | Path, *, plots: Sequenc
             raise LogError(message, file=run.log.record.file)
         if run.measured.reference.path.digest != path.digest:
             runs[i] = replace(run, findings=(*run.findings, finding("CL413", first=runs[0].name)))
-    return _written(runs, " and ".join(names), out, None, command, plots)
+    session.will_write([file for run in runs for file in run.inputs], *_outputs(runs))
+    return MeasuredRuns(" and ".join(names), tuple(runs), None, session.command)
 
 
-def _judged(choice: LogChoice, reference: str | None = None, shift: str | None = None) -> _Run:
+def _judged(choice: LogChoice, reference: str | None = None, shift: str | None = None) -> MeasuredRun:
     program = reference if reference is not None and is_program(reference) else None
     more = reference_columns(reference, choice) if reference is not None and program is None else ()
     log = open_log(choice, more)
@@ -123,11 +249,11 @@ def _judged(choice: LogChoice, reference: str | None = None, shift: str | None =
     path = program_path(program, axes or log.result.axes) if program else None
     with about(choice.file):
         try:
-            measured = measure(log.result, path, axes or None, shift=_shift(shift, axes or log.result.axes))
+            measured = judged_log(log.result, path, axes or None, shift=_shift(shift, axes or log.result.axes))
         except ResultError as error:
             raise ResultError("; ".join([str(error), *(doubt.text for doubt in log.doubtful)])) from error
     findings = (*log.findings, *measured.findings, *gap_findings(log, measured, of_samples=path is None))
-    return _Run(log.result.scheme, log, measured, findings, (*choice.files, *([program] if program else [])))
+    return MeasuredRun(log.result.scheme, log, measured, findings, (*choice.files, *([program] if program else [])))
 
 
 def _shift(text: str | None, axes: tuple[str, ...]) -> Array | Literal["fit"] | None:
@@ -163,35 +289,7 @@ def _names(files: Sequence[Path]) -> list[str]:
     raise LogError("is given twice: give two different runs", file=files[0])
 
 
-def _written(runs: Sequence[_Run], title: str, out: str | Path, limit: float | None, command: str, plots: Sequence[str]) -> RunOutcome:
-    files = file_names([run.name for run in runs])
-    outputs = ("summary.json", "report.html", *(f"signals/{name}.nc" for name in files.values()))
-    passed = None if limit is None else all(run.measured.metrics.contour_error.max <= limit for run in runs)
-    with staged(out, *outputs, inputs=[file for run in runs for file in run.inputs]) as folder:
-        for run in runs:
-            run.measured.result.save(folder / "signals" / f"{files[run.name]}.nc")
-        summary: dict[str, Any] = json_values(MeasuredSummary(title, command, limit, passed, {run.name: _scheme(run) for run in runs}))
-        write_json(folder / "summary.json", summary)
-        step = _next_step(runs, limit, command)
-        table = _report(runs, title, limit, folder, command, plots, step)
-    return RunOutcome(passed is not False, summary, f"{table}\nreport: {Path(out) / 'report.html'}\n\nnext: {step[1]}")
-
-
-def _next_step(runs: Sequence[_Run], limit: float | None, command: str) -> tuple[str, str]:
-    """Return what to do next, and the command for it: judge the worst run against a tolerance, or identify its worst axis."""
-    worst = max(runs, key=lambda run: run.measured.metrics.contour_error.max)
-    typed = shlex.split(command) if len(runs) == 1 else ["contourlab", "measure", str(worst.log.record.file)]
-    if limit is None:
-        twice = 2e6 * worst.measured.metrics.contour_error.max
-        return "Judge it against a tolerance:", as_typed([*typed, "--tolerance", f"{float(f'{twice:.1g}'):g} um"])
-    errors = [math.inf if math.isnan(one.rms) else one.rms for one in worst.measured.metrics.tracking_error]
-    axis = worst.measured.result.axes[errors.index(max(errors))]
-    model = "rigid" if "force" in worst.log.result else "first-order"
-    words = ["contourlab", "identify", typed[2], "--model", model, "--axis", axis, *chosen_options(typed, *_OF_COLUMNS)]
-    return "Identify the axis that strays most:", as_typed(words)
-
-
-def _scheme(run: _Run) -> MeasuredScheme:
+def _scheme(run: MeasuredRun) -> MeasuredScheme:
     log, measured = run.log, run.measured
     return MeasuredScheme(
         file=log.record.file,
@@ -211,31 +309,7 @@ def _scheme(run: _Run) -> MeasuredScheme:
     )
 
 
-def _report(
-    runs: Sequence[_Run], title: str, limit: float | None, folder: Path, command: str, plots: Sequence[str], step: tuple[str, str]
-) -> str:
-    """Write report and plots; return the text for the terminal."""
-    from contourlab.rendering.data import Provenance, ReportData, SchemeReport
-    from contourlab.rendering.html import write_html
-    from contourlab.rendering.page_tables import reversal_text
-    from contourlab.rendering.tables import comparison_text
-
-    measured = ((run.name, run.measured) for run in runs)
-    schemes = [SchemeReport(name, one.result, one.metrics, circles=one.circles, spikes=one.spikes) for name, one in measured]
-    notes = [str(note) if len(runs) == 1 else f"{run.name}: {note}" for run in runs for note in run.findings]
-    about_runs: dict[str, Any] = {"tolerance": limit, "notes": notes, "is_measured": True, "next_steps": [step]}
-    data = ReportData(title, schemes, runs[0].measured.reference.path, Provenance(command, command), **about_runs)
-    write_html(data, folder / "report.html")
-    if plots:
-        from contourlab.rendering.plots import write_plots
-
-        write_plots(data, folder / "plots", tuple(plots))
-    reversals = reversal_text(data)
-    lines = [comparison_text(data).rstrip(), *([f"\n{reversals}"] if reversals else [])]
-    return "\n".join([*lines, *(line for run in runs for line in _lines(run, limit))])
-
-
-def _lines(run: _Run, limit: float | None) -> list[str]:
+def _lines(run: MeasuredRun, limit: float | None) -> list[str]:
     measured = run.measured
     result, error = measured.result, measured.metrics.contour_error
     lines = [f"{run.name}: read as {run.log.record.format}, {result.n_sample} samples every {figure(result.servo_period, 'us', 6)}"]

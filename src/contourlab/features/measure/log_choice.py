@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from contourlab.app.shared_options import LogColumns
 from contourlab.errors import LogError, ParameterError, UnitError
 from contourlab.logs import Column, Columns, Log, parse_columns, read_columns, read_record, result_of
 from contourlab.logs.mapping import once
@@ -41,6 +42,11 @@ class LogChoice:
     format: str | None = None
     period: str | None = None
     axes: Sequence[str] = ()
+
+    @classmethod
+    def of(cls, file: str | Path, options: LogColumns) -> LogChoice:
+        """Return a log, to be read as the options say."""
+        return cls(file, options.column, options.columns, options.format, options.period, getattr(options, "axes", ()))
 
     @property
     def files(self) -> tuple[str | Path, ...]:

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any
 
 from contourlab.analysis.linear.margins import Margins
-from contourlab.app.results import check_file, proposed
+from contourlab.app.json_values import HIDDEN, json_values
+from contourlab.app.results import proposed
+from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.errors import ParameterError
+from contourlab.features.notch.options import Notch
 from contourlab.features.run.margin_words import decibel, degrees
+from contourlab.features.run.source import Source, case_asked
 from contourlab.features.tune.objective import Evaluation, evaluate
 from contourlab.figures import figure, number
 from contourlab.findings import Finding, finding
@@ -23,16 +27,13 @@ from contourlab.study import Setting
 from contourlab.study.guards import Bounds, Guards
 from contourlab.study.notch import MOVED, NotchDesign, design_notch, resonance_of, with_velocity_gain
 
-if TYPE_CHECKING:
-    from contourlab.scenario import Scenario
-
 SHOWN = ("contour_error_rms", "contour_error_max", "part_error_max", "tracking_error_rms", "limited_share")
 """Figures of the runs before and after."""
 
 
 @dataclass(frozen=True, eq=False)
-class Notched:
-    """The result of the command; its fields are the JSON output.
+class Notched(Answer):
+    """Notch filters, and the runs without and with them.
 
     Attributes
     ----------
@@ -63,6 +64,44 @@ class Notched:
     without: Evaluation | None
     findings: tuple[Finding, ...]
     controller_file: Path | None
+    machine: Machine = field(metadata=HIDDEN, repr=False)
+    controller: Controller = field(metadata=HIDDEN, repr=False)
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The designs, one a row [SI]."""
+        return [{"axis": axis, **json_values(design)} for axis, design in self.designs.items()]
+
+    def save(self, *, write: str | Path | None = None) -> Notched:  # type: ignore[override]
+        """Write the controller, if there is a notch.
+
+        Parameters
+        ----------
+        write : str or Path, optional
+            Controller file; none by default.
+
+        Returns
+        -------
+        Notched
+            With the name of its file.
+
+        Raises
+        ------
+        OutputError
+            If the file cannot be written.
+        """
+        from contourlab.scenario.dump import dump
+
+        if write is None or not self.designs:
+            return self
+        head = f"Notch filters for {self.name}, scheme {self.scheme}."
+        write_text_atomic(Path(write), proposed(head, dump(self.controller, self.machine)))
+        return replace(self, controller_file=Path(write))
+
+    def _next(self, asked: Asked) -> Sequence[object]:
+        """Write the controller, or analyse the scenario."""
+        wanted = asked.files.write is None and self.designs
+        return asked.again("--write", "notched.toml") if wanted else ["analyse", *asked.inputs]
 
     @property
     def text(self) -> str:
@@ -74,30 +113,18 @@ class Notched:
         return "\n\n".join(filter(None, parts))
 
 
-def notch_scenario(
-    file: str | Path,
-    *,
-    scheme: str | None = None,
-    axes: tuple[str, ...] = (),
-    bounds: Bounds | None = None,
-    out: str | Path | None = None,
-    plugins: tuple[str | Path, ...] = (),
-) -> Notched:
-    """Propose a notch for the resonance of each axis that breaks its margins, or of the given axes, and run the scenario without and with.
+@question(Notch)
+def notch(*source: Source, settings: Notch, session: Session = QUIET) -> Notched:
+    """Propose a notch for the resonance of each axis that breaks its margins, or of the given axes, and run without and with.
 
     Parameters
     ----------
-    file : str or Path
-        A scenario.
-    scheme : str, optional
-        By default the scenario without schemes.
-    axes : tuple of str
-    bounds : Bounds, optional
-        Margins to keep; by default 6 dB and 30 degrees.
-    out : str or Path, optional
-        Controller file to write.
-    plugins : tuple of str or Path
-        Python files with components.
+    *source : str, Path, Scenario, Case, or a Machine, its Controller and a Reference
+        A scenario, as a file or read; or what it consists of.
+
+    Returns
+    -------
+    Notched
 
     Raises
     ------
@@ -105,24 +132,16 @@ def notch_scenario(
         If the scenario cannot be read, or a given axis has no resonance.
     ComponentError
         If the loop of an axis has no linear model.
-    OutputError
-        If `out` cannot be written; raised before anything is simulated.
     """
-    from contourlab.scenario import load_scenario
-    from contourlab.scenario.dump import dump
-
-    if out is not None and Path(out).suffix.lower() != ".toml":
-        raise ParameterError("--write", repr(str(out)), "a controller file, which ends in .toml")
-    scenario: Scenario = load_scenario(file, plugins=plugins)
-    if out is not None:
-        check_file(out, scenario.inputs)
-    case, bounds = scenario.base if scheme is None else scenario.case(scheme), bounds or Bounds()
+    scenario, case = case_asked(source, settings)
+    session.will_write(scenario.inputs)
+    bounds = settings.margins
     machine, made = case.machine, case.controller
-    unknown = [name for name in axes if name not in machine.axis_names]
+    unknown = [name for name in settings.axes if name not in machine.axis_names]
     if unknown:
         raise ParameterError("--axes", unknown[0], f"one of {', '.join(machine.axis_names)}")
     designs: dict[str, NotchDesign] = {}
-    for name in axes or _in_need(machine, made, bounds):
+    for name in settings.axes or _in_need(machine, made, bounds):
         designs[name], made = design_notch(machine, made, name, bounds)
     setting = Setting.of(case)
     runs = [
@@ -133,11 +152,8 @@ def notch_scenario(
     assert before is not None and after is not None
     findings = tuple(one for name, design in designs.items() for one in _findings(name, design, bounds))
     findings = findings or ((finding("CL640", bounds=bounds.margin_words),) if not designs else ())
-    if out is not None and designs:
-        write_text_atomic(Path(out), proposed(f"Notch filters for {scenario.name}, scheme {case.name}.", dump(made, machine)))
     passed = not any(bounds.broken(margins) for margins in after.margins.values())
-    written = Path(out) if out is not None and designs else None
-    return Notched(scenario.name, case.name, passed, bounds, designs, before, after, without, findings, written)
+    return Notched(scenario.name, case.name, passed, bounds, designs, before, after, without, findings, None, machine, made)
 
 
 def _lowered(controller: Controller, designs: Mapping[str, NotchDesign]) -> Controller | None:

@@ -2,107 +2,73 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from contourlab.app.results import check_file, spared
+from contourlab.app.session import QUIET, Session, question
 from contourlab.errors import ParameterError
+from contourlab.features.check.reading import reading_of
 from contourlab.features.measure.log_choice import LogChoice, positive
 from contourlab.features.precompensate.law import Run, spread
+from contourlab.features.precompensate.options import Precompensate
 from contourlab.features.precompensate.passes import STATE, digest_of, load, save
 from contourlab.features.precompensate.result import Precompensated
 from contourlab.features.precompensate.runs import Measured, open_run, simulated
 from contourlab.features.precompensate.work import Settings, Work
+from contourlab.features.run.inputs import scenario_of
 from contourlab.findings import Finding, finding
-from contourlab.loop import Controller, Machine
+from contourlab.loop import Machine
 from contourlab.program import Reading
-from contourlab.rendering.stages import shown
+from contourlab.scenario import load_machine
+from contourlab.scenario.load import named_file
 
 NODE_TIME = 1e-3
 """Least time between nodes at the programmed feed [s]."""
 
 
-@dataclass(frozen=True)
-class Options:
-    """Options as typed.
-
-    Attributes
-    ----------
-    tolerance : str
-        Of the short lines.
-    cap : str
-        Of the displacement.
-    band : str
-        Of the cycle time and of the speed at a place, as a share.
-    repeat : int
-        Passes to simulate.
-    """
-
-    tolerance: str = "0.5 um"
-    cap: str = "1 mm"
-    band: str = "2 %"
-    repeat: int = 5
-
-
-def _settings(options: Options) -> Settings:
-    tolerance = positive("--tolerance", options.tolerance, "m", 'a length with its unit, such as "0.5 um"')
-    cap = positive("--cap", options.cap, "m", 'a length with its unit, such as "1 mm"')
-    band = positive("--band", options.band, "", 'a share, such as "2 %"')
-    if options.repeat < 1:
-        raise ParameterError("--repeat", str(options.repeat), "1 or more")
-    return Settings(tolerance, cap, band)
-
-
-def precompensate_from_logs(
-    part: str | Path,
-    logs: Sequence[LogChoice],
-    out: str | Path,
-    *,
-    passes: str | Path | None = None,
-    machine: Machine | None = None,
-    options: Options | None = None,
-    reading: Reading | None = None,
-) -> Precompensated:
-    """Learn from the logs of one pass, and write the program of the next, if a pass helps.
+@question(Precompensate)
+def precompensate(part: str | Path, *, settings: Precompensate, session: Session = QUIET) -> Precompensated:
+    """Correct a part program by the contour error that repeats: from the logs of one pass, or by simulating pass after pass.
 
     Parameters
     ----------
     part : str or Path
         The program as it was before any correction.
-    logs : sequence of LogChoice
-        Runs of the same pass, with commanded and measured positions.
-    out : str or Path
-        Program to write.
-    passes : str or Path, optional
-        Folder that keeps what was learned; without it, the logs are of `part` itself.
-    machine : Machine, optional
-        For play behind the motors, and for the limits of the axes.
-    options : Options, optional
-    reading : Reading, optional
+
+    Returns
+    -------
+    Precompensated
 
     Raises
     ------
-    ProgramError, LogError, ResultError
-        If a file cannot be read, or a log does not follow the program.
-    ParameterError, OutputError
-        If an option is out of range, or a file cannot be written.
+    ProgramError, LogError, ResultError, FeedError
+        If a file cannot be read, a log does not follow the program, or the program cannot be planned.
+    DivergenceError
+        If a simulated loop diverges.
+    ParameterError
+        If an option is out of range.
     """
-    options, reading = options or Options(), reading or Reading(require_end=False)
-    settings, part, out = _settings(options), Path(part), Path(out)
-    given = [part, *(file for log in logs for file in log.files)]
-    check_file(out, given, "--out")
-    if passes is not None:
-        check_file(Path(passes) / STATE, given, "--passes")
-    opened = [open_run(log, machine) for log in logs]
+    reading = reading_of(part, settings)
+    choices = [LogChoice.of(log, settings) for log in settings.log]
+    given = [Path(part), *(file for choice in choices for file in choice.files)]
+    if session.saving:
+        check_file(session.folder, given, "--out")
+    if not settings.log:
+        return _simulated(Path(part), settings, reading, session)
+    if settings.passes is not None:
+        check_file(settings.passes / STATE, given, "--passes")
+    machine = None if settings.machine is None else load_machine(named_file(settings.machine), plugins=settings.plugin)
+    opened = [open_run(choice, machine) for choice in choices]
     measured, axes, _ = opened[0]
     if any(other[1] != axes for other in opened):
         raise ParameterError("--log", "axes differ", f"logs of the axes {', '.join(axes)}")
-    work = Work(part, axes, settings, reading, machine, max(NODE_TIME, measured.period))
-    digests = tuple(digest_of(Path(log.file).read_bytes()) for log in logs)
-    if passes is not None:
-        work.passes = load(Path(passes), work.passes)
-        if used := [log.file for log, digest in zip(logs, digests, strict=True) if digest in work.passes.logs]:
+    work = Work(Path(part), axes, _limits(settings), reading, machine, max(NODE_TIME, measured.period))
+    digests = tuple(digest_of(Path(choice.file).read_bytes()) for choice in choices)
+    if settings.passes is not None:
+        work.passes = load(settings.passes, work.passes)
+        if used := [log.file for log, digest in zip(choices, digests, strict=True) if digest in work.passes.logs]:
             raise ParameterError("--log", str(used[0]), "the log of the last written pass: this one was used before")
     runs = [work.run(one) for one, _, _ in opened]
     rest = spread(runs)
@@ -113,13 +79,22 @@ def precompensate_from_logs(
     proceed = work.passes.helps
     if proceed:
         findings += work.propose()
+    if settings.passes is not None:
+        spared(settings.passes / f"pass-{len(work.passes.written)}.ngc", given, "--passes")
+    answer = work.result(session.folder, measured.source, rest, findings, proceed)
+    return replace(answer, writer=partial(_write, work, settings.passes))
+
+
+def _write(work: Work, passes: Path | None, answer: Precompensated) -> None:
+    """Write the program, and what was learned."""
+    work.write(answer)
     if passes is not None:
-        spared(Path(passes) / f"pass-{len(work.passes.written)}.ngc", given, "--passes")
-    result = work.result(out, measured.source, rest, findings, proceed)
-    work.write(result)
-    if passes is not None:
-        save(work.passes, Path(passes))
-    return result
+        save(work.passes, passes)
+
+
+def _limits(settings: Precompensate) -> Settings:
+    band = positive("--band", settings.band, "", 'a share, such as "2 %"')
+    return Settings(settings.si("tolerance"), settings.si("cap"), band)
 
 
 def _log_findings(measured: Measured, run: Run, rest: float | None, machine: Machine | None) -> list[Finding]:
@@ -135,59 +110,29 @@ def _log_findings(measured: Measured, run: Run, rest: float | None, machine: Mac
     return findings
 
 
-def precompensate_from_model(
-    part: str | Path,
-    machine: Machine,
-    controller: Controller,
-    out: str | Path,
-    *,
-    options: Options | None = None,
-    reading: Reading | None = None,
-    seed: int = 0,
-    progress: bool = False,
-) -> Precompensated:
-    """Simulate pass after pass, and write the best program, if it is better than the given one.
-
-    Parameters
-    ----------
-    part, out, options, reading
-        See `precompensate_from_logs`.
-    machine : Machine
-    controller : Controller
-    seed : int
-        Of all noise, which differs from pass to pass.
-    progress : bool
-        Whether to show a bar.
-
-    Raises
-    ------
-    ProgramError, FeedError
-        If the program cannot be read or planned.
-    DivergenceError
-        If a loop diverges.
-    ParameterError, OutputError
-        If an option is out of range, or the file cannot be written.
-    """
-    options, reading = options or Options(), reading or Reading(require_end=False)
-    settings, part, out = _settings(options), Path(part), Path(out)
-    check_file(out, [part], "--out")
+def _simulated(part: Path, settings: Precompensate, reading: Reading, session: Session) -> Precompensated:
+    """Simulate pass after pass."""
+    keys = {"require_end": False, "dialect": settings.dialect}
+    parts = {"machine": settings.machine, "controller": settings.controller, "program": keys, "plugins": settings.plugin}
+    scenario = scenario_of(part, **parts)  # type: ignore[arg-type]
+    machine, controller = scenario.machine, scenario.controller
     axes = tuple(axis for axis in machine.axis_names if axis in "xyz")
-    work = Work(part, axes, settings, reading, machine, max(NODE_TIME, machine.servo_period))
+    work = Work(part, axes, _limits(settings), reading, machine, max(NODE_TIME, machine.servo_period))
     findings: list[Finding] = []
     rest: float | None = None
-    with shown(progress) as stages:
-        stages.expect(options.repeat + 1)
-        for k in range(options.repeat + 1):
-            stages.begin(f"pass {k}")
-            trials = [simulated(work.driven.source.program, machine, controller, seed, trial) for trial in ((0, 1) if k == 0 else (k + 1,))]
-            runs = [work.run(one) for one in trials]
-            rest = spread(runs) if k == 0 else rest
-            more = work.learn(trials[0], runs)
-            if k == options.repeat or not work.passes.helps:
-                findings += more
-                break
-            more += work.propose()
-            findings += [one for one in more if str(one) not in map(str, findings)]
-    result = work.result(out, "model", rest, findings, proceed=False)
-    work.write(result)
-    return result
+    stages = session.stages()
+    stages.expect(settings.repeat + 1)
+    for k in range(settings.repeat + 1):
+        stages.begin(f"pass {k}")
+        numbers = (0, 1) if k == 0 else (k + 1,)
+        trials = [simulated(work.driven.source.program, machine, controller, settings.seed, trial) for trial in numbers]
+        runs = [work.run(one) for one in trials]
+        rest = spread(runs) if k == 0 else rest
+        more = work.learn(trials[0], runs)
+        if k == settings.repeat or not work.passes.helps:
+            findings += more
+            break
+        more += work.propose()
+        findings += [one for one in more if str(one) not in map(str, findings)]
+    answer = work.result(session.folder, "model", rest, findings, proceed=False)
+    return replace(answer, writer=partial(_write, work, None))

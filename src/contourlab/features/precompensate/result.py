@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import ClassVar
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any, ClassVar
 
+from contourlab.app.json_values import HIDDEN, json_values
+from contourlab.app.session import Answer, Asked
 from contourlab.features.precompensate.passes import PassFigures
 from contourlab.figures import figure
 from contourlab.findings import Finding
@@ -26,7 +30,7 @@ class LeftMove:
 
 
 @dataclass(frozen=True, eq=False)
-class Precompensated:
+class Precompensated(Answer):
     """A corrected program, and what the passes before it showed.
 
     Attributes
@@ -78,6 +82,39 @@ class Precompensated:
     shortest_line: float | None
     left: tuple[LeftMove, ...]
     findings: tuple[Finding, ...]
+    writer: Callable[[Precompensated], None] | None = field(default=None, metadata=HIDDEN, repr=False)
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The passes, one a row [SI]."""
+        return [json_values(one) for one in self.passes]
+
+    def save(self, folder: str | Path = "corrected.ngc") -> Precompensated:
+        """Write the program of the next pass, if it helps, and what was learned.
+
+        Parameters
+        ----------
+        folder : str or Path
+            File of the program.
+
+        Returns
+        -------
+        Precompensated
+            With the name of its file.
+
+        Raises
+        ------
+        OutputError
+            If a file cannot be written.
+        """
+        saved = replace(self, out=str(folder) if self.written else "")
+        assert self.writer is not None
+        self.writer(saved)
+        return saved
+
+    def _next(self, asked: Asked) -> Sequence[object] | None:
+        """Check the program."""
+        return ["check", self.out] if self.written else None
 
     @property
     def gain(self) -> float | None:

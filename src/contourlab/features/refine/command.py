@@ -2,28 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from contextlib import nullcontext
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from contourlab.app.results import check_file, spared, staged
+from contourlab.app.json_values import HIDDEN
+from contourlab.app.results import spared, staged
+from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.errors import ParameterError, UnitError
 from contourlab.features.measure.log_choice import LogChoice, distinct_names, open_log
 from contourlab.features.measure.plausibility import motion_findings, same_column_findings
 from contourlab.features.refine.cross_validation import CrossValidation, cross_validated
 from contourlab.features.refine.findings import unseen_findings
 from contourlab.features.refine.log_run import Agreement, LogRun, log_run
-from contourlab.features.refine.study import Refined, RefineSettings, Window, refine
-from contourlab.features.run.command import check_plots
+from contourlab.features.refine.options import Refine
+from contourlab.features.refine.study import Refined, RefineSettings, Window
+from contourlab.features.refine.study import refine as refined
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
-from contourlab.rendering import plots
-from contourlab.rendering.charts import traces_chart
+from contourlab.rendering.charts import Chart, traces_chart
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.units import to_si
@@ -33,8 +34,8 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, eq=False)
-class Refinement:
-    """Output of the command; as JSON field by field.
+class Refinement(Answer):
+    """A machine and controllers, refined by logs.
 
     Attributes
     ----------
@@ -55,9 +56,66 @@ class Refinement:
     machine_file: Path | None
     controller_files: tuple[Path, ...]
     plots: tuple[Path, ...]
+    inputs: tuple[str | Path, ...] = field(default=(), metadata=HIDDEN, repr=False)
 
+    @property
+    def passed(self) -> bool:
+        """Whether the result is usable."""
+        return self.result.usable
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The parameters, one a row [SI]."""
+        return [
+            {"parameter": one.sought.name, "start": one.sought.variable.value, "refined": one.value, "deviation": one.deviation}
+            for one in self.result.parameters
+        ]
+
+    def _charts(self) -> Iterator[Chart]:
+        yield from charts_of(self.result)
+
+    def save(self, folder: str | Path = "results", *, write: str | Path | None = None, plots: Sequence[str] = ()) -> Refinement:
+        """Write the machine and the refined controllers, if the result is usable, and pictures.
+
+        Parameters
+        ----------
+        folder : str or Path
+            Of the pictures, in ``plots``; other files there stay.
+        write : str or Path, optional
+            Machine file; controllers get files in the same folder.
+        plots : sequence of str
+            Formats: png, svg or pdf.
+
+        Returns
+        -------
+        Refinement
+            With the names of its files.
+
+        Raises
+        ------
+        OutputError
+            If a file cannot be written.
+        """
+        saved = self
+        if plots:
+            from contourlab.rendering.plots import write_charts
+
+            with staged(folder, inputs=self.inputs) as stage:
+                files = write_charts(self._charts(), stage / "plots", plots)
+                saved = replace(saved, plots=tuple(Path(folder) / file.relative_to(stage) for file in files))
+        if write is None:
+            return saved
+        if not self.result.usable:
+            return replace(saved, findings=(*self.findings, finding("CL565")))
+        return replace(saved, machine_file=Path(write), controller_files=_write(self.result, self.logs, Path(write)))
+
+    def _next(self, asked: Asked) -> Sequence[object]:
+        """Write the machine, or find what the error depends on."""
+        return asked.again("--write", "machine.toml") if asked.files.write is None else ["sensitivity", *asked.inputs]
+
+    @property
     def text(self) -> str:
-        """Return the tables, the findings, and the files written."""
+        """The tables, the findings, and the files written."""
         parts = [self._parameters().text(), self._agreements().text(), self._held_out(), paragraphs(map(str, self.findings))]
         files = [f"machine: {self.machine_file}"] if self.machine_file is not None else []
         if not files and all(one.code != "CL565" for one in self.findings):
@@ -99,40 +157,18 @@ class Refinement:
         return table.text()
 
 
-def refine_logs(
-    scenarios: Sequence[str | Path],
-    choices: Sequence[LogChoice],
-    parameters: Sequence[str],
-    *,
-    windows: Sequence[str] = (),
-    validation: LogChoice | None = None,
-    starts: int = 3,
-    plugins: Sequence[str | Path] = (),
-    out: str | Path | None = None,
-    plots: Sequence[str] = (),
-    folder: str | Path = "results",
-    progress: Callable[[str], None] = lambda line: None,
-) -> Refinement:
-    """Refine the parameters of scenarios against logs; write the machine and the refined controllers.
+@question(Refine)
+def refine(scenario: str | Path, *, settings: Refine, session: Session = QUIET) -> Refinement:
+    """Fit parameters of a scenario's machine and controller until the simulation follows logs.
 
     Parameters
     ----------
-    scenarios : sequence of str or Path
-        One for all logs, or one for each.
-    parameters : sequence of str
-        Dotted names or their ends, ``*`` for anything; with a range as ``"axes.x.friction.coulomb=50 N..200 N"``.
-    windows : sequence of str
-        Times to fit, as ``"0.8 s..1.6 s"``: one window for all logs, or one for each. Motion outside the windows tests the fit.
-    validation : LogChoice, optional
-        A log that is not fitted, simulated with the first scenario.
-    starts : int
-        Number of descents.
-    out : str or Path, optional
-        Machine file; controllers get files in the same folder. Nothing is written if the result is not usable.
-    plots : sequence of str
-        Formats: png, svg or pdf. Plots go to ``plots`` in `folder`; other files there stay.
-    progress : callable, optional
-        Called with a line after each descent.
+    scenario : str or Path
+        A scenario, of all logs or of the first.
+
+    Returns
+    -------
+    Refinement
 
     Raises
     ------
@@ -140,46 +176,37 @@ def refine_logs(
         If a file cannot be read or is incomplete.
     ParameterError
         If an option is out of range, or the run at the start diverges.
-    OutputError
-        If `out` or `folder` cannot be written; raised before anything is simulated.
     """
-    check_plots(plots)
+    scenarios, choices = (scenario, *settings.also), [LogChoice.of(log, settings) for log in settings.log]
     if len(scenarios) not in (1, len(choices)):
         raise ParameterError("--also", f"{len(scenarios)} scenarios for {len(choices)} logs", "one scenario, or one for each log")
-    read = _read(scenarios, plugins)
+    read = _read(scenarios, settings.plugin)
     several = len(scenarios) > 1
     labels = _labels(scenarios if several else [choice.file for choice in choices])
     runs = [_run(read[i if several else 0], choice, label) for i, (choice, label) in enumerate(zip(choices, labels, strict=True))]
-    spans = _windows(windows, len(runs))
+    spans = _windows(settings.window, len(runs))
     # Read first, so that an unreadable log fails before the work.
+    validation = None if settings.validation is None else LogChoice.of(settings.validation, settings)
     held_out = None if validation is None else _run(read[0], validation, *_labels([validation.file]))
-    inputs = [file for scenario in read for file in scenario.inputs] + [file for choice in choices for file in choice.files]
-    inputs += [*(() if validation is None else validation.files), *map(Path, plugins)]
-    if out is not None:
-        check_file(out, inputs)
+    inputs = [file for one in read for file in one.inputs] + [file for choice in choices for file in choice.files]
+    inputs += [*(() if validation is None else validation.files), *settings.plugin]
+    session.will_write(inputs, pictures_only=True)
+    if session.saving.get("write") is not None:
         for run in runs:
-            spared(_beside(Path(out), run), inputs)
-    drawn: list[Path] = []
-    with staged(folder, inputs=inputs) if plots else nullcontext() as stage:
-        result = refine(runs, parameters, windows=spans, settings=RefineSettings(starts=starts), progress=progress)
-        result, crossed = cross_validated(result, progress=progress)
-        validated: list[tuple[Agreement, ...]] = [(), ()]
-        findings = [*result.findings]
-        if held_out is not None:
-            placed = (replace(held_out, machine=run.machine, controller=run.controller) for run in (runs[0], result.runs[0]))
-            validated = [run.agreement(run.once()) for run in placed]
-            findings += [*held_out.findings, *unseen_findings(validated[0], validated[1], validation=True)]
-            if any(np.array_equal(held_out.measured, run.measured) for run in runs):
-                findings.append(finding("CL564", held_out.label))
-        if stage is not None:
-            drawn = [Path(folder) / file.relative_to(stage) for file in draw(result, stage / "plots", plots)]
+            spared(_beside(session.saving["write"], run), inputs)
+    result = refined(runs, settings.parameter, windows=spans, settings=RefineSettings(starts=settings.starts), progress=session.line)
+    result, crossed = cross_validated(result, progress=session.line)
+    validated: list[tuple[Agreement, ...]] = [(), ()]
+    findings = [*result.findings]
+    if held_out is not None:
+        placed = (replace(held_out, machine=run.machine, controller=run.controller) for run in (runs[0], result.runs[0]))
+        validated = [run.agreement(run.once()) for run in placed]
+        findings += [*held_out.findings, *unseen_findings(validated[0], validated[1], validation=True)]
+        if any(np.array_equal(held_out.measured, run.measured) for run in runs):
+            findings.append(finding("CL564", held_out.label))
     sources = tuple(distinct_names([choice.file for choice in choices]))
     result = replace(result, findings=tuple(findings))
-    controllers = _write(result, sources, Path(out)) if out is not None and result.usable else ()
-    if out is not None and not result.usable:
-        findings.append(finding("CL565"))
-    machine_file = Path(out) if out is not None and result.usable else None
-    return Refinement(sources, result, validated[0], validated[1], crossed, tuple(findings), machine_file, controllers, tuple(drawn))
+    return Refinement(sources, result, validated[0], validated[1], crossed, tuple(findings), None, (), (), tuple(inputs))
 
 
 def _read(files: Sequence[str | Path], plugins: Sequence[str | Path]) -> list[Scenario]:
@@ -238,9 +265,8 @@ def _write(result: Refined, sources: Sequence[str], out: Path) -> tuple[Path, ..
     return tuple(files)[1:]
 
 
-def draw(refined: Refined, folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
-    """Draw each signal of each run, measured and simulated, and the residual, with the fitted window shaded; return the files."""
-    charts = []
+def charts_of(refined: Refined) -> Iterator[Chart]:
+    """Yield each signal of each run, measured and simulated, and the residual, with the fitted window shaded."""
     for run, simulated, window in zip(refined.runs, refined.simulated, refined.windows, strict=True):
         time = run.times()
         # A window may reach beyond the log.
@@ -253,6 +279,5 @@ def draw(refined: Refined, folder: str | Path, formats: Sequence[str]) -> tuple[
             key = f"{run.label}-{signal}-{axis}".replace(" ", "-")
             both = {"measured": (time, size * run.measured[:, j]), "simulated": (time, size * simulated[:, j])}
             left = {"measured minus simulated": (time, size * (run.measured[:, j] - simulated[:, j]))}
-            charts.append(traces_chart(key, f"{run.label}: {name}", labels, both, **marked))
-            charts.append(traces_chart(f"{key}-left", f"{run.label}: residual of {name}", labels, left, **marked))
-    return plots.write_charts(charts, folder, formats)
+            yield traces_chart(key, f"{run.label}: {name}", labels, both, **marked)
+            yield traces_chart(f"{key}-left", f"{run.label}: residual of {name}", labels, left, **marked)

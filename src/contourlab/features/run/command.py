@@ -3,30 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from contourlab.app.command_line import as_typed
 from contourlab.app.json_values import write_json
 from contourlab.app.results import proposed, staged
+from contourlab.app.session import QUIET, Answer, Session, question
 from contourlab.components.friction.laws import NoFriction
 from contourlab.errors import DivergenceError, ParameterError
-from contourlab.features.run.inputs import of_program, scenario_of
 from contourlab.features.run.next_step import next_steps
+from contourlab.features.run.options import Run
 from contourlab.features.run.outcome import Outcome, run_case
 from contourlab.features.run.record import switch_file
+from contourlab.features.run.source import Source, scenario_asked
 from contourlab.features.run.summary import summary_of
 from contourlab.features.run.trust.provenance import numbers_of
 from contourlab.figures import figure
 from contourlab.findings import Finding
 from contourlab.metrics import judged_part
-from contourlab.rendering.stages import shown
+from contourlab.rendering.stages import begin_stage
 from contourlab.rendering.table import paragraphs
 from contourlab.result import write_text_atomic
 
 if TYPE_CHECKING:
-    from contourlab.rendering.data import ReportData
     from contourlab.scenario import Case, Scenario
 
 FIRST, LEARNING = ("planning", 1.0), (("analysing", 4.0), ("learning", 30.0))
@@ -34,172 +35,268 @@ DRAWING, WRITING = ("drawing", 20.0), (("writing signals", 1.5), ("writing the r
 """First words of stages and their work, roughly as measured."""
 
 
-@dataclass(frozen=True)
-class RunOutcome:
-    """What a command prints: whether every verdict passed, the summary, the text; the first scheme that diverged; the data of the page."""
-
-    passed: bool
-    summary: dict[str, Any]
-    table: str
-    runaway: DivergenceError | None = None
-    data: ReportData | None = None
-
-
-@dataclass(frozen=True)
-class RunOptions:
-    """Options that run, compare and learn share.
+@dataclass(frozen=True, eq=False)
+class Runs(Answer):
+    """Judged runs of the schemes of a scenario.
 
     Attributes
     ----------
-    out : Path
-        Folder of the results.
-    plugins : tuple of Path
-        Python files with components.
-    plots : tuple of str
-        Formats of further plots: png, svg, pdf.
-    signals : tuple of str
-        Signals to write; by default those of the scenario, or all.
-    progress : bool
-        Whether to show a bar.
-    interval : bool or None
-        Whether to compute the interval of the part error from the stated deviations; None, for no option given, computes it.
-    pdf : bool
-        Whether to write the page ``report.pdf``.
+    scenario : Scenario
+    outcomes : tuple of Outcome
+        Of the schemes that ended, in their order.
+    diverged : dict of str to DivergenceError
+        Schemes that ran away.
+    command : str
+        The command that does the same.
+    interrupted : bool
+        Whether Ctrl-C ended the work before the last scheme.
+    files : dict of str to str
+        What was saved, and where.
+    steps : tuple of (str, str)
+        What to do next, and the command for it; empty before it is saved.
     """
 
-    out: Path
-    plugins: tuple[Path, ...] = ()
-    plots: tuple[str, ...] = ()
-    signals: tuple[str, ...] = ()
-    progress: bool = False
-    interval: bool | None = None
-    pdf: bool = False
+    SILENT = True
 
-    def command(self, name: str, file: str | Path, options: Mapping[str, Any]) -> str:
-        """Return the command as typed; options that are None are left out."""
-        words = ["contourlab", name, str(file), *(word for plugin in self.plugins for word in ("--plugin", str(plugin)))]
-        for option, value in options.items():
-            words += [] if value is None else [option] if isinstance(value, bool) else [option, str(value)]
-        if self.interval is not None:
-            words.append("--interval" if self.interval else "--no-interval")
-        return as_typed(words)
+    scenario: Scenario
+    outcomes: tuple[Outcome, ...]
+    diverged: Mapping[str, DivergenceError]
+    command: str
+    interrupted: bool = False
+    files: Mapping[str, str] = field(default_factory=dict)
+    steps: tuple[tuple[str, str], ...] = ()
+
+    @cached_property
+    def summary(self) -> dict[str, Any]:
+        """The figures of all schemes, as in ``summary.json``."""
+        return summary_of(self.scenario.name, self.outcomes, self.command, self.diverged)
+
+    @property
+    def json(self) -> dict[str, Any]:
+        """The summary."""
+        return self.summary
+
+    @property
+    def passed(self) -> bool | None:
+        """Whether every verdict passed; None without a verdict."""
+        passed: bool | None = self.summary["passed"]
+        return passed
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """The findings of all schemes, each once."""
+        return tuple({str(one): one for outcome in self.outcomes for one in outcome.findings}.values())
+
+    @property
+    def stopped(self) -> BaseException | None:
+        """The interrupt, or the error of the first scheme that diverged."""
+        if not self.interrupted:
+            return next(iter(self.diverged.values()), None)
+        end = KeyboardInterrupt()
+        if "report" in self.files:
+            end.add_note(f"Kept {len(self.outcomes)} of {len(self.scenario.cases())} schemes: {self.files['report']}")
+        return end
+
+    @cached_property
+    def data(self) -> Any:
+        """The data of the report."""
+        from contourlab.features.run.page import report_data
+        from contourlab.scenario.dump import dump
+
+        data = report_data(self.scenario.name, self.outcomes, scenario=dump(self.scenario), command=self.command)
+        return replace(data, next_steps=self.steps)
+
+    @property
+    def text(self) -> str:
+        """Tables, verdicts and findings; files and the next command once it is saved."""
+        from contourlab.rendering.page_tables import reversal_text
+        from contourlab.rendering.switching import switch_lines
+        from contourlab.rendering.tables import comparison_text, trials_text
+
+        data, outcomes = self.data, self.outcomes
+        reversals = reversal_text(data) if any(map(_shows_reversals, outcomes)) else ""
+        shared = [finding for finding in outcomes[0].findings if all(finding in other.findings for other in outcomes)]
+        endings = [line for outcome in outcomes for line in _ending(outcome, shared)]
+        ends = paragraphs([*endings, *map(str, shared)])
+        written = [f"{what}: {file}" for what, file in self.files.items()]
+        files = "\n".join([*written, *(f"next: {step}" for _, step in self.steps[:1])])
+        texts = [comparison_text(data), trials_text(data), reversals, "\n".join(switch_lines(data)), ends, files]
+        return "\n\n".join(filter(None, texts))
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The figures of each scheme, one scheme a row."""
+        return [{"scheme": name, **scheme} for name, scheme in self.summary["schemes"].items()]
+
+    def _charts(self) -> Iterator[Any]:
+        from contourlab.rendering.plots import charts_of
+
+        yield from charts_of(self.data)
+
+    def save(self, folder: str | Path = "results", *, plots: Sequence[str] = (), pdf: bool = False, signals: Sequence[str] = ()) -> Runs:
+        """Write signals, summary.json, report.html, plots and proposed controllers into a folder.
+
+        Parameters
+        ----------
+        folder : str or Path
+        plots : sequence of str
+            Formats of further plots: png, svg, pdf.
+        pdf : bool
+            Whether to write ``report.pdf``, one page to print.
+        signals : sequence of str
+            Signals to write; by default those of the scenario, or all.
+
+        Returns
+        -------
+        Runs
+            With the names of its files.
+
+        Raises
+        ------
+        OutputError
+            If the folder cannot be written.
+        """
+        from contourlab.rendering.html import write_html
+        from contourlab.scenario.dump import dump
+
+        out, names = Path(folder), file_names([case.name for case in self.scenario.cases()])
+        with staged(out, *_outputs(self.scenario, pdf), inputs=self.scenario.inputs) as stage:
+            begin_stage("writing signals")
+            files: dict[str, str] = {}
+            for outcome in self.outcomes:
+                name = names[outcome.name]
+                _write_signals(outcome, stage / "signals" / f"{name}.nc", signals or outcome.case.signals)
+                if outcome.learning is not None:
+                    outcome.learning.table.save(stage / "learned" / f"{name}.nc")
+                if outcome.verdict is not None and outcome.verdict.proposed is not None:
+                    text = proposed(f"Proposed for {outcome.name}.", dump(outcome.verdict.proposed, outcome.case.machine))
+                    write_text_atomic(stage / "proposed" / f"{name}.toml", text)
+                    files[f"{outcome.name}, changed controller"] = f"proposed/{name}.toml"
+                if outcome.switches is not None:
+                    with switch_file(stage / "switches" / f"{name}.csv") as listed:
+                        listed.append(outcome.switches)
+            write_json(stage / "summary.json", self.summary)
+            begin_stage("writing the report")
+            steps = tuple(next_steps(self.outcomes, self.command, out, list(files.values())))
+            files |= {"report": "report.html"} | ({"to print": "report.pdf"} if pdf else {})
+            saved = replace(self, steps=steps, files={what: str(out / file) for what, file in files.items()})
+            write_html(saved.data, stage / "report.html")
+            if plots:
+                from contourlab.rendering.plots import write_plots
+
+                write_plots(saved.data, stage / "plots", plots)
+            if pdf:
+                from contourlab.rendering.one_page import write_page
+
+                write_page(saved.data, stage / "report.pdf")
+        return saved
 
 
-def run_scenario(
-    file: str | Path,
-    options: RunOptions,
-    *,
-    machine: str | Path | None = None,
-    controller: str | Path | None = None,
-    tolerance: str | None = None,
-    judge: str | None = None,
-    program: Mapping[str, Any] | None = None,
-    check: bool = False,
-) -> RunOutcome:
-    """Run a scenario file, or a part program with a machine and a controller.
+@dataclass(frozen=True)
+class Planned(Answer):
+    """A scenario that was read and planned, and not simulated.
+
+    Attributes
+    ----------
+    checked : str
+        Name of the scenario.
+    schemes : dict of str to dict
+        Samples, duration [s] and length of the path [m] of each scheme.
+    """
+
+    checked: str
+    schemes: Mapping[str, Mapping[str, float]]
+
+    @property
+    def text(self) -> str:
+        """The motion of each scheme."""
+        lines = [f"{self.checked}: no fault"]
+        for name, motion in self.schemes.items():
+            length, duration = figure(motion["path_length"], "mm", 6), figure(motion["duration"], "s", 6)
+            lines.append(f"{name}: path {length}, {duration}, {motion['n_sample']} samples")
+        return "\n".join(lines)
+
+    def save(self, folder: str | Path = "results", **_: Any) -> Planned:
+        """Write nothing."""
+        return self
+
+
+@question(Run)
+def run(*source: Source, settings: Run, session: Session = QUIET) -> Runs | Planned:
+    """Simulate every scheme of a scenario, or a part program on a machine, and judge it.
+
+    A scheme that diverges is named in the answer; the others run on. Ctrl-C keeps the schemes that ended.
 
     Parameters
     ----------
-    file : str or Path
-        ``.toml``: a scenario; a folder: its ``scenario.toml``; anything else is a part program.
-    options : RunOptions
-    machine, controller : str or Path, optional
-        Files, or names of shipped ones; a part program needs both. The folder of a machine stands for its two files.
-    tolerance : str, optional
-        Largest part error of a part program that passes, as ``"25 um"``.
-    judge : str, optional
-        Moves to judge, as in `contourlab.scenario.RunSettings`; by default as in the scenario.
-    program : mapping, optional
-        Further keys of the table ``program``, as ``{"fit": True}``.
-    check : bool
-        Read and check everything and plan the motion, without simulating.
+    *source : str, Path, Scenario, Case, or a Machine, its Controller and a Reference
+        A scenario (``.toml``, or a folder with a ``scenario.toml``) or a part program, as a file or read; or what a scenario consists of.
+
+    Returns
+    -------
+    Runs or Planned
+        `Planned` for ``check``.
+
+    Raises
+    ------
+    ScenarioError, ProgramError, ParameterError
+        If an input cannot be read, or an option does not fit it.
+    DivergenceError
+        If every scheme diverges.
     """
-    parts: dict[str, Any] = {"machine": machine, "controller": controller, "tolerance": tolerance}
-    scenario = scenario_of(file, **parts, program=program, plugins=options.plugins).judging(judge)
-    typed = {f"--{name}": value for name, value in {**parts, "judge": judge}.items()} | of_program(program or {})
-    command = options.command("run", file, typed)
-    return _checked(scenario) if check else run_session(scenario, options, command=command)
-
-
-def _checked(scenario: Scenario) -> RunOutcome:
-    lines, schemes = [f"{scenario.name}: no fault"], {}
+    scenario = scenario_asked(source, settings)
+    if not settings.check:
+        return run_schemes(scenario, session, interval=settings.interval)
+    schemes = {}
     for case in scenario.cases():
         reference = case.reference()
-        length, duration = reference.path.length, (reference.n_sample - 1) * reference.servo_period
-        schemes[case.name] = {"n_sample": reference.n_sample, "duration": duration, "path_length": length}
-        lines.append(f"{case.name}: path {figure(length, 'mm', 6)}, {figure(duration, 's', 6)}, {reference.n_sample} samples")
-    return RunOutcome(True, {"checked": scenario.name, "schemes": schemes}, "\n".join(lines))
+        duration = (reference.n_sample - 1) * reference.servo_period
+        schemes[case.name] = {"n_sample": reference.n_sample, "duration": duration, "path_length": reference.path.length}
+    return Planned(scenario.name, schemes)
 
 
-def run_session(scenario: Scenario, options: RunOptions, *, command: str, costs: bool = False, foretell: bool = False) -> RunOutcome:
-    """Run every scheme of a scenario; write signals, summary.json, report.html, plots and proposed controllers into a folder.
-
-    A scheme that diverges is named in the summary; the others run on. Ctrl-C keeps the schemes that ended. `costs` times the servo tick,
-    `foretell` analyses learning beforehand.
+def run_schemes(
+    scenario: Scenario, session: Session = QUIET, *, interval: bool | None = None, costs: bool = False, foretell: bool = False
+) -> Runs:
+    """Run every scheme of a scenario. `costs` times the servo tick, `foretell` analyses learning beforehand.
 
     Raises
     ------
     OutputError
-        If the folder cannot be written; checked before anything is simulated.
+        If the answer cannot be saved as the session says; checked before anything is simulated.
     DivergenceError
-        If every scheme diverges; nothing is written then.
+        If every scheme diverges.
     """
-    out, signals = options.out, options.signals
-    _check_choices(options.plots, signals)
+    session.will_write(scenario.inputs, *_outputs(scenario, bool(session.saving.get("pdf"))))
+    cases, outcomes = scenario.cases(), list[Outcome]()
+    diverged: dict[str, DivergenceError] = {}
+    stopped = False
+    stages = session.stages()
+    stages.expect(_work(cases, interval))
+    for case in cases:
+        try:
+            asked: dict[str, Any] = {"costs": costs, "foretell": foretell, "interval": interval}
+            outcomes.append(run_case(case, progress=stages.advance, stage=stages.begin, **asked))
+        except DivergenceError as error:
+            diverged[case.name] = error
+        except KeyboardInterrupt:
+            if not outcomes:
+                raise
+            stopped = True
+        stopped = stopped or (bool(outcomes) and _interrupted(outcomes[-1]))
+        if stopped:
+            break
+    if diverged and not outcomes:
+        raise next(iter(diverged.values()))
+    return Runs(scenario, tuple(outcomes), diverged, session.command, stopped)
+
+
+def _outputs(scenario: Scenario, pdf: bool) -> list[str]:
+    """Return the files of a saved answer, the summary first."""
     cases = scenario.cases()
     names = file_names([case.name for case in cases])
-    outputs = ["summary.json", "report.html", *(["report.pdf"] if options.pdf else []), *(f"signals/{name}.nc" for name in names.values())]
-    outputs += [f"learned/{names[case.name]}.nc" for case in cases if case.learning is not None]
-    from contourlab.scenario.dump import dump
-
-    with staged(out, *outputs, inputs=scenario.inputs) as folder:
-        outcomes: list[Outcome] = []
-        diverged: dict[str, DivergenceError] = {}
-        stopped = False
-        with shown(options.progress) as stages:
-            stages.expect(_work(cases, options.interval))
-            for case in cases:
-                try:
-                    asked: dict[str, Any] = {"costs": costs, "foretell": foretell, "interval": options.interval}
-                    outcomes.append(run_case(case, progress=stages.advance, stage=stages.begin, **asked))
-                except DivergenceError as error:
-                    diverged[case.name] = error
-                except KeyboardInterrupt:
-                    if not outcomes:
-                        raise
-                    stopped = True
-                stopped = stopped or (bool(outcomes) and _interrupted(outcomes[-1]))
-                if stopped:
-                    break
-            first = next(iter(diverged.values()), None)
-            if first is not None and not outcomes:
-                raise first
-            stages.begin("writing signals")
-            for outcome in outcomes:
-                _write_signals(outcome, folder / "signals" / f"{names[outcome.name]}.nc", signals or outcome.case.signals)
-                if outcome.learning is not None:
-                    outcome.learning.table.save(folder / "learned" / f"{names[outcome.name]}.nc")
-                if outcome.verdict is not None and outcome.verdict.proposed is not None:
-                    text = proposed(f"Proposed for {outcome.name}.", dump(outcome.verdict.proposed, outcome.case.machine))
-                    write_text_atomic(folder / "proposed" / f"{names[outcome.name]}.toml", text)
-                if outcome.switches is not None:
-                    with switch_file(folder / "switches" / f"{names[outcome.name]}.csv") as listed:
-                        listed.append(outcome.switches)
-            summary = summary_of(scenario.name, outcomes, command, diverged)
-            write_json(folder / "summary.json", summary)
-            stages.begin("writing the report")
-            written_for = [name for name in names if (folder / "proposed" / f"{names[name]}.toml").exists()]
-            steps = next_steps(outcomes, command, out, [f"proposed/{names[name]}.toml" for name in written_for])
-            text, data = _write_report(scenario, outcomes, folder, command, options, steps)
-            files = {f"{name}, changed controller": f"proposed/{names[name]}.toml" for name in written_for} | {"report": "report.html"}
-            files |= {"to print": "report.pdf"} if options.pdf else {}
-    if stopped:
-        end = KeyboardInterrupt()
-        end.add_note(f"Kept {len(outcomes)} of {len(cases)} schemes: {out / 'report.html'}")
-        raise end
-    written = "\n".join(f"{what}: {out / file}" for what, file in files.items())
-    written += "".join(f"\nnext: {step}" for _, step in steps[:1])
-    return RunOutcome(summary["passed"] is not False, summary, f"{text}\n\n{written}", first, data)
+    outputs = ["summary.json", "report.html", *(["report.pdf"] if pdf else []), *(f"signals/{name}.nc" for name in names.values())]
+    return outputs + [f"learned/{names[case.name]}.nc" for case in cases if case.learning is not None]
 
 
 def _work(cases: Sequence[Case], interval: bool | None) -> list[tuple[str, float]]:
@@ -217,15 +314,6 @@ def _interrupted(outcome: Outcome) -> bool:
     return outcome.learning is not None and outcome.learning.status.startswith("interrupted")
 
 
-def _check_choices(plots: Sequence[str], signals: Sequence[str]) -> None:
-    """Refuse unknown formats and signals before anything is simulated."""
-    from contourlab.loop.simulate import UNITS
-    from contourlab.scenario.values import JUDGED
-
-    check_plots(plots)
-    _check_known("--signals", signals, (*UNITS, *JUDGED))
-
-
 def check_plots(plots: Sequence[str]) -> None:
     """Refuse an unknown format of pictures.
 
@@ -236,13 +324,9 @@ def check_plots(plots: Sequence[str]) -> None:
     """
     from contourlab.rendering.plots import FORMATS
 
-    _check_known("--plots", plots, FORMATS)
-
-
-def _check_known(option: str, names: Sequence[str], known: Sequence[str]) -> None:
-    for name in names:
-        if name not in known:
-            raise ParameterError(option, repr(name), f"one of {', '.join(known)}")
+    for name in plots:
+        if name not in FORMATS:
+            raise ParameterError("--plots", repr(name), f"one of {', '.join(FORMATS)}")
 
 
 def _write_signals(outcome: Outcome, file: Path, wanted: Sequence[str]) -> None:
@@ -268,34 +352,6 @@ def file_names(names: Sequence[str]) -> dict[str, str]:
         taken.add(file.casefold())
         chosen[name] = file
     return chosen
-
-
-def _write_report(
-    scenario: Scenario, outcomes: Sequence[Outcome], folder: Path, command: str, options: RunOptions, steps: Sequence[tuple[str, str]]
-) -> tuple[str, ReportData]:
-    from contourlab.features.run.page import report_data
-    from contourlab.rendering.html import write_html
-    from contourlab.rendering.page_tables import reversal_text
-    from contourlab.rendering.switching import switch_lines
-    from contourlab.rendering.tables import comparison_text, trials_text
-    from contourlab.scenario.dump import dump
-
-    data = replace(report_data(scenario.name, outcomes, scenario=dump(scenario), command=command), next_steps=steps)
-    write_html(data, folder / "report.html")
-    if options.plots:
-        from contourlab.rendering.plots import write_plots
-
-        write_plots(data, folder / "plots", options.plots)
-    if options.pdf:
-        from contourlab.rendering.one_page import write_page
-
-        write_page(data, folder / "report.pdf")
-    reversals = reversal_text(data) if any(map(_shows_reversals, outcomes)) else ""
-    shared = [finding for finding in outcomes[0].findings if all(finding in other.findings for other in outcomes)]
-    endings = [line for outcome in outcomes for line in _ending(outcome, shared)]
-    ends = paragraphs([*endings, *map(str, shared)])
-    texts = [comparison_text(data), trials_text(data), reversals, "\n".join(switch_lines(data)), ends]
-    return "\n\n".join(filter(None, texts)), data
 
 
 def _shows_reversals(outcome: Outcome) -> bool:

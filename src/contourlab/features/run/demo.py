@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from contourlab.app.json_values import json_values, write_json
+from contourlab.app.command_line import as_typed
+from contourlab.app.json_values import write_json
 from contourlab.app.results import staged
-from contourlab.features.run.command import RunOptions, RunOutcome, run_session
+from contourlab.app.session import Answer, Session
+from contourlab.features.run import options
+from contourlab.features.run.command import Runs, run_schemes
 from contourlab.features.run.summary import Summary
 from contourlab.figures import figure, listing, number
-from contourlab.rendering.data import ReportData
 from contourlab.rendering.overview import write_overview
 from contourlab.rendering.stages import part_of_command
 from contourlab.rendering.table import Column, Table, paragraphs
@@ -41,34 +43,57 @@ SHARES = (0.0, 0.35, 0.55, 1.0)
 NEXT = "contourlab new machine --preset mill --out mill && contourlab run mill"
 
 
-def run_demo(out: str | Path, *, progress: bool = False, interval: bool | None = None) -> RunOutcome:
-    """Run the demonstration: a folder for each part, an index page and a summary of the whole.
+@dataclass(frozen=True, eq=False)
+class Demonstration(Answer):
+    """The parts of the demonstration: it has passed when the last (best) scheme of every part is within its tolerance."""
 
-    The outcome has passed when the last (best) scheme of every part is within its tolerance. Parameters are those of `RunOptions`.
-    """
-    folder = Path(out)
-    reports: dict[str, ReportData] = {}
-    summaries: dict[str, Any] = {}
-    parts: list[str] = []
+    parts: Mapping[str, Runs]
+    page: str
+
+    @property
+    def passed(self) -> bool:
+        """Whether the last scheme of every part is within its tolerance."""
+        return all(_last(runs.summary)["verdict"]["passed"] for runs in self.parts.values())
+
+    @property
+    def json(self) -> Demo:
+        """The summary of each part."""
+        return Demo(self.passed, {name: runs.summary for name, runs in self.parts.items()})  # type: ignore[misc]
+
+    @property
+    def text(self) -> str:
+        """A table of each part, the answer, and the next command."""
+        tables = [_table(runs.data.title, runs.summary) for runs in self.parts.values()]
+        verdict = paragraphs([f"{'PASS' if self.passed else 'FAIL'}: {_answer(self.json.parts)}"])
+        return "\n\n".join([*tables, verdict, f"report: {self.page}\nnext: {NEXT}"])
+
+    def save(self, folder: str | Path = "results") -> Demonstration:
+        """Write nothing: each part was saved when it ended."""
+        return self
+
+
+def demo(settings: options.Demo, session: Session) -> Demonstration:
+    """Run the demonstration: a folder for each part, an index page and a summary of the whole."""
+    folder = session.saving["out"]
+    parts: dict[str, Runs] = {}
     kept: list[str] = []
+    page = folder / "report.html"
     with noted(lambda: f"Kept the parts before: {', '.join(kept)}" if kept else ""), staged(folder, "summary.json", "report.html") as stage:
         for (name, shipped), share in zip(DEMOS.items(), pairwise(SHARES), strict=True):
-            scenario = load_scenario(builtin_file(shipped))
-            options = RunOptions(folder / name, progress=progress, interval=interval)
+            one = replace(
+                session, saving={"out": folder / name}, command=as_typed(["contourlab", "run", f"builtin:{shipped}", *settings.words()])
+            )
             with part_of_command(*share):
-                outcome = run_session(scenario, options, command=options.command("run", f"builtin:{shipped}", {}))
-            summaries[name] = outcome.summary
-            if outcome.data is not None:
-                reports[f"{name}/report.html"] = outcome.data
-                parts.append(_table(outcome.data.title, outcome.summary))
-                kept.append(str(folder / name / "report.html"))
-        passed = all(_last(summary)["verdict"]["passed"] for summary in summaries.values())
-        summary: dict[str, Any] = json_values(Demo(passed, summaries))
-        write_json(stage / "summary.json", summary)
-        write_overview(stage / "report.html", _answer(summaries), reports, NEXT)
-    verdict = paragraphs([f"{'PASS' if passed else 'FAIL'}: {_answer(summaries)}"])
-    conclusion = f"{verdict}\n\nreport: {folder / 'report.html'}\nnext: {NEXT}"
-    return RunOutcome(passed, summary, "\n\n".join([*parts, conclusion]))
+                runs = run_schemes(load_scenario(builtin_file(shipped)), one, interval=settings.interval).save(folder / name)
+            if runs.stopped is not None:
+                raise runs.stopped
+            parts[name] = runs
+            kept.append(runs.files["report"])
+        answer = Demonstration(parts, str(page))
+        write_json(stage / "summary.json", answer.json)
+        reports = {f"{name}/report.html": runs.data for name, runs in parts.items()}
+        write_overview(stage / "report.html", _answer(answer.json.parts), reports, NEXT)
+    return answer
 
 
 def _answer(summaries: Mapping[str, Any]) -> str:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from contourlab.errors import ProgramEndError, ScenarioError
-from contourlab.file_kinds import kind_of, mistaken
+from contourlab.features.check.reading import refuse_drawing
+from contourlab.file_kinds import mistaken
 
 if TYPE_CHECKING:
     from contourlab.scenario import Scenario
@@ -105,29 +105,19 @@ def _option(name: str, value: Any) -> str:
     return f"--{'no-' if value is False else ''}{name.replace('_', '-')}"
 
 
-def refuse_drawing(file: str | Path, machine: str | Path | None = None, controller: str | Path | None = None) -> None:
-    """Refuse a drawing or points in place of a part program; show the scenario to write, with this machine and controller.
+def loaded(file: str | Path, schemes: Sequence[str], plugins: Sequence[str | Path]) -> Scenario:
+    """Read a scenario with the schemes asked for, or with its own.
 
     Raises
     ------
     ScenarioError
-        If the file name ends as that of a drawing or of points.
+        If the file is not a scenario, or has no such scheme.
     """
-    path = Path(file)
-    what = {".dxf": "a drawing", ".svg": "a drawing", ".csv": "a list of points"}.get(path.suffix.lower())
-    if what is None or not path.exists() or (path.suffix.lower() == ".csv" and kind_of(path) not in ("a log", "")):
-        return
-    from contourlab.scenario.load import named_file
+    from contourlab.scenario import BUILTIN, chosen, load_scenario, shipped_hint
 
-    lines = [
-        f"machine = {json.dumps(named_file(machine or 'xyz'))}",
-        f"controller = {json.dumps(named_file(controller or 'xyz-controller'))}",
-        "[contour]",
-        f"file = {json.dumps(str(path), ensure_ascii=False)}",
-        "[feed]",
-        'feedrate = "1000 mm/min"',
-    ]
-    raise ScenarioError(
-        f"{what}, not a part program: write a scenario, say {path.stem}.toml, and run that:\n\n" + "\n".join(lines) + "\n",
-        file=path,
-    )
+    if not (str(file).startswith(BUILTIN) or Path(file).suffix.lower() == ".toml" or Path(file).is_dir()):
+        if not Path(file).exists():
+            raise ScenarioError(f"no such file{shipped_hint(file)}", file=file)
+        raise ScenarioError(mistaken(file, "a scenario") or "not a scenario: its name must end in .toml", file=file)
+    scenario = load_scenario(file, plugins=plugins)
+    return chosen(scenario, schemes) if schemes else scenario

@@ -5,72 +5,73 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from contourlab.errors import ParameterError, ScenarioError
-from contourlab.features.run.command import RunOptions, RunOutcome, run_session
-from contourlab.file_kinds import mistaken
-
-if TYPE_CHECKING:
-    from contourlab.scenario import Case, Scenario
-
-
-def compare_schemes(
-    file: str | Path, options: RunOptions, *, schemes: Sequence[str] = (), trials: int | None = None, judge: str | None = None
-) -> RunOutcome:
-    """Run schemes of a scenario side by side and time the servo tick of each; schemes that learn run trial after trial.
-
-    Parameters
-    ----------
-    file : str or Path
-        A scenario.
-    options : RunOptions
-    schemes : sequence of str
-        Schemes of the scenario, or parts joined by + (`contourlab.scenario.FEATURES`); by default all schemes of the scenario.
-    trials : int, optional
-        Largest number of trials; by default that of the scenario.
-    judge : str, optional
-        Moves to judge; by default as in the scenario.
-    """
-    scenario = _with_settings(loaded(file, schemes, options.plugins).judging(judge), trials)
-    return run_session(scenario, options, command=options.command("compare", file, _typed(schemes, trials, judge)), costs=True)
+from contourlab.app.session import QUIET, Session, question
+from contourlab.errors import ScenarioError
+from contourlab.features.learn import learn as learn_machine
+from contourlab.features.run.command import Runs, run_schemes
+from contourlab.features.run.options import Compare, Learn
+from contourlab.features.run.source import scenario_asked
+from contourlab.scenario import Case, Scenario
 
 
-def learn_schemes(
-    file: str | Path,
-    options: RunOptions,
-    *,
-    schemes: Sequence[str] = (),
-    trials: int | None = None,
-    judge: str | None = None,
-    table: Path | None = None,
-) -> RunOutcome:
-    """Run the schemes that learn, trial after trial, beside the same without learning; write the learned tables.
+def compare_schemes(source: Sequence[Any], settings: Compare, session: Session) -> Runs:
+    """Run schemes of a scenario side by side and time the servo tick of each; schemes that learn run trial after trial."""
+    scenario = _with_settings(scenario_asked(source, settings), settings.trials)
+    return run_schemes(scenario, session, interval=settings.interval, costs=True)
+
+
+@question(Learn, "learn")
+def learn_schemes(*source: Any, settings: Learn, session: Session = QUIET) -> Runs:
+    """Run the schemes that learn, trial after trial, beside the same without learning.
 
     Parameters
     ----------
-    file, options, schemes, trials, judge
-        As in `compare_schemes`; by default all schemes that learn.
-    table : Path, optional
-        Learned table to start with.
+    *source : str, Path or Scenario
+        A scenario, as a file or read; by default all of its schemes that learn.
+
+    Returns
+    -------
+    Runs
 
     Raises
     ------
     ScenarioError
         If none of the schemes learns.
     """
-    scenario = loaded(file, schemes, options.plugins).judging(judge)
+    scenario = scenario_asked(source, settings)
     learning = tuple(case for case in scenario.cases() if case.learning is not None)
     if not learning:
         example = '[learning]\nlaw = {kind = "zero-phase", gain = 0.2, half_width = 11}\ntrials = 30'
         raise ScenarioError(f"no scheme learns: add a law, for example:\n\n{example}\n", file=scenario.file)
-    scenario = _with_settings(replace(scenario, all_cases=_with_first(learning)), trials, table)
-    command = options.command("learn", file, {**_typed(schemes, trials, judge), "--table": table})
-    return run_session(scenario, options, command=command, foretell=True)
+    scenario = _with_settings(replace(scenario, all_cases=_with_first(learning)), settings.trials, settings.table)
+    return run_schemes(scenario, session, interval=settings.interval, foretell=True)
 
 
-def _typed(schemes: Sequence[str], trials: int | None, judge: str | None) -> dict[str, Any]:
-    return {"--schemes": ",".join(schemes) or None, "--trials": trials, "--judge": judge}
+def learn(*source: Any, **options: Any) -> Any:
+    """Learn from trial to trial: the schemes of a scenario that learn, or one machine with a law.
+
+    Parameters
+    ----------
+    *source : str, Path or Scenario; or Machine, Controller, Reference and LearningLaw
+        A scenario, as a file or read; or what `contourlab.features.learn.learn` takes.
+    **options : object
+        Those of ``contourlab learn``; or the keywords of `contourlab.features.learn.learn`.
+
+    Returns
+    -------
+    Runs or LearningRun
+        `LearningRun` of a machine.
+
+    Raises
+    ------
+    ScenarioError
+        If none of the schemes learns.
+    """
+    if source and isinstance(source[0], str | Path | Scenario):
+        return learn_schemes(*source, **options)
+    return learn_machine(*source, **options)
 
 
 def _with_first(cases: Sequence[Case]) -> tuple[Case, ...]:
@@ -82,28 +83,8 @@ def _with_first(cases: Sequence[Case]) -> tuple[Case, ...]:
     return tuple(pairs)
 
 
-def loaded(file: str | Path, schemes: Sequence[str], plugins: Sequence[str | Path]) -> Scenario:
-    """Read a scenario with the schemes asked for, or with its own.
-
-    Raises
-    ------
-    ScenarioError
-        If the file is not a scenario, or has no such scheme.
-    """
-    from contourlab.scenario import BUILTIN, chosen, load_scenario, shipped_hint
-
-    if not (str(file).startswith(BUILTIN) or Path(file).suffix.lower() == ".toml" or Path(file).is_dir()):
-        if not Path(file).exists():
-            raise ScenarioError(f"no such file{shipped_hint(file)}", file=file)
-        raise ScenarioError(mistaken(file, "a scenario") or "not a scenario: its name must end in .toml", file=file)
-    scenario = load_scenario(file, plugins=plugins)
-    return chosen(scenario, schemes) if schemes else scenario
-
-
 def _with_settings(scenario: Scenario, trials: int | None, table: Path | None = None) -> Scenario:
     """Change the number of trials and the first table, where given, in all cases that learn."""
-    if trials is not None and trials < 1:
-        raise ParameterError("--trials", f"{trials}", "1 or more")
     given: dict[str, Any] = {name: value for name, value in (("trials", trials), ("table", table)) if value is not None}
     cases = (case if case.learning is None else replace(case, learning=replace(case.learning, **given)) for case in scenario.cases())
     return replace(scenario, all_cases=tuple(cases)) if given else scenario

@@ -6,24 +6,33 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from contourlab.app.json_values import write_json
+from contourlab.app.json_values import HIDDEN, write_json
 from contourlab.app.quick import affordable
 from contourlab.app.results import staged
+from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.errors import ParameterError
-from contourlab.features.measure.log_choice import positive
-from contourlab.features.run.command import check_plots
-from contourlab.features.run.schemes import loaded
-from contourlab.features.sensitivity.report import tables
-from contourlab.features.sensitivity.study import Drawn, Plan, Study, distributions, holds, present_values, sensitivity_study
+from contourlab.features.run.source import Source, case_asked
+from contourlab.features.sensitivity.options import SensitivityOptions
+from contourlab.features.sensitivity.report import charts_of, tables
+from contourlab.features.sensitivity.study import (
+    PARTS,
+    Drawn,
+    Plan,
+    Study,
+    distributions,
+    holds,
+    present_values,
+    sensitivity_study,
+)
 from contourlab.features.sensitivity.verdict import Ranking, ranking, verdict
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.loop import parameters_of
 from contourlab.loop.batch import LANES
 from contourlab.metrics.run_figures import CONTOUR
-from contourlab.rendering.stages import Stages, shown
+from contourlab.rendering.stages import Stages
 from contourlab.rendering.table import paragraphs
 from contourlab.study import Runner, Setting, Space
 from contourlab.study.checkpoint import Checkpoint, resumable, run_identity
@@ -75,8 +84,8 @@ class Request:
 
 
 @dataclass(frozen=True, eq=False)
-class Sensitivity:
-    """The result that the command prints and writes as ``summary.json``, field by field.
+class Sensitivity(Answer):
+    """What the contour error of a scenario depends on.
 
     Attributes
     ----------
@@ -101,81 +110,121 @@ class Sensitivity:
     study: Study
     ranking: Ranking
     findings: tuple[Finding, ...]
+    inputs: tuple[Path, ...] = field(default=(), metadata=HIDDEN, repr=False)
+    folder: str = field(default="", metadata=HIDDEN, repr=False)
 
+    @property
     def text(self) -> str:
-        """Return the findings and the tables."""
+        """The findings and the tables."""
         of, count, runs = self.study.plan.judged, len(self.study.space.numbers), self.runs_made + self.runs_reused
         given = f"servo period: {figure(self.servo_period, 'ms')}; parameters: {count}; runs: {runs}"
         head = f"{self.scheme}: {of.label} {figure(self.study.present, of.display, 4)}\n{given}"
-        return "\n\n".join([head, paragraphs(map(str, self.findings)), *tables(self.study)])
+        return "\n\n".join(
+            [head, paragraphs(map(str, self.findings)), *tables(self.study), *([f"results: {self.folder}"] if self.folder else [])]
+        )
+
+    def _charts(self) -> Iterator[Any]:
+        yield from charts_of(self.study)
+
+    def save(self, folder: str | Path = "results", *, plots: Sequence[str] = ()) -> Sensitivity:
+        """Write ``summary.json`` and pictures into a folder.
+
+        Parameters
+        ----------
+        folder : str or Path
+        plots : sequence of str
+            Formats: png, svg or pdf.
+
+        Returns
+        -------
+        Sensitivity
+            With its folder.
+
+        Raises
+        ------
+        OutputError
+            If the folder cannot be written to.
+        """
+        with staged(folder, "summary.json", inputs=self.inputs) as stage:
+            write_json(stage / "summary.json", self)
+            if plots:
+                from contourlab.rendering.plots import write_charts
+
+                write_charts(self._charts(), stage / "plots", plots)
+        return replace(self, folder=str(folder))
+
+    def _next(self, asked: Asked) -> Sequence[object]:
+        """Calibrate the scenario."""
+        return ["tune", *asked.inputs, "--scheme", self.request.scheme or None]
 
 
-def sensitivity_of(
-    file: str | Path,
-    out: str | Path,
-    request: Request,
-    *,
-    plugins: Sequence[str | Path] = (),
-    plots: Sequence[str] = (),
-    progress: bool = False,
-) -> Sensitivity:
-    """Study a scenario; write ``summary.json`` and pictures into a folder, and store the runs in its folder ``runs``.
+@question(SensitivityOptions)
+def sensitivity(*source: Source, settings: SensitivityOptions, session: Session = QUIET) -> Sensitivity:
+    """Find the parameters that the contour error of a scenario depends on.
+
+    Saved in a folder, its runs are kept in the folder ``runs`` there: after an interrupt the same command continues.
 
     Parameters
     ----------
-    file : str or Path
-        A scenario.
-    out : str or Path
-        Folder of the results. Stored runs are reused: after an interrupt the same command continues.
-    request : Request
-    plugins : sequence of str or Path
-        Python files with components.
-    plots : sequence of str
-        png, svg or pdf.
-    progress : bool
-        Whether to show a bar.
+    *source : str, Path, Scenario, Case, or a Machine, its Controller and a Reference
+        A scenario, as a file or read; or what it consists of.
+
+    Returns
+    -------
+    Sensitivity
 
     Raises
     ------
     ContourlabError
-        If the scenario, an option or the folder is invalid, or the scenario's own run fails.
+        If the scenario or an option is invalid, or the scenario's own run fails.
     """
-    check_plots(plots)
-    scenario = loaded(file, (request.scheme,) if request.scheme else (), plugins).judging(request.judge)
-    case = scenario.cases()[0] if request.scheme else scenario.base
-    if request.servo_period:
-        period = positive("--servo-period", request.servo_period, "s", 'a time, such as "0.1 ms"')
-        case = replace(case, machine=replace(case.machine, servo_period=period))
+    request = request_of(settings)
+    scenario, case = case_asked(source, settings)
+    if settings.servo_period is not None:
+        case = replace(case, machine=replace(case.machine, servo_period=settings.si("servo_period")))
     if case.changes:
         raise ParameterError("scenario", "one that changes its controller", "a scheme with the same controller throughout")
     space = Space.chosen(case.machine, case.controller, request.parameters, request.width)
     drawn = distributions(space, request.distribution, request.deviations)
     request.plan.check(len(drawn))
     left_out = () if request.scheme else tuple(repr(other.name) for other in scenario.all_cases)
-    with resumable(Path(out) / KEPT, "runs"), staged(out, "summary.json", inputs=scenario.inputs) as stage:
-        with shown(progress) as stages, request.executor.started(plugins) as pool:
-            study, runs = _studied(case, request, (space, drawn), Path(out) / KEPT, stages, pool)
-        kept = () if runs.store is None else runs.store.findings("runs", runs.reused)
-        findings = (*_on_case(case, left_out), *kept, *_on_quick(request, study), *verdict(study))
-        request = replace(request, plan=study.plan)
-        name, period = case.machine.name, case.machine.servo_period
-        result = Sensitivity(str(file), request, case.name, name, period, runs.runs, runs.reused, study, ranking(study), findings)
-        write_json(stage / "summary.json", result)
-        if plots:
-            from contourlab.features.sensitivity.report import charts_of
-            from contourlab.rendering.plots import write_charts
+    session.will_write(scenario.inputs, "summary.json")
+    session.hold(resumable(session.folder / KEPT, "runs"))
+    stages = session.stages()
+    with request.executor.started(settings.plugin) as pool:
+        study, runs = _studied(case, request, (space, drawn), session.folder / KEPT if session.saving else None, stages, pool)
+    kept = () if runs.store is None else runs.store.findings("runs", runs.reused)
+    findings = (*_on_case(case, left_out), *kept, *_on_quick(request, study), *verdict(study))
+    request = replace(request, plan=study.plan)
+    name, period = case.machine.name, case.machine.servo_period
+    of = str(source[0]) if isinstance(source[0], str | Path) else scenario.name
+    ended = (runs.runs, runs.reused, study, ranking(study), findings)
+    return Sensitivity(of, request, case.name, name, period, *ended, scenario.inputs)
 
-            write_charts(charts_of(study), stage / "plots", plots)
-    return result
+
+def request_of(settings: SensitivityOptions) -> Request:
+    """Return the options as they stand in the answer."""
+    plan = Plan(
+        settings.parts or PARTS,
+        settings.figure,
+        settings.values,
+        settings.base,
+        settings.second_order,
+        settings.trajectories,
+        settings.transform,
+        settings.seed,
+    )
+    chosen = (settings.parameter, settings.width, settings.distribution, settings.deviation, settings.servo_period or "")
+    return Request(plan, settings.scheme, *chosen, settings.pool, settings.judge, settings.quick)
 
 
 def _studied(
-    case: Case, request: Request, varied: tuple[Space, tuple[Drawn, ...]], folder: Path, stages: Stages, pool: Workers | None
+    case: Case, request: Request, varied: tuple[Space, tuple[Drawn, ...]], folder: Path | None, stages: Stages, pool: Workers | None
 ) -> tuple[Study, Runner]:
     plan, (space, drawn) = request.plan, varied
     stages.begin("planning the motion")
     setting, executor = Setting.of(case), request.executor
-    kept = Checkpoint(folder, run_identity([setting]))
+    kept = None if folder is None else Checkpoint(folder, run_identity([setting]))
     # Contour and tracking error are stored in any case.
     figures = (plan.judged.name,) if plan.judged.source != CONTOUR else ()
     runs = Runner(setting, figures, executor.workers, executor.gpu, pool, kept, stages.advance)

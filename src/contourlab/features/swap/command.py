@@ -4,20 +4,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from contourlab.app.json_values import json_values, write_json
 from contourlab.app.quick import affordable, too_slow
-from contourlab.app.results import proposed, staged
+from contourlab.app.results import proposed
+from contourlab.app.session import QUIET, Session, question
 from contourlab.errors import ParameterError
-from contourlab.features.link.command import USUAL_LONGEST, LinkOptions, LinkSettings, positive_quantity, read_options
+from contourlab.features.link.command import LinkSettings, positive_quantity, read_options
+from contourlab.features.link.options import Link, Network
 from contourlab.features.link.sweep import FEW
-from contourlab.features.run.command import RunOutcome, check_plots, file_names
+from contourlab.features.run.command import file_names
+from contourlab.features.run.source import Source, case_asked
 from contourlab.features.swap.beyond import NetworkCost, coverage, least_division, network_cost
-from contourlab.features.swap.linear import METHODS, linear_swap
-from contourlab.features.swap.report import matrices, swap_result, text_of, write_matrices
+from contourlab.features.swap.linear import linear_swap
+from contourlab.features.swap.options import Swap
+from contourlab.features.swap.report import SwapResult, matrices, swap_result, write_matrices
 from contourlab.features.swap.search import SwapSettings
 from contourlab.features.swap.study import SwapStudy, swap_study
 from contourlab.features.swap.variants import Variants, variants_of
@@ -25,16 +28,13 @@ from contourlab.features.swap.warm_start import WarmStarts, warm_starts
 from contourlab.findings import Finding, finding
 from contourlab.loop.batch import LANES
 from contourlab.metrics.run_figures import goal_named
-from contourlab.rendering.stages import Stages, shown
+from contourlab.rendering.stages import Stages
 from contourlab.result import write_text_atomic
 from contourlab.study import Setting, Space
 from contourlab.study.checkpoint import Checkpoint, resumable, run_identity
-from contourlab.study.executors import Executor
-from contourlab.study.guards import Bounds
 
 if TYPE_CHECKING:
     from contourlab.loop import Axis, Controller, Machine
-    from contourlab.scenario import Case
 
 SEARCHES = "searches"
 """Folder of the checkpoint, inside the folder of the results."""
@@ -44,132 +44,57 @@ PLACES = 8
 """Points of a region at which J* is searched."""
 
 
-@dataclass(frozen=True)
-class SwapOptions:
-    """Options; quantities as typed.
-
-    Attributes
-    ----------
-    objective, floor
-        What to minimise, and J_tol with its unit; default J_tol: see `contourlab.metrics.run_figures.GOALS`.
-    parameters, width
-        See `contourlab.study.Space.chosen`.
-    local : sequence of str
-        Sets of local parameters to test instead of searching for one; names separated by commas.
-    quick : bool
-        Whether to use as much of the budget as fits into a minute, and state the uncertainty.
-    executor : Executor
-        Of the searches.
-    gain_margin, phase_margin
-        In dB and degrees.
-    region : sequence of str
-        Parameters of the machine with bounds.
-    tolerance : str, optional
-        Largest acceptable J in the region.
-    places : int, optional
-        Points of the region at which J* is searched, by default `PLACES`.
-    origins : sequence of str
-        See `contourlab.features.swap.warm_start.warm_starts`.
-    linear : sequence of str
-        Linear design methods from `contourlab.features.swap.linear.METHODS`.
-    network : LinkOptions
-        The network between base and axes. Default division: the smallest that puts all local parameters into the axis.
-        Its quantities, axes, figure and tolerance are not used.
-    """
-
-    objective: str = "contour_error_integral"
-    floor: str | None = None
-    parameters: tuple[str, ...] = ()
-    width: float = 4.0
-    local: tuple[str, ...] = ()
-    exhaustive: bool = False
-    budget: int = 8000
-    quick: bool = False
-    seed: int = 0
-    executor: Executor = field(default_factory=Executor)
-    gain_margin: float = 6.0
-    phase_margin: float = 30.0
-    region: tuple[str, ...] = ()
-    tolerance: str | None = None
-    places: int | None = None
-    origins: tuple[str, ...] = ()
-    linear: tuple[str, ...] = ()
-    network: LinkOptions = field(default_factory=LinkOptions)
-    plugins: tuple[str | Path, ...] = field(default=())
-
-
-def swap_scenario(
-    file: str | Path,
-    swaps: Sequence[tuple[str, Sequence[str]]],
-    out: str | Path,
-    options: SwapOptions,
-    *,
-    scheme: str | None = None,
-    plots: Sequence[str] = ("png",),
-    progress: bool = False,
-) -> RunOutcome:
+@question(Swap)
+def swap(*source: Source, settings: Swap, session: Session = QUIET) -> SwapResult:
     """Find out whether one controller holds when axes are swapped, and which parameters must move with them.
+
+    Saved in a folder, finished searches are kept in its folder ``searches``: an interrupted study continues from there.
 
     Parameters
     ----------
-    file : str or Path
-        A scenario.
-    swaps : sequence of (str, sequence of str)
-        Axis, and the files of the modules that may replace it.
-    out : str or Path
-        Folder of ``swap.json``, controllers and picture. Its folder ``searches`` keeps finished searches: an interrupted study
-        continues from there.
-    options : SwapOptions
-    scheme : str, optional
-        Scheme of the scenario; by default its base.
-    plots : sequence of str
-        Formats of the picture.
-    progress : bool
-        Whether to show progress.
+    *source : str, Path, Scenario, Case, or a Machine, its Controller and a Reference
+        A scenario, as a file or read; or what it consists of.
+
+    Returns
+    -------
+    SwapResult
 
     Raises
     ------
     ScenarioError, ParameterError
         If a file or an option is wrong; raised before anything runs.
     """
-    check_plots(plots)
-    ready, network = _prepared(file, swaps, options, scheme), read_options(options.network)
-    variants, settings = ready.variants, ready.settings
+    ready, network = _prepared(source, settings), read_options(Link(**{name: getattr(settings, name) for name in Network.PARTS}))
+    variants, search = ready.variants, ready.settings
     period = variants.members[0].machine.servo_period
     if network.longest < period:
-        raise ParameterError("--longest", options.network.longest or USUAL_LONGEST, f"at least the servo period, {period * 1e3:g} ms")
-    searches = Path(out) / SEARCHES
-    with (
-        resumable(searches, "searches"),
-        shown(progress) as stages,
-        staged(out, "swap.json", inputs=ready.inputs) as folder,
-        options.executor.started(options.plugins) as pool,
-    ):
-        if settings.quick:
+        raise ParameterError("longest", settings.longest, f"at least the servo period, {period * 1e3:g} ms")
+    session.will_write(ready.inputs, "swap.json")
+    searches = session.folder / SEARCHES
+    session.hold(resumable(searches, "searches"))
+    stages = session.stages()
+    with settings.pool.started(settings.plugin) as pool:
+        if search.quick:
             stages.begin("timing a run")
-            settings = replace(settings, budget=_quick_budget(variants, settings.budget))
+            search = replace(search, budget=_quick_budget(variants, search.budget))
         variants.run_in(pool)
-        checkpoint = Checkpoint(searches, _identity(ready, settings))
-        stages.expect(_work(len(variants), len(ready.candidates), settings.quick))
-        study = swap_study(variants, ready.candidates, settings, _stage(stages, variants), checkpoint)
+        checkpoint = Checkpoint(searches, _identity(ready, search))
+        stages.expect(_work(len(variants), len(ready.candidates), search.quick))
+        study = swap_study(variants, ready.candidates, search, _stage(stages, variants), checkpoint)
         covered = None
         if ready.region is not None:
             stages.begin("coverage of the region")
-            limits = {"full": settings.full, "tolerance": ready.tolerance, "places": options.places or PLACES}
-            budget = max(settings.budget // 4, LEAST)
+            limits = {"full": search.full, "tolerance": ready.tolerance, "places": settings.places or PLACES}
+            budget = max(search.budget // 4, LEAST)
             covered = coverage(variants, study.base.points[0], ready.region, budget=budget, **limits)  # type: ignore[arg-type]
         stages.begin("linear designs")
-        swapped, own = [name for name, _ in swaps] if options.linear else [], variants.setting.controller
-        linear = tuple(design for name in swapped for design in linear_swap(variants.members, own, name, options.linear))
-        networks = _networks(study, options.network, network, stages)
+        swapped, own = settings.axis if settings.linear else (), variants.setting.controller
+        linear = tuple(design for name in swapped for design in linear_swap(variants.members, own, name, settings.linear))
+        networks = _networks(study, settings, network, stages)
         stages.begin("exact margins")
         findings = (*ready.findings, *checkpoint.findings("searches"))
-        result = swap_result(study, networks, covered, linear, options.origins, findings)
-        stages.begin("writing")
-        lines = [text_of(result), *write_results(study, folder, Path(out), plots)]
-        summary = json_values(result)
-        write_json(folder / "swap.json", summary)
-        return RunOutcome(result.passed, summary, "\n\n".join(lines))
+        result = swap_result(study, networks, covered, linear, settings.from_, findings)
+        return replace(result, inputs=ready.inputs, writer=write_results)
 
 
 def _quick_budget(variants: Variants, most: int) -> int:
@@ -208,14 +133,14 @@ def _stage(stages: Stages, variants: Variants) -> Callable[[str, int], None]:
     return begin
 
 
-def _networks(study: SwapStudy, options: LinkOptions, settings: LinkSettings, stages: Stages) -> tuple[NetworkCost, ...]:
+def _networks(study: SwapStudy, options: Swap, settings: LinkSettings, stages: Stages) -> tuple[NetworkCost, ...]:
     """Return the network cost of the recommended design, or of the shared one if none is recommended; empty if it breaks a guard."""
     choice = study.recommended or study.base
     if not choice.holds:
         return ()
     local, controller = frozenset(choice.local), study.variants.setting.controller
     divisions = settings.divisions
-    if not options.divisions:
+    if not options.division:
         own = next((axis.link.division for axis in controller.axes.values() if axis.link is not None), None)
         divisions = (own or least_division(local),)
     costs = []
@@ -285,17 +210,14 @@ def _identity(ready: _Prepared, settings: SwapSettings) -> str:
     return "\n".join([runs, *map(repr, words)])
 
 
-def _prepared(file: str | Path, swaps: Sequence[tuple[str, Sequence[str]]], options: SwapOptions, scheme: str | None) -> _Prepared:
-    from contourlab.scenario import load_scenario
-
-    _check(options)
-    scenario = load_scenario(file, plugins=options.plugins)
-    case: Case = scenario.case(scheme) if scheme is not None else scenario.base
+def _prepared(source: Sequence[Source], options: Swap) -> _Prepared:
+    swaps = options.swaps
+    scenario, case = case_asked(source, options)
     machine, controller = case.machine, case.controller
     for name, _ in swaps:
         if name not in machine.axis_names:
             raise ParameterError("--axis", repr(name), f"one of {', '.join(machine.axis_names)}, the axes of {machine.name}")
-    modules, left_out = _modules(machine, swaps, options.plugins)
+    modules, left_out = _modules(machine, swaps, options.plugin)
     objective = goal_named(options.objective, "--objective")
     floor, tolerance = (
         None if text is None else positive_quantity(option, text, objective.quantity, objective.example(2))
@@ -304,15 +226,15 @@ def _prepared(file: str | Path, swaps: Sequence[tuple[str, Sequence[str]]], opti
     variants = Variants(
         variants_of(machine, modules),
         Setting.of(case),
-        Space.chosen(machine, controller, options.parameters, options.width),
+        Space.chosen(machine, controller, options.parameter, options.width),
         objective=objective.name,
         floor=objective.floor if floor is None else floor,
-        bounds=Bounds(options.gain_margin, options.phase_margin),
-        threads=options.executor.workers,
-        gpu=options.executor.gpu,
+        bounds=options.margins,
+        threads=options.workers,
+        gpu=options.pool.gpu,
     )
     candidates = tuple(name for name in variants.space.names if variants.members[0].module(name) and _may_move(controller, name))
-    local, starts = _local_sets(variants, candidates, options.local), warm_starts(variants, options.origins, options.plugins)
+    local, starts = _local_sets(variants, candidates, options.local), warm_starts(variants, options.from_, options.plugin)
     search = {"exhaustive": options.exhaustive, "local": local, "known": starts.designs, "quick": options.quick}
     settings = SwapSettings(options.budget, options.seed, **search)  # type: ignore[arg-type]
     region = None
@@ -327,25 +249,6 @@ def _may_move(controller: Controller, name: str) -> bool:
     _, _, axis, slot, *_ = name.split(".")
     link = controller.axes[axis].link
     return link is None or link.is_local(slot)
-
-
-def _check(options: SwapOptions) -> None:
-    """Refuse options that are out of range or have no effect."""
-    places = options.places
-    faults = [
-        (options.budget < 100, "--budget", options.budget, "100 or more candidates a search"),
-        (options.seed < 0, "--seed", options.seed, "0 or more"),
-        (places is not None and (places < 1 or places & (places - 1)), "--places", places, "a power of 2"),
-        (options.exhaustive and options.quick, "--exhaustive", "given with --quick", "left out: there are too many sets for a minute"),
-        (options.exhaustive and options.local, "--exhaustive", "given with --local", "left out: it tries all sets, --local only a few"),
-        (options.tolerance and not options.region, "--tolerance", options.tolerance, "given with --region: it limits J there"),
-        (places is not None and not options.region, "--places", places, "given with --region: it counts points there"),
-        (places is not None and options.tolerance, "--places", places, "left out with --tolerance, which needs no J*"),
-        *((method not in METHODS, "--linear", repr(method), "one of " + ", ".join(METHODS)) for method in options.linear),
-    ]
-    for wrong, option, value, wanted in faults:
-        if wrong:
-            raise ParameterError(option, str(value), wanted)
 
 
 def _modules(

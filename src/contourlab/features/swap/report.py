@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from textwrap import wrap
 from typing import TYPE_CHECKING, Any
@@ -12,7 +12,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from contourlab.analysis.linear.margins import Margins
-from contourlab.app.json_values import HIDDEN
+from contourlab.app.json_values import HIDDEN, write_json
+from contourlab.app.results import staged
+from contourlab.app.session import Answer, Asked
 from contourlab.arrays import Array, Flags
 from contourlab.features.link.result import largest_held
 from contourlab.features.run.margin_words import decibel, degrees
@@ -23,6 +25,7 @@ from contourlab.features.swap.study import Choice, SwapStudy
 from contourlab.features.swap.variants import Variants
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
+from contourlab.rendering.stages import begin_stage
 from contourlab.rendering.style import INK, MUTED
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.study import DesignVariable
@@ -58,7 +61,7 @@ class VariantResult:
 
 
 @dataclass(frozen=True, eq=False)
-class SwapResult:
+class SwapResult(Answer):
     """The result of the command, in SI; its fields are the keys of ``swap.json``.
 
     `local` is None if no choice of local parameters is modular. `swap_loss` is the loss of the shared design, and
@@ -88,7 +91,50 @@ class SwapResult:
     coverage: Coverage | None
     linear: tuple[LinearSwap, ...]
     findings: tuple[Finding, ...]
-    study: SwapStudy = field(metadata=HIDDEN)
+    study: SwapStudy = field(metadata=HIDDEN, repr=False)
+    inputs: tuple[str | Path, ...] = field(default=(), metadata=HIDDEN, repr=False)
+    writer: Callable[[SwapStudy, Path, Path, Sequence[str]], list[str]] | None = field(default=None, metadata=HIDDEN, repr=False)
+    lines: tuple[str, ...] = field(default=(), metadata=HIDDEN, repr=False)
+
+    @property
+    def text(self) -> str:
+        """The verdict, losses, designs and margins; files once it is saved."""
+        return "\n\n".join([text_of(self), *self.lines])
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The variants, one a row [SI]."""
+        return [{"variant": name, "best": one.best, **one.parameters} for name, one in self.variants.items()]
+
+    def save(self, folder: str | Path = "results", *, plots: Sequence[str] = ("png",)) -> SwapResult:
+        """Write ``swap.json``, controllers and a picture into a folder.
+
+        Parameters
+        ----------
+        folder : str or Path
+        plots : sequence of str
+            Formats of the picture: png, svg or pdf.
+
+        Returns
+        -------
+        SwapResult
+            With the lines that list its files.
+
+        Raises
+        ------
+        OutputError
+            If the folder cannot be written to.
+        """
+        begin_stage("writing")
+        assert self.writer is not None
+        with staged(folder, "swap.json", inputs=self.inputs) as stage:
+            lines = self.writer(self.study, stage, Path(folder), plots)
+            write_json(stage / "swap.json", self)
+        return replace(self, lines=tuple(lines))
+
+    def _next(self, asked: Asked) -> Sequence[object]:
+        """Answer in full; or divide the controllers."""
+        return asked.again(without="--quick") if asked.settings.quick else ["link", *asked.inputs]
 
 
 def swap_result(

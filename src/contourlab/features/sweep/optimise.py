@@ -7,8 +7,8 @@ import json
 import math
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from contextlib import AbstractContextManager, contextmanager
+from dataclasses import dataclass, replace
 from importlib.metadata import version
 from pathlib import Path
 from time import perf_counter
@@ -16,11 +16,12 @@ from typing import Any
 
 import numpy as np
 
+from contourlab.app.session import Answer, Asked
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.extras import extra_module
 from contourlab.features.sweep.chunk import Chunk, chunk_elsewhere, joined, run_chunks
-from contourlab.features.sweep.command import AGAIN, kept_note, structures_of
+from contourlab.features.sweep.options import Optimise
 from contourlab.features.sweep.query import counts, rows
 from contourlab.features.sweep.store import Store, check_folder, writing
 from contourlab.features.sweep.structures import Structured
@@ -29,13 +30,14 @@ from contourlab.features.sweep.summary import remarks, rows_text, title_of
 from contourlab.figures import listing
 from contourlab.findings import Finding
 from contourlab.loop.batch import lanes_each
-from contourlab.rendering.stages import shown
+from contourlab.rendering.stages import Stages
 from contourlab.rendering.table import paragraphs
+from contourlab.scenario import Scenario, dump
+from contourlab.study.checkpoint import noted
 from contourlab.study.design import Design
 from contourlab.study.executors import Executor, Workers
 from contourlab.study.statistics import pareto_front
 
-SAMPLERS = ("tpe", "nsga2", "cma-es")
 JOURNAL = "optuna.log"
 EDGE = 1e-6
 """Least distance of a cumulative probability from 0 and 1."""
@@ -43,46 +45,28 @@ SHOWN = 20
 """Most variants in the result."""
 
 
-@dataclass(frozen=True)
-class SearchOptions:
-    """Options of the command.
+AGAIN = "Repeat the command with --resume to continue"
 
-    Attributes
-    ----------
-    minimise : tuple of str
-        One to three figures; for several the Pareto front is searched.
-    sampler : str
-        One of `SAMPLERS`; by default ``tpe`` for one figure, ``nsga2`` for several.
-    trials, batch : int
-        Variants in all, and those that are simulated together.
-    resume : bool
-        Whether to continue a store.
-    executor : Executor
-    """
 
-    minimise: tuple[str, ...] = ("part_error_max",)
-    sampler: str = ""
-    trials: int = 1024
-    batch: int = 64
-    resume: bool = False
-    executor: Executor = field(default_factory=Executor)
+def kept_note(store: Store) -> AbstractContextManager[None]:
+    """If the block is interrupted, add to the interrupt what is kept."""
+    return noted(
+        lambda: f"{len(store.parts)} of {store.chunks} chunks are kept in {store.folder}. Repeat the command with --resume to continue."
+    )
 
-    def __post_init__(self) -> None:
-        if self.sampler not in ("", *SAMPLERS):
-            raise ParameterError("--sampler", repr(self.sampler), f"one of {', '.join(SAMPLERS)}")
-        if not 1 <= len(self.minimise) <= 3 or len(set(self.minimise)) < len(self.minimise):
-            raise ParameterError("--minimise", listing(self.minimise), "one to three figures, each once")
-        if self.sampler == "cma-es" and len(self.minimise) > 1:
-            raise ParameterError("--sampler", "'cma-es'", "tpe or nsga2 for several figures")
 
-    @property
-    def chosen(self) -> str:
-        """The sampler."""
-        return self.sampler or ("tpe" if len(self.minimise) == 1 else "nsga2")
+def structures_of(made: Structured) -> list[dict[str, Any]]:
+    """Return choices and scenario of each structure, for the manifest."""
+    found = []
+    for combo, case in made.cases.items():
+        choices = {choice.key: choice.labels[code] for choice, code in zip(made.choices, combo, strict=True)}
+        text = dump(Scenario(case.name, Path(), replace(case, learning=None)))
+        found.append({"choices": choices, "scenario": text})
+    return found
 
 
 @dataclass(frozen=True)
-class Search:
+class Search(Answer):
     """The result of a search.
 
     Attributes
@@ -112,6 +96,18 @@ class Search:
     findings: tuple[Finding, ...]
 
     @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The best variants, one a row [SI]."""
+        return list(self.best)
+
+    def _next(self, asked: Asked) -> Sequence[object] | None:
+        """Run the best variant again."""
+        if not self.best:
+            return None
+        number = self.best[0]["variant"]
+        return ["sweep", "worst", self.store, "--rerun", number, "--out", f"variant-{number}"]
+
+    @property
     def text(self) -> str:
         """Text for the terminal."""
         figures = listing([title_of(name) for name in self.minimise])
@@ -122,52 +118,32 @@ class Search:
         return "\n\n".join(filter(None, (head, table, paragraphs(map(str, self.findings)))))
 
 
-def optimise(
-    file: str | Path, out: str | Path, options: SearchOptions, *, plugins: Sequence[str | Path] = (), progress: bool = False
-) -> Search:
-    """Search the space of a study; its distributions give the range of each parameter.
-
-    Parameters
-    ----------
-    file : str or Path
-        A study. Its design, number of variants and correlations do not matter.
-    out : str or Path
-        Folder of the store.
-    options : SearchOptions
-    plugins : sequence of str or Path
-        Python files with components.
-    progress : bool
-        Whether to show a bar.
-
-    Raises
-    ------
-    ContourlabError
-        If the study, an option or the folder is invalid, or the disk is full. Finished batches stay.
-    """
+def optimise(file: str | Path, options: Optimise, stages: Stages) -> Search:
+    """Search the space of a study; see `contourlab.features.sweep.command.optimise`."""
     for package in ("duckdb", "pyarrow.parquet", "optuna"):
         extra_module(package)
     if options.chosen == "cma-es":
         extra_module("cmaes")
-    check_folder(out, resume=options.resume)
-    with shown(progress) as stages:
-        stages.begin("planning the motions")
-        planned, structured = study_of(file, plugins, stages.advance, variants=1)
-        study, levels = _space(planned, structured, options)
-        with (
-            options.executor.started(study.plugins, AGAIN) as pool,
-            writing(out, study, lambda: structures_of(structured), resume=options.resume) as store,
-            kept_note(store),
-            _journal(store, options) as journal,
-        ):
-            stages.begin("searching")
-            run = _simulated(study, options.executor, pool)
-            for number in range(store.chunks):
-                _batch(study, levels, store, journal, options, number, run)
-                stages.advance(store.done, store.variants)
-        return _result(store, options, study)
+    check_folder(options.out, resume=options.resume)
+    stages.begin("planning the motions")
+    planned, structured = study_of(file, options.plugin, stages.advance, variants=1)
+    study, levels = _space(planned, structured, options)
+    executor = options.pool
+    with (
+        executor.started(study.plugins, AGAIN) as pool,
+        writing(options.out, study, lambda: structures_of(structured), resume=options.resume) as store,
+        kept_note(store),
+        _journal(store, options) as journal,
+    ):
+        stages.begin("searching")
+        run = _simulated(study, executor, pool)
+        for number in range(store.chunks):
+            _batch(study, levels, store, journal, options, number, run)
+            stages.advance(store.done, store.variants)
+    return _result(store, options, study)
 
 
-def _space(study: Study, made: Structured, options: SearchOptions) -> tuple[Study, list[Array]]:
+def _space(study: Study, made: Structured, options: Optimise) -> tuple[Study, list[Array]]:
     """Return the study with the design of the search, and the places of the values of each dimension; empty for a continuous one."""
     for name in options.minimise:
         if name not in study.figures:
@@ -191,7 +167,7 @@ def _space(study: Study, made: Structured, options: SearchOptions) -> tuple[Stud
 
 
 @contextmanager
-def _journal(store: Store, options: SearchOptions) -> Iterator[Any]:
+def _journal(store: Store, options: Optimise) -> Iterator[Any]:
     """Yield an Optuna study with a new journal in a store, whose writer we are; one that is there is not read, as Optuna unpickles it."""
     import optuna
     from optuna.storages.journal import JournalFileBackend
@@ -213,7 +189,7 @@ def _journal(store: Store, options: SearchOptions) -> Iterator[Any]:
         optuna.logging.set_verbosity(verbosity)
 
 
-def _sampler(options: SearchOptions, seed: int) -> Any:
+def _sampler(options: Optimise, seed: int) -> Any:
     from optuna.samplers import CmaEsSampler, NSGAIISampler, TPESampler
 
     if options.chosen == "tpe":
@@ -245,7 +221,7 @@ def _batch(
     levels: Sequence[Array],
     store: Store,
     journal: Any,
-    options: SearchOptions,
+    options: Optimise,
     number: int,
     run: Callable[[Array, int], Chunk],
 ) -> None:
@@ -280,7 +256,7 @@ def _places(trial: Any, levels: Sequence[Array]) -> list[float]:
     return found
 
 
-def _result(store: Store, options: SearchOptions, study: Study) -> Search:
+def _result(store: Store, options: Optimise, study: Study) -> Search:
     names, found = rows(store, "SELECT * FROM results WHERE status = 'ok' ORDER BY variant")
     values = np.array([[row[names.index(name)] for name in options.minimise] for row in found], dtype=float)
     front = [] if not found else pareto_front(values).tolist() if len(options.minimise) > 1 else [int(np.argmin(values[:, 0]))]

@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from contourlab.app.session import Answer
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import ParameterError, UnitError, error_text
 from contourlab.extras import extra_module
@@ -211,7 +212,7 @@ def quoted(name: str) -> str:
 
 
 @dataclass(frozen=True)
-class Export:
+class Export(Answer):
     """A file of rows.
 
     Attributes

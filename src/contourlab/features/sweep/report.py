@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import astuple, dataclass
 from itertools import combinations
 from pathlib import Path
@@ -12,6 +12,7 @@ import numpy as np
 
 from contourlab import __version__
 from contourlab.app.command_line import as_typed
+from contourlab.app.session import Answer, Asked
 from contourlab.arrays import Array, Index
 from contourlab.features.sweep.answers import GOAL, Answers, answers_of
 from contourlab.features.sweep.effects import FEW, Effect, Pairings, Subset, best_choice, enough, means_of
@@ -473,7 +474,7 @@ SHOWN = 12
 
 
 @dataclass(frozen=True)
-class SweepReport:
+class SweepReport(Answer):
     """The answers of a store, and their page.
 
     Attributes
@@ -484,6 +485,10 @@ class SweepReport:
 
     page: Path
     answers: Answers
+
+    def _next(self, asked: Asked) -> Sequence[object]:
+        """List the worst variants."""
+        return ["sweep", "worst", *asked.inputs]
 
     @property
     def text(self) -> str:

@@ -6,6 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from contourlab.app.json_values import HIDDEN
+from contourlab.app.session import Answer, Asked
 from contourlab.features.sweep.query import Spread, Yield, counts, spreads, yield_of
 from contourlab.features.sweep.store import SCHEMA, Store
 from contourlab.figures import figure, number, shown_unit
@@ -20,7 +22,7 @@ KINDS = {"max": "largest", "rms": "rms", "mean": "mean"}
 
 
 @dataclass(frozen=True)
-class SweepSummary:
+class SweepSummary(Answer):
     """What a store holds.
 
     Attributes
@@ -60,6 +62,11 @@ class SweepSummary:
     cpu_seconds: float
     rate: float
     findings: tuple[Finding, ...]
+    fresh: bool = field(default=False, metadata=HIDDEN)
+
+    def _next(self, asked: Asked) -> Sequence[object] | None:
+        """Read the report of a study that was run."""
+        return ["sweep", "report", self.store] if self.fresh else None
 
     @property
     def text(self) -> str:

@@ -2,36 +2,40 @@
 
 from __future__ import annotations
 
+import math
 import tempfile
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from contourlab.app.results import check_file, proposed, staged
-from contourlab.errors import ParameterError, ScenarioError
-from contourlab.features.run.command import check_plots
-from contourlab.features.run.inputs import scenario_of
+from contourlab.app.json_values import HIDDEN
+from contourlab.app.results import proposed, staged
+from contourlab.app.session import QUIET, Answer, Asked, Session, question
+from contourlab.app.shared_options import Motion
+from contourlab.errors import ScenarioError
+from contourlab.features.run.source import Source, case_asked
+from contourlab.features.tune.objective import Goal
+from contourlab.features.tune.options import Tune
 from contourlab.features.tune.report import tables
-from contourlab.features.tune.search import REFINEMENTS
-from contourlab.features.tune.study import Tuned, TuneSettings, tune
+from contourlab.features.tune.search import REFINEMENTS, LineRule
+from contourlab.features.tune.study import Tuned, TuneSettings
+from contourlab.features.tune.study import tune as calibrated
 from contourlab.findings import Finding, finding
-from contourlab.rendering.stages import shown
+from contourlab.loop import Controller
+from contourlab.rendering.charts import Chart
 from contourlab.rendering.table import paragraphs
 from contourlab.result import write_text_atomic
+from contourlab.scenario import Case
 from contourlab.study import Setting, Space
-
-if TYPE_CHECKING:
-    from contourlab.scenario import Case
-
 
 KEPT = "tuned.toml"
 """File of the controller in the folder of results."""
 
 
 @dataclass(frozen=True, eq=False)
-class Calibration:
-    """The result of the command; its fields are the JSON output.
+class Calibration(Answer):
+    """A calibrated controller.
 
     Attributes
     ----------
@@ -39,9 +43,14 @@ class Calibration:
         Name of the scenario and of its scheme.
     passed : bool
         Whether the controller keeps bounds and tolerance.
-    tolerance : float [m] or None
+    tolerance : float or None [m]
+    settings : TuneSettings
+    result : Tuned
+    findings : tuple of Finding
     controller_file : Path or None
-        The file written; None if the controller breaks a bound.
+        The file written; None before, or if the controller breaks a bound.
+    plots : tuple of Path
+        The pictures written.
     """
 
     name: str
@@ -53,92 +62,140 @@ class Calibration:
     findings: tuple[Finding, ...]
     controller_file: Path | None
     plots: tuple[Path, ...]
+    case: Case = field(metadata=HIDDEN, repr=False)
+    inputs: tuple[Path, ...] = field(metadata=HIDDEN, repr=False)
+    plugins: tuple[Path, ...] = field(metadata=HIDDEN, repr=False)
 
+    @property
+    def controller(self) -> Controller:
+        """The calibrated controller."""
+        return self.result.controller
+
+    @property
     def text(self) -> str:
-        """Return the tables, the findings, and the files written."""
+        """The tables, the findings, and the files written."""
         goal, bounds = self.settings.goal, self.settings.bounds
         head = paragraphs([f"{self.name}, {self.scheme}", f"objective: {goal.label}", f"bounds: {bounds.words}"])
         parts = [head, *tables(goal, self.result)]
         parts.append(paragraphs(map(str, self.findings)))
         written = self.controller_file
-        files = ["no controller file: the gains break a bound" if written is None else f"controller file: {written}"]
+        broken = "no controller file: the gains break a bound" if self.result.after.violations else "no controller file yet"
+        files = [broken if written is None else f"controller file: {written}"]
         files += [f"plot: {file}" for file in self.plots]
         return "\n\n".join([*parts, "\n".join(files)])
 
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The parameters before and after, one a row [SI]."""
+        start = zip(self.result.space.numbers, self.result.space.start, strict=True)
+        return [
+            {"parameter": one.name, "unit": one.unit, "before": float(value), "after": self.result.values.get(one.name, float(value))}
+            for one, value in start
+        ]
 
-def tune_scenario(
-    file: str | Path,
-    settings: TuneSettings,
-    *,
-    scheme: str | None = None,
-    machine: str | Path | None = None,
-    controller: str | Path | None = None,
-    tolerance: str | None = None,
-    judge: str | None = None,
-    program: Mapping[str, Any] | None = None,
-    out: str | Path | None = None,
-    plots: Sequence[str] = (),
-    folder: str | Path = "results",
-    plugins: Sequence[str | Path] = (),
-    progress: bool = False,
-) -> Calibration:
+    def _charts(self) -> Iterator[Chart]:
+        from contourlab.features.tune.report import tuning_charts
+
+        yield from tuning_charts(self.settings.goal, self.result)
+
+    @property
+    def stopped(self) -> BaseException | None:
+        """The interrupt that ended the search, if one did."""
+        if not self.result.interrupted:
+            return None
+        end = KeyboardInterrupt()
+        if self.controller_file is not None:
+            end.add_note(f"Kept the best gains so far: {self.controller_file}")
+        return end
+
+    def save(self, folder: str | Path = "results", *, write: str | Path | None = None, plots: Sequence[str] = ()) -> Calibration:
+        """Write the controller, unless it breaks a bound, and pictures.
+
+        Parameters
+        ----------
+        folder : str or Path
+        write : str or Path, optional
+            Controller file; by default ``tuned.toml`` in the folder.
+        plots : sequence of str
+            Formats: png, svg or pdf; into ``plots`` in the folder.
+
+        Returns
+        -------
+        Calibration
+            With the names of its files.
+
+        Raises
+        ------
+        OutputError
+            If a file cannot be written.
+        """
+        tuned, drawn = self.result, tuple[Path, ...]()
+        written = None if tuned.after.violations else Path(folder) / KEPT if write is None else Path(write)
+        with staged(folder, *([KEPT] if write is None else []), inputs=self.inputs) as stage:
+            if written is not None:
+                _write(tuned, self.case, stage / KEPT if write is None else written, self.name, self.plugins)
+            if plots:
+                from contourlab.rendering.plots import write_charts
+
+                charts = write_charts(self._charts(), stage / "plots", tuple(plots))
+                drawn = tuple(Path(folder) / chart.relative_to(stage) for chart in charts)
+        return replace(self, controller_file=written, plots=drawn)
+
+    def _next(self, asked: Asked) -> Sequence[object] | None:
+        """Run the motion with the new controller; or start elsewhere."""
+        if self.controller_file is not None:
+            given = replace(asked.settings, controller=str(self.controller_file))
+            return ["run", *asked.inputs, *given.words_of(Motion)]
+        return None if self.result.interrupted else asked.again("--start", "placed")
+
+
+@question(Tune)
+def tune(*source: Source, settings: Tune, session: Session = QUIET) -> Calibration:
     """Calibrate the controller of a scenario, or of a part program on a machine.
 
     Parameters
     ----------
-    file : str or Path
-        A scenario (``.toml``); anything else is a part program.
-    scheme : str, optional
-        Scheme of the scenario; by default the scenario without schemes.
-    machine, controller, tolerance, program
-        See `contourlab.features.run.inputs.scenario_of`.
-    judge : str, optional
-        Moves to judge; by default as in the scenario.
-    out : str or Path, optional
-        Controller file to write, by default ``tuned.toml`` in `folder`; not written if the controller breaks a bound.
-    plots : sequence of str
-        png, svg or pdf, into ``plots`` in `folder`; other files there are kept.
-    plugins : sequence of str or Path
-        Python files with components.
-    progress : bool
-        Whether to show a bar.
+    *source : str, Path, Scenario, Case, or a Machine, its Controller and a Reference
+        A scenario (``.toml``) or a part program, as a file or read; or what a scenario consists of.
+
+    Returns
+    -------
+    Calibration
 
     Raises
     ------
     ScenarioError, ProgramError, ParameterError
         If the scenario cannot be read or has no such scheme, or an option is out of range.
-    OutputError
-        If `out` or `folder` cannot be written; raised before anything is simulated.
     """
-    check_plots(plots)
-    if out is not None and Path(out).suffix.lower() != ".toml":
-        raise ParameterError("--write", repr(str(out)), "a controller file, which ends in .toml")
-    parts: dict[str, Any] = {"machine": machine, "controller": controller, "tolerance": tolerance}
-    scenario = scenario_of(file, **parts, program=program, plugins=plugins).judging(judge)
-    case = scenario.base if scheme is None else scenario.case(scheme)
+    study = study_settings(settings)
+    scenario, case = case_asked(source, settings)
     if case.changes:
-        raise ScenarioError("the controller changes during the run: calibrate each controller in its own scenario", file=file)
-    if out is not None:
-        check_file(out, scenario.inputs)
-    with staged(folder, *([KEPT] if out is None else []), inputs=scenario.inputs) as stage:
-        with shown(progress) as stages, settings.executor.started(plugins, "Repeat the command") as pool:
-            stages.expect(_work(case, settings))
-            stages.begin("planning")
-            tuned = tune(Setting.of(case), settings, pool=pool, begin=stages.begin, progress=stages.advance)
-        written = None if tuned.after.violations else Path(folder) / KEPT if out is None else Path(out)
-        if written is not None:
-            _write(tuned, case, stage / KEPT if out is None else written, scenario.name, plugins)
-        drawn: list[Path] = []
-        if plots:
-            from contourlab.features.tune.report import tuning_charts
-            from contourlab.rendering.plots import write_charts
-
-            charts = write_charts(tuning_charts(settings.goal, tuned), stage / "plots", tuple(plots))
-            drawn = [Path(folder) / chart.relative_to(stage) for chart in charts]
+        message = "the controller changes during the run: calibrate each controller in its own scenario"
+        raise ScenarioError(message, file=scenario.file)
+    session.will_write(scenario.inputs, *([KEPT] if session.saving.get("write") is None else []))
+    stages = session.stages()
+    with settings.pool.started(settings.plugin, "Repeat the command") as pool:
+        stages.expect(_work(case, study))
+        stages.begin("planning")
+        tuned = calibrated(Setting.of(case), study, pool=pool, begin=stages.begin, progress=stages.advance)
     verdict = _verdict(case, tuned)
     passed = not any(one.entry.severity == "error" for one in verdict)
     findings = (*tuned.findings, *verdict)
-    return Calibration(scenario.name, case.name, passed, case.tolerance, settings, tuned, findings, written, tuple(drawn))
+    named = (scenario.name, case.name, passed, case.tolerance)
+    return Calibration(*named, study, tuned, findings, None, (), case, scenario.inputs, settings.plugin)
+
+
+def study_settings(settings: Tune) -> TuneSettings:
+    """Return the settings of the study."""
+    most = math.inf if settings.command is None else settings.command
+    return TuneSettings(
+        goal=Goal.parse(settings.objective),
+        bounds=replace(settings.margins, limited=settings.limited, command=most),
+        rule=LineRule(settings.lanes, plateau=settings.plateau, within=settings.within),
+        parameters=settings.parameter,
+        executor=settings.pool,
+        **{name: getattr(settings, name) for name in ("method", "start", "width", "passes", "budget", "starts", "seed")},
+    )
 
 
 def _work(case: Case, settings: TuneSettings) -> list[tuple[str, float]]:

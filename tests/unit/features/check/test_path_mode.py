@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from contourlab.features.check.program_check import check_program
+from contourlab.features.check.program_check import check
 from contourlab.features.run.outcome import run_case
 from contourlab.findings import Finding
 from contourlab.scenario import parse_scenario, scenario_from_parts
@@ -36,7 +36,7 @@ def test_check_says_what_it_assumed(
     moves: str, expected: dict[str, tuple[int, float | None]], size: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("contourlab.features.check.planned_motion.PART", size)
-    found = check_program(program(tmp_path, moves), "xyz").findings
+    found = check(program(tmp_path, moves), machine="xyz").findings
     assert assumed(found) == expected and {one.entry.severity for one in found} <= {"info"}
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from contourlab.features.check.planned_motion import parts
-from contourlab.features.check.program_check import Checked, check_program
+from contourlab.features.check.program_check import Checked, check
 from contourlab.program import Reader, Reading
 
 STOPS = (
@@ -22,7 +22,7 @@ ROUND = "G21 G64 P0.05 F3000\n" + "".join(f"G1 X{math.cos(0.01 * i):.5f} Y{math.
 def checked(folder: Path, text: str) -> Checked:
     file = folder / "part.ngc"
     file.write_text(text, encoding="utf-8")
-    return check_program(file)
+    return check(file)
 
 
 def test_parts_between_stops_change_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

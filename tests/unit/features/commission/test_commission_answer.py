@@ -13,7 +13,7 @@ from contourlab.analysis.identification.least_squares import DescentSettings
 from contourlab.app.json_values import json_values
 from contourlab.app.results import SAFETY
 from contourlab.errors import ParameterError
-from contourlab.features.commission.command import Commissioned, commission, prepare
+from contourlab.features.commission.command import Commissioned, commission
 from contourlab.features.commission.hal_files import read_setup
 from contourlab.features.commission.loop import GAINS
 from contourlab.features.commission.tuning import AxisTask, TunedAxis, largest_error, shared_delay
@@ -29,12 +29,12 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> bench.Made:
 @pytest.fixture(scope="module")
 def answered(made: bench.Made, tmp_path_factory: pytest.TempPathFactory) -> tuple[Commissioned, Path]:
     folder = tmp_path_factory.mktemp("answer")
-    return commission(made.ini, made.hal, [made.log(folder / "log1.csv")], folder / "out", control="twincat"), folder / "out"
+    return commission(made.ini, made.hal, log=[made.log(folder / "log1.csv")], for_="twincat").save(folder / "out"), folder / "out"
 
 
 def test_first_call_writes_what_to_run(made: bench.Made, tmp_path: Path) -> None:
     before = made.ini.read_bytes(), made.hal.read_bytes()
-    result = prepare(made.ini, made.hal, tmp_path)
+    result = commission(made.ini, made.hal).save(tmp_path)
     assert [file.name for file in result.files] == ["excite.ngc", "sampler.hal", "steps.md"]
     assert before == (made.ini.read_bytes(), made.hal.read_bytes())
     assert result.passed
@@ -176,7 +176,7 @@ def stiff(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.slow
 def test_doctored_logs_are_named(made: bench.Made, tmp_path: Path, code: str, doctor: Callable[[Rows], Rows]) -> None:
     log = made.log(tmp_path / "log.csv", doctor(made.rows))
-    result = commission(made.ini, made.hal, [log], tmp_path / "out")
+    result = commission(made.ini, made.hal, log=[log]).save(tmp_path / "out")
     assert code in {one.code for one in result.findings}
     wrong = [one for one in result.findings if one.code == code and one.entry.severity == "error"]
     assert all(one.place.removeprefix("axis ") not in result.pid for one in wrong)
@@ -190,7 +190,7 @@ def test_a_wrong_period_in_the_ini_file_shows_in_a_log_without_times(made: bench
     names = ("x_cmd [mm]", "x [mm]", "x_out", "y_cmd [mm]", "y [mm]", "y_out")
     samples = np.column_stack([np.arange(len(made.rows["x_out"])), *(made.rows[name] for name in names)])
     log.write_text("".join(f"{int(row[0])} " + " ".join(f"{value:f}" for value in row[1:]) + " \n" for row in samples))
-    result = commission(ini, made.hal, [log], tmp_path / "out")
+    result = commission(ini, made.hal, log=[log]).save(tmp_path / "out")
     factors = [one.values["factor"] for one in result.findings if one.code == "CL882"]
     assert factors == pytest.approx([0.5, 0.5], rel=0.05)
     assert not result.pid
@@ -200,7 +200,7 @@ def test_a_wrong_period_in_the_ini_file_shows_in_a_log_without_times(made: bench
 def test_noise_is_named(made: bench.Made, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("contourlab.features.commission.tuning.BUDGET", 32)
     log = made.log(tmp_path / "log.csv", bench.simulated(made.setup, made.program, noise=5e-6, axes="x"))
-    result = commission(made.ini, made.hal, [log], tmp_path / "out")
+    result = commission(made.ini, made.hal, log=[log]).save(tmp_path / "out")
     assert "CL891" in codes(result)
 
 
@@ -241,7 +241,7 @@ def test_files_that_do_not_fit_the_log_are_named(
     made: bench.Made, tmp_path: Path, code: str, changes: dict[str, str], doctor: Callable[[Rows], Rows]
 ) -> None:
     log = made.log(tmp_path / "log.csv", doctor(made.rows))
-    result = commission(with_ini(made, tmp_path, **changes), made.hal, [log], tmp_path / "out")
+    result = commission(with_ini(made, tmp_path, **changes), made.hal, log=[log]).save(tmp_path / "out")
     assert code in codes(result)
     assert code not in codes(result, "axis y")
 
@@ -263,14 +263,14 @@ def test_an_axis_unlike_its_model_is_named(
 ) -> None:
     n = made.rows["time [s]"].size
     rows = bench.simulated(made.setup, made.program, noise=wavy(n, *wave), axes="x", delay=delay)
-    result = commission(made.ini, made.hal, [made.log(tmp_path / "log.csv", rows)], tmp_path / "out")
+    result = commission(made.ini, made.hal, log=[made.log(tmp_path / "log.csv", rows)]).save(tmp_path / "out")
     assert code in codes(result)
 
 
 @pytest.mark.slow
 def test_no_gains_within_the_margins(made: bench.Made, tmp_path: Path) -> None:
     log = made.log(tmp_path / "log.csv", {name: values for name, values in made.rows.items() if not name.startswith("y")})
-    result = commission(made.ini, made.hal, [log], tmp_path / "out", margins=(80.0, 30.0))
+    result = commission(made.ini, made.hal, log=[log], gain_margin=80.0).save(tmp_path / "out")
     assert "CL897" in codes(result)
     assert result.pid["x"]["Pgain"] == 0.8
 
@@ -280,7 +280,7 @@ def test_gains_that_depend_on_the_axis_are_named(made: bench.Made, tmp_path: Pat
     tuned = TunedAxis(np.full(7, 1e3), 2e-6, 2e-3)
     monkeypatch.setattr("contourlab.features.commission.command.tune_axis", lambda task, **settings: tuned)
     log = made.log(tmp_path / "log.csv", {name: values for name, values in made.rows.items() if not name.startswith("y")})
-    result = commission(made.ini, made.hal, [log], tmp_path / "out")
+    result = commission(made.ini, made.hal, log=[log]).save(tmp_path / "out")
     assert "CL898" in codes(result)
     assert result.predicted["x"].spread == pytest.approx(2000.0)
 
@@ -304,7 +304,7 @@ def test_noise_while_the_control_is_off_counts_only_for_a_pid_that_is_always_ena
     off = {"x_cmd [mm]": noise, "x [mm]": noise}
     rows = {name: np.concatenate([off.get(name, np.zeros(300)), values]) for name, values in made.rows.items() if name[0] in "tx"}
     rows["time [s]"] = bench.PERIOD * np.arange(rows["x_out"].size)
-    commission(made.ini, hal, [made.log(tmp_path / "log.csv", rows)], tmp_path / "out")
+    commission(made.ini, hal, log=[made.log(tmp_path / "log.csv", rows)]).save(tmp_path / "out")
     assert [len(task.off) > 0 for task in tasks] == [always]
 
 
@@ -338,13 +338,13 @@ def distance(rows: Rows, axis: str, late: int) -> float:
 def test_a_delay_that_all_axes_share_is_no_error(made: bench.Made, tmp_path: Path) -> None:
     ini, gains = one_period_late(made, tmp_path)
     rows = bench.simulated(made.setup, made.program, gains)
-    result = commission(ini, made.hal, [made.log(tmp_path / "log.csv", rows)], tmp_path / "out")
+    result = commission(ini, made.hal, log=[made.log(tmp_path / "log.csv", rows)]).save(tmp_path / "out")
     for axis in "xy":
         assert distance(rows, axis, 0) > 190.0  # a servo period at 200 mm/s
         assert distance(rows, axis, 1) < 60.0
         assert result.predicted[axis].before == pytest.approx(distance(rows, axis, 1), abs=10.0)
     alone = {name: values for name, values in rows.items() if not name.startswith("y")}
-    result = commission(ini, made.hal, [made.log(tmp_path / "log.csv", alone)], tmp_path / "out")
+    result = commission(ini, made.hal, log=[made.log(tmp_path / "log.csv", alone)]).save(tmp_path / "out")
     assert result.predicted["x"].before == pytest.approx(distance(rows, "x", 0), rel=1e-3)
 
 
@@ -364,7 +364,7 @@ def test_gains_that_only_remove_a_shared_delay_are_not_proposed(made: bench.Made
         return TunedAxis(gains, 1e-6 * tried[axis], 0.0)
 
     monkeypatch.setattr("contourlab.features.commission.command.tune_axis", tune)
-    result = commission(ini, made.hal, [made.log(tmp_path / "log.csv", rows)], tmp_path / "out")
+    result = commission(ini, made.hal, log=[made.log(tmp_path / "log.csv", rows)]).save(tmp_path / "out")
     for axis in "xy":
         assert distance(rows, axis, 1) < 0.8 * tried[axis] < tried[axis] < 0.8 * distance(rows, axis, 0)
         assert "CL897" in codes(result, f"axis {axis}")
@@ -406,7 +406,7 @@ def test_resonance_and_play_are_seen_from_the_motor(made: bench.Made, tmp_path: 
     noise = np.random.default_rng(1).uniform(-bench.NOISE, bench.NOISE, command.size)
     position, output = plant.measured(command, axis.gains, bench.PERIOD, noise)
     rows = {"time [s]": made.rows["time [s]"], "x_cmd [mm]": 1e3 * command, "x [mm]": 1e3 * position, "x_out": output}
-    result = commission(made.ini, made.hal, [made.log(tmp_path / "log.csv", rows)], tmp_path / "out")
+    result = commission(made.ini, made.hal, log=[made.log(tmp_path / "log.csv", rows)]).save(tmp_path / "out")
     values = next(one.values for one in result.findings if one.code == code)
     model = result.models["x"]
     assert model.model.gain == pytest.approx(plant.gain, rel=0.02)

@@ -1,0 +1,242 @@
+# ruff: noqa
+# fmt: off
+"""Types of the public names, made by ``python tools/surface.py``: do not edit."""
+
+from collections.abc import Sequence
+from contourlab.analysis.learning.learning_analysis import learning_analysis as learning_analysis
+from contourlab.analysis.linear.contour_transfer import contour_margins as contour_margins
+from contourlab.analysis.linear.contour_transfer import internal_stability as internal_stability
+from contourlab.components.conformance import check_component as check_component
+from contourlab.components.contract import Component as Component
+from contourlab.components.parameter import param as param
+from contourlab.components.parameter import text_param as text_param
+from contourlab.components.plant.reflected import reflected_inertia as reflected_inertia
+from contourlab.components.plant.reflected import reflected_mass as reflected_mass
+from contourlab.components.registry import component as component
+from contourlab.components.registry import load_plugin as load_plugin
+from contourlab.components.translation import translate as translate
+from contourlab.contours.reader import read_contour as read_contour
+from contourlab.engine.step import Port as Port
+from contourlab.errors import ContourlabError as ContourlabError
+from contourlab.errors import DivergenceError as DivergenceError
+from contourlab.features.analyse.command import Analysis as Analysis
+from contourlab.features.backlash.command import BacklashOutcome as BacklashOutcome
+from contourlab.features.check.program_check import Checked as Checked
+from contourlab.features.circle.result import CircleTest as CircleTest
+from contourlab.features.commission.command import Commissioned as Commissioned
+from contourlab.features.export.command import Exported as Exported
+from contourlab.features.identify.command import Identification as Identification
+from contourlab.features.interpolate.command import Counts as Counts
+from contourlab.features.learn.stopping import Stopping as Stopping
+from contourlab.features.learn.table import LearnedTable as LearnedTable
+from contourlab.features.limits.result import LimitTest as LimitTest
+from contourlab.features.link.cost import message_rate as message_rate
+from contourlab.features.link.result import LinkResult as LinkResult
+from contourlab.features.measure.command import MeasuredRuns as MeasuredRuns
+from contourlab.features.notch.command import Notched as Notched
+from contourlab.features.precompensate.result import Precompensated as Precompensated
+from contourlab.features.refine.command import Refinement as Refinement
+from contourlab.features.run.command import Planned as Planned
+from contourlab.features.run.command import Runs as Runs
+from contourlab.features.run.record import simulate_to_file as simulate_to_file
+from contourlab.features.run.report import report as report
+from contourlab.features.run.schemes import learn as learn
+from contourlab.features.run.source import Source as Source
+from contourlab.features.run.verdict import verdict as verdict
+from contourlab.features.sensitivity.command import Sensitivity as Sensitivity
+from contourlab.features.swap.report import SwapResult as SwapResult
+from contourlab.features.sweep.command import Rows as Rows
+from contourlab.features.sweep.optimise import Search as Search
+from contourlab.features.sweep.query import Export as ExportedRows
+from contourlab.features.sweep.report import SweepReport as SweepReport
+from contourlab.features.sweep.summary import SweepSummary as SweepSummary
+from contourlab.features.tune.command import Calibration as Calibration
+from contourlab.feed.blending import blended as blended
+from contourlab.feed.limits import AxisLimits as AxisLimits
+from contourlab.feed.planner import plan as plan
+from contourlab.feed.reference import Reference as Reference
+from contourlab.feed.reference import uniform as uniform
+from contourlab.feed.route import Route as Route
+from contourlab.feed.route import route_from_path as route_from_path
+from contourlab.feed.route import route_from_program as route_from_program
+from contourlab.feed.verify import limit_report as limit_report
+from contourlab.geometry.library import contour as contour
+from contourlab.geometry.library import contour_names as contour_names
+from contourlab.geometry.path import Path as Path
+from contourlab.loop.axis_parts import AxisError as AxisError
+from contourlab.loop.axis_parts import Division as Division
+from contourlab.loop.axis_parts import Limits as Limits
+from contourlab.loop.batch import simulate_batch as simulate_batch
+from contourlab.loop.batch_result import BatchResult as BatchResult
+from contourlab.loop.feeding import Learned as Learned
+from contourlab.loop.machine import Axis as Axis
+from contourlab.loop.machine import AxisController as AxisController
+from contourlab.loop.machine import Controller as Controller
+from contourlab.loop.machine import Machine as Machine
+from contourlab.loop.parameters import parameter_names as parameter_names
+from contourlab.loop.reconfigure import Change as Change
+from contourlab.loop.simulate import simulate as simulate
+from contourlab.metrics.circle_backlash import backlash_from_circle as backlash_from_circle
+from contourlab.metrics.circle_backlash import backlash_of_runs as backlash_of_runs
+from contourlab.metrics.circles import circles_of as circles_of
+from contourlab.metrics.figures import Metrics as Metrics
+from contourlab.metrics.figures import summarise as summarise
+from contourlab.metrics.judge import judge as judge
+from contourlab.metrics.lost_motion import lost_motion_from_pair as lost_motion_from_pair
+from contourlab.metrics.reversals import reversal_spikes as reversal_spikes
+from contourlab.papers.run import Reproduction as Reproduction
+from contourlab.program.moves import Program as Program
+from contourlab.program.reader import Reading as Reading
+from contourlab.program.reader import parse_program as parse_program
+from contourlab.program.reader import read_program as read_program
+from contourlab.result.result import Result as Result
+from contourlab.result.signals import Signal as Signal
+from contourlab.result.signals import Status as Status
+from contourlab.scenario.load import load_scenario as load_scenario
+from contourlab.scenario.values import Scenario as Scenario
+from pathlib import Path as File
+from typing import Any
+
+__version__: str
+
+__all__ = [
+    "__version__",
+    "Axis",
+    "AxisController",
+    "AxisError",
+    "AxisLimits",
+    "BatchResult",
+    "Change",
+    "Component",
+    "ContourlabError",
+    "Controller",
+    "DivergenceError",
+    "Division",
+    "Learned",
+    "LearnedTable",
+    "Limits",
+    "Machine",
+    "Metrics",
+    "Path",
+    "Port",
+    "Program",
+    "Reading",
+    "Reference",
+    "Result",
+    "Route",
+    "Scenario",
+    "Signal",
+    "Status",
+    "Stopping",
+    "analyse",
+    "backlash",
+    "backlash_from_circle",
+    "backlash_of_runs",
+    "blended",
+    "check",
+    "check_component",
+    "circle",
+    "circles_of",
+    "commission",
+    "compare",
+    "component",
+    "contour",
+    "contour_margins",
+    "contour_names",
+    "export",
+    "identify",
+    "internal_stability",
+    "interpolate",
+    "judge",
+    "learn",
+    "learning_analysis",
+    "limit_report",
+    "limits",
+    "link",
+    "load_plugin",
+    "load_scenario",
+    "lost_motion_from_pair",
+    "measure",
+    "message_rate",
+    "notch",
+    "param",
+    "parameter_names",
+    "parse_program",
+    "plan",
+    "precompensate",
+    "read_contour",
+    "read_program",
+    "refine",
+    "reflected_inertia",
+    "reflected_mass",
+    "report",
+    "reproduce",
+    "reversal_spikes",
+    "route_from_path",
+    "route_from_program",
+    "run",
+    "sensitivity",
+    "simulate",
+    "simulate_batch",
+    "simulate_to_file",
+    "summarise",
+    "swap",
+    "sweep",
+    "text_param",
+    "translate",
+    "tune",
+    "uniform",
+    "verdict",
+]
+
+def analyse(*source: Source, whole: bool = ..., plugin: str | File | Sequence[str | File] = ..., schemes: str | Sequence[str] = ...) -> Analysis: ...
+
+def backlash(*source: Source, quick: bool = ..., plugin: str | File | Sequence[str | File] = ..., schemes: str | Sequence[str] = ...) -> BacklashOutcome: ...
+
+def check(file: str | File, *, machine: str | None = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ..., dialect: str = ...) -> Checked: ...
+
+def circle(*logs: str | File, tolerance: str | None = ..., radius: str | None = ..., feed: str | None = ..., pitch: str | None = ..., axes: str | Sequence[str] = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> CircleTest: ...
+
+def commission(ini: str | File, hal: str | File, *, control: str = ..., log: str | File | Sequence[str | File] = ..., program: str | File | None = ..., for_: str | None = ..., gain_margin: float = ..., phase_margin: float = ..., seed: int = ...) -> Commissioned: ...
+
+def export(file: str | File, *, to: str, machine: str | None = ..., scheme: str | None = ..., axis: str | Sequence[str] = ..., plugin: str | File | Sequence[str | File] = ...) -> Exported: ...
+
+def identify(*logs: str | File, model: str = ..., axis: str | None = ..., gain: str | None = ..., full_scale: str | None = ..., cutoff: str = ..., slowest: str | None = ..., decimation: int = ..., validation: str | File | None = ..., position_gain: str | None = ..., velocity_gain: str | None = ..., lead: str | None = ..., motor_inertia: str | None = ..., side: str = ..., excitation: str = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> Identification: ...
+
+def interpolate(file: str | File, *, pitch: str = ..., resolution: str = ..., columns: str | None = ..., reference: str | None = ..., forgetting: float | None = ...) -> Counts: ...
+
+def limits(file: str | File, *, machine: str | None = ..., velocity: str | None = ..., acceleration: str | None = ..., jerk: str | None = ..., tolerance: str | None = ..., program: str | File | None = ..., line_column: str | None = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ..., axes: str | Sequence[str] = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ..., dialect: str = ...) -> LimitTest: ...
+
+def link(*source: Source, vary: str | Sequence[str] = ..., axes: str | Sequence[str] = ..., figure: str = ..., tolerance: str | None = ..., extrapolate: bool = ..., seeds: int | None = ..., quick: bool = ..., plugin: str | File | Sequence[str | File] = ..., schemes: str | Sequence[str] = ..., division: str | Sequence[str] = ..., ways: str | Sequence[str] = ..., within: str | None = ..., message_period: str | None = ..., delay: str | None = ..., jitter: str | None = ..., loss: str | None = ..., longest: str | None = ...) -> LinkResult: ...
+
+def compare(*files: Any, plugin: str | File | Sequence[str | File] = ..., schemes: str | Sequence[str] = ..., judge: str | None = ..., interval: bool | None = ..., trials: int | None = ...) -> Runs | MeasuredRuns: ...
+
+def measure(log: str | File, *, reference: str | None = ..., shift: str | None = ..., axes: str | Sequence[str] = ..., tolerance: str | None = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> MeasuredRuns: ...
+
+def notch(*source: Source, scheme: str | None = ..., axes: str | Sequence[str] = ..., plugin: str | File | Sequence[str | File] = ..., gain_margin: float = ..., phase_margin: float = ...) -> Notched: ...
+
+def precompensate(part: str | File, *, log: str | File | Sequence[str | File] = ..., passes: str | File | None = ..., machine: str | None = ..., controller: str | None = ..., repeat: int = ..., tolerance: str = ..., cap: str = ..., band: str = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ..., axes: str | Sequence[str] = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ..., dialect: str = ..., plugin: str | File | Sequence[str | File] = ..., seed: int = ...) -> Precompensated: ...
+
+def refine(scenario: str | File, *, log: str | File | Sequence[str | File], parameter: str | Sequence[str], also: str | Sequence[str] = ..., window: str | Sequence[str] = ..., validation: str | File | None = ..., starts: int = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ..., plugin: str | File | Sequence[str | File] = ...) -> Refinement: ...
+
+def run(*source: Source, check: bool = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ..., plugin: str | File | Sequence[str | File] = ..., judge: str | None = ..., machine: str | None = ..., controller: str | None = ..., tolerance: str | None = ..., fit: bool = ..., no_require_end: bool = ..., dialect: str | None = ..., interval: bool | None = ...) -> Runs | Planned: ...
+
+def sensitivity(*source: Source, width: float = ..., scheme: str = ..., figure: str = ..., parts: str | Sequence[str] = ..., values: int = ..., base: int = ..., second_order: bool = ..., trajectories: int = ..., distribution: str = ..., deviation: str | Sequence[str] = ..., transform: str = ..., servo_period: str | None = ..., quick: bool = ..., plugin: str | File | Sequence[str | File] = ..., judge: str | None = ..., parameter: str | Sequence[str] = ..., seed: int = ..., executor: str = ..., workers: int | None = ...) -> Sensitivity: ...
+
+def swap(*source: Source, within: str = ..., longest: str = ..., axis: str | Sequence[str], with_: str | Sequence[str], scheme: str | None = ..., objective: str = ..., floor: str | None = ..., local: str | Sequence[str] = ..., exhaustive: bool = ..., from_: str | Sequence[str] = ..., budget: int = ..., quick: bool = ..., region: str | Sequence[str] = ..., tolerance: str | None = ..., places: int | None = ..., linear: str | Sequence[str] = ..., plugin: str | File | Sequence[str | File] = ..., gain_margin: float = ..., phase_margin: float = ..., parameter: str | Sequence[str] = ..., width: float = ..., seed: int = ..., executor: str = ..., workers: int | None = ..., division: str | Sequence[str] = ..., ways: str | Sequence[str] = ..., message_period: str | None = ..., delay: str | None = ..., jitter: str | None = ..., loss: str | None = ...) -> SwapResult: ...
+
+class _Sweep:
+    def __call__(self, study: str | File, *, chunks: str = ..., yes: bool = ..., plugin: str | File | Sequence[str | File] = ..., executor: str = ..., workers: int | None = ..., out: str | File = ..., resume: bool = ...) -> SweepSummary: ...
+    def optimise(self, study: str | File, *, minimise: str | Sequence[str] = ..., sampler: str = ..., trials: int = ..., batch: int = ..., plugin: str | File | Sequence[str | File] = ..., executor: str = ..., workers: int | None = ..., out: str | File = ..., resume: bool = ...) -> Search: ...
+    def show(self, store: str | File) -> SweepSummary: ...
+    def query(self, store: str | File, sql: str, *, memory: str = ..., time: str = ...) -> Rows: ...
+    def worst(self, store: str | File, count: int = ..., *, figure: str = ..., rerun: int | None = ..., plugin: str | File | Sequence[str | File] = ...) -> Rows | Runs: ...
+    def report(self, store: str | File, *, out: str | File | None = ..., figure: str | None = ...) -> SweepReport: ...
+    def merge(self, *stores: str | File, out: str | File) -> SweepSummary: ...
+    def export(self, store: str | File, *, to: str | File) -> ExportedRows: ...
+
+sweep: _Sweep
+
+def tune(*source: Source, scheme: str | None = ..., method: str = ..., start: str = ..., objective: str = ..., limited: float = ..., command: float | None = ..., passes: int = ..., lanes: int = ..., plateau: str = ..., within: float = ..., budget: int = ..., starts: int = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ..., plugin: str | File | Sequence[str | File] = ..., judge: str | None = ..., machine: str | None = ..., controller: str | None = ..., tolerance: str | None = ..., fit: bool = ..., no_require_end: bool = ..., dialect: str | None = ..., gain_margin: float = ..., phase_margin: float = ..., parameter: str | Sequence[str] = ..., width: float = ..., seed: int = ..., executor: str = ..., workers: int | None = ...) -> Calibration: ...
+
+def reproduce(paper: str, *, log: str | File | None = ..., validation: str | File | None = ..., log_folder: str | File | None = ..., unseen: bool = ...) -> Reproduction: ...

@@ -1,0 +1,240 @@
+"""Options of questions: each is one field of a settings class, with its type, default, bounds and line of help.
+
+The command line, the public function and its documentation are made from the fields. Nothing heavy is imported here: the help of a command
+needs these classes only.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import inspect
+import math
+import operator
+import os
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+from types import NoneType
+from typing import Any, ClassVar, TypeVar, dataclass_transform, get_args, get_origin, get_type_hints
+
+from contourlab.errors import ParameterError, UnitError
+
+REQUIRED: Any = dataclasses.MISSING
+"""Default of an option without one."""
+Kind = TypeVar("Kind")
+
+
+@dataclass(frozen=True)
+class Option:
+    """What an option says of itself, besides its name and its type.
+
+    Attributes
+    ----------
+    help : str
+        One line.
+    least, most, above : float, optional
+        Bounds; `above` is excluded.
+    choices : tuple of str
+        All words that it may be; empty for any.
+    unit : str
+        Unit of a number; or SI unit of a quantity that is given as text, as ``"25 um"``, which must be > 0.
+    metavar : str
+        What stands for the value in the help; marks an argument if `argument` is set.
+    argument : bool
+        Whether the command line takes it by its place.
+    listed : bool
+        Whether several values may be one text with commas.
+    advanced : bool
+        Whether it is for experts.
+    name : str
+        Name on the command line, if it is not that of the field.
+    """
+
+    help: str = ""
+    least: float | None = None
+    most: float | None = None
+    above: float | None = None
+    choices: tuple[str, ...] = ()
+    unit: str = ""
+    metavar: str = ""
+    argument: bool = False
+    listed: bool = False
+    advanced: bool = False
+    name: str = ""
+
+    @property
+    def bound(self) -> str:
+        """The bounds, as text."""
+        if self.least is self.above is self.most is None:
+            return ""
+        if self.above is not None:
+            return f"> {self.above:g}" + ("" if self.most is None else f" and <= {self.most:g}")
+        return f"{self.least:g} or more" if self.most is None else f"{self.least:.12g} to {self.most:.12g}"
+
+
+def option(default: Any, help: str = "", **more: Any) -> Any:  # noqa: A002
+    """Return the field of an option; see `Option`."""
+    return field(default=default, kw_only=True, metadata={"option": Option(help, **more)})
+
+
+def argument(metavar: str, help: str, default: Any = REQUIRED, **more: Any) -> Any:  # noqa: A002
+    """Return the field of an argument of the command line."""
+    return option(default, help, metavar=metavar, argument=True, **more)
+
+
+def _flag(value: object) -> bool:
+    if not isinstance(value, bool):
+        raise TypeError
+    return value
+
+
+KINDS: dict[type, tuple[Callable[[Any], Any], str]] = {
+    str: (os.fspath, "a text"),
+    int: (operator.index, "a whole number"),
+    float: (float, "a number"),
+    bool: (_flag, "True or False"),
+    Path: (Path, "a file"),
+}
+"""Types of values: how each is read, and what it is."""
+
+
+QUANTITIES = {"m": "a length", "s": "a time", "m/s": "a speed", "Hz": "a frequency", "kg*m^2": "an inertia"}
+"""Quantities by their SI unit."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """An option with its name and type: `kind` is the type of a value, or of each of `many` values."""
+
+    name: str
+    kind: type
+    many: bool
+    default: Any
+    option: Option
+
+    @property
+    def typed(self) -> str:
+        """The option as typed."""
+        return self.option.name or f"--{self.name.rstrip('_').replace('_', '-')}"
+
+    @property
+    def wanted(self) -> str:
+        """What a quantity must be, with the example in its help, or its default."""
+        quoted = re.search(r'e\.g\. "([^"]+)"', self.option.help)
+        example = quoted[1] if quoted else re.sub(r"(?<=\d)(?=[a-zA-Z])", " ", str(self.default))
+        return f'{QUANTITIES[self.option.unit]} with its unit, such as "{example}"'
+
+    @property
+    def negative(self) -> str:
+        """The option that turns off what is on by default, or undecided; else an empty text."""
+        return f"--no-{self.typed[2:]}" if self.kind is bool and self.default is not False else ""
+
+    def checked(self, value: Any) -> Any:
+        """Return a value of the type of the option.
+
+        Raises
+        ------
+        ParameterError
+            If the value has another type, or is out of bounds.
+        """
+        if value is None:
+            return None if self.default is REQUIRED else self.default
+        if self.many:
+            values = (value,) if isinstance(value, str | os.PathLike) else tuple(value)
+            if self.option.listed:
+                values = tuple(name.strip() for text in values for name in str(text).split(","))
+            return tuple(self._one(item) for item in values)
+        return self._one(value)
+
+    def _one(self, value: Any) -> Any:
+        limits, (read, wanted) = self.option, KINDS[self.kind]
+        try:
+            value = read(value)
+        except (TypeError, ValueError):
+            raise ParameterError(self.name, repr(value), wanted) from None
+        if limits.choices and value not in limits.choices:
+            raise ParameterError(self.name, repr(value), f"one of {', '.join(limits.choices)}")
+        least, most, above = (math.nan if x is None else x for x in (limits.least, limits.most, limits.above))
+        if limits.bound and self.kind in (int, float) and (value < least or value > most or value <= above or value != value):
+            raise ParameterError(self.name, f"{value:g}" if self.kind is float else f"{value}", limits.bound, limits.unit)
+        return value
+
+    def words(self, value: Any) -> Iterator[str]:
+        """Yield the words that give a value, nothing for the default."""
+        if value == self.default or value is None:
+            return
+        if self.option.argument:
+            yield from map(str, value) if self.many else (str(value),)
+        elif self.kind is bool:
+            yield self.typed if value else self.negative
+        elif self.many and self.option.listed:
+            yield from (self.typed, ",".join(value))
+        else:
+            for item in value if self.many else (value,):
+                yield from (self.typed, str(item))
+
+
+@dataclass_transform(kw_only_default=True, frozen_default=True)
+def options(kind: type[Kind]) -> type[Kind]:
+    """Make a class of options: a frozen dataclass of keywords, which knows its parts."""
+    made: Any = dataclass(frozen=True, kw_only=True)(kind)
+    hints = get_type_hints(made)
+    found = {part.name: _part(part, hints[part.name]) for part in fields(made) if "option" in part.metadata}
+    made.PARTS = dict(sorted(found.items(), key=lambda item: item[0] not in inspect.get_annotations(made)))  # its own first
+    return made  # type: ignore[no-any-return]
+
+
+def _part(part: dataclasses.Field[Any], hint: Any) -> Part:
+    """Read one field; its type is one of `KINDS`, such a type or None, or a tuple of them."""
+    kinds = [kind for kind in get_args(hint) if kind not in (NoneType, ...)] or [hint]
+    return Part(part.name, kinds[0], get_origin(hint) is tuple, part.default, part.metadata["option"])
+
+
+@options
+class Options:
+    """Options; each value is checked, and turned into the type of its field.
+
+    Attributes
+    ----------
+    PARTS : dict of str to Part
+        The options by the names of their fields.
+    """
+
+    PARTS: ClassVar[dict[str, Part]] = {}
+
+    def __post_init__(self) -> None:
+        for name, part in self.PARTS.items():
+            object.__setattr__(self, name, part.checked(getattr(self, name)))
+        for name, part in self.PARTS.items():
+            if part.option.unit and part.kind is str:
+                self.si(name)
+
+    def si(self, name: str) -> Any:
+        """Return a quantity that is given as text, in SI; None if it is not given.
+
+        Raises
+        ------
+        ParameterError
+            If it is no quantity of its unit, or not positive.
+        """
+        from contourlab.units import to_si
+
+        limits, text = self.PARTS[name].option, getattr(self, name)
+        if text is None:
+            return None
+        try:
+            value = to_si(text, limits.unit)
+        except UnitError as error:
+            raise ParameterError(name, repr(text), self.PARTS[name].wanted) from error
+        if not value > 0.0:
+            raise ParameterError(name, text, "> 0")
+        return value
+
+    def words_of(self, kind: type[Options]) -> list[str]:
+        """Return the words of a command that has the options of a base."""
+        return [word for name, part in kind.PARTS.items() for word in part.words(getattr(self, name))]
+
+    def words(self, *but: str) -> list[str]:
+        """Return the words of a command that give these options, except those of the fields in `but`."""
+        return [word for name, part in self.PARTS.items() if name not in but for word in part.words(getattr(self, name))]

@@ -1,0 +1,326 @@
+"""The skeleton of a question: how it is asked in Python and on the command line, and what its answer can do.
+
+A question is a function ``question(*inputs, settings, session) -> Answer``. It computes only; `Answer.save` writes. `question` makes the
+public function of it, whose keywords are the options of its settings. `execute` is the command: ask, save, return the answer to print.
+"""
+
+from __future__ import annotations
+
+import inspect
+import os
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, ExitStack
+from dataclasses import dataclass, field
+from functools import wraps
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
+
+from contourlab.app.command_line import as_typed
+from contourlab.app.options import REQUIRED, Options, Part
+
+if TYPE_CHECKING:
+    import matplotlib.axes
+    import pandas
+
+    from contourlab.rendering.stages import Stages
+
+AnswerT = TypeVar("AnswerT")
+
+
+@dataclass(frozen=True)
+class Session:
+    """What a question knows about where it is asked.
+
+    Attributes
+    ----------
+    saving : mapping
+        How its answer will be saved: the keywords of `Answer.save`, and ``out``, the folder; empty if it may not be.
+    progress : bool
+        Whether to show a bar.
+    command : str
+        The command, as typed; a question that is asked in Python gets the one that does the same.
+    """
+
+    saving: Mapping[str, Any] = field(default_factory=dict)
+    progress: bool = False
+    command: str = ""
+    _held: ExitStack = field(default_factory=ExitStack)
+    _bar: ExitStack = field(default_factory=ExitStack)
+
+    def __enter__(self) -> Session:
+        self._held.push(self._bar)
+        return self
+
+    def __exit__(self, *error: Any) -> None:
+        self._held.__exit__(*error)
+
+    @property
+    def folder(self) -> Path:
+        """The folder of the answer; one that never exists if the answer may not be saved."""
+        return Path(self.saving.get("out", os.devnull))
+
+    def hold(self, context: AbstractContextManager[Any]) -> None:
+        """Keep a context until the answer is saved."""
+        self._held.enter_context(context)
+
+    def will_write(self, inputs: Iterable[str | Path], *names: str, pictures_only: bool = False) -> None:
+        """Refuse, before the work, to replace inputs or foreign files, and what cannot be written.
+
+        Parameters
+        ----------
+        inputs : iterable of str or Path
+            Files that the question reads.
+        names : str
+            Files that the answer writes into the folder for certain, the summary first.
+        pictures_only : bool
+            Whether pictures are all that it writes there.
+
+        Raises
+        ------
+        ParameterError, OutputError
+            See `contourlab.app.results.check_folder`.
+        """
+        from contourlab.app.results import check_file, check_folder  # the help does without
+
+        if self.saving.get("write") is not None:
+            check_file(self.saving["write"], inputs)
+        if "out" in self.saving and (self.saving.get("plots") or not pictures_only):
+            check_folder(self.saving["out"], *names, inputs=inputs)
+
+    def stages(self) -> Stages:
+        """Return the stages of the work; they are shown until the session is closed, or asked for new ones."""
+        from contourlab.rendering.stages import shown
+
+        self._bar.close()
+        return self._bar.enter_context(shown(self.progress))
+
+    def line(self, text: str) -> None:
+        """Show a line of progress, at a terminal."""
+        if self.progress:
+            sys.stderr.write(text + "\n")
+
+    def close(self) -> None:
+        """Show no stages any more."""
+        self._bar.close()
+
+
+QUIET = Session()
+"""Of a question that is asked in Python."""
+
+
+class Answer:
+    """What a question returns: figures, findings, and perhaps a verdict. Its fields are its JSON."""
+
+    @property
+    def text(self) -> str:
+        """The answer for the terminal."""
+        raise NotImplementedError
+
+    @property
+    def exit_code(self) -> int:
+        """Exit code of the command: 1 if a verdict failed."""
+        return 1 if getattr(self, "passed", True) is False else 0
+
+    @property
+    def stopped(self) -> BaseException | None:
+        """What ended the work early, if anything: the command raises it after it has printed."""
+        return None
+
+    SILENT: ClassVar[bool] = False
+    """Whether the interrupt of a partial answer says all of it."""
+
+    @property
+    def asides(self) -> Sequence[object]:
+        """What the command prints on standard error."""
+        return ()
+
+    @property
+    def json(self) -> Any:
+        """What the command prints as JSON."""
+        return self
+
+    @property
+    def rows(self) -> Sequence[dict[str, Any]]:
+        """The answer as rows of a table."""
+        from contourlab.app.json_values import json_values
+
+        return [json_values(self)]
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return the answer as a table, in SI."""
+        import pandas
+
+        return pandas.json_normalize(list(self.rows))
+
+    def _charts(self) -> Iterator[Any]:
+        yield from ()
+
+    def plot(self, ax: matplotlib.axes.Axes | None = None, *, key: str = "") -> matplotlib.axes.Axes:
+        """Draw a picture of the answer.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default on a new figure.
+        key : str
+            Which picture; by default the first.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+        """
+        from contourlab.rendering.matplotlib_view import draw_chart
+
+        return draw_chart(self._charts(), key, ax)
+
+    def save(self, folder: str | Path = "results") -> Any:
+        """Write the files of the answer into a folder; return the answer with their names."""
+        raise NotImplementedError
+
+    def _next(self, asked: Asked) -> Sequence[object] | None:
+        """Return the words of the command to type next, without the name of the program; words that are None go with the one before."""
+        return None
+
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        return f"<pre>{escape(self.text)}</pre>"
+
+
+def question(settings: type[Options], name: str = "") -> Callable[[Callable[..., AnswerT]], Callable[..., AnswerT]]:
+    """Make a public function of a question: its keywords are the options of `settings`; it writes no file and prints nothing."""
+
+    def made(ask: Callable[..., AnswerT]) -> Callable[..., AnswerT]:
+        @wraps(ask)
+        def asked(*inputs: Any, **options: Any) -> AnswerT:
+            direct = {key: options.pop(key) for key in keys if key in options}
+            chosen = options.pop("settings", None) or settings(**options)
+            words = [
+                "contourlab",
+                name or ask.__name__,
+                *(str(each) for each in inputs if isinstance(each, str | Path)),
+                *chosen.words(),
+            ]
+            with Session(command=as_typed(words)) as session:
+                return ask(*inputs, **direct, settings=chosen, session=session)
+
+        own = [each for each in inspect.signature(ask).parameters.values() if each.name not in ("settings", "session")]
+        keys = [each.name for each in own if each.kind is inspect.Parameter.KEYWORD_ONLY]
+        keywords = [
+            inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=_default(part), annotation=annotation(part))
+            for name, part in settings.PARTS.items()
+        ]
+        returns = inspect.signature(ask).return_annotation
+        asked.__signature__ = inspect.Signature([*own, *keywords], return_annotation=returns)  # type: ignore[attr-defined]
+        asked.__annotations__ = {each.name: each.annotation for each in (*own, *keywords)} | {"return": returns}
+        asked.__doc__ = documented(inspect.getdoc(ask) or "", settings)
+        asked.ask = ask  # type: ignore[attr-defined]
+        return asked
+
+    return made
+
+
+def _default(part: Part) -> Any:
+    return inspect.Parameter.empty if part.default is REQUIRED else part.default
+
+
+def annotation(part: Part) -> str:
+    """Return the type of an option in Python, as text."""
+    kind = "str | Path" if part.kind is Path else part.kind.__name__
+    if part.many:
+        return f"{kind} | Sequence[{kind}]"
+    return f"{kind} | None" if part.default is None else kind
+
+
+def documented(text: str, settings: type[Options]) -> str:
+    """Add the options to the docstring of a question, in NumPy form."""
+    lines = []
+    for name, part in settings.PARTS.items():
+        kind = annotation(part).replace(" | None", "").replace(" | ", " or ").replace("Sequence[", "sequence of ").replace("]", "")
+        least = f", {part.option.bound}" if part.option.bound else ""
+        unit = f" [{part.option.unit}]" if part.option.unit else ""
+        optional = ", optional" if part.default is None else ""
+        choices = f" One of {', '.join(part.option.choices)}." if part.option.choices else ""
+        lines += [f"{name} : {kind}{unit}{optional}", f"    {part.option.help}{least and f' {part.option.bound}.'}{choices}"]
+    head, mark, rest = text.partition("\n\nReturns\n")
+    return f"{head}\n" + "\n".join(lines) + mark + rest
+
+
+@dataclass(frozen=True)
+class Command:
+    """A question on the command line.
+
+    Attributes
+    ----------
+    ask : str
+        Its function, as ``module:function``.
+    settings : type of Options
+        Its options; the docstring is the help.
+    files : type of Options
+        Its arguments, and where and how it is saved.
+    """
+
+    ask: str
+    settings: type[Options]
+    files: type[Options]
+
+    @property
+    def help(self) -> str:
+        """The help of the command."""
+        return inspect.getdoc(self.settings) or ""
+
+
+@dataclass(frozen=True)
+class Commands:
+    """A group of commands; `default` may be left out on the command line."""
+
+    help: str
+    members: dict[str, Command]
+    default: str = ""
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A question as it was typed.
+
+    Attributes
+    ----------
+    name : str
+        Name of the command.
+    settings, files : Options
+    words : tuple of str
+        All words after the name of the program.
+    """
+
+    name: str
+    settings: Any
+    files: Any
+    words: tuple[str, ...] = ()
+    inputs: tuple[Any, ...] = field(default=())
+
+    def again(self, *more: str, without: str = "") -> list[str]:
+        """Return the command as typed, with more words or without one."""
+        return [*(word for word in self.words if word != without), *more]
+
+
+def execute(command: Command, name: str, values: dict[str, Any], words: Sequence[str], progress: bool) -> tuple[Any, Asked]:
+    """Ask a question as a command does: ask, then save; return the answer and how it was asked."""
+    module, _, function = command.ask.partition(":")
+    settings, files = (kind(**{key: values[key] for key in kind.PARTS}) for kind in (command.settings, command.files))
+    of_files = command.files.PARTS
+    inputs: list[Any] = []
+    for key, part in of_files.items():
+        if part.option.argument:
+            inputs += getattr(files, key) if part.many else [getattr(files, key)]
+    saving = {key: getattr(files, key) for key, part in of_files.items() if not part.option.argument and key != "as_json"}
+    typed = as_typed(["contourlab", *name.split(), *(str(each) for each in inputs if each is not None), *settings.words()])
+    ask = getattr(import_module(module), function)
+    with Session(saving, progress, typed) as session:
+        answer = getattr(ask, "ask", ask)(*inputs, settings=settings, session=session)
+        if "out" in saving:
+            answer = answer.save(saving["out"], **{key: value for key, value in saving.items() if key != "out"})
+        elif saving:
+            answer = answer.save(**saving)
+    return answer, Asked(name, settings, files, tuple(words), tuple(inputs))

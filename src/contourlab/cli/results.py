@@ -1,0 +1,68 @@
+"""The types of what the commands print with ``--json``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+
+def results() -> dict[str, Any]:
+    """Return the type of the result of each command that has ``--json``."""
+    from contourlab.features.analyse.command import Analysis
+    from contourlab.features.backlash.command import BacklashOutcome
+    from contourlab.features.check.canon import Canon
+    from contourlab.features.check.program_check import Checked
+    from contourlab.features.circle.result import CircleTest
+    from contourlab.features.commission.command import Commissioned
+    from contourlab.features.components.description import ComponentDescription
+    from contourlab.features.export.command import Exported
+    from contourlab.features.identify.result import Identified
+    from contourlab.features.interpolate.study import Interpolated
+    from contourlab.features.limits.result import LimitTest
+    from contourlab.features.link.result import LinkResult
+    from contourlab.features.machines.command import Shipped
+    from contourlab.features.measure.summary import MeasuredSummary
+    from contourlab.features.notch.command import Notched
+    from contourlab.features.precompensate.result import Precompensated
+    from contourlab.features.refine.command import Refinement
+    from contourlab.features.run.demo import Demo
+    from contourlab.features.run.summary import Summary
+    from contourlab.features.sensitivity.command import Sensitivity
+    from contourlab.features.swap.report import SwapResult
+    from contourlab.features.sweep.optimise import Search
+    from contourlab.features.sweep.query import Export
+    from contourlab.features.sweep.report import SweepReport
+    from contourlab.features.sweep.summary import SweepSummary
+    from contourlab.features.tune.command import Calibration
+    from contourlab.findings import Entry
+    from contourlab.papers.rows import Row
+
+    return {
+        "analyse": Analysis,
+        "backlash": BacklashOutcome,
+        "canon": Canon,
+        "check": Checked,
+        "circle": CircleTest,
+        "commission": Commissioned,
+        "compare": Summary | MeasuredSummary,
+        "components": tuple[ComponentDescription, ...],
+        "demo": Demo,
+        "explain": tuple[Entry, ...],
+        "export": Exported,
+        "identify": Identified,
+        "interpolate": Interpolated,
+        "learn": Summary,
+        "limits": LimitTest,
+        "link": LinkResult,
+        "machines": Shipped | tuple[Shipped, ...] | tuple[Path, ...],
+        "measure": MeasuredSummary,
+        "notch": Notched,
+        "precompensate": Precompensated,
+        "refine": Refinement,
+        "reproduce": tuple[Row, ...],
+        "run": Summary,
+        "sensitivity": Sensitivity,
+        "swap": SwapResult,
+        "sweep": SweepSummary | SweepReport | Search | Export | Summary | tuple[dict[str, Any], ...],
+        "tune": Calibration,
+    }

@@ -1,0 +1,48 @@
+"""How a part program is read: the options of the reader, and no drawing in its place."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from contourlab.app.shared_options import Dialect
+from contourlab.errors import ScenarioError
+from contourlab.file_kinds import kind_of
+from contourlab.program import Reading
+
+
+def refuse_drawing(file: str | Path, machine: str | Path | None = None, controller: str | Path | None = None) -> None:
+    """Refuse a drawing or points in place of a part program; show the scenario to write, with this machine and controller.
+
+    Raises
+    ------
+    ScenarioError
+        If the file name ends as that of a drawing or of points.
+    """
+    path = Path(file)
+    what = {".dxf": "a drawing", ".svg": "a drawing", ".csv": "a list of points"}.get(path.suffix.lower())
+    if what is None or not path.exists() or (path.suffix.lower() == ".csv" and kind_of(path) not in ("a log", "")):
+        return
+    from contourlab.scenario.load import named_file
+
+    lines = [
+        f"machine = {json.dumps(named_file(machine or 'xyz'))}",
+        f"controller = {json.dumps(named_file(controller or 'xyz-controller'))}",
+        "[contour]",
+        f"file = {json.dumps(str(path), ensure_ascii=False)}",
+        "[feed]",
+        'feedrate = "1000 mm/min"',
+    ]
+    raise ScenarioError(
+        f"{what}, not a part program: write a scenario, say {path.stem}.toml, and run that:\n\n" + "\n".join(lines) + "\n",
+        file=path,
+    )
+
+
+def reading_of(file: str | Path, options: Dialect) -> Reading:
+    """Return the options of the reader of a part program, which reports a missing end as a notice only; refuse a drawing."""
+    refuse_drawing(file)
+    chosen: Any = options.dialect  # Reading checks it
+    most = Reading.most_moves if options.most_moves is None else options.most_moves
+    return Reading(dialect=chosen, require_end=False, block_delete=options.block_delete, tools=options.tools, most_moves=most)

@@ -1,0 +1,42 @@
+"""Options of ``contourlab commission``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from contourlab.app.options import argument, option, options
+from contourlab.app.session import Command, Commands
+from contourlab.app.shared_options import Margins, Saved, Seeded
+from contourlab.errors import ParameterError
+
+
+@options
+class LinuxCNC(Seeded, Margins):
+    """Write an excitation for LinuxCNC; with --log, find the gains of each HAL pid."""
+
+    log: tuple[Path, ...] = option((), "Log of a run with the present gains; repeatable. Without: what to run.")
+    program: Path | None = option(None, "Part program to tune and predict for; by default what the logs ran.")
+    for_: str | None = option(None, "Give the gains in the terms of sinumerik, twincat or generic too.")
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        for name in ("for_", "program"):
+            if getattr(self, name) is not None and not self.log:
+                raise ParameterError(self.PARTS[name].typed, str(getattr(self, name)), "given with --log")
+
+
+@options
+class Files(Saved):
+    """The arguments, and what is saved."""
+
+    ini: Path = argument("INI", "The machine's INI file.")
+    hal: Path = argument("HAL", "The HAL file with its pid components.")
+    out: Path = option(Path("commissioning"), "Folder for the results; created if missing.")
+
+
+COMMANDS = {
+    "commission": Commands(
+        "Commission the servo loops of a control: what to run, then the gains.",
+        {"linuxcnc": Command("contourlab.features.commission.command:commission", LinuxCNC, Files)},
+    )
+}

@@ -1,0 +1,43 @@
+"""Options of ``contourlab identify``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from contourlab.app.options import argument, option, options
+from contourlab.app.session import Command
+from contourlab.app.shared_options import Drawn, LogColumns, Written
+
+MODELS = "rigid, rigid-by-direction, friction, stiction, first-order, closed-loop, frequency-response, linear-motor, two-mass, two-inertia."
+
+
+@options
+class Identify(LogColumns):
+    """Identify a model of an axis from logs; write an axis file with uncertainties."""
+
+    model: str = option("rigid", MODELS)
+    axis: str | None = option(None, "The axis, if the log has several.")
+    gain: str | None = option(None, 'Force per command, e.g. "35 N/V", if the log has no force.')
+    full_scale: str | None = option(None, 'Full scale of the command, e.g. "10 V", if the force is unknown.')
+    cutoff: str = option("100 Hz", "rigid: cut-off of the low-pass, five times the loop's bandwidth.", unit="Hz")
+    slowest: str | None = option(None, 'rigid: drop samples below this speed, e.g. "1 mm/s".', unit="m/s")
+    decimation: int = option(10, "rigid: use every N-th sample.", advanced=True)
+    validation: Path | None = option(None, "rigid: a second log for validation.")
+    position_gain: str | None = option(None, 'closed-loop: K_P, e.g. "4 full_scale/mm".')
+    velocity_gain: str | None = option(None, 'closed-loop: K_V, e.g. "0.1 full_scale*s/mm".')
+    lead: str | None = option(None, 'Travel per turn, e.g. "10 mm": converts torques to forces; two-inertia needs it.', unit="m")
+    motor_inertia: str | None = option(
+        None, 'two-inertia at the load: inertia of motor and screw, e.g. "2 kg*cm^2"; for an axis file.', unit="kg*m^2"
+    )
+    side: str = option("motor", "two-mass, two-inertia: where the position is measured, motor or load.")
+    excitation: str = option("reference", "Frequency response: reference, where it moves; or command, if a test signal is added to it.")
+
+
+@options
+class Files(Written, Drawn):
+    """The arguments, and what is saved."""
+
+    log: tuple[Path, ...] = argument("LOG...", "Logs of runs that excite the axis.")
+
+
+COMMANDS = {"identify": Command("contourlab.features.identify.command:identify", Identify, Files)}
