@@ -75,7 +75,7 @@ def agree(cost: Cost, *, yes: bool) -> None:
     """
     told(cost.text)
     if (cost.seconds > LONGEST or cost.disk > LARGEST) and not yes and not asked(f"{cost.text}. Begin?"):
-        raise ParameterError("--yes", "off", f"given, or the study made smaller: {cost.text}")
+        raise ParameterError("study", cost.text, "an hour and 10 GB at most: add --yes, or make the study smaller")
 
 
 def _seconds_each(study: Study, count: int, threads: int, gpu: bool) -> float:
