@@ -168,7 +168,7 @@ def _arc_extremes(arc: Any) -> Array:
         # The first and last turns of a helix hold the extremes.
         last = first + turn * np.floor((arc.rate * arc.length - first) / turn)
         places += [value / arc.rate for value in (first, last)]
-    return arc.position(np.array([s for s in places if 0.0 <= s <= arc.length]))
+    return np.asarray(arc.position(np.array([s for s in places if 0.0 <= s <= arc.length])))
 
 
 def _turning_points(curve: Curve) -> Array:
