@@ -127,8 +127,7 @@ def _set_origin(words: dict[str, Word], state: ModalState, level: int, system: i
         origin = updated(origin, given)
     else:
         # `here` is the tool tip in this system; the origin moves by the difference to the given point.
-        tip = less(state.axes, frame.tool)
-        here = less(turn(less(tip, origin), -rotation), frame.shift)
+        here = less(turn(less(less(state.axes, frame.tool), origin), -rotation), frame.shift)
         origin = add(origin, turn(less(here, updated(here, given)), rotation))
     store_origin(state.parameters, system, origin, rotation)
     if system == frame.system:

@@ -180,5 +180,4 @@ def period_count(turns: ArrayLike) -> tuple[Index, Flags]:
     angle = np.asarray(turns, dtype=np.float64)
     step = np.diff(angle, prepend=angle[:1])
     back = np.rint(step)
-    change = np.diff(step - back, prepend=0.0)
-    return np.cumsum(-back).astype(np.int64), np.abs(change) > 0.5
+    return np.cumsum(-back).astype(np.int64), np.abs(np.diff(step - back, prepend=0.0)) > 0.5
