@@ -12,9 +12,8 @@ import math
 from dataclasses import replace
 
 from contourlab.program.block import Block, Code, Word
-from contourlab.program.curves import add_control_point, bezier, close_curve, make_arc
-from contourlab.program.cycles import LONGEST_DWELL, drill
 from contourlab.program.expressions import SELECTED_SYSTEM
+from contourlab.program.motions import LONGEST_DWELL, add_control_point, bezier, close_curve, drill, make_arc
 from contourlab.program.moves import Mode, Move, Point
 from contourlab.program.state import (
     LARGEST_TOOL,

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from contourlab.analysis.encoder.interpolation import interpolation_order
+from contourlab.analysis.encoder import interpolation_order
 from contourlab.app.json_values import json_text
 from contourlab.app.results import spared
 from contourlab.errors import ParameterError, UnitError
