@@ -261,8 +261,7 @@ class FittedSpline:
 
         at = self.at[chords.start : chords.stop + 1]
         u = np.clip(at[:-1, None] + parts * np.diff(at)[:, None], self.at[0], self.at[-1])
-        spline = ScipySpline.construct_fast(self.knots, self.points, self.degree)
-        return np.asarray(spline(u, nu=order))
+        return np.asarray(ScipySpline.construct_fast(self.knots, self.points, self.degree)(u, nu=order))
 
     def strays(self, points: Array) -> tuple[Array, Flags]:
         """Return the largest distance of the curve from each chord (n - 1,) [m], and whether it runs against the chord anywhere."""
@@ -316,8 +315,7 @@ def disagreement(points: Array, periodic: bool) -> Array:
     """
     from scipy.interpolate import CubicSpline
 
-    free = (None, None)
-    quintic = interpolated(points, free, periodic)
+    quintic = interpolated(points, (None, None), periodic)
     if not quintic.knots.size:
         return np.zeros(1)
     by_chord = _chords(points)
@@ -361,8 +359,7 @@ def _spline(points: Array, at: Array, ends: Ends, periodic: bool) -> tuple[int, 
     conditions: Any = (low or None, high or None)
     spline = make_interp_spline(at, points, k=degree, t=knots, bc_type=conditions)
     # Remove rounding at the ends, which other curves join.
-    coefficients = np.concatenate([points[:1], spline.c[1:-1], points[-1:]])
-    return degree, _pinned(coefficients, ends), knots
+    return degree, _pinned(np.concatenate([points[:1], spline.c[1:-1], points[-1:]]), ends), knots
 
 
 def _pinned(coefficients: Array, ends: Ends) -> Array:

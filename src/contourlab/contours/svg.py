@@ -316,8 +316,7 @@ def read_svg(file: str | File, *, unit: str | None = None, tolerance: float | No
     """
     path = File(file)
     root = _parsed(path)
-    stated = unit_size(unit) if unit is not None else None
-    matrix, offset, viewport = _frame(root, path, stated, scale)
+    matrix, offset, viewport = _frame(root, path, unit_size(unit) if unit is not None else None, scale)
     painter = _Painter(root, path, matrix, offset)
     try:
         painter.draw_root(viewport)

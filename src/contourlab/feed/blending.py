@@ -350,8 +350,7 @@ def _times_and_speeds(points: Array, feedrate: Array, limits: AxisLimits) -> tup
     n, m = len(points), _COARSE.size
     derivatives, stretch = shapes(quintic_bezier(points), _COARSE)
     _, tangent, second, third = derivatives.reshape(4, n * m, -1)
-    samples = Samples(tangent, second, third, np.repeat(feedrate, m))
-    local = speed_limit(samples, limits, _BLEND).reshape(n, m)
+    local = speed_limit(Samples(tangent, second, third, np.repeat(feedrate, m)), limits, _BLEND).reshape(n, m)
     step = 0.5 * (stretch[:, 1:] + stretch[:, :-1]) * np.diff(_COARSE)
     place = np.concatenate([np.zeros((n, 1)), np.cumsum(step, axis=1)], axis=1)
     slowest = np.argmin(local, axis=1)
@@ -361,8 +360,7 @@ def _times_and_speeds(points: Array, feedrate: Array, limits: AxisLimits) -> tup
         by_acceleration = np.sqrt(least**2 + 2.0 * float(np.min(limits.acceleration)) * away)
         by_jerk = least + np.where(away > 0.0, 0.05 * float(np.min(limits.jerk)) * (away / least) ** 2, 0.0)
     speed = np.minimum(local, np.minimum(by_acceleration, by_jerk))
-    time = np.sum(2.0 * step / (speed[:, 1:] + speed[:, :-1]), axis=1)
-    return np.asarray(time), speed[:, 0], speed[:, -1]
+    return np.asarray(np.sum(2.0 * step / (speed[:, 1:] + speed[:, :-1]), axis=1)), speed[:, 0], speed[:, -1]
 
 
 _NEARLY_ALL = 0.99

@@ -88,8 +88,7 @@ def without_rounding(derivative: Array) -> Array:
 def evaluate_nodes(route: Route, curve: Index, place: Array) -> Nodes:
     """Evaluate the path at places within curves."""
     begin, end = route.path.breaks[curve], route.path.breaks[curve + 1]
-    inside = np.clip(place, NUDGE, 1.0 - NUDGE)
-    return Nodes(curve, place, *route.path.derivatives(begin + (end - begin) * inside, 3)[1:])
+    return Nodes(curve, place, *route.path.derivatives(begin + (end - begin) * np.clip(place, NUDGE, 1.0 - NUDGE), 3)[1:])
 
 
 def _first_nodes(route: Route, kind: Kinds, curves: Index) -> Nodes:
@@ -277,8 +276,7 @@ def split_at_stops(surveyed: Survey, laps: int) -> Segments:
     after = np.flatnonzero(stop) + 1
     first = np.append(0, after[:-1])
     turns = (surveyed.kind != LINE) | np.any(surveyed.junctions.kink != 0.0, axis=1)
-    bent = np.add.reduceat(np.tile(turns, laps).astype(np.intp), first)
-    return Segments(first, after, bent == 0)
+    return Segments(first, after, np.add.reduceat(np.tile(turns, laps).astype(np.intp), first) == 0)
 
 
 def _longest_intervals(route: Route, surveyed: Survey, limits: AxisLimits) -> Array:

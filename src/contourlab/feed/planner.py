@@ -62,8 +62,7 @@ def _closed_form(route: Route, surveyed: Survey, limits: AxisLimits, segments: S
     peak = peak_speed(pieces.length, start_speed, end_speed, ceiling, *shape)
     spans = np.stack(move_spans(pieces.length, start_speed, peak, end_speed, *shape), axis=-1)
     spans[:, :, 1] += pieces.start[:, None]
-    segment = np.searchsorted(segments.after, pieces.curve, side="right")
-    return _Moves(spans.reshape(-1, 5), np.repeat(segment, N_SPAN))
+    return _Moves(spans.reshape(-1, 5), np.repeat(np.searchsorted(segments.after, pieces.curve, side="right"), N_SPAN))
 
 
 def _repeated(pieces: Pieces, laps: int, route: Route) -> Pieces:

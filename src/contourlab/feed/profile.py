@@ -162,8 +162,7 @@ def ranges_of_curves(profile: Profile, breaks: Array, chosen: Flags, servo_perio
     place = breaks[edges]
     span = np.clip(np.searchsorted(profile.s0, place + _SAME_PLACE, side="right") - 1, 0, profile.n_span - 1)
     reached, dt = profile.reached(place)
-    begins = np.abs(profile.s0[span] - place) <= _SAME_PLACE
-    leaving = np.where(begins, profile.t0[span], profile.t0[reached] + dt)
+    leaving = np.where(np.abs(profile.s0[span] - place) <= _SAME_PLACE, profile.t0[span], profile.t0[reached] + dt)
     samples = np.ceil(leaving / servo_period - _ROUNDING).astype(np.int64)
     samples[edges == 0], samples[edges == len(chosen)] = 0, n_sample
     pairs = samples.reshape(-1, 2)

@@ -214,13 +214,6 @@ def route_from_path(path: Path, feedrate: float, *, dwell: float = 0.0, programm
     return Route(path, np.asarray(feedrate), np.asarray(False), dwells, np.asarray(0), programmed or path)
 
 
-def _axis_columns(axes: Sequence[str]) -> list[int]:
-    letters = [axis.lower() for axis in axes]
-    if not letters or len(set(letters)) != len(letters) or not set(letters) <= set("xyz"):
-        raise FeedError(f"axes = {tuple(axes)}: write some of x, y, z, each once")
-    return ["xyz".index(letter) for letter in letters]
-
-
 def _point(values: Sequence[float], columns: list[int]) -> Array:
     return np.array([values[column] for column in columns])
 
@@ -303,7 +296,10 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
     FeedError
         If the program moves nothing, or `axes` is wrong.
     """
-    columns = _axis_columns(axes)
+    letters = [axis.lower() for axis in axes]
+    if not letters or len(set(letters)) != len(letters) or not set(letters) <= set("xyz"):
+        raise FeedError(f"axes = {tuple(axes)}: write some of x, y, z, each once")
+    columns = ["xyz".index(letter) for letter in letters]
     rests = {event.after for event in program.events if event.rests}
     curves: list[Curve | None] = []  # None: a straight line
     ends: list[tuple[Sequence[float], Sequence[float]]] = []  # of the straight lines

@@ -275,8 +275,7 @@ def _corrected(planner: _Planner) -> SmoothMotion:
     """Lower the limits around violations until none is left, in at most `ROUNDS` rounds."""
     faults = np.empty((0, 7))
     for round_ in range(ROUNDS):
-        square = planner.square()
-        spans, begin = planner.spans(square)
+        spans, begin = planner.spans(planner.square())
         peak, faults = planner.check(spans, begin, planner.changed(faults))
         if len(faults) == 0 or round_ == ROUNDS - 1:
             # The check at the samples is cheap; the check on the path itself decides.

@@ -322,7 +322,10 @@ def _check_block(
     size = np.maximum(np.abs(acceleration[at + 1 + wide] - acceleration[at - 2 - wide]) - eased, 0.0)
     bend = n_bend[at] != n_bend[at + 1]
     row = at[bend]
-    size[bend] = np.maximum(size[bend], _turning(bends, n_bend, row, around, block.arc_length, wide))
+    # The jump of the curvature times v^2 between the samples of each row and the next.
+    passed = n_bend[row], n_bend[row + 1]
+    speed = _speed_at(bends.first(*passed), row, around, block.arc_length, wide)
+    size[bend] = np.maximum(size[bend], bends.largest(*passed) * speed[:, None] ** 2)
     records.step.add(size, index[at], of(at))
     # Row k spans a kink between the samples k and k + 1.
     turn = np.flatnonzero(np.diff(n_kink) != 0)
@@ -338,13 +341,6 @@ def _check_block(
 def _lowest(around: Array, row: Index, wide: int) -> Array:
     """Return the lowest speed between the samples around those of each row (m,)."""
     return np.asarray(np.min([around[row + i] for i in range(-1 - wide, 2 + wide)], axis=0))
-
-
-def _turning(bends: _Jumps, passed: Index, row: Index, around: Array, arc_length: Array, wide: int) -> Array:
-    """Return the jump of the curvature times v^2 (m, n_axis) between the samples of each row (m,) and the next."""
-    before, after = passed[row], passed[row + 1]
-    speed = _speed_at(bends.first(before, after), row, around, arc_length, wide)
-    return bends.largest(before, after) * speed[:, None] ** 2
 
 
 def _speed_at(place: Array, row: Index, around: Array, arc_length: Array, wide: int) -> Array:

@@ -73,8 +73,7 @@ def star(radius: float = 0.03, lobes: float = 5, depth: float = 0.3) -> Path:
 def butterfly(scale: float = 1.0) -> Path:
     """Butterfly NURBS of Hu et al. 2023, doi 10.1007/s00170-023-12427-5; 383 mm long at scale 1."""
     positive(scale=scale)
-    points = 1e-3 * scale * np.array(_BUTTERFLY_POINTS)
-    return Path([Nurbs(3, points, _BUTTERFLY_KNOTS, _BUTTERFLY_WEIGHTS)], closed=True)
+    return Path([Nurbs(3, 1e-3 * scale * np.array(_BUTTERFLY_POINTS), _BUTTERFLY_KNOTS, _BUTTERFLY_WEIGHTS)], closed=True)
 
 
 def line_line_circle(scale: float = 1.0) -> Path:
@@ -185,8 +184,7 @@ def contour_parameters(name: str) -> dict[str, tuple[float, str]]:
     """
     if name not in _MAKERS:
         raise GeometryError(f"no contour {name!r}: {hint(name, _MAKERS)}")
-    signature = inspect.signature(_MAKERS[name])
-    return {p.name: (float(p.default), _UNITS.get(p.name, "")) for p in signature.parameters.values()}
+    return {p.name: (float(p.default), _UNITS.get(p.name, "")) for p in inspect.signature(_MAKERS[name]).parameters.values()}
 
 
 def contour(name: str, **parameters: float) -> Path:

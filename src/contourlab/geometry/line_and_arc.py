@@ -217,8 +217,7 @@ class Arc(Curve):
         exact = turned + 2.0 * math.pi * round((sweep - turned) / (2.0 * math.pi))
         plane = e1 * pc[0] + e2 * pc[1]
         height = a - (e1 * pa[0] + e2 * pa[1])
-        rise = (b - a) - (e1 * chord[0] + e2 * chord[1])
-        return cls(plane + height, radius, first, exact, e1, e2, rise)
+        return cls(plane + height, radius, first, exact, e1, e2, (b - a) - (e1 * chord[0] + e2 * chord[1]))
 
     @classmethod
     def batch(cls, curves: Sequence[Arc]) -> Arcs:

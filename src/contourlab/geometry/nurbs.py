@@ -36,8 +36,7 @@ class _Spline:
 
     def __call__(self, u: Array, order: int) -> Array:
         degree, points, knots = self.layers[order]
-        n = len(points)
-        span = np.clip(np.searchsorted(knots, u, side="right") - 1, degree, n - 1)
+        span = np.clip(np.searchsorted(knots, u, side="right") - 1, degree, len(points) - 1)
         d = [points[span - degree + j] for j in range(degree + 1)]
         for r in range(1, degree + 1):
             for j in range(degree, r - 1, -1):
@@ -151,8 +150,7 @@ def cut_where_curvature_jumps(curve: BSpline | Nurbs) -> list[Curve]:
         return [curve]
     if isinstance(curve, BSpline):
         return [BSpline(degree, points, knots) for points, knots in split_at(degree, curve.points, t, places)]
-    lifted = np.column_stack([curve.points * curve.weights[:, None], curve.weights])
-    pieces = split_at(degree, lifted, t, places)
+    pieces = split_at(degree, np.column_stack([curve.points * curve.weights[:, None], curve.weights]), t, places)
     return [Nurbs(degree, points[:, :-1] / points[:, -1:], knots, points[:, -1]) for points, knots in pieces]
 
 

@@ -89,8 +89,7 @@ def _moved(curve: Curve, start: Array, end: Array, move: Array) -> Curve:
         case EllipticalArc():
             # r(t) is linear in centre, p and q: take the smallest change that moves the ends.
             t = np.array([curve.first, curve.last])
-            rows = np.column_stack([np.ones(2), np.cos(t), np.sin(t)])
-            centre, p, q = np.linalg.lstsq(rows, move, rcond=None)[0]
+            centre, p, q = np.linalg.lstsq(np.column_stack([np.ones(2), np.cos(t), np.sin(t)]), move, rcond=None)[0]
             return EllipticalArc(curve.centre + centre, curve.p + p, curve.q + q, curve.first, curve.last)
         case BSpline():
             return BSpline(curve.degree, _sheared(curve, curve.points, move), curve.knots)

@@ -319,8 +319,7 @@ def _function(cursor: Cursor, parameters: Parameters) -> float:
     value = _expression(cursor, parameters)
     if name == "atan":
         cursor.expect("/", "between the two values of ATAN[y]/[x]")
-        other = _expression(cursor, parameters)
-        return math.degrees(math.atan2(value, other))
+        return math.degrees(math.atan2(value, _expression(cursor, parameters)))
     return _guarded(lambda: _FUNCTIONS[name](value), f"{name.upper()}[{value:g}]", column)
 
 

@@ -12,9 +12,8 @@ import math
 from dataclasses import replace
 
 from contourlab.program.block import Block, Code, Word
-from contourlab.program.curves import add_control_point, bezier, close_curve, make_arc
-from contourlab.program.cycles import LONGEST_DWELL, drill
 from contourlab.program.expressions import SELECTED_SYSTEM
+from contourlab.program.motions import LONGEST_DWELL, add_control_point, bezier, close_curve, drill, make_arc
 from contourlab.program.moves import Mode, Move, Point
 from contourlab.program.state import (
     LARGEST_TOOL,
@@ -127,8 +126,7 @@ def _set_origin(words: dict[str, Word], state: ModalState, level: int, system: i
         origin = updated(origin, given)
     else:
         # `here` is the tool tip in this system; the origin moves by the difference to the given point.
-        tip = less(state.axes, frame.tool)
-        here = less(turn(less(tip, origin), -rotation), frame.shift)
+        here = less(turn(less(less(state.axes, frame.tool), origin), -rotation), frame.shift)
         origin = add(origin, turn(less(here, updated(here, given)), rotation))
     store_origin(state.parameters, system, origin, rotation)
     if system == frame.system:

@@ -102,7 +102,7 @@ class Arc:
 
     Notes
     -----
-    The radii at start and end may differ by the tolerance of the reader (see `contourlab.program.curves`), because decimals are rounded.
+    The radii at start and end may differ by the tolerance of the reader (see `contourlab.program.motions`), because decimals are rounded.
     For a true circle use `radius`; the end is then off by `radius_mismatch`.
 
     >>> quarter = Arc((0.01, 0.0, 0.0), (0.0, 0.01, 0.0), (0.0, 0.0, 0.0), "XY", 1, 0.025, 1)

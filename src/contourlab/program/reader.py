@@ -17,7 +17,7 @@ from contourlab.program.expressions import Parameters
 from contourlab.program.flow import LONGEST_LINE, Tape, Walker
 from contourlab.program.interpreter import execute
 from contourlab.program.moves import Dwell, Move, Notice, Program
-from contourlab.program.state import ModalState, Tools, own_names, read_tools
+from contourlab.program.state import ModalState, Tools, own_names, read_tools, unreadable
 from contourlab.program.vocabulary import BlockError
 from contourlab.units import setting
 
@@ -129,8 +129,7 @@ class Reader:
         self.name, self.reading, self.problems = name, reading or Reading(), problems
         self.notices: list[Notice] = []
         self._known: set[str] = set()
-        tools = Tools() if self.reading.tools is None else read_tools(self.reading.tools)
-        self.state = ModalState(tools=tools, still=still)
+        self.state = ModalState(tools=Tools() if self.reading.tools is None else read_tools(self.reading.tools), still=still)
         self.parameters = Parameters(self.state.shown_position)
         self.state.parameters = self.parameters
         self._lines, self._n_read = iter(lines), 0
@@ -301,18 +300,12 @@ def _grbl_line(line: str, number: int, notices: list[Notice], state: ModalState)
 _LINE_BREAK = re.compile(r"\r\n|\n|\r")
 
 
-def unreadable(file: str | Path, error: OSError | ValueError) -> ProgramError:
-    """Return the error of a file that cannot be read."""
-    reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-    return ProgramError(f"the part program cannot be read: {reason}", file=file)
-
-
 def read_text(path: Path) -> str:
     """Return the text of a file, in UTF-8 or else in Latin-1; raise ProgramError if it cannot be read."""
     try:
         content = path.read_bytes()
     except (OSError, ValueError) as error:
-        raise unreadable(path, error) from error
+        raise unreadable("part program", path, error) from error
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -416,7 +409,7 @@ def open_program(
             return
         text = path.open(encoding="utf-8-sig" if _is_utf8(path) else "latin-1", newline=None)
     except (OSError, ValueError) as error:
-        raise unreadable(file, error) from error
+        raise unreadable("part program", file, error) from error
     with text:
         yield Reader(_bounded(text), str(file), chosen, still=still, problems=problems)
 

@@ -115,6 +115,12 @@ _LENGTHS = "XYZ"
 _LETTERS = frozenset("TPDXYZABCUVWIJQ")
 
 
+def unreadable(what: str, file: str | Path, error: OSError | ValueError) -> ProgramError:
+    """Return the error of a file that cannot be read."""
+    reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+    return ProgramError(f"the {what} cannot be read: {reason}", file=file)
+
+
 class Tools:
     """Offsets of the tools by number; other tools have zero offset.
 
@@ -155,8 +161,7 @@ def read_tools(file: str | Path) -> Tools:
     try:
         text = Path(file).read_text(encoding="utf-8-sig", errors="replace")
     except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise ProgramError(f"the tool table cannot be read: {reason}", file=file) from error
+        raise unreadable("tool table", file, error) from error
     tools = Tools()
     tools.complete = True
     for number, line in enumerate(text.splitlines(), start=1):

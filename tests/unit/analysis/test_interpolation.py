@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.special import eval_chebyt, eval_chebyu
 
-from contourlab.analysis.encoder.interpolation import SinusoidTable, interpolation_order
+from contourlab.analysis.encoder import SinusoidTable, interpolation_order
 from contourlab.errors import ParameterError
 
 TURN = 2.0 * math.pi

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from contourlab.analysis.encoder.quadrature import QuadratureConstants, fit_ellipse, subdivisional_error
+from contourlab.analysis.encoder import QuadratureConstants, fit_ellipse, subdivisional_error
 from contourlab.errors import ParameterError
 
 TURN = 2.0 * math.pi

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from contourlab.analysis.encoder.quadrature import QuadratureConstants, fit_ellipse, track_ellipse
+from contourlab.analysis.encoder import QuadratureConstants, fit_ellipse, track_ellipse
 from contourlab.errors import ParameterError
 
 TURN = 2.0 * math.pi

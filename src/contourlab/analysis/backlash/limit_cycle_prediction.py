@@ -311,5 +311,4 @@ def _sensitivity(loop: BacklashLoop, ratio: float, w: float) -> float:
     small = step * (1.0 - 1.0 / ratio)
     over_amplitude = -(whole(ratio * (1.0 + small), w) - whole(ratio * (1.0 - small), w)) / (2.0 * small)
     over_frequency = -(whole(ratio, w * (1.0 + step)) - whole(ratio, w * (1.0 - step))) / (2.0 * step)
-    across = abs((over_amplitude * over_frequency.conjugate()).imag)
-    return abs(over_frequency) / max(across, 1e-300)
+    return abs(over_frequency) / max(abs((over_amplitude * over_frequency.conjugate()).imag), 1e-300)

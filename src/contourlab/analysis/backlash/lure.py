@@ -126,8 +126,7 @@ class BacklashLoop:
         """Powers of 2 (n,), exact in floating point: divide the states by them to scale `a` and the contact matrix well."""
         from scipy.linalg import matrix_balance
 
-        sizes = np.abs(self.gap_matrix) + np.abs(self.contact_matrix)
-        _, (scale, _) = matrix_balance(sizes, permute=False, separate=True)
+        _, (scale, _) = matrix_balance(np.abs(self.gap_matrix) + np.abs(self.contact_matrix), permute=False, separate=True)
         return np.asarray(scale, dtype=float)
 
     def transfer(self, frequency: ArrayLike) -> Complex:

@@ -200,8 +200,7 @@ def _damped(shooter: Shooter, shot: Shot, period: float, step: Array, longer: fl
 
 def _size(shot: Shot) -> Array:
     """Return the size of each state along a shot, for scaling."""
-    corners = np.array([span.start[: len(shot.start)] for span in shot.motion] + [shot.end])
-    largest = np.abs(corners).max(axis=0)
+    largest = np.abs(np.array([span.start[: len(shot.start)] for span in shot.motion] + [shot.end])).max(axis=0)
     return np.asarray(np.maximum(largest, 1e-9 * largest.max()))
 
 
@@ -215,8 +214,7 @@ def _orbit(shooter: Shooter, shot: Shot, period: float) -> PeriodicOrbit | None:
     multipliers = poles_of(shot.jacobian)
     multipliers = np.delete(multipliers, int(np.argmin(np.abs(multipliers - 1.0))))
     multipliers = multipliers[np.argsort(-np.abs(multipliers))]
-    ratio = amplitude / loop.half_gap
-    return PeriodicOrbit(period, shot.start[: loop.n], amplitude, ratio, multipliers)
+    return PeriodicOrbit(period, shot.start[: loop.n], amplitude, amplitude / loop.half_gap, multipliers)
 
 
 def _half_range(values: Array) -> float:
@@ -237,26 +235,10 @@ SETTLING, SETTLED = 60, 1000
 """Mode changes before a motion is tested for periodicity, at least and at most."""
 
 
-@dataclass(frozen=True, eq=False)
-class OrbitSearch:
-    """Periodic orbits of a loop.
-
-    Attributes
-    ----------
-    orbits : tuple of PeriodicOrbit
-        By falling amplitude.
-    """
-
-    orbits: tuple[PeriodicOrbit, ...]
-
-    @property
-    def stable(self) -> tuple[PeriodicOrbit, ...]:
-        """The stable orbits."""
-        return tuple(orbit for orbit in self.orbits if orbit.stable)
-
-
-def find_orbits(loop: BacklashLoop, *, prediction: Sequence[LimitCycle] | None = None, kicks: tuple[float, ...] = KICKS) -> OrbitSearch:
-    """Return the limit cycles of a loop at rest.
+def find_orbits(
+    loop: BacklashLoop, *, prediction: Sequence[LimitCycle] | None = None, kicks: tuple[float, ...] = KICKS
+) -> tuple[PeriodicOrbit, ...]:
+    """Return the limit cycles of a loop at rest, by falling amplitude.
 
     Shooting starts from each prediction of the describing function, and from simulated motions that have settled.
 
@@ -285,7 +267,7 @@ def find_orbits(loop: BacklashLoop, *, prediction: Sequence[LimitCycle] | None =
     for orbit in shots:
         if orbit is not None and not any(_same(orbit, other) for other in orbits):
             orbits.append(orbit)
-    return OrbitSearch(tuple(sorted(orbits, key=lambda orbit: -orbit.amplitude)))
+    return tuple(sorted(orbits, key=lambda orbit: -orbit.amplitude))
 
 
 def _settled_orbit(loop: BacklashLoop, kick: float) -> PeriodicOrbit | None:

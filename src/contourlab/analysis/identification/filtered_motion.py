@@ -107,8 +107,7 @@ def decimate(signal: ArrayLike, factor: int) -> Array:
     if n <= padding:
         raise ParameterError("record", f"{n} samples", f"more than the {padding} that the filter ahead of decimation starts with")
     sections = cheby1(ANTI_ALIAS_ORDER, ANTI_ALIAS_RIPPLE, ANTI_ALIAS_BAND / factor, output="sos")
-    smooth = np.asarray(sosfiltfilt(sections, y, axis=0, padlen=padding), dtype=float)
-    return smooth[kept_samples(n, factor)]
+    return np.asarray(sosfiltfilt(sections, y, axis=0, padlen=padding), dtype=float)[kept_samples(n, factor)]
 
 
 def kept_samples(n_sample: int, factor: int) -> slice:

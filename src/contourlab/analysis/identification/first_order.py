@@ -219,8 +219,7 @@ class _Blocks:
         """Return the model's velocity over a."""
         u = delayed(self.command, x.get("delay", 0.0) / self.period) - x.get("offset", 0.0)
         friction = x.get("friction", 0.0)
-        p = first_order_motion(u, self.period, x["b"], friction, friction, x.get("start", 0.0))[1]
-        return self.differenced(p)
+        return self.differenced(first_order_motion(u, self.period, x["b"], friction, friction, x.get("start", 0.0))[1])
 
     def differenced(self, position: Array) -> Array:
         return np.asarray(np.diff(position[:: self.smoothing]) / (self.smoothing * self.period))

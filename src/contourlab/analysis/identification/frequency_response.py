@@ -268,8 +268,7 @@ def swept_response(run: Measured) -> MeasuredResponse:
     signals = {"y": np.diff(run.position) / run.period, "u": run.command[1:]}
     signals["x"] = signals["u"] if run.outside is None else run.outside[1:]
     spectra = {name: np.fft.rfft(values - values.mean()) for name, values in signals.items()}
-    power = np.abs(spectra["x"]) ** 2
-    level = np.convolve(power, np.ones(FEWEST_LINES) / FEWEST_LINES, "same")
+    level = np.convolve(np.abs(spectra["x"]) ** 2, np.ones(FEWEST_LINES) / FEWEST_LINES, "same")
     top, centres, rows = float(level.max()), [], []
     at = 1 + FEWEST_LINES // 2
     while (half := max(FEWEST_LINES // 2, round(0.5 * WIDTH * at))) + at < 0.45 * n:
@@ -468,8 +467,7 @@ def sine_point(run: Measured, start: int, stop: int, frequency: float) -> SinePo
     most = min(HARMONICS, max(1, int(0.45 / (frequency * run.period))))
     y, y_deviation, y_rest = _harmonics(run.position[first:last], t, w, most, 2 if whole >= 2 else 1)
     u, _, _ = _harmonics(run.command[first:last], t, w, most, 0)
-    order = np.arange(1, most + 1)
-    speed = np.abs(y) * order
+    speed = np.abs(y) * np.arange(1, most + 1)
     # The axis is at rest where its mean step over ten samples is small beside the median step.
     steps = np.diff(run.position[first:last])
     count = min(10, steps.size)

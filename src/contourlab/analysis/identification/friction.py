@@ -321,8 +321,7 @@ def _breakaway(period: float, u: Array, p: Array, since: float) -> Breakaway | s
     if short >= SHORTEST_RAMP:
         t, y = t[: short + 1], y[: short + 1]
         instant, deviation, model = _onset(t, y, noise)
-    seen = t[int(np.argmax(y > bent + CLEAR * max(noise, count)))]
-    deviation = max(deviation, UNSEEN * float(seen - instant))
+    deviation = max(deviation, UNSEEN * float(t[int(np.argmax(y > bent + CLEAR * max(noise, count)))] - instant))
     level = float(np.interp(instant, t, u[: t.size]))
     rate = float(u[last] - u[0]) / (period * last)
     return Breakaway(since + instant, level, abs(rate) * deviation, rate, int(way), fit_percent(y, model))
@@ -352,8 +351,7 @@ def _onset(t: Array, y: Array, noise: float) -> tuple[float, float, Array]:
     coarse = np.array([fitted(float(tau))[0] for tau in tried])
     beyond = np.abs(tried - instant)[coarse > costs[best] + variance]
     deviation = float(beyond.min()) if beyond.size else float(t[-1])
-    step = t[1] - t[0]
-    return instant, max(deviation, step / math.sqrt(12.0)), fitted(instant)[1]
+    return instant, max(deviation, (t[1] - t[0]) / math.sqrt(12.0)), fitted(instant)[1]
 
 
 FEWEST = 3
@@ -487,8 +485,7 @@ def fit_friction(speed: ArrayLike, command: ArrayLike, deviation: ArrayLike) -> 
         raise ParameterError("speed", "points", "finite, and none at rest")
     if not np.ptp(u) > 0.0:
         raise ParameterError("command", f"{u[0]:g} at every speed", "one that differs with speed or direction: is it what drives the axis?")
-    ways = {float(way) for way in np.sign(v)}
-    both = len(ways) == 2
+    both = len({float(way) for way in np.sign(v)}) == 2
     floor = 1e-6 * float(np.abs(u).max()) + 1e-300
     tried = [curve for model in MODELS if (curve := _fitted(model, v, u, np.maximum(s, floor), both)) is not None]
     sound = [curve for curve in tried if _is_friction(curve)]
@@ -581,8 +578,7 @@ def _stribeck_velocity(model: FrictionModel, v: Array, u: Array, s: Array, both:
         return _weighted(_columns(model, v, math.exp(z), both)[1], u, s, 0.1)[2]
 
     places = np.linspace(math.log(0.8 * w.min()), math.log(0.7 * w.max()), SPEEDS)
-    costs = [cost(float(z)) for z in places]
-    i = int(np.argmin(costs))
+    i = int(np.argmin([cost(float(z)) for z in places]))
     low, high = places[max(i - 1, 0)], places[min(i + 1, SPEEDS - 1)]
     return math.exp(float(minimize_scalar(cost, bounds=(low, high), method="bounded", options={"xatol": 1e-3}).x))
 

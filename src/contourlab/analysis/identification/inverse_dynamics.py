@@ -16,6 +16,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -184,8 +185,7 @@ class InverseDynamicsSettings:
             raise ParameterError("slowest", f"{self.slowest:g}", ">= 0", "m/s")
 
 
-@dataclass(frozen=True, eq=False)
-class _Rows:
+class _Rows(NamedTuple):
     """One row of the equations for each decimated sample."""
 
     time: Array
@@ -356,7 +356,7 @@ def _rows(time: ArrayLike, position: ArrayLike, force: ArrayLike, settings: Inve
     moving = np.abs(rows.velocity) >= settings.slowest
     if np.count_nonzero(moving) < FEWEST_ROWS:
         raise ParameterError("slowest", f"{settings.slowest:g}", f"passed in at least {FEWEST_ROWS} rows", "m/s")
-    return _Rows(rows.time[moving], rows.velocity[moving], rows.columns[moving], rows.force[moving])
+    return _Rows(*(part[moving] for part in rows))
 
 
 def _columns(acceleration: Array, velocity: Array, friction: str) -> Array:

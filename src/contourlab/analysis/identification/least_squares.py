@@ -444,8 +444,7 @@ def spread_starts(
         return x[None]
     ratio = low > 0.0
     line = [np.where(ratio, np.log(np.where(ratio, v, 1.0)), v) for v in (x, low, high)]
-    even = qmc.Sobol(x.size, seed=0).random(candidates)
-    away = line[1] + even * (line[2] - line[1]) - line[0]
+    away = line[1] + qmc.Sobol(x.size, seed=0).random(candidates) * (line[2] - line[1]) - line[0]
     placed = line[0] + reach * away
     points = np.clip(np.where(ratio, np.exp(np.where(ratio, placed, 0.0)), placed), low, high)
     left = residuals(points)

@@ -138,8 +138,7 @@ class TrialOperator:
             rights.append(right / beta)
         if not columns:
             return 0.0
-        bidiagonal = np.diag([a for a, _ in columns]) + np.diag([b for _, b in columns[:-1]], 1)
-        return float(np.linalg.norm(bidiagonal, 2))
+        return float(np.linalg.norm(np.diag([a for a, _ in columns]) + np.diag([b for _, b in columns[:-1]], 1), 2))
 
     def radius(self) -> float:
         """Return the spectral radius: by Arnoldi's method for short trials, by repeated trials of a random table for long ones."""
@@ -474,8 +473,7 @@ def learning_analysis(machine: Machine, controller: Controller, law: LearningLaw
     if reference is not None:
         lifted = lifted_learning(loop, law, reference.path.tangent(reference.block(0, reference.n_sample).arc_length))
     zero = first_zero(int(law.half_width), loop.servo_period) if isinstance(law, ZeroPhase) and law.half_width else math.nan
-    worst = response.worst_radius[1]
-    design = design_for(loop, law) if worst > 1.0 + GROWTH and isinstance(law, ZeroPhase) else None
+    design = design_for(loop, law) if response.worst_radius[1] > 1.0 + GROWTH and isinstance(law, ZeroPhase) else None
     return LearningAnalysis(law, loop.servo_period, response, lifted, zero, design)
 
 

@@ -311,8 +311,7 @@ def directions(n_axis: int) -> Array:
     if n_axis == 1:
         return np.ones((1, 1))
     degree = 16 if n_axis == 2 else 6 if n_axis == 3 else 3
-    points = [np.array(point) for point in _compositions(degree, n_axis)]
-    return np.sqrt(np.array(points) / degree)
+    return np.sqrt(np.array(_compositions(degree, n_axis)) / degree)
 
 
 def _compositions(total: int, parts: int) -> list[tuple[int, ...]]:

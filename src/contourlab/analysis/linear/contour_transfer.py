@@ -123,8 +123,7 @@ class ContourTransfer:
         """Return the poles with a constant direction, a unit vector (n_axis,)."""
         if self.along:
             return self.loop.poles(normal_basis(unit) if len(unit) > 1 else np.zeros((1, 0)))
-        scaled = np.sqrt(self.strength) * unit
-        return self.loop.poles(scaled[:, None])
+        return self.loop.poles((np.sqrt(self.strength) * unit)[:, None])
 
     @cached_property
     def _modulus(self) -> HullMargin:
@@ -310,6 +309,5 @@ def internal_stability(machine: Machine, controller: Controller, reference: Refe
         start, stop = reference.laps[-1]
         tangents = reference.path.tangent(reference.block(start, stop).arc_length)
         multipliers = poles_of(TrialMap(loop, tangents).monodromy())
-        moving = multipliers[np.abs(multipliers - 1.0) > LEFT_STANDING]
-        lap = float(np.abs(moving).max(initial=0.0))
+        lap = float(np.abs(multipliers[np.abs(multipliers - 1.0) > LEFT_STANDING]).max(initial=0.0))
     return InternalStability(axes, margins, lap)

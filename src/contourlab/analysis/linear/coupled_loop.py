@@ -58,8 +58,7 @@ class AxisLink:
 
     def form(self, frequency: ArrayLike) -> Complex:
         """Return the responses (n, 2, 2) of position and command to an added command and a shift of the reference."""
-        w = checked_frequency(frequency, self.loop.nyquist)
-        response = self._form(np.exp(1j * w * self.loop.servo_period))
+        response = self._form(np.exp(1j * checked_frequency(frequency, self.loop.nyquist) * self.loop.servo_period))
         response[:, 1] += self.command[-2:]
         return np.asarray(response)
 

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.analysis.linear.sampled_loop import linear_axis, without_limits
+from contourlab.analysis.linear.sampled_loop import linear_axis, linear_controller
 from contourlab.analysis.linear.tick_map import poles_of, tick_map
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
@@ -161,17 +161,15 @@ def divided_loop(machine: Machine, controller: Controller, tangent: ArrayLike | 
     axes = tuple(linear_axis(axis, machine.carried_mass(axis.name)) for axis in machine.axes)
     estimator = None if controller.coupling is None else Tangent()
     made = Controller({name: _linear(controller.axes[name]) for name in names}, estimator, controller.coupling)
-    whole = build(Machine(machine.name, axes, machine.servo_period), made, path, np.zeros(len(names))).schedule
-    return _cut(whole, names)
+    return _cut(build(Machine(machine.name, axes, machine.servo_period), made, path, np.zeros(len(names))).schedule, names)
 
 
 def _linear(controller: AxisController) -> AxisController:
     """Return an axis' controller without nonlinear parts, with its links as nodes."""
-    left_out: dict[str, Any] = dict.fromkeys(("gap_observer", "compensation", "supervisor", "feedforward"))
     link = controller.link
     if link is not None:
         link = Division(link.division, Network(), None if link.up is None else Network())
-    return replace(controller, controller=without_limits(controller.controller).linear(), others=(), link=link, **left_out)
+    return replace(linear_controller(controller), feedforward=None, link=link)
 
 
 def _cut(whole: Schedule, names: Sequence[str]) -> DividedLoop:

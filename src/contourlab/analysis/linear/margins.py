@@ -82,8 +82,7 @@ def _phases(loop: LoopGain, w: Array, gain: Complex) -> Iterator[tuple[float, fl
 
 def _factors(loop: LoopGain, w: Array, gain: Complex) -> Iterator[tuple[float, float]]:
     """Yield each frequency where the loop gain is real and negative, with the factor from there to -1."""
-    crossings = _zeros(lambda x: _value(loop, x).imag, w, gain.imag)
-    values = [(at, _value(loop, at)) for at in crossings]
+    values = [(at, _value(loop, at)) for at in _zeros(lambda x: _value(loop, x).imag, w, gain.imag)]
     # At the Nyquist frequency a sampled loop is real: it meets the real axis without crossing it.
     if abs(gain[-1].imag) <= 1e-9 * abs(gain[-1]):
         values.append((float(w[-1]), complex(gain[-1])))

@@ -220,8 +220,7 @@ def three_step_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), wei
         a, b, _, _ = weights.matrices(axis)
         plant = b[2, 0] / (s * (s - a[2, 2]))
         weighed = (plant / (1.0 + plant * (basis @ k)))[:, None] * basis
-        unit = np.eye(n_unknown)
-        picks = np.stack([assembled(row, mask, len(axes))[i] for row in unit], axis=1)
+        picks = np.stack([assembled(row, mask, len(axes))[i] for row in np.eye(n_unknown)], axis=1)
         rows.append(weighed @ picks)
         right.append(weighed @ k)
     matrix, target = np.concatenate(rows), np.concatenate(right)

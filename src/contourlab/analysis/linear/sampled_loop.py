@@ -116,8 +116,7 @@ class SampledLoop:
 
     def frequencies(self, n: int = 300) -> Array:
         """Return frequencies (n,) [rad/s] for a plot, from 0.1 Hz or 1e-4 of Nyquist, the lower of the two, up to the Nyquist frequency."""
-        low = min(2.0 * math.pi * 0.1, 1e-4 * self.nyquist)
-        return np.minimum(np.geomspace(low, self.nyquist, n), self.nyquist)
+        return np.minimum(np.geomspace(min(2.0 * math.pi * 0.1, 1e-4 * self.nyquist), self.nyquist, n), self.nyquist)
 
     def margins(self) -> Margins:
         """Return the margins of the loop opened at the drive, up to the Nyquist frequency."""
@@ -175,8 +174,7 @@ class SampledLoop:
         return response
 
     def _grid(self) -> Array:
-        poles = np.concatenate([self.poles, poles_of(self.a)])
-        return frequency_grid(self.servo_period, poles, self._cut.longest)
+        return frequency_grid(self.servo_period, np.concatenate([self.poles, poles_of(self.a)]), self._cut.longest)
 
 
 def checked_frequency(frequency: ArrayLike, nyquist: float) -> Array:
@@ -218,10 +216,8 @@ def bare_axis(axis: Axis, controller: AxisController, servo_period: float, carri
     ahead = controller.feedforward
     # Feedforward is not part of the loop; if linear, it is part of the response to the reference.
     ahead = ahead if ahead is not None and ahead.linearize() is not None else None
-    # Under a supervisor the loop is that of the first controller, which is for contact.
-    nonlinear = dict.fromkeys(("gap_observer", "compensation", "supervisor", "link"))
-    made = replace(controller, controller=without_limits(controller.controller).linear(), feedforward=ahead, others=(), **nonlinear)  # type: ignore[arg-type]
-    return Machine("axis", (linear_axis(axis, carried_mass),), servo_period), Controller({axis.name: made})
+    linear = replace(linear_controller(controller), feedforward=ahead, link=None)
+    return Machine("axis", (linear_axis(axis, carried_mass),), servo_period), Controller({axis.name: linear})
 
 
 def opened_schedule(machine: Machine, controller: Controller, columns: Mapping[str, Array] | None = None) -> Schedule:
@@ -274,8 +270,13 @@ def linear_axis(axis: Axis, carried_mass: float) -> Axis:
     drive, limit = axis.drive, axis.drive.parameters.get("limit")
     if limit is not None and limit.default == math.inf:
         drive = drive.replace(limit=math.inf)
-    plant = axis.plant.loaded(carried_mass).linear()
-    return Axis(axis.name, plant, drive=drive, limits=axis.limits, substeps=axis.substeps)
+    return Axis(axis.name, axis.plant.loaded(carried_mass).linear(), drive=drive, limits=axis.limits, substeps=axis.substeps)
+
+
+def linear_controller(controller: AxisController) -> AxisController:
+    """Return the controller of an axis without nonlinear parts; under a supervisor the first one, which is for contact."""
+    law = without_limits(controller.controller).linear()
+    return replace(controller, controller=law, others=(), gap_observer=None, compensation=None, supervisor=None)
 
 
 def without_limits(controller: Component) -> Component:

@@ -126,8 +126,7 @@ def _numerator(values: Complex, angle: Array, n: int) -> tuple[int, Array]:
     """
     # The points are half a step off those of the transform: rotate each power to correct this.
     powers = np.real(np.exp(1j * angle[0] * np.arange(n)) * np.fft.ifft(np.concatenate([values, values[::-1].conj()])))
-    largest = np.abs(powers).max()
-    floor = max(10.0 * np.abs(powers[n // 2 :]).max(), 1e-13 * largest)
+    floor = max(10.0 * np.abs(powers[n // 2 :]).max(), 1e-13 * np.abs(powers).max())
     kept = np.flatnonzero(np.abs(powers) > floor)
     if kept.size == 0 or kept[-1] >= n // 2:
         raise ComponentError("the response to the reference is not an invertible rational function of z")

@@ -334,7 +334,7 @@ def _axis_gap(
         prediction = predict_limit_cycles(model) if model.contact_a is None else None
         predicted = None if prediction is None else tuple(_cycle(cycle, cycle.validity) for cycle in prediction)
         if exact:
-            orbits = tuple(_cycle(orbit) for orbit in find_orbits(model, prediction=prediction).orbits)
+            orbits = tuple(_cycle(orbit) for orbit in find_orbits(model, prediction=prediction))
     except ComponentError as error:
         findings.append(finding("CL383", place=place, reason=str(error)))
     return AxisGap(gap, lost_motion_of(axis), pair, alone, predicted, orbits, loop.feedback)

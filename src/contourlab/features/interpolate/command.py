@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from contourlab.analysis.encoder.interpolation import interpolation_order
+from contourlab.analysis.encoder import interpolation_order
 from contourlab.app.json_values import json_text
 from contourlab.app.results import spared
 from contourlab.app.session import QUIET, Answer, Asked, Session, question

@@ -7,13 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.analysis.encoder.interpolation import SinusoidTable, period_count
-from contourlab.analysis.encoder.quadrature import (
+from contourlab.analysis.encoder import (
     EllipseFit,
     QuadratureConstants,
+    SinusoidTable,
     Subdivisional,
     Tracked,
     fit_ellipse,
+    period_count,
     subdivisional_error,
     track_ellipse,
 )

@@ -82,6 +82,6 @@ def compare(case: LimitCycleCase) -> Comparison:
     """Find the limit cycle of a case by describing function and by shooting."""
     loop = case.loop
     prediction = predict_limit_cycles(loop)
-    orbits = find_orbits(loop, prediction=prediction, kicks=(case.kick,)).stable
+    orbits = [orbit for orbit in find_orbits(loop, prediction=prediction, kicks=(case.kick,)) if orbit.stable]
     predicted = next((cycle for cycle in prediction if cycle.stable), None)
     return Comparison(case, predicted, orbits[0] if orbits else None)

@@ -1,1 +1,0 @@
-"""Quadrature signals of an encoder: correction, tracking and interpolation."""
