@@ -11,6 +11,7 @@ from typing import Any
 
 import typer
 from api import api_page
+from keys import keys_page
 from markup import plain
 from ports import ports_page
 
@@ -169,6 +170,7 @@ PAGES = {
     HERE / "reference" / "findings.md": findings_page,
     HERE / "reference" / "json.md": json_page,
     HERE / "reference" / "components.md": components_page,
+    HERE / "reference" / "keys.md": keys_page,
     PORTS: ports_page,
     HERE / "reference" / "commands.md": commands_page,
     HERE / "reference" / "api.md": api_page,
