@@ -512,10 +512,10 @@ class Scenario:
         ScenarioError
             If the scenario has no such scheme.
         """
-        for case in self.cases():
-            if case.name == name:
-                return case
-        raise ScenarioError(f"no scheme {name!r}: {hint(name, [case.name for case in self.cases()])}", file=self.file)
+        known = {case.name: case for case in self.cases()}
+        if name not in known:
+            raise ScenarioError(f"no scheme {name!r}: {hint(name, known)}", file=self.file)
+        return known[name]
 
 
 FEATURES = {
