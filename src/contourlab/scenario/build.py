@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields, replace
 from typing import Any
 
@@ -298,10 +298,16 @@ def _axis_controller(table: Table, machine: Machine, name: str) -> AxisControlle
     parts = _parts(table, ("predictor", "velocity", *_OPTIONAL), units, ("predictor", *_OPTIONAL))
     model = _model(machine, axis, parts.get("observer"))
     parts["controller"] = _position(table.entries["controller"], units, model)
-    parts["filters"] = _filters(table.table("filters"), units, machine.servo_period)
+    filters, others = table.table("filters"), table.table("others")
+    parts["filters"] = _named(filters, lambda node: read_component(node, "filter", units, optional=True))
+    for label, part in parts["filters"]:
+        with located(filters, label):
+            part.block(machine.servo_period)
     if "feedforward" in table.entries:
         parts["feedforward"] = _feedforward(table, units, parts, machine, axis)
-    parts["others"] = _others(table.table("others"), units, model)
+    if "controller" in others.entries:
+        raise others.error("write another name: controller is the name of the first one", "controller")
+    parts["others"] = _named(others, lambda node: _position(node, units, model))
     _check_local(plain.get("local", ()), parts, table)
     link = _link(table.entries["link"], units) if "link" in table.entries else None
     with located(table):
@@ -320,31 +326,13 @@ def _link(node: Node, units: tuple[str, str]) -> Division | None:
         return Division(**plain, **ways)
 
 
-def _others(table: Table, units: tuple[str, str], model: _Model) -> tuple[tuple[str, Component], ...]:
-    """Return the further controllers that a supervisor may activate, by name."""
-    _check_names(table)
-    if "controller" in table.entries:
-        raise table.error("write another name: controller is the name of the first one", "controller")
-    return tuple((name, _position(node, units, model)) for name, node in table.entries.items())
-
-
-def _filters(table: Table, units: tuple[str, str], servo_period: float) -> tuple[tuple[str, Component], ...]:
-    """Return the filters of the command, by name; ``NAME = "none"`` leaves one out."""
-    _check_names(table)
-    filters = []
-    for name, node in table.entries.items():
-        part = read_component(node, "filter", units, optional=True)
-        if part is not None:
-            with located(table, name):
-                part.block(servo_period)
-            filters.append((name, part))
-    return tuple(filters)
-
-
-def _check_names(table: Table) -> None:
+def _named(table: Table, read: Callable[[Node], Component | None]) -> tuple[tuple[str, Component], ...]:
+    """Return parts by name; ``NAME = "none"`` leaves one out."""
     for name in table.entries:
         if not name.isidentifier():
             raise table.error("write a name of letters, digits and _", name)
+    parts = {name: read(node) for name, node in table.entries.items()}
+    return tuple((name, part) for name, part in parts.items() if part is not None)
 
 
 def _feedforward(table: Table, units: tuple[str, str], parts: Mapping[str, Any], machine: Machine, axis: Axis) -> Component | None:

@@ -23,8 +23,7 @@ from contourlab.loop import Change, Controller, Machine
 from contourlab.loop.simulate import UNITS
 from contourlab.notebook import facts_line
 from contourlab.program import Program, Reading
-from contourlab.scenario.motion_check import check_motion
-from contourlab.scenario.placing import placed
+from contourlab.scenario.placing import check_motion, placed
 from contourlab.units import setting
 
 DISTANCE = setting("m", "um", minimum=0.0, maximum=1.0, exclusive=True)
