@@ -133,6 +133,7 @@ def _value(parameter: Parameter, given: Any) -> Any:
     return in_range(read_number(given, parameter.unit, parameter.display), parameter, repr(given))
 
 
+SQUARENESS = Setting("rad", "um/m", -0.1, 0.1)
 SUPERVISOR = "performance"
 """Default kind of a supervisor."""
 _OPTIONAL = ("observer", "gap_observer", "compensation", "supervisor")
@@ -250,9 +251,7 @@ def _squareness(table: Table, names: list[str]) -> dict[tuple[str, str], float]:
         if len(pair) != 2 or pair[0] == pair[1] or not set(pair) <= set(names):
             raise table.error('write two different axes of the machine, as in "x-y" = "20 um/m"', key)
         with located(table, key):
-            angle = read_number(node.plain(), "rad", "um/m")
-        if abs(angle) > 0.1:
-            raise table.error("is out of range: must be between -0.1 and 0.1 rad", key)
+            angle = read_value(node.plain(), (float,), SQUARENESS)
         if (pair[1], pair[0]) in squareness:
             raise table.error(f'has the same axes as "{pair[1]}-{pair[0]}": delete one', key)
         squareness[pair[0], pair[1]] = angle
@@ -348,8 +347,7 @@ def _feedforward(table: Table, units: tuple[str, str], parts: Mapping[str, Any],
     given = {}
     if isinstance(node, Table) and "radius" in node.entries:
         with located(node, "radius"):
-            value = node.entries["radius"].plain()
-            given["radius"] = in_range(read_number(value, ""), Setting(minimum=0.0, maximum=1.0, exclusive=True), repr(value))
+            given["radius"] = read_value(node.entries["radius"].plain(), (float,), Setting(minimum=0.0, maximum=1.0, exclusive=True))
     with located(table, "feedforward"):
         loop = sampled_loop(axis, AxisController(**parts), machine.servo_period, machine.carried_mass(axis.name))
         return zpetc_design(loop, **given)
@@ -414,7 +412,7 @@ def in_place(table: Table, module: Axis, place: Axis) -> tuple[Axis, str]:
     """
     kept, axis_names = _taken_over(table, module, place, ("stage_mass", "substeps"))
     limits, limit_names = _taken_over(table.table("limits"), module.limits, place.limits, keys_of(Limits))
-    names = [f"{name}, {written(getattr(place, name), keys_of(Axis)[name][2])}" for name in axis_names]
+    names = [f"{name}, {written(getattr(place, name), keys_of(Axis)[name].about)}" for name in axis_names]
     names += [f"limits.{name}" for name in limit_names]
     notes = ["; ".join(names) + " (kept from the replaced axis)"] if names else []
     lost = [slot for slot in AXIS_SLOTS[1:] if slot not in table.entries and getattr(module, slot) != getattr(place, slot)]

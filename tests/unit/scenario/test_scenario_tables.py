@@ -75,8 +75,9 @@ def test_all_missing_keys_are_named_at_once_but_an_unknown_one_first() -> None:
         read_values(parse_tree('controler = "c.toml"', "t"), Change, needed=needed)
 
 
-def test_a_file_is_relative_to_the_file_that_names_it() -> None:
+def test_a_file_is_relative_to_the_file_that_names_it_and_written_whole() -> None:
     assert read_values(parse_tree('tools = "tool.tbl"', "parts/job.toml"), Reading) == {"tools": Path("parts/tool.tbl")}
+    assert table_of(Reading(tools="tool.tbl"))["tools"] == Path("tool.tbl").resolve().as_posix()
 
 
 def test_every_class_with_keys_is_documented() -> None:
