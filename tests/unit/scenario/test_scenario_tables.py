@@ -48,7 +48,7 @@ def test_a_new_key_is_one_field(monkeypatch: pytest.MonkeyPatch) -> None:
     assert read('dwell = "20 ms"\nlaps = 3') == Longer(laps=3, dwell=0.02)
     assert table_of(Longer(dwell=0.02))["dwell"] == "20 ms"
     assert read(toml(table_of(Longer(dwell=0.1 / 3.0)))) == Longer(dwell=0.1 / 3.0)
-    monkeypatch.setitem(keys.TABLES, "[feed]", ((Longer, Longer),))
+    monkeypatch.setitem(keys.TABLES, "`[feed]`", ((Longer, Longer),))
     assert "| `dwell` | a quantity >= 0 and &lt;= 1000 ms |  | Rest at each corner. |" in keys.keys_page().splitlines()
 
 
