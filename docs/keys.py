@@ -28,18 +28,18 @@ Every key with a fixed meaning, with unit, bounds and default. [Scenario files](
 [Components](components.md) lists the keys of components.
 """
 TABLES: dict[str, tuple[tuple[type, Callable[..., Any]], ...]] = {
-    "[feed]": ((FeedSettings, FeedSettings),),
-    "[run]": ((RunSettings, RunSettings),),
-    "an item of changes in [run]": ((Change, Change),),
-    "[learning]": ((LearningSettings, LearningSettings),),
-    "[program]": ((PartProgram, PartProgram), (Reading, Reading)),
-    "[contour] from a file": ((Contour, Contour), (ContourOptions, read_contour)),
-    "[machine]": ((Machine, Machine),),
-    "[axes.NAME]": ((Axis, Axis),),
-    "[axes.NAME.limits]": ((Limits, Limits),),
-    "[axes.NAME.error]": ((AxisError, AxisError),),
-    "[controller.axes.NAME]": ((AxisController, AxisController),),
-    "[controller.axes.NAME.link]": ((Division, Division),),
+    "`[feed]`": ((FeedSettings, FeedSettings),),
+    "`[run]`": ((RunSettings, RunSettings),),
+    "an item of changes in `[run]`": ((Change, Change),),
+    "`[learning]`": ((LearningSettings, LearningSettings),),
+    "`[program]`": ((PartProgram, PartProgram), (Reading, Reading)),
+    "`[contour]` from a file": ((Contour, Contour), (ContourOptions, read_contour)),
+    "`[machine]`": ((Machine, Machine),),
+    "`[axes.NAME]`": ((Axis, Axis),),
+    "`[axes.NAME.limits]`": ((Limits, Limits),),
+    "`[axes.NAME.error]`": ((AxisError, AxisError),),
+    "`[controller.axes.NAME]`": ((AxisController, AxisController),),
+    "`[controller.axes.NAME.link]`": ((Division, Division),),
 }
 """The classes whose fields are the keys of a table, each with what documents it."""
 

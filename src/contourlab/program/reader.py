@@ -249,9 +249,7 @@ class Reader:
         if self.reading.folder is None or not re.fullmatch(r"[a-z0-9_.-]+", label):
             return None
         file = self.reading.folder / f"{label}.ngc"
-        if not file.is_file():
-            return None
-        return Tape(iter(split_lines(read_text(file))), str(file))
+        return Tape(iter(split_lines(read_text(file))), str(file)) if file.is_file() else None
 
     def _check_end(self, moved: bool) -> None:
         if self.state.curve.points:

@@ -1,8 +1,8 @@
 """Scenarios: TOML files to typed values and back, strictly.
 
-Modules: `tree` (raw content with the place of each value), `files` (included files), `quantities` (values with units), `tables` (tables of
-fixed shape), `components`, `provenance` (sources and correlations), `build` (machines and controllers), `motion` (contour, program, feed,
-run, learning), `values` and `case` (the results), `load` (entry points), `dump` and `toml_text` (writers).
+Modules: `tree` (raw content with the place of each value), `files` (included files), `quantities` (values with units), `tables` (the fields
+of a class as a table), `provenance` (sources and correlations), `build` (machines and controllers), `values` (settings, cases, schemes),
+`load` (motion, scenario; entry points), `dump` and `toml_text` (writers).
 """
 
 from contourlab.scenario.dump import dump

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields, replace
 from typing import Any
 
@@ -133,6 +133,7 @@ def _value(parameter: Parameter, given: Any) -> Any:
     return in_range(read_number(given, parameter.unit, parameter.display), parameter, repr(given))
 
 
+SQUARENESS = Setting("rad", "um/m", -0.1, 0.1)
 SUPERVISOR = "performance"
 """Default kind of a supervisor."""
 _OPTIONAL = ("observer", "gap_observer", "compensation", "supervisor")
@@ -250,9 +251,7 @@ def _squareness(table: Table, names: list[str]) -> dict[tuple[str, str], float]:
         if len(pair) != 2 or pair[0] == pair[1] or not set(pair) <= set(names):
             raise table.error('write two different axes of the machine, as in "x-y" = "20 um/m"', key)
         with located(table, key):
-            angle = read_number(node.plain(), "rad", "um/m")
-        if abs(angle) > 0.1:
-            raise table.error("is out of range: must be between -0.1 and 0.1 rad", key)
+            angle = read_value(node.plain(), (float,), SQUARENESS)
         if (pair[1], pair[0]) in squareness:
             raise table.error(f'has the same axes as "{pair[1]}-{pair[0]}": delete one', key)
         squareness[pair[0], pair[1]] = angle
@@ -298,10 +297,16 @@ def _axis_controller(table: Table, machine: Machine, name: str) -> AxisControlle
     parts = _parts(table, ("predictor", "velocity", *_OPTIONAL), units, ("predictor", *_OPTIONAL))
     model = _model(machine, axis, parts.get("observer"))
     parts["controller"] = _position(table.entries["controller"], units, model)
-    parts["filters"] = _filters(table.table("filters"), units, machine.servo_period)
+    filters, others = table.table("filters"), table.table("others")
+    parts["filters"] = _named(filters, lambda node: read_component(node, "filter", units, optional=True))
+    for label, part in parts["filters"]:
+        with located(filters, label):
+            part.block(machine.servo_period)
     if "feedforward" in table.entries:
         parts["feedforward"] = _feedforward(table, units, parts, machine, axis)
-    parts["others"] = _others(table.table("others"), units, model)
+    if "controller" in others.entries:
+        raise others.error("write another name: controller is the name of the first one", "controller")
+    parts["others"] = _named(others, lambda node: _position(node, units, model))
     _check_local(plain.get("local", ()), parts, table)
     link = _link(table.entries["link"], units) if "link" in table.entries else None
     with located(table):
@@ -320,31 +325,13 @@ def _link(node: Node, units: tuple[str, str]) -> Division | None:
         return Division(**plain, **ways)
 
 
-def _others(table: Table, units: tuple[str, str], model: _Model) -> tuple[tuple[str, Component], ...]:
-    """Return the further controllers that a supervisor may activate, by name."""
-    _check_names(table)
-    if "controller" in table.entries:
-        raise table.error("write another name: controller is the name of the first one", "controller")
-    return tuple((name, _position(node, units, model)) for name, node in table.entries.items())
-
-
-def _filters(table: Table, units: tuple[str, str], servo_period: float) -> tuple[tuple[str, Component], ...]:
-    """Return the filters of the command, by name; ``NAME = "none"`` leaves one out."""
-    _check_names(table)
-    filters = []
-    for name, node in table.entries.items():
-        part = read_component(node, "filter", units, optional=True)
-        if part is not None:
-            with located(table, name):
-                part.block(servo_period)
-            filters.append((name, part))
-    return tuple(filters)
-
-
-def _check_names(table: Table) -> None:
+def _named(table: Table, read: Callable[[Node], Component | None]) -> tuple[tuple[str, Component], ...]:
+    """Return parts by name; ``NAME = "none"`` leaves one out."""
     for name in table.entries:
         if not name.isidentifier():
             raise table.error("write a name of letters, digits and _", name)
+    parts = {name: read(node) for name, node in table.entries.items()}
+    return tuple((name, part) for name, part in parts.items() if part is not None)
 
 
 def _feedforward(table: Table, units: tuple[str, str], parts: Mapping[str, Any], machine: Machine, axis: Axis) -> Component | None:
@@ -360,8 +347,7 @@ def _feedforward(table: Table, units: tuple[str, str], parts: Mapping[str, Any],
     given = {}
     if isinstance(node, Table) and "radius" in node.entries:
         with located(node, "radius"):
-            value = node.entries["radius"].plain()
-            given["radius"] = in_range(read_number(value, ""), Setting(minimum=0.0, maximum=1.0, exclusive=True), repr(value))
+            given["radius"] = read_value(node.entries["radius"].plain(), (float,), Setting(minimum=0.0, maximum=1.0, exclusive=True))
     with located(table, "feedforward"):
         loop = sampled_loop(axis, AxisController(**parts), machine.servo_period, machine.carried_mass(axis.name))
         return zpetc_design(loop, **given)
@@ -426,7 +412,7 @@ def in_place(table: Table, module: Axis, place: Axis) -> tuple[Axis, str]:
     """
     kept, axis_names = _taken_over(table, module, place, ("stage_mass", "substeps"))
     limits, limit_names = _taken_over(table.table("limits"), module.limits, place.limits, keys_of(Limits))
-    names = [f"{name}, {written(getattr(place, name), keys_of(Axis)[name][2])}" for name in axis_names]
+    names = [f"{name}, {written(getattr(place, name), keys_of(Axis)[name].about)}" for name in axis_names]
     names += [f"limits.{name}" for name in limit_names]
     notes = ["; ".join(names) + " (kept from the replaced axis)"] if names else []
     lost = [slot for slot in AXIS_SLOTS[1:] if slot not in table.entries and getattr(module, slot) != getattr(place, slot)]

@@ -12,7 +12,7 @@ from contourlab.components.contract import Component
 from contourlab.contours.reader import ContourOptions
 from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS, NAMED_SLOTS
-from contourlab.scenario.build import parameters_of, units_of
+from contourlab.scenario.build import SQUARENESS, parameters_of, units_of
 from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names
 from contourlab.scenario.provenance import origin_table, with_origins
 from contourlab.scenario.quantities import quantity
@@ -98,7 +98,7 @@ def machine_tables(machine: Machine) -> dict[str, Any]:
     """Return ``machine`` and ``axes``."""
     table: dict[str, Any] = {**table_of(machine), "axes": list(machine.axis_names)}
     if machine.squareness:
-        angles = {f"{a}-{b}": quantity(angle, "rad", "um/m") for (a, b), angle in machine.squareness.items()}
+        angles = {f"{a}-{b}": written(angle, SQUARENESS) for (a, b), angle in machine.squareness.items()}
         table["squareness"] = with_origins(angles, {k.removeprefix("squareness."): v for k, v in machine.origins.items()})
     return {"machine": table | _correlations(machine), "axes": {axis.name: axis_table(axis) for axis in machine.axes}}
 
@@ -128,7 +128,7 @@ def motion_table(motion: Motion) -> dict[str, Any]:
         own = table_of(motion, defaults=False)
         if motion.file is not None:
             file = {"file": Noted(own.pop("file"), "; ".join(motion.reading.notes)[:200])}
-            return {"contour": file | {k: written(v, keys_of(ContourOptions)[k][2]) for k, v in motion.options.items()} | own}
+            return {"contour": file | {k: written(v, keys_of(ContourOptions)[k].about) for k, v in motion.options.items()} | own}
         from contourlab.geometry import contour_parameters
 
         units = {key: unit for key, (_, unit) in contour_parameters(motion.name).items()}

@@ -8,12 +8,12 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 
-import contourlab
 from contourlab.errors import ScenarioError, hint
 from contourlab.scenario.tree import DEFAULT, Leaf, Node, Table, located, merge, read_tree
 
 BUILTIN = "builtin:"
 """Prefix of shipped files."""
+_SHIPPED = Path(__file__).parents[1] / "machines"
 EVERY = "*"
 """Name for every axis, as in ``[controller.axes."*"]``."""
 
@@ -26,10 +26,6 @@ _KINDS = {
 """Method of `Reader` that reads a part -> kinds of file."""
 
 
-def _shipped() -> Path:
-    return Path(contourlab.__file__).parent / "machines"
-
-
 @cache
 def builtin_names() -> tuple[str, ...]:
     """Return the names of the shipped files: TOML without its ending, part programs with it.
@@ -37,8 +33,7 @@ def builtin_names() -> tuple[str, ...]:
     >>> "xyz" in builtin_names()
     True
     """
-    root = _shipped()
-    names = [path.relative_to(root) for path in root.rglob("*") if path.suffix in (".toml", ".ngc")]
+    names = [path.relative_to(_SHIPPED) for path in _SHIPPED.rglob("*") if path.suffix in (".toml", ".ngc")]
     return tuple(sorted(str((name.with_suffix("") if name.suffix == ".toml" else name).as_posix()) for name in names))
 
 
@@ -55,7 +50,7 @@ def builtin_file(name: str) -> Path:
         near = difflib.get_close_matches(short, builtin_names(), n=1, cutoff=0.6)
         cure = f"did you mean {near[0]!r}?" if near else "contourlab machines lists them"
         raise ScenarioError(f"no shipped file has this name: {cure}", file=name)
-    return _shipped() / (short if short.endswith(".ngc") else short + ".toml")
+    return _SHIPPED / (short if short.endswith(".ngc") else short + ".toml")
 
 
 def shipped_hint(file: str | Path) -> str:

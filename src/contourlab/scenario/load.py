@@ -168,21 +168,6 @@ def _from_file(node: Table) -> Contour:
     return Contour(file.name, file=file.absolute(), options=options, offset=offset)  # absolute: the working folder may change
 
 
-def read_learning(table: Table, machine: Machine) -> LearningSettings | None:
-    """Return the settings of ``[learning]``; None without the table or with ``law = "none"``.
-
-    Raises
-    ------
-    ScenarioError
-        If the content is invalid; gives file and key.
-    """
-    if not table.entries:
-        return None
-    plain = read_values(table, LearningSettings, needed=("law",))
-    law: Any = read_component(table.entries["law"], "learning", units_of(machine.axes[0].plant), optional=True)
-    return None if law is None else LearningSettings(law, **plain)
-
-
 def read_changes(run: Table, machine: Machine, reader: Reader) -> tuple[Change, ...]:
     """Return the controller changes of a table ``run``.
 
@@ -567,7 +552,11 @@ def _case(name: str, layers: Table, motion: Motion, place: Table, reader: Reader
         what = motion.name if isinstance(motion, Contour) else motion.file.name
         cure = "a scheme's machine must have as many axes as the base's"
         raise place.error(f"{what} has {motion.n_axis} coordinates, {machine.name} has the axes {', '.join(machine.axis_names)}: {cure}")
-    learning = read_learning(settle(layers.table("learning")), machine)
+    learning, table = None, settle(layers.table("learning"))
+    if table.entries:
+        given = read_values(table, LearningSettings, needed=("law",))
+        law: Any = read_component(table.entries["law"], "learning", units_of(machine.axes[0].plant), optional=True)
+        learning = None if law is None else LearningSettings(law, **given)
     if learning is not None and (changes or run.start == "moving"):
         key, why = ("changes", "all trials run under one controller") if changes else ("start", "a trial starts from rest")
         raise run_table.error(f"cannot be combined with [learning]: {why}", key)

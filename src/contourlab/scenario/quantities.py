@@ -137,8 +137,9 @@ def in_range(number: float, about: Setting | Parameter, shown: str) -> float:
     low = number <= about.minimum if about.exclusive else number < about.minimum
     if low or number > about.maximum or (whole and number != round(number)):
         bound = show_bound(about.minimum, about.maximum, about.exclusive, about.display or about.unit)
-        words = ["a whole number"] * whole + [bound] * (not whole or bound != "finite")
-        raise UnitError(f"{shown} is out of range: must be {', '.join(words)}")
+        if whole:
+            bound = "a whole number" if bound == "finite" else f"a whole number, {bound}"
+        raise UnitError(f"{shown} is out of range: must be {bound}")
     return number
 
 

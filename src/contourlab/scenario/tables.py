@@ -11,7 +11,7 @@ from dataclasses import Field, fields
 from functools import cache
 from pathlib import Path
 from types import NoneType, UnionType
-from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
+from typing import Any, Literal, NamedTuple, Union, get_args, get_origin, get_type_hints
 
 import numpy as np
 
@@ -23,8 +23,13 @@ from contourlab.scenario.quantities import in_range, quantity, read_list, read_n
 from contourlab.scenario.tree import Table, located
 from contourlab.units import Setting
 
-Key = tuple[Field[Any], tuple[Any, ...], Setting]
-"""A field, the types that its value may have, and its setting."""
+
+class Key(NamedTuple):
+    """A field, the types that its value may have besides None, and its setting."""
+
+    field: Field[Any]
+    forms: tuple[Any, ...]
+    about: Setting
 
 
 @cache
@@ -36,7 +41,7 @@ def keys_of(kind: type) -> Mapping[str, Key]:
         forms = tuple(item for item in get_args(form) if item is not NoneType) if get_origin(form) in (Union, UnionType) else (form,)
         if "setting" in field.metadata or forms[0] is bool or get_origin(forms[0]) is Literal:
             about = field.metadata.get("setting", Setting())
-            keys[about.name or field.name] = (field, forms, about)
+            keys[about.name or field.name] = Key(field, forms, about)
     return keys
 
 
@@ -67,7 +72,7 @@ def read_values(table: Table, *kinds: type, needed: Collection[str] = (), parts:
     if missing := [name for name in needed if name not in table.entries]:
         raise table.error(f"{len(missing)} {'key is' if len(missing) == 1 else 'keys are'} missing: {', '.join(missing)}")
     values: dict[str, Any] = {}
-    if any(hasattr(kind, "__dataclass_fields__") and "origins" in kind.__dataclass_fields__ for kind in kinds):
+    if any(field.name == "origins" for kind in kinds for field in fields(kind)):
         table, values["origins"] = without_origins(table, [name for name, (_, forms, _) in keys.items() if not {str, int} & {*forms}])
     for name, (field, forms, about) in keys.items():
         if name in table.entries:
@@ -149,8 +154,10 @@ def table_of(value: Any, *, defaults: bool = True) -> dict[str, Any]:
     What is None, infinite or empty is left out.
     """
     table = {}
-    for name, (field, _, about) in keys_of(value.__class__).items():
+    for name, (field, forms, about) in keys_of(value.__class__).items():
         item = getattr(value, field.name)
+        if Path in forms and item is not None:
+            item = Path(item)
         idle = item is None or (isinstance(item, np.ndarray) and not item.size) or _infinite(item)
         if not idle and (defaults or isinstance(item, np.ndarray) or item != field.default):
             table[name] = written(item, about)

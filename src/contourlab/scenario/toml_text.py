@@ -41,12 +41,10 @@ def _number(value: float) -> str:
 def _inline(value: Any) -> str:
     if isinstance(value, Noted):
         return _inline(value.value)
-    if isinstance(value, bool):
-        return "true" if value else "false"
     if isinstance(value, str):
         return _text(value)
     if isinstance(value, int):
-        return str(value)
+        return json.dumps(value)
     if isinstance(value, float):
         return _number(value)
     if isinstance(value, list | tuple):

@@ -23,8 +23,7 @@ from contourlab.loop import Change, Controller, Machine
 from contourlab.loop.simulate import UNITS
 from contourlab.notebook import facts_line
 from contourlab.program import Program, Reading
-from contourlab.scenario.motion_check import check_motion
-from contourlab.scenario.placing import placed
+from contourlab.scenario.placing import check_motion, placed
 from contourlab.units import setting
 
 DISTANCE = setting("m", "um", minimum=0.0, maximum=1.0, exclusive=True)
@@ -512,10 +511,10 @@ class Scenario:
         ScenarioError
             If the scenario has no such scheme.
         """
-        for case in self.cases():
-            if case.name == name:
-                return case
-        raise ScenarioError(f"no scheme {name!r}: {hint(name, [case.name for case in self.cases()])}", file=self.file)
+        known = {case.name: case for case in self.cases()}
+        if name not in known:
+            raise ScenarioError(f"no scheme {name!r}: {hint(name, known)}", file=self.file)
+        return known[name]
 
 
 FEATURES = {

@@ -95,7 +95,7 @@ class PlannedMotion:
     def _load(self) -> None:
         from contourlab.scenario import load_machine
         from contourlab.scenario.load import named_file
-        from contourlab.scenario.motion_check import TravelCheck
+        from contourlab.scenario.placing import TravelCheck
 
         if self._machine is None:
             self._file = DEFAULT_MACHINE if self._chosen is None else named_file(self._chosen)
