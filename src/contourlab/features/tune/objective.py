@@ -39,12 +39,11 @@ class Goal:
     weights: tuple[tuple[str, float], ...] = (("part", 1.0),)
 
     def __post_init__(self) -> None:
-        names = self.names
+        names, given = self.names, ",".join(name for name, _ in self.weights)
         for name, weight in self.weights:
             if not (weight > 0.0 and math.isfinite(weight)):
                 raise ParameterError("objective", f"{name}={weight:g}", "a weight > 0")
-        if not names or len(set(names)) < len(names):
-            given = ",".join(name for name, _ in self.weights)
+        if not 0 < len(names) == len(self.weights):
             raise ParameterError("objective", given or "none", "at least one figure, none of them twice")
 
     @staticmethod
@@ -69,15 +68,15 @@ class Goal:
         return Goal(tuple(weights))
 
     @property
-    def figure(self) -> str | None:
-        """Name of the only figure; None for a sum."""
-        return self.names[0] if len(self.weights) == 1 else None
+    def names(self) -> dict[str, float]:
+        """Names of the figures, with their weights."""
+        more = ", or a sum such as integral=1,energy=0.1"
+        return {goal_named(name, "objective", more).name: weight for name, weight in self.weights}
 
     @property
-    def names(self) -> tuple[str, ...]:
-        """Names of the figures."""
-        more = ", or a sum such as integral=1,energy=0.1"
-        return tuple(goal_named(name, "objective", more).name for name, _ in self.weights)
+    def figure(self) -> str | None:
+        """Name of the only figure; None for a sum."""
+        return next(iter(self.names)) if len(self.weights) == 1 else None
 
     @property
     def label(self) -> str:
@@ -140,7 +139,7 @@ class Objective:
     _rms: float = field(default=math.inf, init=False, repr=False)
 
     def __post_init__(self) -> None:
-        self.runner.figures = (*self.goal.names, "part_error_rms", "limited_share") if self._part else (*self.goal.names, "limited_share")
+        self.runner.figures = (*self.goal.names, *(["part_error_rms"] if self._part else []), "limited_share")
         if self._part:
             rms = float(self.at(self.start).figures["part_error_rms"][0])
             self._rms = rms if rms > 0.0 else math.inf
@@ -163,10 +162,9 @@ class Objective:
             rms = figures["part_error_rms"]
             excess = np.maximum(rms / self._rms - 1.0, 0.0)
             figures |= {"part_error_max": (1.0 + excess) * figures["part_error_max"] + TIE * rms}
-        values = figures[self.goal.names[0]]
+        values = figures[next(iter(self.goal.names))]
         if self._scales:
-            weights = dict(zip(self.goal.names, (weight for _, weight in self.goal.weights), strict=True))
-            parts = [weight * figures[name] / self._scales[name] for name, weight in weights.items()]
+            parts = [weight * figures[name] / self._scales[name] for name, weight in self.goal.names.items()]
             values = np.asarray(np.sum(parts, axis=0))
         failed = (figures["failed_at"] >= 0.0) | ~np.isfinite(values)
         return ObjectiveValues(np.where(failed, np.inf, values), figures["limited_share"], figures["command_largest"], figures)
