@@ -180,6 +180,7 @@ class Runs(Answer):
             steps = tuple(next_steps(self.outcomes, self.command, out, list(files.values())))
             files |= {"report": "report.html"} | ({"to print": "report.pdf"} if pdf else {})
             saved = replace(self, steps=steps, files={what: str(out / file) for what, file in files.items()})
+            vars(saved)["summary"] = self.summary  # computed once
             write_html(saved.data, stage / "report.html")
             if plots:
                 from contourlab.rendering.plots import write_plots
