@@ -143,7 +143,7 @@ class Part:
         if self.many:
             values = (value,) if isinstance(value, str | os.PathLike) else tuple(value)
             if self.option.listed:
-                values = tuple(name.strip() for text in values for name in str(text).split(","))
+                values = tuple(name for text in values for name in (map(str.strip, text.split(",")) if isinstance(text, str) else [text]))
             return tuple(self._one(item) for item in values)
         return self._one(value)
 

@@ -103,7 +103,9 @@ class Runs(Answer):
         from contourlab.features.run.page import report_data
         from contourlab.scenario.dump import dump
 
-        data = report_data(self.scenario.name, self.outcomes, scenario=dump(self.scenario), command=self.command)
+        from_file = getattr(self.scenario.base, "given", None) is None  # a planned reference has no text
+        text = dump(self.scenario) if from_file else ""
+        data = report_data(self.scenario.name, self.outcomes, scenario=text, command=self.command)
         return replace(data, next_steps=self.steps)
 
     @property
