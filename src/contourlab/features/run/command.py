@@ -12,7 +12,7 @@ from contourlab.app.json_values import write_json
 from contourlab.app.results import proposed, staged
 from contourlab.app.session import QUIET, Answer, Session, question
 from contourlab.components.friction.laws import NoFriction
-from contourlab.errors import DivergenceError, ParameterError
+from contourlab.errors import DivergenceError
 from contourlab.features.run.next_step import next_steps
 from contourlab.features.run.options import Run
 from contourlab.features.run.outcome import Outcome, run_case
@@ -315,21 +315,6 @@ def _work(cases: Sequence[Case], interval: bool | None) -> list[tuple[str, float
 
 def _interrupted(outcome: Outcome) -> bool:
     return outcome.learning is not None and outcome.learning.status.startswith("interrupted")
-
-
-def check_plots(plots: Sequence[str]) -> None:
-    """Refuse an unknown format of pictures.
-
-    Raises
-    ------
-    ParameterError
-        If there is one.
-    """
-    from contourlab.rendering.plots import FORMATS
-
-    for name in plots:
-        if name not in FORMATS:
-            raise ParameterError("--plots", repr(name), f"one of {', '.join(FORMATS)}")
 
 
 def _write_signals(outcome: Outcome, file: Path, wanted: Sequence[str]) -> None:
