@@ -129,9 +129,7 @@ SLOW = ("3D_Chips", "8x_gear", "HSM_test", "heart.ngc", "flowsnake", "cds.ngc", 
 
 @pytest.mark.parametrize(
     "name",
-    [
-        pytest.param(file.name, marks=[pytest.mark.slow] if any(word in file.name for word in SLOW) else []) for file in part_programs()
-    ],
+    [pytest.param(file.name, marks=[pytest.mark.slow] if any(word in file.name for word in SLOW) else []) for file in part_programs()],
 )
 def test_annotated_real_programs_have_the_same_moves(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     file = SHARED / "gcode" / name

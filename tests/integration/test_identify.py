@@ -107,9 +107,7 @@ def test_the_measured_axis(tmp_path: Path, as_json: AsJson) -> None:
 @pytest.mark.parametrize("model", ["rigid", "rigid-by-direction", "first-order"])
 @pytest.mark.parametrize("asked", [[], ["--column", "reference.x=qg [m]"]])
 @pytest.mark.slow
-def test_the_measured_axis_can_repeat_its_motion(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str, asked: list[str]
-) -> None:
+def test_the_measured_axis_can_repeat_its_motion(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str, asked: list[str]) -> None:
     """The built-in scenario of the same motion with the written file: planned as fast as the log and faster, it never saturates."""
     from contourlab.loop import simulate
     from contourlab.scenario import load_scenario

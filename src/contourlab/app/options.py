@@ -143,7 +143,7 @@ class Part:
         if self.many:
             values = (value,) if isinstance(value, str | os.PathLike) else tuple(value)
             if self.option.listed:
-                values = tuple(name.strip() for text in values for name in str(text).split(","))
+                values = tuple(name for text in values for name in (map(str.strip, text.split(",")) if isinstance(text, str) else [text]))
             return tuple(self._one(item) for item in values)
         return self._one(value)
 
@@ -181,7 +181,9 @@ def options(kind: type[Kind]) -> type[Kind]:
     made: Any = dataclass(frozen=True, kw_only=True)(kind)
     hints = get_type_hints(made)
     found = {part.name: _part(part, hints[part.name]) for part in fields(made) if "option" in part.metadata}
-    made.PARTS = dict(sorted(found.items(), key=lambda item: item[0] not in inspect.get_annotations(made)))  # its own first
+    depth = {name: i for i, base in reversed([*enumerate(made.__mro__)]) for name in inspect.get_annotations(base)}
+    # Arguments by their place, then its own options before those of its bases.
+    made.PARTS = dict(sorted(found.items(), key=lambda item: -1 if item[1].option.argument else depth[item[0]]))
     return made  # type: ignore[no-any-return]
 
 

@@ -175,6 +175,15 @@ class Answer:
 
         return draw_chart(self._charts(), key, ax)
 
+    def _draw(self, stage: Path, folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
+        """Write the pictures into ``plots`` in a temporary folder; return the files that they will be in `folder`."""
+        if not formats:
+            return ()
+        from contourlab.rendering.plots import write_charts
+
+        files = write_charts(self._charts(), stage / "plots", tuple(formats))
+        return tuple(Path(folder) / file.relative_to(stage) for file in files)
+
     def save(self, folder: str | Path = "results") -> Any:
         """Write the files of the answer into a folder; return the answer with their names."""
         raise NotImplementedError

@@ -128,8 +128,8 @@ def _answered(command: Command, place: str, values: dict[str, Any]) -> int:
         print(*answer.write(sys.stdout, as_json), sep="\n", end="", file=sys.stderr)
     elif as_json:
         emit_json(answer.json)
-    elif answer.text:
-        say(answer.text)
+    elif text := answer.text:
+        say(text)
     for aside in answer.asides:
         print(aside, file=sys.stderr)
     if words := answer._next(asked):

@@ -14,7 +14,7 @@ from contourlab.app.options import Options
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.errors import ParameterError
 from contourlab.papers.options import Reproduce
-from contourlab.papers.rows import CLOSE, COMPUTED, DERIVED, HEADS, IDENTITY, INPUT, OURS, OUTSIDE, Bands, Part, Row, banded, read_bands
+from contourlab.papers.rows import CLOSE, COMPUTED, DERIVED, HEADS, IDENTITY, INPUT, OURS, OUTSIDE, Bands, Part, Row, banded
 from contourlab.rendering.stages import begin_stage
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.study.checkpoint import said_if_interrupted
@@ -120,6 +120,8 @@ def reproduce(paper: str, *, settings: Options, session: Session = QUIET) -> Rep
     LogError
         If a log cannot be read.
     """
+    from contourlab.papers.rows import read_bands
+
     if paper not in NEXT:
         raise ParameterError("paper", repr(paper), f"one of {', '.join(NEXT)}")
     plots = session.saving.get("plots")

@@ -144,11 +144,8 @@ class Analysis(Answer):
         """
         if not plots:
             return self
-        from contourlab.rendering.plots import write_charts
-
         with staged(folder, inputs=self.inputs) as stage:
-            files = write_charts(self._charts(), stage / "plots", tuple(plots))
-        return replace(self, files=tuple(Path(folder) / file.relative_to(stage) for file in files))
+            return replace(self, files=self._draw(stage, folder, plots))
 
     def _next(self, asked: Asked) -> Sequence[object]:
         """Run the schemes."""

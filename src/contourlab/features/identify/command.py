@@ -110,10 +110,8 @@ class Identification(Answer):
         """
         drawn: tuple[Path, ...] = ()
         if plots:
-            from contourlab.rendering.plots import write_charts
-
             with staged(folder, inputs=self.inputs) as stage:
-                drawn = tuple(Path(folder) / file.relative_to(stage) for file in write_charts(self._charts(), stage / "plots", plots))
+                drawn = self._draw(stage, folder, plots)
         saved = replace(self, wanted=None if write is None else Path(write), plots=drawn)
         if saved.written is not None:
             write_text_atomic(saved.written, axis_file(self.identified))

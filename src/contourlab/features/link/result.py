@@ -174,13 +174,9 @@ class LinkResult(Answer):
         OutputError
             If the folder cannot be written to.
         """
-        files: tuple[Path, ...] = ()
         with staged(folder, "summary.json", inputs=self.inputs) as stage:
             write_json(stage / "summary.json", self)
-            if plots:
-                from contourlab.rendering.plots import write_charts
-
-                files = tuple(Path(folder) / file.relative_to(stage) for file in write_charts(self._charts(), stage / "plots", plots))
+            files = self._draw(stage, folder, plots)
         return replace(self, plots=files, folder=str(folder))
 
     def _next(self, asked: Asked) -> Sequence[object] | None:

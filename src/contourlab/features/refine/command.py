@@ -98,11 +98,8 @@ class Refinement(Answer):
         """
         saved = self
         if plots:
-            from contourlab.rendering.plots import write_charts
-
             with staged(folder, inputs=self.inputs) as stage:
-                files = write_charts(self._charts(), stage / "plots", plots)
-                saved = replace(saved, plots=tuple(Path(folder) / file.relative_to(stage) for file in files))
+                saved = replace(saved, plots=self._draw(stage, folder, plots))
         if write is None:
             return saved
         if not self.result.usable:

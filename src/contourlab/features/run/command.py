@@ -12,7 +12,7 @@ from contourlab.app.json_values import write_json
 from contourlab.app.results import proposed, staged
 from contourlab.app.session import QUIET, Answer, Session, question
 from contourlab.components.friction.laws import NoFriction
-from contourlab.errors import DivergenceError, ParameterError
+from contourlab.errors import DivergenceError
 from contourlab.features.run.next_step import next_steps
 from contourlab.features.run.options import Run
 from contourlab.features.run.outcome import Outcome, run_case
@@ -103,7 +103,9 @@ class Runs(Answer):
         from contourlab.features.run.page import report_data
         from contourlab.scenario.dump import dump
 
-        data = report_data(self.scenario.name, self.outcomes, scenario=dump(self.scenario), command=self.command)
+        from_file = getattr(self.scenario.base, "given", None) is None  # a planned reference has no text
+        text = dump(self.scenario) if from_file else ""
+        data = report_data(self.scenario.name, self.outcomes, scenario=text, command=self.command)
         return replace(data, next_steps=self.steps)
 
     @property
@@ -180,6 +182,7 @@ class Runs(Answer):
             steps = tuple(next_steps(self.outcomes, self.command, out, list(files.values())))
             files |= {"report": "report.html"} | ({"to print": "report.pdf"} if pdf else {})
             saved = replace(self, steps=steps, files={what: str(out / file) for what, file in files.items()})
+            vars(saved)["summary"] = self.summary  # computed once
             write_html(saved.data, stage / "report.html")
             if plots:
                 from contourlab.rendering.plots import write_plots
@@ -312,21 +315,6 @@ def _work(cases: Sequence[Case], interval: bool | None) -> list[tuple[str, float
 
 def _interrupted(outcome: Outcome) -> bool:
     return outcome.learning is not None and outcome.learning.status.startswith("interrupted")
-
-
-def check_plots(plots: Sequence[str]) -> None:
-    """Refuse an unknown format of pictures.
-
-    Raises
-    ------
-    ParameterError
-        If there is one.
-    """
-    from contourlab.rendering.plots import FORMATS
-
-    for name in plots:
-        if name not in FORMATS:
-            raise ParameterError("--plots", repr(name), f"one of {', '.join(FORMATS)}")
 
 
 def _write_signals(outcome: Outcome, file: Path, wanted: Sequence[str]) -> None:

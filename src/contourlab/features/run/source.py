@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeAlias
 
+from contourlab.contours import ContourReading
 from contourlab.errors import ParameterError
 from contourlab.features.run.inputs import loaded, scenario_of
 from contourlab.feed import Reference
@@ -56,7 +57,8 @@ def scenario_asked(inputs: Sequence[Source], settings: Any) -> Scenario:
         case [Case() as case]:
             scenario = Scenario(case.name, Path(), case)
         case [Machine() as machine, Controller() as controller, Reference() as reference]:
-            motion = Contour(reference.path.name if hasattr(reference.path, "name") else "reference")
+            motion = Contour("reference", axes=machine.axis_names)
+            vars(motion)["reading"] = ContourReading(reference.path)  # that of a name would be drawn
             made = GivenCase("base", machine, controller, motion, FeedSettings("uniform"), RunSettings(), given=reference)
             scenario = Scenario(machine.name, Path(), made)
         case _:

@@ -147,10 +147,7 @@ class Sensitivity(Answer):
         """
         with staged(folder, "summary.json", inputs=self.inputs) as stage:
             write_json(stage / "summary.json", self)
-            if plots:
-                from contourlab.rendering.plots import write_charts
-
-                write_charts(self._charts(), stage / "plots", plots)
+            self._draw(stage, folder, plots)
         return replace(self, folder=str(folder))
 
     def _next(self, asked: Asked) -> Sequence[object]:

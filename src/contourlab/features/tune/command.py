@@ -129,16 +129,12 @@ class Calibration(Answer):
         OutputError
             If a file cannot be written.
         """
-        tuned, drawn = self.result, tuple[Path, ...]()
+        tuned = self.result
         written = None if tuned.after.violations else Path(folder) / KEPT if write is None else Path(write)
         with staged(folder, *([KEPT] if write is None else []), inputs=self.inputs) as stage:
             if written is not None:
                 _write(tuned, self.case, stage / KEPT if write is None else written, self.name, self.plugins)
-            if plots:
-                from contourlab.rendering.plots import write_charts
-
-                charts = write_charts(self._charts(), stage / "plots", tuple(plots))
-                drawn = tuple(Path(folder) / chart.relative_to(stage) for chart in charts)
+            drawn = self._draw(stage, folder, plots)
         return replace(self, controller_file=written, plots=drawn)
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
