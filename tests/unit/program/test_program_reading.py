@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
+from each import each
 from refusals import refuses
 
 from contourlab.errors import ProgramError
@@ -54,8 +55,8 @@ def test_an_unknown_dialect() -> None:
         Reading(dialect="fanuc")  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize(
-    ("lines", "name", "value"),
+@each(
+    "lines, name, value",
     [
         ("G20", "_metric", 0), ("G20", "_imperial", 1), ("G18", "_plane", 180), ("G55", "_coord_system", 550),
         ("G59.3", "_coord_system", 593),
