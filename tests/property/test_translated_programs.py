@@ -30,7 +30,7 @@ from contourlab.engine.translate.tick_graph import TickGraph, tick_graph
 from contourlab.errors import EngineError
 
 N_LANE, TICKS, FIRST, PROGRAMS = 32, 3, 4711, 8
-MANY = int(os.environ.get("CONTOURLAB_RANDOM_PROGRAMS", "800"))
+MANY = int(os.environ.get("CONTOURLAB_RANDOM_PROGRAMS", "400"))
 """Programs that the slow tests try; each block of eight takes about two seconds to compile."""
 CHECKED = (0, 7, 18, 31)
 """Lanes that are compared with the slow oracles."""
