@@ -70,6 +70,7 @@ def test_motions_count_by_their_length_and_the_disk_by_its_columns(study: Path, 
     assert cost_of(kept, range(4), (), TWO, None).disk == 100 * 8 * (9 + 2000 * 2)
 
 
+@pytest.mark.slow
 def test_the_disk_is_what_a_store_takes(study: Path) -> None:
     study.write_text(STUDY.replace("variants = 100", "variants = 2048").replace("chunk = 32\n", ""))
     assert main(["sweep", "study.toml", "--out", "store"]) == 0
