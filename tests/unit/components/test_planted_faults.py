@@ -93,5 +93,5 @@ def test_a_class_that_is_no_component_is_refused() -> None:
 
 
 def test_an_unknown_family_is_refused_at_once() -> None:
-    with pytest.raises(ComponentError, match=r"Gearbox: .*'gearbox'.* plant, friction"):
+    with pytest.raises(ComponentError, match=r"^Gearbox: .*\bplant\b"):
         type("Gearbox", (Component,), {"family": "gearbox", "kind": "two-speed"})

@@ -154,7 +154,7 @@ def test_refusals(text: str, line: int, column: int, message: str) -> None:
 )  # fmt: skip
 def test_endless_loops_are_stopped_early(text: str) -> None:
     begun = time.perf_counter()
-    with pytest.raises(ProgramError, match=r"endless loop|never ends"):
+    with pytest.raises(ProgramError, match=r"endless|never"):
         parse_program(f"{text}\nM2", reading=Reading(most_moves=50_000))
     assert time.perf_counter() - begun < 30.0
 
