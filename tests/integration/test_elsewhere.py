@@ -90,7 +90,7 @@ def test_an_executor_does_not_change_the_answer(tmp_path: Path, command: str, mo
     if motion == "part":
         words = [{"circle.toml": "part.toml", "study.toml": "part-study.toml"}.get(word, word) for word in words]
     here = answer(tmp_path / "here", *words)
-    for executor in ("processes", "dask-local"):
+    for executor in ("processes", "dask-local") if motion == "circle" else ("processes",):  # a store of parts is made in all
         assert answer(tmp_path / executor, *words, "--executor", executor, "--workers", "2") == here, executor
 
 
