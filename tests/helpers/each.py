@@ -9,7 +9,12 @@ from typing import Any
 Test = Callable[..., None]
 
 
-def each(names: str, cases: Iterable[Any], title: Callable[..., str] = repr) -> Callable[[Test], Test]:
+def listing(*values: Any) -> str:
+    """Return the values of a case as a list."""
+    return ", ".join(map(repr, values))
+
+
+def each(names: str, cases: Iterable[Any], title: Callable[..., str] = listing) -> Callable[[Test], Test]:
     """Run a test for every case, as ``pytest.mark.parametrize`` would, but as one test.
 
     For cases of a few milliseconds, which take longer to collect and report than to run. They share the test's fixtures.

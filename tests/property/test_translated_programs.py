@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import os
 import random
 import shutil
 import subprocess
@@ -29,6 +30,8 @@ from contourlab.engine.translate.tick_graph import TickGraph, tick_graph
 from contourlab.errors import EngineError
 
 N_LANE, TICKS, FIRST, PROGRAMS = 32, 3, 4711, 8
+MANY = int(os.environ.get("CONTOURLAB_RANDOM_PROGRAMS", "400"))
+"""Programs that the slow tests try; each block of eight takes about two seconds to compile."""
 CHECKED = (0, 7, 18, 31)
 """Lanes that are compared with the slow oracles."""
 
@@ -137,7 +140,7 @@ def check_node_by_node(case: Case) -> None:
     assert_bits(case.run(CompiledGroup(case.schedule, 1, slice(0, 1))), case.run(apart))
 
 
-@pytest.mark.parametrize("first", [*range(0, 48, PROGRAMS), *(pytest.param(n, marks=pytest.mark.slow) for n in range(48, 3200, PROGRAMS))])
+@pytest.mark.parametrize("first", [0, *(pytest.param(n, marks=pytest.mark.slow) for n in range(PROGRAMS, MANY, PROGRAMS))])
 def test_random_steps_compute_the_same_bits(first: int, tmp_path: Path) -> None:
     cases = cases_of(range(first, first + PROGRAMS), tmp_path)
     sure = 0
@@ -148,7 +151,7 @@ def test_random_steps_compute_the_same_bits(first: int, tmp_path: Path) -> None:
     assert sure > len(cases) * len(CHECKED) / 4
 
 
-@pytest.mark.parametrize("first", [0, *(pytest.param(n, marks=pytest.mark.slow) for n in range(PROGRAMS, 400, PROGRAMS))])
+@pytest.mark.parametrize("first", [0, *(pytest.param(n, marks=pytest.mark.slow) for n in range(PROGRAMS, MANY // 8, PROGRAMS))])
 def test_random_steps_have_the_bits_of_lanes_on_a_gpu(a_gpu: None, first: int, tmp_path: Path) -> None:
     for case in cases_of(range(first, first + PROGRAMS), tmp_path):
         lanes = case.run(CompiledGroup(case.schedule, N_LANE, slice(0, N_LANE)))
@@ -156,7 +159,7 @@ def test_random_steps_have_the_bits_of_lanes_on_a_gpu(a_gpu: None, first: int, t
 
 
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
-@pytest.mark.parametrize("first", [0, *(pytest.param(n, marks=pytest.mark.slow) for n in range(48, 3200, 48))])
+@pytest.mark.parametrize("first", [0, *(pytest.param(n, marks=pytest.mark.slow) for n in range(48, MANY, 48))])
 def test_random_steps_in_c_compute_the_bits_of_plain_python(first: int, tmp_path: Path) -> None:
     cases = cases_of(range(first, first + 48), tmp_path)
     source, library = tmp_path / "steps.c", tmp_path / "steps.so"

@@ -67,7 +67,7 @@ def test_a_single_spike_in_a_million_samples_survives():
 
 
 def test_too_small_a_budget_names_the_minimum():
-    with pytest.raises(ParameterError, match="at least 4 per column, 12 here"):
+    with pytest.raises(ParameterError, match=r"\b4\b.*\b12\b"):
         keep_extremes(np.zeros((100, 3)), 11)
 
 

@@ -3,6 +3,7 @@
 import math
 
 import pytest
+from each import each
 
 from contourlab.errors import UnitError
 from contourlab.scenario.quantities import read_number
@@ -56,7 +57,7 @@ WRITTEN = [
 """Text, unit wanted, value in SI; None where the text is refused."""
 
 
-@pytest.mark.parametrize(("text", "unit", "si"), WRITTEN)
+@each("text, unit, si", WRITTEN)
 def test_units_as_people_write_them(text, unit, si):
     if si is not None:
         assert read_number(text, unit) == pytest.approx(si, rel=1e-12)

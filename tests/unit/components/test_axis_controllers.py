@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from component_rig import PERIOD, behind_a_drive, make, run_alone
+from each import each
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.signal import bilinear, lfilter
@@ -71,7 +72,7 @@ def test_a_controller_keeps_the_contract_with_every_option(kind: Any, words: dic
     check_component(Variant, jit=False)
 
 
-@pytest.mark.parametrize("kind", CONTROLLERS)
+@each("kind", CONTROLLERS)
 def test_feedforward_is_added_and_the_disturbance_estimate_subtracted(kind: type[Component]) -> None:
     rng = np.random.default_rng(1)
     part = kind(**kind.example)
@@ -83,7 +84,7 @@ def test_feedforward_is_added_and_the_disturbance_estimate_subtracted(kind: type
     assert change == pytest.approx(extra["feedforward"] - extra["disturbance_estimate"], abs=1e-8)
 
 
-@pytest.mark.parametrize("kind", CONTROLLERS)
+@each("kind", CONTROLLERS)
 def test_an_axis_at_rest_gets_zero_command_at_any_position(kind: type[Component]) -> None:
     part, still = kind(**kind.example), np.full(20, 0.3)
     places = ("reference", "position", "motor_position", "load_position")

@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 from component_rig import make
+from each import each
 
 import contourlab as cl
 from contourlab.components.contract import Component
@@ -26,7 +27,7 @@ def test_every_port_has_a_unit_and_a_meaning_and_none_is_left_over() -> None:
         assert meaning and (unit in ("command", "force", "any") or same_dimension(unit, unit))
 
 
-@pytest.mark.parametrize("kind", components(), ids=lambda kind: f"{kind.family}/{kind.kind}")
+@each("kind", components())
 def test_a_component_has_the_form_of_its_family(kind: type[Component]) -> None:
     check_class(kind)
 

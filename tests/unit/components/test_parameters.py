@@ -128,8 +128,8 @@ def test_non_numbers_are_refused(value: Any) -> None:
         assert error.bound.startswith("a number") and "N/A" in str(error)
 
 
-@pytest.mark.parametrize(
-    ("values", "name", "value", "bound", "unit"),
+@each(
+    "values, name, value, bound, unit",
     [
         ({"plain": -1.0}, "plain", "-1", ">= 0 and <= 10", "N/A"),
         ({"plain": 11.0}, "plain", "11", ">= 0 and <= 10", "N/A"),

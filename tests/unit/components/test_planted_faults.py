@@ -6,6 +6,7 @@ import re
 
 import faulty_components as faults
 import pytest
+from each import each
 
 from contourlab.components.conformance import check_component
 from contourlab.components.contract import Component
@@ -62,7 +63,7 @@ def test_the_faultless_pattern_passes() -> None:
     check_component(faults.Amplifier)
 
 
-@pytest.mark.parametrize(("faulty", "said"), IN_PLAIN_PYTHON, ids=lambda value: value.__name__ if isinstance(value, type) else "")
+@each("faulty, said", IN_PLAIN_PYTHON)
 def test_a_fault_is_found_in_plain_python(faulty: type[Component], said: str) -> None:
     with pytest.raises(ComponentError, match=said) as caught:
         check_component(faulty, jit=False)
@@ -92,5 +93,5 @@ def test_a_class_that_is_no_component_is_refused() -> None:
 
 
 def test_an_unknown_family_is_refused_at_once() -> None:
-    with pytest.raises(ComponentError, match=r"Gearbox: .*'gearbox'.* plant, friction"):
+    with pytest.raises(ComponentError, match=r"^Gearbox: .*\bplant\b"):
         type("Gearbox", (Component,), {"family": "gearbox", "kind": "two-speed"})

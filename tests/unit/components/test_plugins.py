@@ -64,7 +64,7 @@ def write(folder: Path, text: str, name: str = "push.py") -> Path:
 
 
 def test_a_loaded_file_is_registered(tmp_path: Path) -> None:
-    with pytest.raises(ComponentError, match="no disturbance 'push'"):
+    with pytest.raises(ComponentError, match="disturbance 'push'"):
         registry.component("disturbance", "push")
     (kind,) = cl.load_plugin(write(tmp_path, source("push")))
     assert registry.component("disturbance", "push") is kind
@@ -254,7 +254,7 @@ def test_an_entry_point_cannot_replace_a_built_in_component(monkeypatch: pytest.
 
 
 def test_unknown_families_and_kinds_are_answered_with_the_valid_ones() -> None:
-    with pytest.raises(ComponentError, match=r"'gearbox'.* plant, friction"):
+    with pytest.raises(ComponentError, match=r"'gearbox'.*\bplant\b"):
         registry.components("gearbox")
     plants = ", ".join(kind.kind for kind in registry.components("plant"))
     with pytest.raises(ComponentError, match=rf"'lathe'.* {plants}, .*--plugin"):

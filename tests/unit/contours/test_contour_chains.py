@@ -61,7 +61,7 @@ def test_gaps_are_closed_and_curves_keep_their_places(tmp_path: File) -> None:
     assert isinstance(path.curves[0], Arc)
     # Only a line next to an arc has moved; arc and ellipse by no more than the gap.
     assert path.curves[0].radius == pytest.approx(0.01, rel=1e-15)
-    with pytest.raises(GeometryError, match=r"there are 4 separate chains|there are 3 separate chains"):
+    with pytest.raises(GeometryError, match=r"\b[34]\b.*chains"):
         read_contour(tmp_path / "part.dxf", tolerance=1e-7)
 
 
@@ -150,5 +150,5 @@ def test_the_order_of_entities_alone_decides_start_and_direction(tmp_path: File)
 @pytest.mark.parametrize("tolerance", [0.0, -1.0, math.inf, math.nan])
 def test_a_tolerance_out_of_range_is_refused(tmp_path: File, tolerance: float) -> None:
     file = dxf(tmp_path, lambda m: m.add_line((0, 0), (1, 0)))
-    with pytest.raises(GeometryError, match=r"tolerance = .*must be > 0"):
+    with pytest.raises(GeometryError, match=r"tolerance = .*> 0"):
         read_contour(file, tolerance=tolerance)

@@ -57,6 +57,7 @@ def test_calls_and_groups_of_any_size_give_the_same_bits(a_gpu: None, turn: cl.R
     same(stage(), control(), turn, GAINS, keep=("axis_position",))
 
 
+@pytest.mark.slow
 def test_doubtful_samples_are_judged_alike(a_gpu: None) -> None:
     rosette = cl.uniform(cl.contour("butterfly"), 2.0, 1, PERIOD)
     same(stage(sensor=make("sensor", "ideal")), control(coupled=False), rosette, {"axes.x.plant.gain": np.linspace(0.9, 1.3, 40)})

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from each import each
 
 from contourlab.errors import FeedError, ParameterError
 from contourlab.feed import AxisLimits, Profile
@@ -21,8 +22,8 @@ def test_limits_cannot_be_changed():
         AxisLimits([0.5], [2.0], [40.0]).velocity[0] = 1.0
 
 
-@pytest.mark.parametrize(
-    ("args", "name"),
+@each(
+    "args, name",
     [
         ((0.0, 1.0, 1.0), "velocity"),
         ((np.inf, 1.0, 1.0), "velocity"),

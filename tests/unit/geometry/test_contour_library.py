@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from each import each
 from scipy.special import ellipe
 
 from contourlab.errors import GeometryError
@@ -125,8 +126,8 @@ def test_a_wrong_name_suggests_the_nearest_or_lists_the_valid_ones() -> None:
         contour_parameters("")
 
 
-@pytest.mark.parametrize(
-    ("name", "parameters", "message"),
+@each(
+    "name, parameters, message",
     [
         ("circle", {"radius": 0.0}, "radius = 0.0: must be > 0"),
         ("circle", {"radius": math.nan}, "radius = nan"),

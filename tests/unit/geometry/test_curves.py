@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from each import each
 from numpy.typing import NDArray
 from scipy.integrate import quad
 from scipy.special import ellipe, gamma
@@ -249,8 +250,8 @@ def test_a_star() -> None:
 NAN, INF = math.nan, math.inf
 
 
-@pytest.mark.parametrize(
-    ("make", "message"),
+@each(
+    "make, message",
     [
         (lambda: Line((1.0, 2.0), (1.0, 2.0)), r"zero length.*\[1\.0, 2\.0\]"),
         (lambda: Line((1.0, NAN), (1.0, 2.0)), "start = .*finite"),

@@ -9,6 +9,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from each import each
 from numpy.typing import NDArray
 
 from contourlab.errors import GeometryError
@@ -52,7 +53,7 @@ def test_the_bound_of_arcs_is_proven_and_nearly_reached() -> None:
         assert 0.95 * table.error_bound < off.max() <= table.error_bound + 1e-16
 
 
-@pytest.mark.parametrize("name", contour_names())
+@each("name", contour_names())
 def test_pieces_meet_the_path_at_their_borders_up_to_curvature(name: str) -> None:
     path = contour(name)
     table = path.table(1e-8)
@@ -82,7 +83,7 @@ def test_no_piece_crosses_a_joint() -> None:
         np.testing.assert_allclose([before, after], path.tangent([np.nextafter(corner, 0.0), corner]), rtol=0, atol=1e-14)
 
 
-@pytest.mark.parametrize("name", contour_names())
+@each("name", contour_names())
 def test_the_look_up_with_one_comparison_agrees_with_a_search(name: str) -> None:
     table = contour(name).table(1e-9)
     s = spread(table)
@@ -164,7 +165,7 @@ def test_a_circle_anywhere_is_recognised() -> None:
             np.testing.assert_allclose(seen(view, s), path.derivatives(s, 2)[:, 0], rtol=0, atol=2e-14 / 0.05)
 
 
-@pytest.mark.parametrize("path", [*map(contour, contour_names()[1:]), HELIX], ids=[*contour_names()[1:], "helix"])
+@each("path", [*map(contour, contour_names()[1:]), HELIX])
 def test_a_view_equals_its_table(path: Path) -> None:
     view, table = view_of(path, 1e-9), path.table(1e-9)
     laps = (-0.4, 1.0, 2.3) if path.closed else (-0.4, 1.0, 1.3)

@@ -258,7 +258,7 @@ def test_a_drifting_clock_is_followed_under_jitter_and_losses() -> None:
 
 def test_times_without_a_clock_are_refused() -> None:
     for seed in range(3):
-        with pytest.raises(LogError, match="check the period"):
+        with pytest.raises(LogError, match="period"):
             look(np.cumsum(np.random.default_rng(seed).exponential(1e-3, 3000)))
 
 
@@ -350,7 +350,7 @@ def test_a_time_without_a_unit_is_reported(tmp_path: Path) -> None:
 def test_a_period_that_contradicts_the_times(tmp_path: Path) -> None:
     file = table(tmp_path, "t [ms],x pos [mm]", np.column_stack([np.arange(50.0), np.arange(50.0)]))
     for period in (2e-3, 0.5e-3):
-        with pytest.raises(LogError, match=r"1000 us apart|period of 500 us"):
+        with pytest.raises(LogError, match=r"1000 us|500 us"):
             load_log(file, period=period)
 
 

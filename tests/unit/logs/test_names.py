@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import pytest
+from each import each
 
 from contourlab.logs.mapping import meant
 from contourlab.logs.reading import name_and_unit
 
 
-@pytest.mark.parametrize(
-    ("name", "meaning"),
+@each(
+    "name, meaning",
     [
         ("Encoder Feedback X/x", ("position", "x")),
         ("Feed Reference DataY/RefCommand", ("reference", "y")),
@@ -59,7 +59,7 @@ def test_unambiguous_names(name: str, meaning: tuple[str, str]) -> None:
     assert meant(name) == meaning
 
 
-@pytest.mark.parametrize(
+@each(
     "name",
     [
         *("excitation", "spindle speed", "x", "Command X", "set x"),

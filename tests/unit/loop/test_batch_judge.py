@@ -67,9 +67,12 @@ def exact(case: cl.Case, reference: cl.Reference, factor: float) -> cl.Metrics:
     return cl.summarise(cl.judge(cl.simulate(machine, case.controller, reference), reference), reference)
 
 
+HARD_AND_SOFT = [(8000.0, 90.0), (100.0, 10.0)]
+
+
 @pytest.mark.parametrize("mode", ["G61", "G64 P0.05"])
 @pytest.mark.parametrize(("turn", "leg"), [(45.0, 6.0), (90.0, 6.0), (120.0, 6.0), (90.0, 1.0), (150.0, 1.5)])
-@pytest.mark.parametrize("gains", [(2000.0, 40.0), (8000.0, 90.0), (100.0, 10.0)])
+@pytest.mark.parametrize("gains", [(2000.0, 40.0), *(pytest.param(pair, marks=pytest.mark.slow) for pair in HARD_AND_SOFT)])
 def test_corners(tmp_path: Path, mode: str, turn: float, leg: float, gains: tuple[float, float]) -> None:
     case = zigzag(tmp_path, mode, turn, leg, *gains).base
     reference = case.reference()

@@ -184,7 +184,7 @@ def test_window_outside_the_run(window: tuple[int, int]) -> None:
 
 def test_an_unjudged_run() -> None:
     reference = circle_laps(100)
-    with pytest.raises(ResultError, match="no signal 'tracking_error'"):
+    with pytest.raises(ResultError, match="'tracking_error'"):
         summarise(made_run(reference, reference.block(0, 100).position), reference)
 
 

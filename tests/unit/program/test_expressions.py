@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from each import each
 from refusals import refuses
 
 from contourlab.errors import ProgramError
@@ -18,8 +19,8 @@ def of(text: str, parameters: Parameters | None = None) -> float:
     return words[0].value
 
 
-@pytest.mark.parametrize(
-    ("text", "expected"),
+@each(
+    "text, expected",
     [
         ("[1 + 2 * 3]", 7.0),
         ("[8 - 3 - 2]", 3.0),
@@ -87,8 +88,8 @@ def test_comments_and_blanks_inside_expressions() -> None:
     assert [(w.letter, w.value, w.column) for w in words] == [("G", 1.0, 1), ("X", 3.0, 5), ("F", 0.0, 32)]
 
 
-@pytest.mark.parametrize(
-    ("line", "column", "message"),
+@each(
+    "line, column, message",
     [
         ("X[1/0]", 4, r"1 / 0"),
         ("X[5 MOD 0]", 5, "5 MOD 0"),

@@ -6,6 +6,7 @@ import math
 from pathlib import Path
 
 import pytest
+from each import each
 from hypothesis import given
 from hypothesis import strategies as st
 from refusals import refuses
@@ -43,8 +44,8 @@ def last(text: str) -> tuple[float, float, float]:
 HALF = math.sqrt(0.5)
 
 
-@pytest.mark.parametrize(
-    ("text", "wanted"),
+@each(
+    "text, wanted",
     [
         ("G10 L2 P1 X5 Y6\nG0 X1", (6, 0, 0)),
         ("G10 L2 P2 X5\nG0 X1", (1, 0, 0)),
@@ -146,8 +147,8 @@ def test_invalid_tool_tables(tmp_path: Path, text: str, line: int, message: str)
         read_tools(tmp_path / "none.tbl")
 
 
-@pytest.mark.parametrize(
-    ("text", "column", "message"),
+@each(
+    "text, column, message",
     [
         ("G10 L3 P1 X1", 1, "G10 takes L2 or L20"),
         ("G10 P1 X1", 1, "G10 takes L2 or L20"),

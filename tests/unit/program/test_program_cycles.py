@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from each import each
 from refusals import refuses
 
 from contourlab.errors import ProgramError
@@ -91,8 +92,8 @@ def test_pecks_sum_exactly() -> None:
     assert len(feeds) == 10
 
 
-@pytest.mark.parametrize(
-    ("text", "column", "message"),
+@each(
+    "text, column, message",
     [
         ("G81 X1", 1, "G81 has no depth: write Z"),
         ("G81 X1 Z-1", 1, "G81 has no clearance: write R"),
@@ -163,8 +164,8 @@ def test_a_nurbs_of_order_three_is_a_quarter_circle() -> None:
     assert point[-1] == pytest.approx([0.0, 0.01, 0.0])
 
 
-@pytest.mark.parametrize(
-    ("text", "line", "message"),
+@each(
+    "text, line, message",
     [
         ("G5 X1 Y1 P1 Q1", 2, "G5 has no I and J"),
         ("G5 X1 Y1 I1 P1 Q1", 2, "needs both I and J"),

@@ -1,6 +1,7 @@
 """Every refusal names line, column, problem and remedy."""
 
 import pytest
+from each import each
 
 from contourlab.errors import ProgramError
 from contourlab.program import parse_program
@@ -148,7 +149,7 @@ REFUSED = [
 ]
 
 
-@pytest.mark.parametrize(("text", "line", "column", "message"), REFUSED, ids=[repr(case[0][:40]) for case in REFUSED])
+@each("text, line, column, message", REFUSED)
 def test_refusals(text: str, line: int, column: int, message: str) -> None:
     with pytest.raises(ProgramError, match=message) as caught:
         parse_program(text, "part.ngc")

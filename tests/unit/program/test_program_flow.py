@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from each import each
 from refusals import refuses
 
 from contourlab.errors import ProgramError
@@ -21,8 +22,8 @@ def ends(text: str) -> list[float]:
     return [round(1e3 * move.end[0], 9) for move in moves if not isinstance(move, Dwell)]
 
 
-@pytest.mark.parametrize(
-    ("text", "wanted"),
+@each(
+    "text, wanted",
     [
         ("o1 if [1]\nX1\no1 else\nX2\no1 endif", [1]),
         ("o1 if [0]\nX1\no1 else\nX2\no1 endif", [2]),
@@ -58,8 +59,8 @@ def test_conditions_and_loops(text: str, wanted: list[float]) -> None:
     assert ends(text) == wanted
 
 
-@pytest.mark.parametrize(
-    ("text", "wanted"),
+@each(
+    "text, wanted",
     [
         ("o1 sub\nX#1 Y#2\no1 endsub\no1 call [3] [4]\no1 call [5]", [3, 5]),
         ("#1 = 7\no1 sub\n#1 = 9\nX#1\no1 endsub\no1 call [3]\nX#1", [9, 7]),
@@ -84,8 +85,8 @@ def test_subprograms(text: str, wanted: list[float]) -> None:
     assert ends(text) == wanted
 
 
-@pytest.mark.parametrize(
-    ("text", "line", "column", "message"),
+@each(
+    "text, line, column, message",
     [
         ("o100 sub", 1, 1, "O100 endsub"),
         ("o<name> call", 1, 1, "Oname"),
@@ -153,7 +154,7 @@ def test_refusals(text: str, line: int, column: int, message: str) -> None:
 )  # fmt: skip
 def test_endless_loops_are_stopped_early(text: str) -> None:
     begun = time.perf_counter()
-    with pytest.raises(ProgramError, match=r"endless loop|never ends"):
+    with pytest.raises(ProgramError, match=r"endless|never"):
         parse_program(f"{text}\nM2", reading=Reading(most_moves=50_000))
     assert time.perf_counter() - begun < 30.0
 

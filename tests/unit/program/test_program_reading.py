@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
+from each import each
 from refusals import refuses
 
 from contourlab.errors import ProgramError
@@ -54,8 +55,8 @@ def test_an_unknown_dialect() -> None:
         Reading(dialect="fanuc")  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize(
-    ("lines", "name", "value"),
+@each(
+    "lines, name, value",
     [
         ("G20", "_metric", 0), ("G20", "_imperial", 1), ("G18", "_plane", 180), ("G55", "_coord_system", 550),
         ("G59.3", "_coord_system", 593),
@@ -117,7 +118,7 @@ def test_inverse_time_is_one_over_the_minutes() -> None:
     """5 mm at F2 take half a minute; the next move has its own F; G94 needs a new feedrate."""
     moves = parse_program("G93\nG1 X3 Y4 F2\nX0 Y0 F1\nG94 F60\nX1\nM2").moves
     assert [round(6e4 * m.feedrate, 9) for m in moves if isinstance(m, Feed)] == [10.0, 5.0, 60.0]
-    with pytest.raises(ProgramError, match="G1 with G93 has no F"):
+    with pytest.raises(ProgramError, match=r"G1\b.*G93\b.*\bF\b"):
         parse_program("G93\nG1 X3 F2\nX4\nM2")
 
 

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from each import each
 from refusals import refuses
 
 from contourlab.errors import ProgramError
@@ -12,7 +13,7 @@ from contourlab.program import Dwell, Reader, Reading, Traverse, parse_program, 
 TO_TEN = (Traverse((0.0, 0.0, 0.0), (0.01, 0.0, 0.0), 1),)
 
 
-@pytest.mark.parametrize(
+@each(
     "line",
     [
         "G0 X10", "g0x10", "G00X10.", "G 0 X 1 0", "G0\tX1\t0", "  G0 X+10  ", "G0.0 X010.000", "G0 X + 1 0 .", "X10G0",

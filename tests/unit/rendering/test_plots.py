@@ -55,7 +55,7 @@ def test_gaps_in_a_signal_are_gaps_in_the_picture(square, tmp_path):
 
 
 def test_unknown_format_names_the_known_ones(square, tmp_path):
-    with pytest.raises(ParameterError, match="png, svg, pdf"):
+    with pytest.raises(ParameterError, match=r"png.*\bpdf"):
         write_plots(square, tmp_path, ("gif",))
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from each import each
 from refusals import mentions
 from texts_of_scenarios import SCENARIO
 
@@ -26,7 +27,7 @@ def curves() -> list[Path]:
     return [*(cl.contour(name) for name in contour_names() if name not in ("helix", "lissajous")), *(Path([curve]) for curve in rest)]
 
 
-@pytest.mark.parametrize("path", curves())
+@each("path", curves())
 def test_a_path_is_shifted_and_constant_in_further_axes(path: Path) -> None:
     """A rigid shift keeps every derivative; the further coordinates have none."""
     moved = placed(path, (0.1, -0.02, 0.003))

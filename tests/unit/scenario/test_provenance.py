@@ -7,6 +7,7 @@ from dataclasses import fields
 from pathlib import Path
 
 import pytest
+from each import each
 from hypothesis import given
 from hypothesis import strategies as st
 from refusals import refuses
@@ -86,8 +87,8 @@ def test_deviations_are_in_units_or_percent(said: str, wanted: Origin) -> None:
         assert getattr(found, name) == (pytest.approx(getattr(wanted, name)) if name == "deviation" else getattr(wanted, name))
 
 
-@pytest.mark.parametrize(
-    ("mass", "key", "words"),
+@each(
+    "mass, key, words",
     [
         ('{value = "20 kg"}', "plant.mass", "source"),
         ('{source = "fitted"}', "plant.mass", "key value"),

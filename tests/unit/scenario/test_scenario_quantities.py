@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
+from each import each
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -13,8 +14,8 @@ from contourlab.scenario.dump import quantity
 from contourlab.scenario.quantities import read_list, read_number, show_bound
 
 
-@pytest.mark.parametrize(
-    ("text", "unit", "si"),
+@each(
+    "text, unit, si",
     [
         ("20 mm", "m", 0.02),
         ("8000 mm/min", "m/s", 8.0 / 60.0),
@@ -39,7 +40,7 @@ def test_quantities_come_out_in_si(text: str, unit: str, si: float) -> None:
     assert read_number(text, unit) == pytest.approx(si, rel=1e-14)
 
 
-@pytest.mark.parametrize(
+@each(
     "value", ["20", "20 kg", "20 mm/s", "mm", "", "nan mm", "inf mm", "1e999 mm", "2e", "2e mm", "20 mm#", "20 mm\x00", 20, True, None, []]
 )
 def test_non_lengths_are_refused(value: object) -> None:

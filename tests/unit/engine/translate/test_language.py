@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from each import each
 from hypothesis import example, given
 from hypothesis import strategies as st
 from tests.helpers.translated_group import in_machine_code
@@ -153,7 +154,7 @@ def called(a: float, b: float) -> float:
 SAME = [early, counted, bisected, indexed, tuples, rounding, mixed, averaged, growing, called, operands, late]
 
 
-@pytest.mark.parametrize("function", SAME)
+@each("function", SAME)
 def test_a_function_computes_the_same_bits(function: Callable[[float, float], float]) -> None:
     native = compiled(function)
 
@@ -260,8 +261,8 @@ def test_what_cannot_be_translated_is_refused_with_its_line(function: Any, line:
     assert reason in message
 
 
-@pytest.mark.parametrize(
-    ("function", "instead"),
+@each(
+    "function, instead",
     [
         (lambda a, b: max(a, b), "max cannot be called here: use maximum of"),
         (lambda a, b: max((a, b)), "maximum"),

@@ -100,6 +100,7 @@ def test_no_kind_of_value_is_stale_in_another_process(kind: str, in_processes: l
     assert in_processes[2]["files"] == in_processes[1]["files"]  # nothing was compiled again
 
 
+@pytest.mark.slow
 def test_processes_may_write_at_once(tmp_path: Path) -> None:
     kinds = ["list", "property", "function of a module", "other function of the same code"]
     for n, value in enumerate((*VALUES, *VALUES)):

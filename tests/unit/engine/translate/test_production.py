@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from each import each
 from tests.helpers.translated_group import TranslatedGroup
 
 from contourlab.arrays import Array
@@ -176,7 +177,7 @@ WHOLE = [
 SIGNS = [(a, b) for a in (0.0, -0.0, 1.0, -1.0, 2.5) for b in (0.0, -0.0, 1.0, -2.0)]
 
 
-@pytest.mark.parametrize("function", WHOLE)
+@each("function", WHOLE)
 def test_whole_numbers_have_no_negative_zero(function: Callable[..., Any]) -> None:
     assert_as_in_python(schedule_of(function), SIGNS)
 

@@ -65,7 +65,7 @@ def test_all_causes_at_once() -> None:
     assert found["vibration"].value == pytest.approx(5e-7, rel=0.02)
 
 
-@pytest.mark.parametrize("gaps", [(20e-6, 8e-6), (60e-6, 4e-6)])
+@pytest.mark.parametrize("gaps", [(20e-6, 8e-6), pytest.param((60e-6, 4e-6), marks=pytest.mark.slow)])
 @pytest.mark.parametrize("spike", [0.0, 1.3e-6, -1.3e-6, 2.7e-6])
 def test_the_time_that_play_needs_to_be_crossed_is_no_spike(gaps: tuple[float, float], spike: float) -> None:
     listed = causes_of(fit_circle(made_circles.runs_behind(gaps, spike=spike), AXES))
@@ -175,7 +175,7 @@ def test_a_swing_from_the_line_before_is_no_circle_if_a_turn_remains(turns: floa
 
 
 @pytest.mark.parametrize("feed", [0.01, 0.03, 0.05, 0.1])
-@pytest.mark.parametrize("gaps", [(20e-6, 8e-6), (5e-6, 5e-6)])
+@pytest.mark.parametrize("gaps", [(20e-6, 8e-6), pytest.param((5e-6, 5e-6), marks=pytest.mark.slow)])
 def test_a_circle_too_fast_for_a_load_is_named(feed: float, gaps: tuple[float, float], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(made_circles, "FEED", feed)
     fit = fit_circle(made_circles.runs_behind(gaps, held=HELD), AXES)

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from each import each
 from made_two_masses import TwoMasses, drawn
 
 from contourlab.errors import ScenarioError
@@ -276,7 +277,7 @@ def test_a_slow_velocity_drive_is_seen_where_the_output_is_its_speed(unit: float
     assert result is not None and result.loop == VELOCITY
 
 
-@pytest.mark.parametrize("seed", range(12))
+@each("seed", range(12))
 def test_a_torque_servo_is_seen_in_a_log(seed: int) -> None:
     """Two masses with friction at both, a shaft, play and a quantised encoder, drawn at random; damping up to 80 1/s."""
     plant, noise = drawn(seed)

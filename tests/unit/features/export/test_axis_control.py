@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from each import each
 from tests.helpers.exported_axes import CASES, REFUSED, excited, exported
 from tests.helpers.refusals import refuses
 
@@ -56,7 +57,7 @@ def test_what_one_axis_cannot_know_is_refused() -> None:
             exported(case)
 
 
-@pytest.mark.parametrize("case", [case for case in CASES if case not in REFUSED])
+@each("case", [case for case in CASES if case not in REFUSED])
 def test_every_part_of_an_axis_can_be_exported(case: str) -> None:
     run = excited(exported(case), 40)
     assert np.isfinite(run.command).all()

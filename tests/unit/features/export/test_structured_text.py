@@ -42,6 +42,7 @@ def test_twincat_holds_the_same_block(tmp_path: Path) -> None:
     assert twincat(made) == text
 
 
+@pytest.mark.slow
 def test_enable_starts_from_rest(tmp_path: Path) -> None:
     file = tmp_path / "axis_x.st"
     file.write_text(plain(exported("controller/position").control))

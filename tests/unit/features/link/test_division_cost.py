@@ -77,7 +77,7 @@ def test_the_axes_of_the_paper_hold_at_125_messages_a_second(machine: cl.Machine
     assert beyond.figures["contour_error_rms"][0] > found.allowed
 
 
-@pytest.mark.parametrize("longest", [1.0, 10.0])
+@pytest.mark.parametrize("longest", [pytest.param(1.0, marks=pytest.mark.slow), 10.0])
 def test_a_wide_search_finds_a_small_limit_too(
     machine: cl.Machine, controller: cl.Controller, circle: cl.Reference, longest: float
 ) -> None:

@@ -66,7 +66,11 @@ def test_a_circle_and_a_part_run(case):
     assert largest_error(case) < 100e-6
 
 
+IN_TURN = [(sheet, ("circle", "part")[i % 2]) for i, sheet in enumerate(SHEETS)]
+
+
 @pytest.mark.slow
+@pytest.mark.parametrize(("folder", "case"), IN_TURN, indirect=True, ids=lambda value: getattr(value, "stem", value))
 def test_tuning_finds_at_most_a_factor_of_one_and_a_half(case):
     tuned = tune(Setting(case.machine, case.controller, case.reference()), TuneSettings(budget=2000))
     before, after = (one.figures["part_error_max"] for one in (tuned.before, tuned.after))

@@ -7,6 +7,7 @@ import tomllib
 from dataclasses import replace
 
 import pytest
+from each import each
 
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.app.results import SAFETY
@@ -87,8 +88,8 @@ def test_a_grating_is_interpolated():
     assert refused.value.key == "x.encoder_resolution"
 
 
-@pytest.mark.parametrize(
-    ("key", "value"),
+@each(
+    "key, value",
     [
         ("x.encoder_resolution", "2.5 mm"), ("x.lead", "1 parsec"), ("x.lead", "16 m"), ("x.unbalanced_mass", "40 kg"),
         ("x.moved_mass", "-40 kg"), ("x.moved_mass", "nan kg"), ("x.moved_mass", "40 mm"), ("x.peak_torque", "1 Nm"), ("x.kv", "1500 1/s"),

@@ -43,6 +43,7 @@ def test_after_a_failure_it_runs_the_proposed_controller(part: list[str], capsys
     assert main([*words, "--check"]) == 0
 
 
+@pytest.mark.slow
 def test_where_the_plan_leaves_the_path_it_does_not_tune(part: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     program = Path("my part.ngc")
     program.write_text(program.read_text(encoding="ascii").replace("P0.01", "P1").replace("G1 X0", "G1 X0\nG1 Y0"), encoding="ascii")

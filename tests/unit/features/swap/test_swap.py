@@ -110,14 +110,12 @@ def test_axes_of_different_gain_need_one_local_parameter(unequal: SwapStudy) -> 
     assert [values[AHEAD] for values in study.recommended.parameters] == pytest.approx([1.0, 2.0], rel=0.05)
 
 
-@pytest.mark.slow
 def test_the_best_value_considers_every_search(unequal: SwapStudy) -> None:
     assert (unequal.variants.best <= [optimum.value for optimum in unequal.optima]).all()
     for choice in unequal.choices:
         assert (choice.losses >= 0.0).all()
 
 
-@pytest.mark.slow
 def test_more_local_parameters_never_lose_more(unequal: SwapStudy) -> None:
     for less in unequal.choices:
         for more in unequal.choices:
@@ -284,7 +282,7 @@ def test_local_parameters_of_a_module_do_not_depend_on_other_modules() -> None:
 
 def test_a_parameter_of_another_axis_cannot_be_local() -> None:
     variants = variants_under([("strong", rigid("other", 2.0))])
-    with pytest.raises(ParameterError, match="those of other axes are base"):
+    with pytest.raises(ParameterError, match=r"axes.*base"):
         SharedSpace(variants.space, variants.members, frozenset({"controller.axes.y.controller.model_gain"}))
 
 

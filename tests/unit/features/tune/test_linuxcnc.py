@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from each import each
 from tuned_axes import circle, position_control, rigid_stage
 
 from contourlab.components.contract import Component
@@ -56,8 +57,8 @@ def test_the_law_is_that_of_the_manual() -> None:
     np.testing.assert_allclose(law, straight_from_the_manual(gains, command.tolist(), feedback.tolist(), 1e-3), rtol=1e-9, atol=1e-12)
 
 
-@pytest.mark.parametrize(
-    ("part", "slots", "apart"),
+@each(
+    "part, slots, apart",
     [
         # There accelerations are differences of the planner's velocity: half a tick late, or 0.3 % of a command at 1 Hz.
         (position_control(velocity_gain=30.0).axes["x"].controller, {}, 5e-3),

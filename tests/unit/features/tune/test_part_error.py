@@ -59,6 +59,7 @@ FLAT = "G21 G17 G90 G61 F2400\nG0 X5 Y5\nG1 X25\nG3 X30 Y10 I0 J5\nG1 X25\nM2\n"
 
 
 @pytest.mark.parametrize("method", ["sequential", "global"])
+@pytest.mark.slow
 def test_gains_of_an_axis_that_does_not_move_stay(method: str, tmp_path: Path) -> None:
     """On a part in x and y every search has moved z's gains; it has nothing to gain there."""
     (tmp_path / "flat.ngc").write_text(FLAT, encoding="ascii")
