@@ -56,10 +56,10 @@ class Group:
             values += [node.parameters[name] for name in node.step.parameters]
         sizes = memory_rows(schedule)
         self.memory = self._filled(values, sum(sizes))
-        self.borders = list(accumulate(sizes, initial=0))
-        parts = [self.memory[a:b] for a, b in pairwise(self.borders)]
-        n = len(nodes)
+        first, n = tuple(accumulate(sizes, initial=0)), len(nodes)
+        parts = [self.memory[a:b] for a, b in pairwise(first)]
         self.signals, self.state, self.parameters, self.rings = parts[0], parts[1 : n + 1], parts[n + 1 : 2 * n + 1], parts[2 * n + 1 :]
+        self.places = Rows(first[1 : n + 1], first[n + 1 : 2 * n + 1], first[2 * n + 1 :], tuple(map(len, self.rings)))
 
     def _signal_values(self) -> Iterator[Any]:
         yield from _rows_of(self.schedule.externals, {})
@@ -141,8 +141,7 @@ class CompiledGroup(Group):
         super().__init__(schedule, width, lanes)
         self._tables = [np.ascontiguousarray(node.tables[name], dtype=float) for node in schedule.nodes for name in node.step.tables]
         self._tables_at = np.array([(table.ctypes.data, table.size) for table in self._tables], dtype=np.int64)
-        n, first = len(schedule.nodes), tuple(self.borders)
-        self._places = Rows(first[1 : n + 1], first[n + 1 : 2 * n + 1], first[2 * n + 1 :], tuple(map(len, self.rings)))
+
         self._loops: dict[tuple[int, ...], Any] = {}
 
     def restore(self, saved: tuple[int, Array]) -> None:
@@ -166,7 +165,7 @@ class CompiledGroup(Group):
         from contourlab.engine.fused import tick_loop_of
 
         if log_rows not in self._loops:
-            self._loops[log_rows] = tick_loop_of(self.schedule, self._places, log_rows, self.width, gpu)
+            self._loops[log_rows] = tick_loop_of(self.schedule, self.places, log_rows, self.width, gpu)
         return self._loops[log_rows]
 
 
