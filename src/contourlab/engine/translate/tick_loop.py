@@ -6,7 +6,7 @@ import ctypes
 from collections.abc import Sequence
 
 from contourlab.engine.translate.graph import Op
-from contourlab.engine.translate.llvm_text import Writer
+from contourlab.engine.translate.llvm_ir import Writer
 from contourlab.engine.translate.tick_graph import TickGraph
 
 VECTOR = 16

@@ -109,8 +109,8 @@ def _flat(move: Move, columns: Sequence[int]) -> Move:
         return replace(move, points=tuple(map(flat, move.points)))
     if isinstance(move, Arc) and not set(PLANE_AXES[move.plane][:2]) <= set(columns):
         return Feed(flat(move.start), flat(move.end), move.feedrate, move.source_line, move.mode)
-    centre = {"centre": flat(move.centre)} if isinstance(move, Arc) else {}
-    return replace(move, start=flat(move.start), end=flat(move.end), **centre)
+    moved = replace(move, start=flat(move.start), end=flat(move.end))
+    return replace(moved, centre=flat(moved.centre)) if isinstance(moved, Arc) else moved
 
 
 def chunks(contour: Contour) -> list[tuple[int, int]]:

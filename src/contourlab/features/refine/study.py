@@ -362,7 +362,8 @@ class _Problem:
         self.runs, self.sought, self.kept = runs, sought, kept
         self.sizes = [np.ones(run.measured.shape[1]) for run in runs]
         columns = [(one.variable.value, one.variable.low, one.variable.high, one.scale) for one in sought]
-        self.start, *self.bounds, self.scale = np.array(columns).T
+        self.start, low, high, self.scale = np.array(columns).T
+        self.bounds = low, high
 
     def left(self, points: Array) -> list[Array]:
         """Return measured minus simulated of each run (n_row, n_channel, k)."""
