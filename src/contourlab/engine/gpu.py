@@ -117,6 +117,10 @@ class Gpu:
         self._driver.cuCtxSetCurrent(self._context)
         self._driver.cuMemFree_v2(address)
 
+    def memory(self, n: int) -> Memory:
+        """Return memory for n numbers, not set."""
+        return Memory(self, n)
+
     def compiled(self, source: str) -> bytes:
         """Return some LLVM IR as portable assembly."""
         return llvm_ir.assembly(source, *_OLDEST).encode()

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index, aligned
-from contourlab.engine.gpu import Gpu, Memory
+from contourlab.engine.gpu import Gpu
 from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Bank, Port, pack, record, rows, unpack
 from contourlab.engine.translate.tick_graph import Rows
@@ -234,11 +234,11 @@ class GpuGroup(CompiledGroup):
         super().__init__(schedule, width, lanes)
         self._gpu = gpu
         gpu.use()
-        self._rows, *self._table_memory = (Memory(gpu, array.size) for array in (self.memory, *self._tables))
+        self._rows, *self._table_memory = (gpu.memory(array.size) for array in (self.memory, *self._tables))
         for memory, values in zip((self._rows, *self._table_memory), (self.memory, *self._tables), strict=True):
             memory.write(values)
         self._tables_at[:] = [(memory.address, table.size) for memory, table in zip(self._table_memory, self._tables, strict=True)]
-        self._table_list = Memory(gpu, self._tables_at.size)
+        self._table_list = gpu.memory(self._tables_at.size)
         self._table_list.write(self._tables_at)
 
     def run(self, external: Array, log_rows: list[int], out: Array | None = None) -> Array:
@@ -247,7 +247,7 @@ class GpuGroup(CompiledGroup):
         gpu.use()
         function, entry = self._loop(tuple(log_rows), gpu), len(log_rows) * self.width
         most = max(min(LOGGED // max(entry, 1), len(external)), 1)
-        fed, logged = Memory(gpu, external.size), Memory(gpu, most * entry)
+        fed, logged = gpu.memory(external.size), gpu.memory(most * entry)
         fed.write(external)
         k, ticks = 0, min(FIRST, most)
         while k < len(external):

@@ -11,10 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from contourlab.components.conformance import check_component
+from contourlab.components.conformance import check_component, learning_fault
 from contourlab.components.learning.filters import advanced, moving_average, q_filter
 from contourlab.components.learning.law import InputModel, LearningLaw, LearningProblem, TrialRecord
-from contourlab.components.learning_check import learning_fault
 from contourlab.components.registry import component, components
 from contourlab.errors import ComponentError, ParameterError
 

@@ -147,8 +147,7 @@ class MultipleModel(Component):
     hypotheses: float = param(default=32.0, minimum=2.0, maximum=64.0, whole=True, structural=True, doc="number of filters")
     substeps: float = param(default=2.0, minimum=1.0, maximum=32.0, whole=True, structural=True, doc="integration steps per servo period")
 
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**values)
+    def check_values(self) -> None:
         if not self.load_inertia + self.mass > 0.0:
             raise ParameterError("load_inertia", "0", "> 0 unless a mass is given", "kg*m^2")
         if not self.largest_gap > self.smallest_gap:

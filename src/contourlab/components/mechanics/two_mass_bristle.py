@@ -22,8 +22,8 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
+from contourlab.components.mechanics.laws import contact_guard_of, shaft_of, unwound
 from contourlab.components.mechanics.located import first_zero
-from contourlab.components.mechanics.two_mass_laws import contact_guard_of, shaft_of, unwound
 from contourlab.primitives import exp, fabs, select
 
 STRETCHES = 6
