@@ -110,8 +110,9 @@ def _slide_of(plant: Any, friction: Any) -> Callable[..., Any]:
         k3 = acceleration(par, v3, push, way)
         v4 = v + h * k3
         k4 = acceleration(par, v4, push, way)
+        p_next = p + sixth * (v + 2.0 * (v2 + v3) + v4)
         slope = k1 + 2.0 * (k2 + k3) + k4
-        return p + sixth * (v + 2.0 * (v2 + v3) + v4), v + sixth * slope, k1, k4, slope / 6.0
+        return p_next, v + sixth * slope, k1, k4, slope / 6.0
 
     return slide
 
