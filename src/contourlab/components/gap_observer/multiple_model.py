@@ -85,21 +85,8 @@ class MultipleModel(Component):
     outputs = ports("gap_state", "gap", "gap_deviation", "confidence", "load_position", "load_velocity")
     states = (*ports("ticks", "last_position", "contact", "sound", "side", "settled", "again", "doubt"), Port("leader", KEPT))
     derived = (
-        "force_value",
-        "motor_mobility",
-        "motor_drag",
-        "load_mobility",
-        "stiffness_value",
-        "damper_value",
-        "load_drag",
-        "encoder_noise",
-        "force_noise",
-        "spread",
-        "fading",
-        "spacing",
-        "judging",
-        "first_gap",
-        "first_deviation",
+        *("force_value", "motor_mobility", "motor_drag", "load_mobility", "stiffness_value", "damper_value", "load_drag"),
+        *("encoder_noise", "force_noise", "spread", "fading", "spacing", "judging", "first_gap", "first_deviation"),
     )
     example = {
         "motor_inertia": 5.2e-3,
@@ -197,7 +184,9 @@ def _follower(substeps: int) -> Any:
     def follow(par: Any, x: Any, kept: Any, found: Any, index: float, inp: Any, clock: Any) -> Any:
         """Return the filter after a tick, the leading filter so far, and the sums of the mixture so far."""
         guess = par.smallest_gap * exp(index * par.spread)
-        begun = _renewed(par, _counted(kept, x.leader), x, guess)
+        # The score counts from that of the leading filter, limited below.
+        counted = (*kept[:SCORE], maximum(kept[SCORE] - x.leader[SCORE], -10.0 * LOST), kept[MISFIT])
+        begun = _renewed(par, counted, x, guess)
         # Two readings give position and speed of the motor; the filters run from the third on.
         running, speed = maximum(x.ticks - 1.0, 0.0), minimum(x.ticks, 1.0) * (inp.motor_position - x.last_position) / clock.dt
         fresh, wide = started(inp.motor_position, speed, guess, par.spacing * guess, par.encoder_noise, clock.dt)
@@ -209,7 +198,7 @@ def _follower(substeps: int) -> Any:
         misfit = begun[MISFIT] + par.judging * (surprise - begun[MISFIT])
         going = sane(mean, c)
         score = (1.0 - par.fading) * begun[SCORE] + likeliness - 10.0 * LOST * (1.0 - going)
-        now = _whole(_mixed(going, mean, fresh), _mixed(going, c, wide), score, misfit)
+        now = (*_mixed(going, mean, fresh), *_mixed(going, c, wide), score, misfit)
         return now, _joined(now, found, index)
 
     return follow
@@ -217,15 +206,6 @@ def _follower(substeps: int) -> Any:
 
 def _mixed(part: float, one: Any, other: Any) -> Any:
     return lincomb(part, one, 1.0 - part, other)
-
-
-def _whole(mean: Any, c: Any, score: float, misfit: float) -> Any:
-    return *mean, *c, score, misfit
-
-
-def _counted(kept: Any, leader: Any) -> Any:
-    """Return a filter with its score relative to the leading one, limited below."""
-    return *kept[:SCORE], maximum(kept[SCORE] - leader[SCORE], -10.0 * LOST), kept[MISFIT]
 
 
 def _joined(kept: Any, found: Any, index: float) -> Any:

@@ -62,9 +62,9 @@ class Writer:
         self.lines.append(f"  {name} = {text}")
         return name
 
-    def put(self, text: str) -> None:
-        """Write an instruction without a value."""
-        self.lines.append(f"  {text}")
+    def put(self, *texts: str) -> None:
+        """Write instructions without a value."""
+        self.lines += [f"  {text}" for text in texts]
 
     def start(self, label: str) -> None:
         """Begin a basic block."""
