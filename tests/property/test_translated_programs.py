@@ -86,7 +86,7 @@ def cases_of(seeds: range, folder: Path) -> list[Case]:
 
 
 def graph_as_compiled(group: CompiledGroup, primitives: Any) -> TickGraph:
-    return tick_graph(group.schedule, group._places, (group.schedule.row("s.y"),), primitives)
+    return tick_graph(group.schedule, group.places, (group.schedule.row("s.y"),), primitives)
 
 
 def oracle_runs(case: Case, kind: type[Oracle], group: CompiledGroup, made: TickGraph, lane: int, ticks: int = TICKS) -> list[Any]:
