@@ -10,8 +10,7 @@ import numpy as np
 
 from contourlab.components.contract import Component
 from contourlab.components.registry import component, components
-from contourlab.features.export.axis_controller import AxisControl, axis_control
-from contourlab.features.export.recorded_run import Recorded, replayed
+from contourlab.features.export.axis_controller import AxisControl, Recorded, axis_control, replayed
 from contourlab.loop import Axis, AxisController, Controller, Machine
 
 SLOTS = ("controller", "observer", "predictor", "feedforward", "compensation", "gap_observer", "velocity", "filter", "supervisor")

@@ -56,7 +56,7 @@ class ExactGroup(CompiledGroup):
 
     def _loop(self, log_rows: tuple[int, ...], gpu: Any = None) -> Any:
         if log_rows not in self._loops:
-            made = tick_graph(self.schedule, self._places, log_rows, EXACT, contract=False)
+            made = tick_graph(self.schedule, self.places, log_rows, EXACT, contract=False)
             code = llvm_ir.object_code(tick_loop.source_of(made, min(self.width, tick_loop.VECTOR), self.width))
             self._loops[log_rows] = llvm_ir.loaded(code, "run", tick_loop.SIGNATURE)
         return self._loops[log_rows]
@@ -89,7 +89,7 @@ def cases_of(seeds: range, folder: Path) -> list[Case]:
 
 
 def graph_as_compiled(group: CompiledGroup, primitives: Any) -> TickGraph:
-    return tick_graph(group.schedule, group._places, (group.schedule.row("s.y"),), primitives)
+    return tick_graph(group.schedule, group.places, (group.schedule.row("s.y"),), primitives)
 
 
 def oracle_runs(case: Case, kind: type[Oracle], group: CompiledGroup, made: TickGraph, lane: int, ticks: int = TICKS) -> list[Any]:

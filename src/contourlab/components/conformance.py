@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Complex
 from contourlab.components.contract import Component, LinearModel, Parameter
 from contourlab.components.declaration import check_class, check_documents, form_of
-from contourlab.components.learning_check import learning_fault
-from contourlab.components.linear_check import linear_fault
+from contourlab.components.learning.law import LearningLaw, LearningProblem, TrialRecord
 from contourlab.components.place import fault, file_of_class, line_in
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Node, Schedule
-from contourlab.engine.step import Step, rows
+from contourlab.engine.step import Step, record, rows
 from contourlab.engine.translate.step_graph import graph_of
 from contourlab.errors import ComponentError, ContourlabError, EngineError, error_text
-from contourlab.primitives import Table
+from contourlab.primitives import Clock, Table
 
 PERIOD = 1e-3
 TICKS = 160
@@ -68,16 +68,11 @@ def check_component(kind: type[Component], *, jit: bool = True) -> tuple[str, ..
             raise
         raise fault(kind, str(error)) from error
     except EngineError as error:
-        raise _in_class(kind, error) from error
+        own = error.file == file_of_class(kind)
+        message = error.message.removeprefix(f"{kind.__name__}.") if own else str(error)
+        raise fault(kind, message, line=error.line if own else 0) from error
     except BaseException as error:  # third-party code may raise anything
         raise fault(kind, f"its code fails: {error_text(error)}", line=line_in(file_of_class(kind), error)) from error
-
-
-def _in_class(kind: type[Component], error: EngineError) -> ComponentError:
-    """Return the fault of a class that cannot be compiled, with the line where it is in its own file."""
-    if error.file != file_of_class(kind):
-        return fault(kind, str(error))
-    return fault(kind, error.message.removeprefix(f"{kind.__name__}."), line=error.line)
 
 
 def _checked(kind: type[Component], jit: bool) -> tuple[str, ...]:
@@ -87,7 +82,7 @@ def _checked(kind: type[Component], jit: bool) -> tuple[str, ...]:
         raise fault(kind, f"its example is not valid: {error}") from error
     _check_numbers(kind, part)
     if kind.family == "learning":  # it has no step: it runs between trials
-        wrong = learning_fault(part, _others)
+        wrong = learning_fault(part)
         if wrong:
             raise fault(kind, wrong)
         return DECLARED, "corrections of a trial"
@@ -298,3 +293,156 @@ def _others(parameter: Parameter, value: Any) -> list[Any]:
     if parameter.whole:
         return [value + 1.0, value - 1.0]
     return [0.6 * value + 0.01, 1.7 * value, 0.01 * value, 1.0]
+
+
+SAMPLES = 400
+AXES = (1, 2, 3)
+
+
+def _problem(n_axis: int) -> LearningProblem:
+    """Return a test problem: a curved path, and axes with different settling times of some tens of milliseconds."""
+    angle = np.linspace(0.0, 4.0, SAMPLES)
+    columns = np.column_stack([np.cos(angle + 1.3 * j) for j in range(n_axis)])
+    tangent = columns / np.linalg.norm(columns, axis=1, keepdims=True)
+    decay = np.array([0.9 + 0.02 * j for j in range(n_axis)])
+    impulse = np.concatenate([np.zeros((1, n_axis)), (1.0 - decay) * decay ** np.arange(300)[:, None]])
+    # Slow near zero: a friction function is neither zero nor a sign everywhere.
+    velocity = _wave(n_axis, 2.2, 5e-3)
+    return LearningProblem(PERIOD, tangent, lambda: impulse, lambda: (velocity, np.asarray(np.gradient(velocity, PERIOD, axis=0))))
+
+
+def _wave(n_axis: int, phase: float, scale: float) -> Array:
+    t = np.arange(SAMPLES)[:, None] * PERIOD
+    j = np.arange(n_axis)[None, :]
+    return np.asarray(scale * (np.sin((11.0 + 3.0 * j) * t + phase + j) + 0.3 * np.sin((90.0 + 17.0 * j) * t + 2.0 * phase)))
+
+
+def _trial(n_axis: int, problem: LearningProblem, scale: float = 1.0) -> TrialRecord:
+    error = _wave(n_axis, 0.4, 1e-3 * scale)
+    excess = np.where(np.abs(_wave(n_axis, 2.0, 1.0)) > 1.1, _wave(n_axis, 2.0, 0.1 * scale), 0.0)
+    return TrialRecord(error, _wave(n_axis, 1.1, 0.2 * scale), excess, problem.across(error) * 0.9)
+
+
+def _next(law: LearningLaw, n_axis: int) -> Array:
+    problem = _problem(n_axis)
+    return law.update(_wave(n_axis, 0.7, 0.05), _trial(n_axis, problem), problem)
+
+
+def learning_fault(law: Any) -> str:
+    """Return the first broken clause of the contract as text; empty if there is none.
+
+    Checks with one, two and three axes: shape, finite numbers, determinism, unchanged arguments, a zero table after a zero table and a
+    trial without errors, and no wind-up where the drive saturated. Every parameter must have an effect with at least one target.
+
+    Parameters
+    ----------
+    law : LearningLaw
+        With the parameters of its example.
+    """
+    for n_axis in AXES:
+        wrong = _learning_fault(law, n_axis)
+        if wrong:
+            return f"{wrong}, with {n_axis} {'axis' if n_axis == 1 else 'axes'}"
+    for name, parameter in law.parameters.items():
+        if name not in law.without_effect and not _has_effect(law, name, parameter):
+            return f"parameter {name} has no effect on the table in the example: change the example, or name it in `without_effect`"
+    return ""
+
+
+def _learning_fault(law: LearningLaw, n_axis: int) -> str:
+    problem = _problem(n_axis)
+    table, trial, none = _wave(n_axis, 0.7, 0.05), _trial(n_axis, problem), np.zeros((SAMPLES, n_axis))
+    kept = [array.copy() for array in (table, trial.tracking_error, trial.feedback_command, trial.excess)]
+    updated = law.update(table, trial, problem)
+    rest = law.update(none, _trial(n_axis, problem, 0.0), problem)
+    given = (table, trial.tracking_error, trial.feedback_command, trial.excess)
+    if not isinstance(updated, np.ndarray) or updated.shape != table.shape or updated.dtype != np.float64:
+        return f"its table is not an array of numbers of shape {table.shape}"
+    if not np.isfinite(updated).all():
+        return "its table is not finite"
+    if any(not np.array_equal(before, now) for before, now in zip(kept, given, strict=True)) or updated is table:
+        return "it writes into its arguments: return a new array"
+    if not np.array_equal(updated, _next(law, n_axis)):
+        return "two updates from the same trial differ"
+    if rest.any():
+        return "it learns something from a trial without errors"
+    if (trial.excess * (updated - table) > 0.0).any():
+        return "it drives a saturated drive further into its limit"
+    return ""
+
+
+def _has_effect(law: LearningLaw, name: str, parameter: Parameter) -> bool:
+    for target in law.parameters["target"].choices:
+        base = law.replace(target=target)
+        before = _next(base, 2)
+        for value in _others(parameter, getattr(base, name)):
+            try:
+                changed = base.replace(**{name: value})
+            except Exception:  # out of its range
+                continue
+            if not np.array_equal(_next(changed, 2), before):
+                return True
+    return False
+
+
+NUDGE = 1e-9
+"""Perturbation of states and inputs: small enough for a step to be linear around rest."""
+
+TICKS_PER_RADIAN = 1e5
+TOLERANCE = 1e-3
+"""Relative tolerance: a hundred times the sampling error at the highest frequency."""
+
+
+def linear_fault(model: LinearModel, step: Step, block: Callable[[float], dict[str, Any]]) -> str:
+    """Return where a model and a step differ, as text; empty if they agree.
+
+    Parameters
+    ----------
+    model : LinearModel
+        Continuous time.
+    step : Step
+        Perturbed around zero, at a period far below the model's time constants. Steps with vector ports are not compared.
+    block : callable
+        Returns the step's parameter values for a period.
+    """
+    inputs, outputs = ([port.name for port in ports] for ports in (step.inputs, step.outputs))
+    for what, named, known in (("input", model.inputs, inputs), ("output", model.outputs, outputs)):
+        for name in named:
+            if name not in known:
+                return f"it has no {what} {name!r}; the {what}s are: {', '.join(known)}"
+    n, m, p = len(model.a), len(model.inputs), len(model.outputs)
+    shapes = tuple(np.shape(matrix) for matrix in (model.a, model.b, model.c, model.d))
+    if shapes != ((n, n), (n, m), (p, n), (p, m)):
+        return f"its matrices have shapes {shapes}, which do not fit {m} inputs and {p} outputs"
+    if any(port.size for port in (*step.states, *step.inputs, *step.outputs)):
+        return ""
+    rates = np.abs(np.linalg.eigvals(model.a))
+    rates = rates[rates > 1e-9 * rates.max(initial=0.0)] if rates.any() else np.ones(1)
+    period = 1.0 / (TICKS_PER_RADIAN * float(rates.max()))
+    sampled = _sampled(step, block(period), period)
+    rows, columns = [outputs.index(name) for name in model.outputs], [inputs.index(name) for name in model.inputs]
+    for w in np.geomspace(0.1 * rates.min(), rates.max(), 7):
+        expected = _response(model.a, model.b, model.c, model.d, 1j * w)
+        actual = _response(*sampled, np.exp(1j * w * period))[np.ix_(rows, columns)]
+        for i, j in np.argwhere(~(np.abs(actual - expected) <= TOLERANCE * np.abs(expected))):
+            return f"from {model.inputs[j]} to {model.outputs[i]} at {w:.3g} rad/s {expected[i, j]:.4g}, but the step {actual[i, j]:.4g}"
+    return ""
+
+
+def _response(a: Array, b: Array, c: Array, d: Array, point: complex) -> Complex:
+    return np.asarray(c @ np.linalg.solve(point * np.eye(len(a)) - a, b.astype(complex)) + d)
+
+
+def _sampled(step: Step, values: dict[str, Any], period: float) -> tuple[Array, Array, Array, Array]:
+    """Return the matrices of one tick, by finite differences at rest."""
+    par = step.par_type(**values)
+    state_type, input_type = (record(tuple(port.name for port in ports)) for ports in (step.states, step.inputs))
+    n, size = len(step.states), len(step.states) + len(step.inputs)
+
+    def tick(at: Array) -> Array:
+        x_next, out = step.function(par, state_type(*at[:n].tolist()), input_type(*at[n:].tolist()), Clock(0.0, 0.0, period))
+        return np.array([*x_next, *out], dtype=float)
+
+    rest = tick(np.zeros(size))
+    matrix = np.column_stack([(tick(NUDGE * row) - rest) / NUDGE for row in np.eye(size)])
+    return matrix[:n, :n], matrix[:n, n:], matrix[n:, :n], matrix[n:, n:]

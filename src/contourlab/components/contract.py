@@ -139,6 +139,10 @@ class Component(Traced):
             if value is None:
                 raise ParameterError(f"{self.kind}.{name}", "not given", parameter.needed)
             object.__setattr__(self, name, parameter.check(value))
+        self.check_values()
+
+    def check_values(self) -> None:
+        """Raise ParameterError if values, each within its own bounds, do not fit together."""
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"{type(self).__name__} is frozen: make a new one with .replace({name}=...)")

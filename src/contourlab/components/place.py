@@ -7,7 +7,7 @@ import sys
 import traceback
 from typing import Any
 
-from contourlab.engine.translate.source import TYPED
+from contourlab.engine.translate.outer import TYPED
 from contourlab.errors import ComponentError, error_text
 
 

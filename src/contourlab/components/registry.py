@@ -19,7 +19,7 @@ from types import ModuleType
 from contourlab.components.contract import FAMILIES, Component
 from contourlab.components.declaration import check_class
 from contourlab.components.place import fault, file_of_class
-from contourlab.engine.translate.source import TYPED
+from contourlab.engine.translate.outer import TYPED
 from contourlab.errors import ComponentError, ContourlabError, error_text, hint
 
 ENTRY_POINT_GROUP = "contourlab.components"

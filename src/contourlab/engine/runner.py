@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Iterator
 from itertools import accumulate, pairwise
 from time import perf_counter
 from typing import Any
@@ -48,23 +47,17 @@ class Group:
         self.schedule, self.width, self.lanes = schedule, width, lanes
         self.tick = 0
         nodes = schedule.nodes
-        values = list(self._signal_values())
-        for node in nodes:
-            values += _rows_of(node.step.states, node.initial)
+        values = _rows_of(schedule.externals, {})
+        values += [value for node in nodes for value in _rows_of(node.step.outputs, node.start)]
+        values += [value for node in nodes for value in _rows_of(node.step.states, node.initial)]
         self._n_live = len(values)
-        for node in nodes:
-            values += [node.parameters[name] for name in node.step.parameters]
+        values += [node.parameters[name] for node in nodes for name in node.step.parameters]
         sizes = memory_rows(schedule)
         self.memory = self._filled(values, sum(sizes))
-        self.borders = list(accumulate(sizes, initial=0))
-        parts = [self.memory[a:b] for a, b in pairwise(self.borders)]
-        n = len(nodes)
+        first, n = tuple(accumulate(sizes, initial=0)), len(nodes)
+        parts = [self.memory[a:b] for a, b in pairwise(first)]
         self.signals, self.state, self.parameters, self.rings = parts[0], parts[1 : n + 1], parts[n + 1 : 2 * n + 1], parts[2 * n + 1 :]
-
-    def _signal_values(self) -> Iterator[Any]:
-        yield from _rows_of(self.schedule.externals, {})
-        for node in self.schedule.nodes:
-            yield from _rows_of(node.step.outputs, node.start)
+        self.places = Rows(first[1 : n + 1], first[n + 1 : 2 * n + 1], first[2 * n + 1 :], tuple(map(len, self.rings)))
 
     def _filled(self, values: list[Any], n_row: int) -> Array:
         """Return memory (n_row, width) whose first rows hold `values`, one for all lanes or one for each variant."""
@@ -73,14 +66,10 @@ class Group:
         memory[: len(values)] = np.array([value if isinstance(value, _NUMBER) else 0.0 for value in values])[:, None]
         for row, value in enumerate(values):
             if not isinstance(value, _NUMBER):
-                memory[row] = self._lane_values(np.asarray(value, dtype=float))
+                part = np.asarray(value, dtype=float)
+                part = part[self.lanes] if part.ndim else part[None]
+                memory[row] = np.concatenate([part, np.repeat(part[-1:], self.width - part.size)])
         return memory
-
-    def _lane_values(self, value: Array) -> Array:
-        if value.ndim == 0:
-            return value
-        part = value[self.lanes]
-        return np.concatenate([part, np.repeat(part[-1:], self.width - part.size)])
 
     def snapshot(self) -> tuple[int, Array]:
         """Return everything that changes while ticks run."""
@@ -122,16 +111,10 @@ def memory_rows(schedule: Schedule) -> list[int]:
     return [schedule.n_row, *(step.n_state for step in steps), *(len(step.parameters) for step in steps), *rings]
 
 
-def _rows_of(ports: tuple[Port, ...], values: Any) -> Iterator[Any]:
+def _rows_of(ports: tuple[Port, ...], values: Any) -> list[Any]:
     """Return the value of each row of some ports; zero where none is given."""
-    for port in ports:
-        value = values.get(port.name)
-        if value is None:
-            yield from (0.0,) * port.rows
-        elif port.size:
-            yield from value
-        else:
-            yield value
+    given = ((port, values.get(port.name)) for port in ports)
+    return [row for port, value in given for row in ((0.0,) * port.rows if value is None else value if port.size else (value,))]
 
 
 class CompiledGroup(Group):
@@ -141,8 +124,7 @@ class CompiledGroup(Group):
         super().__init__(schedule, width, lanes)
         self._tables = [np.ascontiguousarray(node.tables[name], dtype=float) for node in schedule.nodes for name in node.step.tables]
         self._tables_at = np.array([(table.ctypes.data, table.size) for table in self._tables], dtype=np.int64)
-        n, first = len(schedule.nodes), tuple(self.borders)
-        self._places = Rows(first[1 : n + 1], first[n + 1 : 2 * n + 1], first[2 * n + 1 :], tuple(map(len, self.rings)))
+
         self._loops: dict[tuple[int, ...], Any] = {}
 
     def restore(self, saved: tuple[int, Array]) -> None:
@@ -166,7 +148,7 @@ class CompiledGroup(Group):
         from contourlab.engine.fused import tick_loop_of
 
         if log_rows not in self._loops:
-            self._loops[log_rows] = tick_loop_of(self.schedule, self._places, log_rows, self.width, gpu)
+            self._loops[log_rows] = tick_loop_of(self.schedule, self.places, log_rows, self.width, gpu)
         return self._loops[log_rows]
 
 

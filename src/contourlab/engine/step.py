@@ -145,10 +145,7 @@ def pack(ports: Iterable[Port], values: Iterable[Any]) -> list[float]:
     """Flatten one value per port into a list of numbers."""
     flat: list[float] = []
     for port, value in zip(ports, values, strict=True):
-        if port.size:
-            flat.extend(value)
-        else:
-            flat.append(value)
+        flat += value if port.size else (value,)
     return flat
 
 

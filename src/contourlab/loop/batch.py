@@ -231,7 +231,7 @@ def _check_together(known: Mapping[str, tuple[Component, str]], columns: Mapping
     for head in sorted(heads):
         of_part = {name: values for name, values in columns.items() if name.rpartition(".")[0] == head}
         part = known[next(iter(of_part))][0]
-        if type(part).__init__ is Component.__init__:
+        if type(part).__init__ is Component.__init__ and type(part).check_values is Component.check_values:
             continue
         names = [known[name][1] for name in of_part]
         for row in np.unique(np.column_stack(list(of_part.values())), axis=0).tolist():

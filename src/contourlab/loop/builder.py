@@ -170,13 +170,8 @@ def _total(par: Any, x: Any, inp: Any, clock: Any) -> Any:
     return (), (total,)
 
 
-def constant_node(name: str) -> Node:
-    """Return a node whose one output ``value`` is zero."""
-    return Node(name, _ZERO, {})
-
-
 def _nothing(par: Any, x: Any, inp: Any, clock: Any) -> Any:
     return (), (0.0,)
 
 
-_ZERO = Step("zero", _nothing, (), (), "", (), (), (Port("value"),))
+ZERO = Step("zero", _nothing, (), (), "", (), (), (Port("value"),))

@@ -60,18 +60,6 @@ class Learned:
                 raise ParameterError(f"learned.{name}", f"of shape {values.shape}", f"({n_sample}, {n_axis}), as the reference")
 
 
-def _extra_externals(machine: Machine, controller: Controller, learned: Learned | None) -> tuple[str, ...]:
-    """Return the names of the inputs besides the reference, each a row per axis."""
-    parts = [controller.axes[name] for name in machine.axis_names if name in controller.axes]
-    fed = {
-        LEARNED_COMMAND: learned is not None and learned.command is not None,
-        LEARNED_REFERENCE: learned is not None and learned.reference is not None,
-        AHEAD: any(axis.feedforward is not None and axis.feedforward.takes(AHEAD) for axis in parts),
-        SOURCE_LINE: any(axis.supervisor is not None and axis.supervisor.takes(SOURCE_LINE) for axis in parts),
-    }
-    return tuple(name for name, wanted in fed.items() if wanted)
-
-
 class Feed:
     """The externals of a run, block by block.
 
@@ -90,9 +78,16 @@ class Feed:
         if learned is not None:
             learned.check(reference.n_sample, reference.n_axis)
         self.reference, self.learned, self._fill = reference, learned, fill
-        self.names = _extra_externals(machine, controller, learned)
-        parts = [controller.axes[name].feedforward if name in controller.axes else None for name in machine.axis_names]
-        self._ahead = [0 if part is None else part.ahead(machine.servo_period) for part in parts]
+        axes = [controller.axes[name] for name in machine.axis_names if name in controller.axes]
+        ahead = [axis.feedforward for axis in axes]
+        self._ahead = [0 if part is None else part.ahead(machine.servo_period) for part in ahead]
+        fed = {
+            LEARNED_COMMAND: learned is not None and learned.command is not None,
+            LEARNED_REFERENCE: learned is not None and learned.reference is not None,
+            AHEAD: any(part is not None and part.takes(AHEAD) for part in ahead),
+            SOURCE_LINE: any(axis.supervisor is not None and axis.supervisor.takes(SOURCE_LINE) for axis in axes),
+        }
+        self.names = tuple(name for name, wanted in fed.items() if wanted)
 
     def block(self, start: int, stop: int) -> tuple[ReferenceBlock, Array]:
         """Return all inputs of a block: (n, n_external), each signal contiguous."""
@@ -106,14 +101,8 @@ class Feed:
             elif name == SOURCE_LINE:
                 rows.append(np.tile(self.reference.source_line(asked.arc_length).astype(float), (self.reference.n_axis, 1)))
             else:
-                rows.append(self._taught(name)[start:stop].T)
+                rows.append(getattr(self.learned, name.removeprefix("learned_"))[start:stop].T)
         return asked, np.concatenate(rows).T
-
-    def _taught(self, name: str) -> Array:
-        assert self.learned is not None  # follows from the names
-        table = self.learned.command if name == LEARNED_COMMAND else self.learned.reference
-        assert table is not None
-        return table
 
     def _coming(self, start: int, stop: int) -> Array:
         """Return the reference positions of later ticks; the last position holds beyond the end."""

@@ -85,15 +85,11 @@ class _LinkInsertion:
         self.before: dict[int, list[Node]] = {}
 
     def nodes(self) -> list[Node]:
-        wired = []
-        for n, node in enumerate(self.builder.nodes):
-            side = self.side(node.name)
-            wired.append(replace(node, wires={port: self.led(wire, side, n) for port, wire in node.wires.items()}))
-        found = []
-        for n in range(len(wired) + 1):
-            found += self.before.get(n, [])
-            found += wired[n : n + 1]
-        return found
+        wired = [
+            replace(node, wires={port: self.led(wire, self.side(node.name), n) for port, wire in node.wires.items()})
+            for n, node in enumerate(self.builder.nodes)
+        ]
+        return [node for n in range(len(wired) + 1) for node in (*self.before.get(n, ()), *wired[n : n + 1])]
 
     def side(self, node: str) -> str:
         """Return the axis that holds a node, or `BASE`."""

@@ -3,7 +3,7 @@
 All components are compiled before the run. At the sample of the change a new schedule is built. Every node that both loops have keeps its
 state (plants, and drives with their delays); a node that only the new loop has starts at rest, a filter at the last command. A new
 controller takes over the states of the old one, with the integral scaled to the same command. The remaining jump of the command is handed
-over, see `contourlab.loop.supervision`.
+over, see `contourlab.loop.template`.
 """
 
 from __future__ import annotations

@@ -30,21 +30,18 @@ class Sensing:
         self.builder, self.axis, self.name, self.at = builder, axis, axis.name, at
         self.parts = builder.controller.axes[axis.name]
         self._velocities: dict[str, str] = {}
-        self._add_sensors()
+        for side, slot in zip(SIDES, ("sensor", "motor_sensor"), strict=True):
+            sensor = getattr(axis, slot)
+            if not isinstance(sensor, IdealSensor):
+                start = at if slot == "sensor" else builder.motor_start(axis.name)
+                wires = {"position": Late(self._signal(side, "position"))}
+                builder.add(f"{axis.name}.{slot}", sensor, f"axes.{axis.name}.{slot}", wires, start)
         prefix = f"controller.axes.{self.name}"
         if self.parts.predictor is not None:
-            wires = {"position": self.measured, "applied": self.sent}
-            builder.add(f"{self.name}.predictor", self.parts.predictor, f"{prefix}.predictor", wires, at)
+            seen = {"position": self.measured, "applied": self.sent}
+            builder.add(f"{self.name}.predictor", self.parts.predictor, f"{prefix}.predictor", seen, at)
         # Computed before every part that may need it.
         self.velocity_on(self.parts.velocity_feedback)
-
-    def _add_sensors(self) -> None:
-        for side, slot in zip(SIDES, ("sensor", "motor_sensor"), strict=True):
-            sensor = getattr(self.axis, slot)
-            if not isinstance(sensor, IdealSensor):
-                signal = self._signal(side, "position")
-                start = self.at if slot == "sensor" else self.builder.motor_start(self.name)
-                self.builder.add(f"{self.name}.{slot}", sensor, f"axes.{self.name}.{slot}", {"position": Late(signal)}, start)
 
     def _signal(self, side: str, what: str) -> str:
         return f"{self.name}.plant.{'motor_' if side == 'motor' and self.axis.plant.two_sided else ''}{what}"

@@ -28,37 +28,19 @@ BLOCK = 1 << 16
 LONG_BLOCK = 1 << 20
 """Samples of a block where all signals stay in memory anyway: a run of one block is not copied."""
 
-UNITS = {
-    "reference": "m",
-    "reference_velocity": "m/s",
-    "reference_acceleration": "m/s^2",
-    "arc_length": "m",
-    "feedrate": "m/s",
-    "position": "m",
-    "axis_position": "m",
-    "axis_velocity": "m/s",
-    "tool_position": "m",
-    "velocity": "m/s",
-    "command": "command",
-    "applied_command": "command",
-    "unfiltered_command": "command",
-    "modified_reference": "m",
-    "coupling_command": "command",
-    "disturbance_estimate": "command",
-    "contour_error_estimate": "m",
-    "motor_position": "m",
-    "motor_velocity": "m/s",
-    "gap_state": "",
-    "shaft_force": "N",
-    "active_controller": "",
-    "switch_reason": "",
-    "gap_estimate": "m",
-    "gap_deviation": "m",
-    "gap_state_estimate": "",
-    "gap_confidence": "",
-    "load_position_estimate": "m",
-    "load_velocity_estimate": "m/s",
+
+_OF_UNIT = {
+    "m": (
+        *("reference", "arc_length", "position", "axis_position", "tool_position", "motor_position", "modified_reference"),
+        *("contour_error_estimate", "gap_estimate", "gap_deviation", "load_position_estimate"),
+    ),
+    "m/s": ("reference_velocity", "feedrate", "velocity", "axis_velocity", "motor_velocity", "load_velocity_estimate"),
+    "m/s^2": ("reference_acceleration",),
+    "command": ("command", "applied_command", "unfiltered_command", "coupling_command", "disturbance_estimate"),
+    "N": ("shaft_force",),
+    "": ("gap_state", "active_controller", "switch_reason", "gap_state_estimate", "gap_confidence"),
 }
+UNITS = {name: unit for unit, names in _OF_UNIT.items() for name in names}
 """Unit of each signal; "command" is the unit of the plants' commands."""
 
 

@@ -23,24 +23,160 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cache
+from types import SimpleNamespace
 from typing import Any
+
+import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
+from contourlab.components.mechanics.core import MOTOR_FRICTION, friction_prefix, link
+from contourlab.components.plant.plant import Plant
 from contourlab.engine.schedule import Late, Node, Schedule
 from contourlab.engine.step import Port, Step, ports
 from contourlab.errors import ParameterError
 from contourlab.geometry import Path
 from contourlab.geometry.view import PathView, view_of
-from contourlab.loop.builder import Builder, Overrides, Signals, constant_node, sum_step
+from contourlab.loop.builder import ZERO, Builder, Overrides, Signals, sum_step
 from contourlab.loop.feeding import AHEAD, LEARNED_COMMAND, LEARNED_REFERENCE, SOURCE_LINE
 from contourlab.loop.judging import watch_node
 from contourlab.loop.link_insertion import add_taken, insert_links, subtract_node
-from contourlab.loop.machine import Controller, Machine
-from contourlab.loop.plant_nodes import add_plants
+from contourlab.loop.machine import Axis, Controller, Machine
 from contourlab.loop.sensing import Sensing
-from contourlab.loop.supervision import ACCEPTED, conditioned, handover_parameters, handover_step
 from contourlab.loop.tool import check_seed
+from contourlab.native.generated import generated
+from contourlab.primitives import select
+
+
+def add_plants(builder: Builder) -> None:
+    """Add the loads on the axes, and their plants with linked frictions."""
+    for axis, at, speed in zip(builder.machine.axes, builder.start, builder.speed, strict=True):
+        name, prefix = axis.name, f"axes.{axis.name}"
+        load: Any = 0.0
+        if axis.disturbance is not None:
+            wires = {"position": Late(f"{name}.plant.position")}
+            builder.add(f"{name}.disturbance", axis.disturbance, f"{prefix}.disturbance", wires)
+            load = f"{name}.disturbance.force"
+        # Two modules that move along each other exchange the inertia force of the mass that the upper one moves.
+        partners = {a.name: a.alignment * _moved_mass(builder, a) for a in builder.machine.axes if a.mounted_on == name and a.alignment}
+        if axis.mounted_on and axis.alignment:
+            partners[axis.mounted_on] = axis.alignment * _moved_mass(builder, axis)
+        if partners:
+            load = _reaction(builder, name, load, partners)
+        rubbing = axis.friction.block(builder.period, builder.changed(f"{prefix}.friction"))
+        values = _carrying(builder, axis) | {f"{friction_prefix(axis.plant)}{row}": value for row, value in rubbing.items()}
+        on_motor = axis.motor_friction.block(builder.period, builder.changed(f"{prefix}.motor_friction"))
+        values |= {f"{MOTOR_FRICTION}{row}": value for row, value in on_motor.items()}
+        initial, start = _resting(axis.plant, float(at), builder.changed(f"{prefix}.plant"))
+        initial = {**initial, **_speeds(axis.plant.states, float(speed))}
+        start = {**start, **_speeds(axis.plant.outputs, float(speed))}
+        pushed: dict[str, Any] = {"command": f"{name}.drive.applied", "load": load}
+        step, tables = link(axis.plant, axis.friction, axis.motor_friction), axis.plant.table_values()
+        builder.nodes.append(Node(f"{name}.plant", step, pushed, values, tables, initial, start, repeat=axis.substeps))
+
+
+def _resting(plant: Plant, at: float, changed: Mapping[str, Array]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return states and outputs of a plant at rest, for each variant if they depend on a varied parameter."""
+    which = [name for name in changed if name in plant.rest_depends]
+    if not which:
+        return plant.at_rest(at)
+    rows = np.column_stack([changed[name] for name in which]).tolist()
+    resting = [plant.replace(**dict(zip(which, row, strict=True))).at_rest(at) for row in rows]
+    together = [{name: _side_by_side([rest[part][name] for rest in resting]) for name in resting[0][part]} for part in (0, 1)]
+    return together[0], together[1]
+
+
+def _side_by_side(values: list[Any]) -> Any:
+    """Return the values of all variants as an array; for a vector, a tuple of arrays."""
+    return tuple(np.array(column) for column in zip(*values, strict=True)) if isinstance(values[0], tuple) else np.array(values)
+
+
+def _speeds(ports: tuple[Port, ...], speed: float) -> dict[str, Any]:
+    """Return the values of the velocity ports, with all masses of the axis at one speed."""
+    moving = [port for port in ports if port.name in ("velocity", "motor_velocity", "inner_velocities")]
+    return {port.name: (speed,) * port.size if port.size else speed for port in moving}
+
+
+def _carrying(builder: Builder, axis: Axis) -> dict[str, Any]:
+    """Return the parameters of an axis' plant, with the modules mounted on it."""
+    changed, carried = builder.changed(f"axes.{axis.name}.plant"), builder.machine.carried_mass(axis.name)
+    if carried:
+        own = np.asarray(axis.plant.values()["carried_mass"])
+        changed["carried_mass"] = changed.get("carried_mass", own) + carried
+    return axis.plant.block(builder.period / axis.substeps, changed)
+
+
+def _moved_mass(builder: Builder, axis: Axis) -> Any:
+    """Return the mass [kg] in linear motion of an axis: a number, or an array (n_variant,)."""
+    return type(axis.plant).moved_mass(SimpleNamespace(**_carrying(builder, axis)))
+
+
+def _reaction(builder: Builder, name: str, load: Any, partners: Mapping[str, Any]) -> str:
+    """Add the node that sums the loads on an axis: its disturbance, and the inertia of axes that move along it."""
+    step = _reaction_step(tuple(partners))
+    forces: dict[str, Any] = {f"acceleration_{other}": Late(f"{other}.plant.acceleration") for other in partners}
+    builder.nodes.append(Node(f"{name}.load", step, {"load": load, **forces}, {f"mass_{other}": mass for other, mass in partners.items()}))
+    return f"{name}.load.force"
+
+
+@cache
+def _reaction_step(partners: tuple[str, ...]) -> Step:
+    ports = (Port("load"), *(Port(f"acceleration_{name}") for name in partners))
+    terms = "".join(f" - par.mass_{name} * inp.acceleration_{name}" for name in partners)
+    scope: dict[str, Any] = {"__name__": __name__}
+    step = generated(f"def step(par, x, inp, clock):\n    return (), (inp.load{terms},)\n", scope, "step")
+    return Step("load", step, tuple(f"mass_{name}" for name in partners), (), "", (), ports, (Port("force"),))
+
+
+def conditioned(part: Component) -> Component:
+    """Return a controller that can run in parallel with others: with back-calculation, since a held integral would not follow."""
+    if "anti_windup" not in part.parameters or part.values()["anti_windup"] != "hold":
+        return part
+    if "back-calculation" not in part.parameters["anti_windup"].choices:
+        return part
+    tracking: Component = part.replace(anti_windup="back-calculation")
+    return tracking
+
+
+@cache
+def handover_step(n: int) -> Step:
+    """Return the step that passes on the active one of `n` commands, and hands over without a bump.
+
+    All controllers run all the time, on the same measurements. Each gets an accepted command. For the active one it is the accepted part of
+    its own command, minus the hand-over offset. For the others it is the executed command, so that their integrals follow it. The remaining
+    difference at a switch becomes an offset, which decays with the supervisor's `handover_time`.
+    """
+    inputs = (Port("commands", n), Port("active"), Port("accepted"))
+    outputs = (Port("command"), Port("active"), Port("offset"))
+    return Step("handover", _hand_over, ("kept", "blended"), (), "", (Port("active"), Port("offset")), inputs, outputs)
+
+
+def _hand_over(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+    # The next command of the previous controller; for one of another loop its last command.
+    wanted, left = inp.commands[0], select(x.active < 0.0, inp.accepted, inp.commands[0] + x.offset)
+    for i in range(1, len(inp.commands)):
+        wanted = select(inp.active == float(i), inp.commands[i], wanted)
+        left = select(x.active == float(i), inp.commands[i] + x.offset, left)
+    offset = select(inp.active == x.active, x.offset, par.blended * (left - wanted))
+    # A non-finite output of a supervisor must end the run, not leave the axis without a command.
+    return (inp.active, par.kept * offset), (wanted + offset + 0.0 * inp.active, inp.active, offset)
+
+
+def _accept(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+    return (), (inp.accepted - select(inp.active == inp.number, inp.offset, 0.0),)
+
+
+ACCEPTED = Step("told", _accept, (), (), "", (), ports("accepted", "active", "offset", "number"), ports("accepted"))
+"""Accepted part of the command of the controller with this number."""
+
+
+def handover_parameters(handover_time: Any, dt: float) -> dict[str, Any]:
+    """Return the parameters of the step for a time constant [s]; with zero the command jumps."""
+    time = np.asarray(handover_time, dtype=float)
+    blended = np.where(time > 0.0, 1.0, 0.0)
+    return {"kept": np.exp(-dt / np.where(time > 0.0, time, np.inf)) * blended, "blended": blended}
+
 
 NOTHING = "none.value"
 """Signal, always zero, of an axis without a part that others have."""
@@ -98,7 +234,7 @@ def _inside(builder: Builder) -> dict[str, tuple[str, ...]]:
         for signal, (there, otherwise) in signals.items() if any(having.values()) else ():
             inside[signal] = tuple(f"{name}.{there if having[name] else otherwise}" for name in builder.names)
     for name in {wire.partition(".")[0] for wires in inside.values() for wire in wires if wire.endswith(NOTHING)}:
-        builder.nodes.append(constant_node(f"{name}.{NOTHING.partition('.')[0]}"))
+        builder.nodes.append(Node(f"{name}.{NOTHING.partition('.')[0]}", ZERO))
     return inside
 
 

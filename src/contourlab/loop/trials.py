@@ -275,10 +275,11 @@ def feedforward_command(machine: Machine, controller: Controller, reference: Ref
     plain = replace(machine, axes=tuple(replace(axis, **ideal) for axis in machine.axes))
     first, _ = feed.block(0, min(BLOCK, reference.n_sample))
     loop = build(plain, alone, reference.path, first.position[0], float(first.arc_length[0]), fed=feed.names)
-    nodes = []
-    for node in loop.schedule.nodes[: loop.schedule.record_point - 1]:
-        nodes.append(replace(node, wires={port: _followed(wire, machine.axis_names) for port, wire in node.wires.items()}))
-    schedule = Schedule(tuple(nodes), loop.schedule.externals, machine.servo_period, len(nodes))
+    nodes = tuple(
+        replace(node, wires={port: _followed(wire, machine.axis_names) for port, wire in node.wires.items()})
+        for node in loop.schedule.nodes[: loop.schedule.record_point - 1]
+    )
+    schedule = Schedule(nodes, loop.schedule.externals, machine.servo_period, len(nodes))
     group = make_group(schedule, 1, slice(0, 1), compiled)
     rows = [schedule.row(signal) for signal in loop.signals["command"]]
     stops = range(0, reference.n_sample, BLOCK)

@@ -112,13 +112,14 @@ class ResultWriter:
 
     def __enter__(self) -> ResultWriter:
         import h5netcdf
+        import h5py
 
         with contextlib.ExitStack() as stack:
             temporary = stack.enter_context(replacing(self.file))
             self._spool = stack.enter_context(Spool(temporary, "w+"))
             self._data = stack.enter_context(h5netcdf.File(self._spool, "w"))
             self._data.dimensions = {"sample": self.n_sample or None, "axis": len(self.axes)}
-            names = self._data.create_variable("axis", ("axis",), dtype=_text_type())
+            names = self._data.create_variable("axis", ("axis",), dtype=h5py.string_dtype("utf-8"))
             names[:] = np.array(self.axes, dtype=object)
             # From here on `__exit__` closes what was opened.
             self._stack = stack.pop_all()
@@ -187,12 +188,6 @@ class ResultWriter:
             raise ResultError(f"{known} = {value!r}: a file holds text and numbers of 64 bits only") from error
 
 
-def _text_type() -> Any:
-    import h5py
-
-    return h5py.string_dtype("utf-8")
-
-
 def read_netcdf(file: str | Path) -> dict[str, Any]:
     """Return the arguments of a `Result` from its file; see `Result.load`."""
     import h5netcdf
@@ -214,22 +209,18 @@ def read_netcdf(file: str | Path) -> dict[str, Any]:
                     for name, v in data.variables.items()
                     if name not in ("axis", "time")
                 }
-        return _arguments(header, axes, signals)
+        ending = (int(header["status_sample"]), str(header["status_axis"]), str(header["status_reason"]))
+        return {
+            "scheme": str(header["scheme"]),
+            "axes": axes,
+            "servo_period": float(header["servo_period"]),
+            "signals": signals,
+            "status": Status(bool(header["status_ok"]), *ending),
+            "attributes": {name.removeprefix("attribute_"): value for name, value in header.items() if name not in _FIXED},
+            "start": int(header["start"]),
+        }
     except (OSError, KeyError, RuntimeError, TypeError, ValueError) as error:
         raise ResultError(f"{file}: cannot be read as a result: {getattr(error, 'strerror', None) or error}") from error
-
-
-def _arguments(header: Mapping[str, Any], axes: tuple[str, ...], signals: Mapping[str, Signal]) -> dict[str, Any]:
-    ending = (int(header["status_sample"]), str(header["status_axis"]), str(header["status_reason"]))
-    return {
-        "scheme": str(header["scheme"]),
-        "axes": axes,
-        "servo_period": float(header["servo_period"]),
-        "signals": signals,
-        "status": Status(bool(header["status_ok"]), *ending),
-        "attributes": {name.removeprefix("attribute_"): value for name, value in header.items() if name not in _FIXED},
-        "start": int(header["start"]),
-    }
 
 
 def _plain(value: Any) -> Any:

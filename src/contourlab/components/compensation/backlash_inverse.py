@@ -129,8 +129,7 @@ class AdaptiveBacklashInverse(Component):
     load_time_constant: float = LOAD_TIME_CONSTANT
     initial_direction: float = INITIAL_DIRECTION
 
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**values)
+    def check_values(self) -> None:
         if self.backlash_gap > self.largest_gap:
             raise ParameterError("backlash_gap", f"{self.backlash_gap:g}", f"<= largest_gap, {self.largest_gap:g}", "m")
 

@@ -139,8 +139,7 @@ class QuadrantPulses(Component):
     reversal_velocity: float = param(default=0.0, unit="m/s", minimum=0.0, display="mm/s", doc="speed below which the side is kept")
     shape: str = text_param(default="rectangle", choices=SHAPES, doc="a stage lasts its width, or decays with it")
 
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**values)
+    def check_values(self) -> None:
         check_characteristic(self)
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
@@ -174,7 +173,6 @@ class CncBacklash(QuadrantPulses):
     Those of `backlash-offset` and `quadrant-pulses`.
     """
 
-    family = "compensation"
     kind = "cnc-backlash"
     reference = "numerical controls: backlash offset with quadrant error compensation"
     example = {**QuadrantPulses.example, **BacklashOffset.example}

@@ -9,8 +9,8 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from contourlab.components.contract import REFERENCE, Component, LinearModel, param, require_positive, text_param
-from contourlab.components.controller.anti_windup import ANTI_WINDUP, TRACKING_TIME, integral_rise, recovery_part
+from contourlab.components.contract import REFERENCE, LinearModel, param, require_positive, text_param
+from contourlab.components.controller.law import ANTI_WINDUP, TRACKING_TIME, ControlLaw, integral_rise, recovery_part
 from contourlab.components.mechanics.discretise import low_pass_weight
 from contourlab.engine.step import Port, ports
 from contourlab.errors import ParameterError
@@ -45,13 +45,13 @@ def cascade_step(anti_windup: str, over_load: bool = False, balanced: bool = Fal
     return step
 
 
-class Cascade(Component):
+class Cascade(ControlLaw):
     """P-PI cascade: a proportional position loop around a PI velocity loop.
 
     v_c = K_v (r - p) + w r_v, u = K (1 + 1/(T_i s)) (v_c - v) + k_a r_a + u_ff - d_hat, limited to `command_limit`. Without velocity
     feedforward the axis lags by v/K_v at the speed v; with w = 1 and k_a the inverse of the model's acceleration per command, an axis
     without damping follows its reference. The integral is in command units, by backward Euler; for limits see
-    `contourlab.components.controller.anti_windup`.
+    `contourlab.components.controller.law`.
 
     A measured velocity is late: by half a tick, and by its filter. With `balance_bandwidth` (that of the filter) the velocity fed forward
     is as late, so that an axis that follows exactly has no velocity error, and does not overshoot where it stops.
@@ -62,7 +62,6 @@ class Cascade(Component):
     of linear and conventional electromechanical drives", CIRP Annals 47(2), 1998.
     """
 
-    family = "controller"
     kind = "cascade"
     over_load: ClassVar[bool] = False
     # Not its feedforward, the inverse of the model: calibrated, it would offset the friction of one part and harm others.
@@ -80,7 +79,6 @@ class Cascade(Component):
     without_effect = ("tracking_time",)  # the example holds the integral
     states = ports("integral", "last_command", "last_velocity", "smooth")
     inputs: ClassVar[tuple[Port, ...]] = (*REFERENCE, *ports("position", "velocity", "disturbance_estimate", "feedforward", "accepted"))
-    outputs = (Port("command"),)
     derived = ("integral_rate", "recovery", "balance_weight")
 
     position_gain: float = param(unit="1/s", minimum=0.0, doc="velocity per position error, K_v")

@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, param, text_param
-from contourlab.components.controller.anti_windup import ANTI_WINDUP, TRACKING_TIME, integral_rise, recovery_part
+from contourlab.components.contract import LinearModel, param, text_param
+from contourlab.components.controller.law import ANTI_WINDUP, TRACKING_TIME, ControlLaw, integral_rise, recovery_part
 from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 
@@ -30,11 +30,11 @@ def _make(anti_windup: str) -> Any:
     return step
 
 
-class LeadLag(Component):
+class LeadLag(ControlLaw):
     """Lead-lag-integral control of the position error: u = K (a s + 1)/(b s + 1) (s + k_i)/s e + u_ff - d_hat, discretised by Tustin.
 
     A lead for a > b, a lag for a < b. The factors are separate, so that the integral can stop at a limit of the drive
-    (`contourlab.components.controller.anti_windup`) while the lead continues.
+    (`contourlab.components.controller.law`) while the lead continues.
 
     References
     ----------
@@ -42,7 +42,6 @@ class LeadLag(Component):
     MECH 467 of the University of British Columbia uses it with a phase margin of 60 degrees and k_i of a tenth of the crossover.
     """
 
-    family = "controller"
     kind = "lead-lag"
     calibrated = ("gain", "lead_time", "lag_time", "integral_rate")
     reference = "Franklin, Powell & Emami-Naeini, section 6.7"
@@ -50,7 +49,6 @@ class LeadLag(Component):
     without_effect = ("tracking_time",)  # the example holds the integral
     states = (Port("previous_error"), Port("lead"), Port("integral"), Port("last_command"))
     inputs = (Port("reference"), Port("position"), Port("disturbance_estimate"), Port("feedforward"), Port("accepted"))
-    outputs = (Port("command"),)
     derived = ("keep", "now", "before", "half_rate", "recovery")
 
     gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="gain, K")

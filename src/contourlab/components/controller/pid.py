@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, param, text_param
-from contourlab.components.controller.anti_windup import ANTI_WINDUP, TRACKING_TIME, integral_rise, recovery_part
+from contourlab.components.contract import LinearModel, param, text_param
+from contourlab.components.controller.law import ANTI_WINDUP, TRACKING_TIME, ControlLaw, integral_rise, recovery_part
 from contourlab.components.mechanics.discretise import low_pass_weight
 from contourlab.engine.step import Port
 from contourlab.primitives import clip
@@ -33,7 +33,7 @@ def _make(anti_windup: str, on_error: bool) -> Any:
     return step
 
 
-class PID(Component):
+class PID(ControlLaw):
     """Parallel PID on the position error: u = K_P (b r - p) + K_I int e + K_D s N/(s + N) e_d + u_ff - d_hat, e = r - p.
 
     The derivative is filtered with the bandwidth N. It acts on the error (e_d = e), or on the measurement alone (e_d = -p), so that a jump
@@ -42,7 +42,7 @@ class PID(Component):
     any position. The integral is in command units; integral and derivative use backward Euler.
 
     At `command_limit`, or at a limit of the drive, the integral stops or is corrected, so that the limit is left without a bump; see
-    `contourlab.components.controller.anti_windup`.
+    `contourlab.components.controller.law`.
 
     References
     ----------
@@ -50,7 +50,6 @@ class PID(Component):
     analysis of a modular learning based cross-coupled control algorithm", eq (6).
     """
 
-    family = "controller"
     kind = "pid"
     calibrated = ("derivative_gain", "proportional_gain", "integral_gain")
     reference = "Astrom & Hagglund 2006, sections 3.4-3.5"
@@ -65,7 +64,6 @@ class PID(Component):
     without_effect = ("tracking_time",)  # the example holds the integral
     states = (Port("integral"), Port("previous"), Port("slope"), Port("start"), Port("last_command"))
     inputs = (Port("reference"), Port("position"), Port("disturbance_estimate"), Port("feedforward"), Port("accepted"))
-    outputs = (Port("command"),)
     derived = ("weight", "recovery")
 
     proportional_gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="K_P")

@@ -9,7 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import REFERENCE, Component, LinearModel, param, require_positive, text_param
+from contourlab.components.contract import REFERENCE, LinearModel, param, require_positive, text_param
+from contourlab.components.controller.law import ControlLaw
 from contourlab.engine.step import Port, ports
 from contourlab.errors import ParameterError
 
@@ -35,7 +36,7 @@ def _make(hold: bool, ipv: bool) -> Any:
     return step
 
 
-class PositionController(Component):
+class PositionController(ControlLaw):
     """PI position control with velocity feedback and feedforward of the axis' model.
 
     ``structure = "feedforward"`` (eq 15): u = K_V (r_v - v) + K_P (r' - p) + K_P K_I int (r' - p) + (r_a + b' r_v)/a' + u_ff - d_hat.
@@ -53,7 +54,6 @@ class PositionController(Component):
     = 1 with the ideal axis; eq (16) belongs to the structure without feedforward. Eq (20) lacks an s in the term 2 zeta w_n s.
     """
 
-    family = "controller"
     kind = "position"
     calibrated = ("velocity_gain", "position_gain", "integral_gain")
     calibrated_ahead = ("model_damping", "model_gain")
@@ -61,7 +61,6 @@ class PositionController(Component):
     reference = "Ghaffari & Ulsoy, eqs 15-16 and 20-23"
     states = (Port("integral"), Port("start"), Port("last_command"))
     inputs = (*REFERENCE, *ports("position", "velocity", "disturbance_estimate", "feedforward", "accepted"))
-    outputs = (Port("command"),)
     derived = ("integral_rate", "acceleration_feedforward", "velocity_feedforward")
 
     velocity_gain: float = param(default=0.0, unit="{command}*s/m", minimum=0.0, display="{command}*s/mm", doc="K_V")
@@ -79,8 +78,7 @@ class PositionController(Component):
     structure: str = text_param(default="feedforward", choices=("feedforward", "ipv"), doc="structure of eq (15) or of eq (16)")
     anti_windup: str = text_param(default="hold", choices=("hold", "none"), doc="action of the integral while the drive saturates")
 
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**values)
+    def check_values(self) -> None:
         # Without its integral this structure ignores the reference.
         if self.structure == "ipv" and self.integral_gain == 0.0 and self.position_gain > 0.0:
             raise ParameterError("integral_gain", "0", '> 0 with structure = "ipv", which acts only through its integral', "1/s")

@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import REFERENCE, Component, LinearModel, param, text_param
+from contourlab.components.contract import REFERENCE, LinearModel, param, text_param
+from contourlab.components.controller.law import ControlLaw
 from contourlab.components.mechanics.discretise import low_pass_weight
 from contourlab.engine.step import Port, ports
 
@@ -29,7 +30,7 @@ def _make(on_speed: bool) -> Any:
     return step
 
 
-class SpeedPID(Component):
+class SpeedPID(ControlLaw):
     """PID whose zeros cancel the lag of the plant G w_n^2/(s (s^2 + 2 zeta w_n s + w_n^2)), so that the loop is 1/(T_a s).
 
     With eq (8), K_P = 2 zeta/(G T_a w_n), K_I = 1/(G T_a), K_D = 1/(G T_a w_n^2), acting on the *speed* error, whose integral is the
@@ -48,14 +49,12 @@ class SpeedPID(Component):
     positioning systems", eqs (4) and (6)-(8).
     """
 
-    family = "controller"
     kind = "speed-pid"
     calibrated = ("time_constant",)
     reference = "Gecer Ulu et al., eqs 6-8"
     example = {"dc_gain": 0.8, "damping_ratio": 1.1, "natural_frequency": 150.0, "time_constant": 0.01, "acceleration_bandwidth": 900.0}
     states = (Port("integral"), Port("previous_velocity"), Port("acceleration"))
     inputs = (*REFERENCE, *ports("position", "velocity", "disturbance_estimate", "feedforward"))
-    outputs = (Port("command"),)
     derived = ("proportional", "integral", "derivative", "weight")
 
     dc_gain: float = param(unit="m/s/{command}", minimum=0.0, exclusive=True, display="mm/s/{command}", doc="steady speed per command, G")

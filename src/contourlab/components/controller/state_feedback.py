@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import REFERENCE, Component, LinearModel, param, require_positive, text_param
-from contourlab.components.controller.anti_windup import ANTI_WINDUP, TRACKING_TIME, integral_rise, recovery_part
+from contourlab.components.contract import REFERENCE, LinearModel, param, require_positive, text_param
+from contourlab.components.controller.law import ANTI_WINDUP, TRACKING_TIME, ControlLaw, integral_rise, recovery_part
 from contourlab.components.mechanics.discretise import low_pass_weight
 from contourlab.engine.step import Port, ports
 from contourlab.errors import ParameterError
@@ -53,7 +53,7 @@ def _coefficients(poles: Sequence[complex], order: int) -> list[float]:
     return [*found.real[1:].tolist(), *([0.0] if n == order else [])]
 
 
-class StateFeedback(Component):
+class StateFeedback(ControlLaw):
     """Feedback of position, velocity and acceleration (for a second-order model), with an integral of the position error.
 
     ``following = "model"``: u = K_I int (r - p) + k_1 (r - p) + k_2 (r_v - v) + k_3 (r_a - a) + f_1 r_v + f_2 r_a + f_3 r_j + u_ff - d_hat.
@@ -71,7 +71,6 @@ class StateFeedback(Component):
     Ghaffari & Ulsoy and eq (4) of Gecer Ulu, Ulu & Cakmakci.
     """
 
-    family = "controller"
     kind = "state-feedback"
     calibrated = ("acceleration_gain", "velocity_gain", "position_gain", "integral_gain")
     calibrated_ahead = ("velocity_feedforward", "acceleration_feedforward", "jerk_feedforward")
@@ -89,7 +88,6 @@ class StateFeedback(Component):
     without_effect = ("tracking_time",)  # the example holds the integral
     states = (Port("integral"), Port("previous_velocity"), Port("acceleration"), Port("previous_reference"), Port("last_command"))
     inputs = (*REFERENCE, *ports("position", "velocity", "disturbance_estimate", "feedforward", "accepted"))
-    outputs = (Port("command"),)
     derived = ("weight", "recovery")
 
     position_gain: float = param(unit="{command}/m", minimum=0.0, display="{command}/mm", doc="k_1")

@@ -13,29 +13,17 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from contourlab.components.contract import BOTH_SIDES, REFERENCE, Component, LinearModel, param, text_param
-from contourlab.components.controller.anti_windup import ANTI_WINDUP, TRACKING_TIME, integral_rise, recovery_part
+from contourlab.components.contract import BOTH_SIDES, REFERENCE, LinearModel, param, text_param
+from contourlab.components.controller.law import ANTI_WINDUP, TRACKING_TIME, ControlLaw, integral_rise, recovery_part
 from contourlab.engine.step import Port, ports
 from contourlab.primitives import select
 
-
-def _difference(inp: Any) -> float:
-    return inp.motor_position - inp.load_position  # type: ignore[no-any-return]
-
-
-def _velocity(inp: Any) -> float:
-    return inp.reference_velocity  # type: ignore[no-any-return]
-
-
-def _acceleration(inp: Any) -> float:
-    return inp.reference_acceleration  # type: ignore[no-any-return]
-
-
-def _nothing(inp: Any) -> float:
-    return 0.0
-
-
-DIRECTIONS = {"none": _nothing, "difference": _difference, "velocity": _velocity, "acceleration": _acceleration}
+DIRECTIONS: dict[str, Callable[[Any], Any]] = {
+    "none": lambda inp: 0.0,
+    "difference": lambda inp: inp.motor_position - inp.load_position,
+    "velocity": lambda inp: inp.reference_velocity,
+    "acceleration": lambda inp: inp.reference_acceleration,
+}
 
 
 @cache
@@ -46,7 +34,7 @@ def _zone_law_step(
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         sign = pressing(inp)
-        flank = select(sign > 0.0, 1.0, select(sign < 0.0, -1.0, x.flank)) if pressing is not _nothing else 0.0
+        flank = select(sign > 0.0, 1.0, select(sign < 0.0, -1.0, x.flank)) if direction != "none" else 0.0
         half = side * par.turn * flank * select(inp.gap_estimate > 0.0, inp.gap_estimate, par.backlash_gap)
         target, target_rate, ahead = inp.reference, inp.reference_velocity, inp.reference_acceleration
         if follows_load:
@@ -68,7 +56,7 @@ def _zone_law_step(
     return step
 
 
-class ZoneLaw(Component):
+class ZoneLaw(ControlLaw):
     """Base of the laws: ports and common parameters.
 
     `direction` chooses the flank: the sign of motor minus load, as in the paper, or of the reference's velocity (where friction holds the
@@ -87,12 +75,10 @@ class ZoneLaw(Component):
     Shahin, ElMaraghy & ElBeheiry, "On nonlinearity control of CNC feed drives".
     """
 
-    family = "controller"
     reference = "Shahin, ElMaraghy & ElBeheiry, eqs 10 and 12-16"
     per_inertia: ClassVar[bool] = False
     states = (Port("integral"), Port("flank"), Port("load_velocity"), Port("last_command"))
     inputs = (*REFERENCE, *BOTH_SIDES, *ports("gap_estimate", "disturbance_estimate", "feedforward", "accepted"))
-    outputs = (Port("command"),)
     derived: ClassVar[tuple[str, ...]] = ("turn",)
 
     motor_inertia: float = param(unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="motor inertia of the feedforward, J_m")
@@ -221,15 +207,9 @@ class Integral(TorqueGains):
 
 _TYPE_1 = {"rate_gain": 400.0, "position_gain": 2000.0, "motor_inertia": 5.2e-3, "lead": 0.016, "backlash_gap": 0.05}
 _TYPE_2 = {"rate_gain": 10.0, "position_gain": 200.0, "motor_inertia": 5.2e-3, "lead": 0.016, "backlash_gap": 0.05}
-_TYPE_3 = {
-    "rate_gain": 10.0,
-    "position_gain": 200.0,
-    "integral_gain": 25.0,
-    "anti_windup": "back-calculation",
-    "motor_inertia": 5.2e-3,
-    "lead": 0.016,
-    "backlash_gap": 0.05,
-}
+
+
+_TYPE_3 = {**_TYPE_2, "integral_gain": 25.0, "anti_windup": "back-calculation"}
 
 
 class ContactZone1(InertiaGains):

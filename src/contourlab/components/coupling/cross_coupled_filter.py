@@ -48,8 +48,7 @@ class CrossCoupledFilter(Component):
     numerator: tuple[float, ...] = param(vector=True, doc="num(s) in falling powers of s, s in rad/s")
     denominator: tuple[float, ...] = param(vector=True, doc="den(s) in falling powers of s, s in rad/s; no root in the right half plane")
 
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**values)
+    def check_values(self) -> None:
         num, den = _stripped(self.numerator), _stripped(self.denominator)
         if not den:
             raise ParameterError(f"{self.kind}.denominator", list(self.denominator), "a list with a number other than 0")

@@ -110,8 +110,7 @@ class TableLoad(Disturbance):
     )
     forces: tuple[float, ...] = param(unit="{force}", vector=True, doc="forces, at least two")
 
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**values)
+    def check_values(self) -> None:
         if len(self.forces) < 2:
             raise ParameterError("forces", f"{list(self.forces)}", "a list of at least two numbers", "force")
         if getattr(self, f"{self.over}_step") == math.inf:

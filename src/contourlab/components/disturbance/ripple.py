@@ -107,8 +107,7 @@ class ForceRipple(Disturbance):
     noise_bandwidth: float = param(default=100.0, unit="rad/s", minimum=0.0, exclusive=True, doc="corner of the noise's low-pass")
     stream: float = NOISE_STREAM
 
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**values)
+    def check_values(self) -> None:
         if len(self.phases) != len(self.amplitudes):
             raise ParameterError("phases", f"{list(self.phases)}", f"as many as the amplitudes, {len(self.amplitudes)}", "rad")
 

@@ -281,8 +281,7 @@ class ConstantGain(LocalEstimator):
         doc="angle by which to turn the direction counter-clockwise; two axes only",
     )
 
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**values)
+    def check_values(self) -> None:
         length = math.hypot(*self.direction)
         if not (length > 0.0 and math.isfinite(length)):
             raise ParameterError(f"{self.kind}.direction", list(self.direction), "a finite vector, not all 0")

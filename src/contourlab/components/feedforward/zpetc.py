@@ -46,8 +46,7 @@ class ZPETC(Component):
     denominator: tuple[float, ...] = param(vector=True, doc="d_0, d_1 ..., with zeros inside the unit circle; (1,) for none")
     lead: float = param(minimum=0.0, maximum=1000.0, whole=True, structural=True, doc="look-ahead in servo periods, L")
 
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**values)
+    def check_values(self) -> None:
         n, d = np.array(self.numerator), np.array(self.denominator)
         if d.size > MAX_ORDER + 1:
             raise ParameterError("denominator", f"of order {d.size - 1}", f"of order {MAX_ORDER} or less")

@@ -12,10 +12,15 @@ STRIBECK_VELOCITY = param(default=1e-3, unit="m/s", minimum=0.0, exclusive=True,
 VISCOUS = param(default=0.0, unit="{force}*s/m", minimum=0.0, doc="rise of friction with speed, c")
 
 
-class NoFriction(Component):
-    """No friction besides the plant's own damping."""
+class Friction(Component):
+    """Base: a resistance to motion."""
 
     family = "friction"
+
+
+class NoFriction(Friction):
+    """No friction besides the plant's own damping."""
+
     kind = "none"
     reference = "no friction"
     law = "smooth"
@@ -25,7 +30,7 @@ class NoFriction(Component):
         return 0.0
 
 
-class Coulomb(Component):
+class Coulomb(Friction):
     """Coulomb, viscous and Stribeck friction with true sticking.
 
     Sliding with speed w = |v|: F = F_c + (F_s - F_c) exp(-(w/v_s)^2) + c w, against the motion. At rest any force up to F_s is held
@@ -37,7 +42,6 @@ class Coulomb(Component):
     with friction", Automatica 30 (1994), section 2.
     """
 
-    family = "friction"
     kind = "coulomb"
     example = {"coulomb": 0.2, "breakaway": 0.3, "stribeck_velocity": 1e-3, "viscous": 2.0}
     law = "sticking"
@@ -65,14 +69,13 @@ class Coulomb(Component):
         return par.coulomb + drop * exp(-ratio * ratio) + par.viscous * speed  # type: ignore[no-any-return]
 
 
-class Rising(Component):
+class Rising(Friction):
     """Sticking friction that rises with speed to its sliding level, as on greased guides and preloaded nuts.
 
     Sliding with speed w = |v|: F = F_c - (F_c - F_s) exp(-(w/v_r)^2) + c w, against the motion. At rest any force up to F_s is held. With
     F_s above F_c it is the `coulomb` law.
     """
 
-    family = "friction"
     kind = "rising"
     example = {"coulomb": 0.3, "breakaway": 0.2, "rise_velocity": 1e-2, "viscous": 2.0}
     law = "sticking"
@@ -99,7 +102,7 @@ class Rising(Component):
         return par.coulomb - (par.coulomb - par.breakaway) * exp(-ratio * ratio) + par.viscous * speed  # type: ignore[no-any-return]
 
 
-class SmoothCoulomb(Component):
+class SmoothCoulomb(Friction):
     """Coulomb, viscous and Stribeck friction without a jump at rest: F = (F_c + (F_s - F_c) exp(-(v/v_s)^2)) tanh(v/v_e) + c v.
 
     It never sticks: under a force at rest the axis creeps at up to v_e. Use it for gradients and stiff couplings. Near rest it is a damper
@@ -107,7 +110,6 @@ class SmoothCoulomb(Component):
     needs more sub-steps.
     """
 
-    family = "friction"
     kind = "smooth-coulomb"
     example = {"coulomb": 0.2, "breakaway": 0.3, "stribeck_velocity": 1e-3, "smoothing_velocity": 1e-4, "viscous": 2.0}
     law = "smooth"
@@ -137,7 +139,7 @@ class SmoothCoulomb(Component):
         return par.breakaway * par.inverse_smoothing + par.viscous  # type: ignore[no-any-return]
 
 
-class LuGre(Component):
+class LuGre(Friction):
     """Bristle model with presliding: z' = v - s0 |v| z / g(v), F = s0 z + s1 z' + s2 v, g = F_c + (F_s - F_c) exp(-(v/v_s)^2).
 
     The bristle is stiff (s0 of 1e5 N/m and more). It is integrated implicitly together with the axis' velocity, so that few sub-steps are
@@ -149,7 +151,6 @@ class LuGre(Component):
     Canudas de Wit, Olsson, Astrom & Lischinsky, "A new model for control of systems with friction", IEEE TAC 40 (1995), eqs (1)-(4).
     """
 
-    family = "friction"
     kind = "lugre"
     example = {"coulomb": 0.2, "breakaway": 0.3, "stiffness": 1e4, "bristle_damping": 30.0, "viscous": 2.0}
     law = "bristle"

@@ -85,21 +85,8 @@ class MultipleModel(Component):
     outputs = ports("gap_state", "gap", "gap_deviation", "confidence", "load_position", "load_velocity")
     states = (*ports("ticks", "last_position", "contact", "sound", "side", "settled", "again", "doubt"), Port("leader", KEPT))
     derived = (
-        "force_value",
-        "motor_mobility",
-        "motor_drag",
-        "load_mobility",
-        "stiffness_value",
-        "damper_value",
-        "load_drag",
-        "encoder_noise",
-        "force_noise",
-        "spread",
-        "fading",
-        "spacing",
-        "judging",
-        "first_gap",
-        "first_deviation",
+        *("force_value", "motor_mobility", "motor_drag", "load_mobility", "stiffness_value", "damper_value", "load_drag"),
+        *("encoder_noise", "force_noise", "spread", "fading", "spacing", "judging", "first_gap", "first_deviation"),
     )
     example = {
         "motor_inertia": 5.2e-3,
@@ -147,8 +134,7 @@ class MultipleModel(Component):
     hypotheses: float = param(default=32.0, minimum=2.0, maximum=64.0, whole=True, structural=True, doc="number of filters")
     substeps: float = param(default=2.0, minimum=1.0, maximum=32.0, whole=True, structural=True, doc="integration steps per servo period")
 
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**values)
+    def check_values(self) -> None:
         if not self.load_inertia + self.mass > 0.0:
             raise ParameterError("load_inertia", "0", "> 0 unless a mass is given", "kg*m^2")
         if not self.largest_gap > self.smallest_gap:
@@ -198,7 +184,9 @@ def _follower(substeps: int) -> Any:
     def follow(par: Any, x: Any, kept: Any, found: Any, index: float, inp: Any, clock: Any) -> Any:
         """Return the filter after a tick, the leading filter so far, and the sums of the mixture so far."""
         guess = par.smallest_gap * exp(index * par.spread)
-        begun = _renewed(par, _counted(kept, x.leader), x, guess)
+        # The score counts from that of the leading filter, limited below.
+        counted = (*kept[:SCORE], maximum(kept[SCORE] - x.leader[SCORE], -10.0 * LOST), kept[MISFIT])
+        begun = _renewed(par, counted, x, guess)
         # Two readings give position and speed of the motor; the filters run from the third on.
         running, speed = maximum(x.ticks - 1.0, 0.0), minimum(x.ticks, 1.0) * (inp.motor_position - x.last_position) / clock.dt
         fresh, wide = started(inp.motor_position, speed, guess, par.spacing * guess, par.encoder_noise, clock.dt)
@@ -210,7 +198,7 @@ def _follower(substeps: int) -> Any:
         misfit = begun[MISFIT] + par.judging * (surprise - begun[MISFIT])
         going = sane(mean, c)
         score = (1.0 - par.fading) * begun[SCORE] + likeliness - 10.0 * LOST * (1.0 - going)
-        now = _whole(_mixed(going, mean, fresh), _mixed(going, c, wide), score, misfit)
+        now = (*_mixed(going, mean, fresh), *_mixed(going, c, wide), score, misfit)
         return now, _joined(now, found, index)
 
     return follow
@@ -218,15 +206,6 @@ def _follower(substeps: int) -> Any:
 
 def _mixed(part: float, one: Any, other: Any) -> Any:
     return lincomb(part, one, 1.0 - part, other)
-
-
-def _whole(mean: Any, c: Any, score: float, misfit: float) -> Any:
-    return *mean, *c, score, misfit
-
-
-def _counted(kept: Any, leader: Any) -> Any:
-    """Return a filter with its score relative to the leading one, limited below."""
-    return *kept[:SCORE], maximum(kept[SCORE] - leader[SCORE], -10.0 * LOST), kept[MISFIT]
 
 
 def _joined(kept: Any, found: Any, index: float) -> Any:

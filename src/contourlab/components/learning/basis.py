@@ -62,10 +62,10 @@ class BasisFunctions(LearningLaw):
 
 def _fitted(functions: list[Array] | tuple[Array, ...], signals: Array) -> Array:
     """Return the coefficients (n_function, n_axis) with which functions fit signals (n_sample, n_axis); the smallest if not unique."""
-    found = np.zeros((len(functions), signals.shape[1]))
+    coefficients = np.zeros((len(functions), signals.shape[1]))
     for j in range(signals.shape[1]):
         columns = np.column_stack([function[:, j] for function in functions])
         size = np.sqrt((columns**2).sum(axis=0))
         size[size == 0.0] = 1.0
-        found[:, j] = np.linalg.lstsq(columns / size, signals[:, j], rcond=1e-6)[0] / size
-    return found
+        coefficients[:, j] = np.linalg.lstsq(columns / size, signals[:, j], rcond=1e-6)[0] / size
+    return coefficients

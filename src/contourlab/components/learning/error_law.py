@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 
@@ -37,8 +36,7 @@ class ErrorLaw(FilteredLaw):
         doc='divides the gains with target = "reference": command per metre of reference',
     )
 
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**values)
+    def check_values(self) -> None:
         if self.target == "reference" and math.isinf(self.stiffness):
             raise ParameterError("stiffness", "not given", 'given with target = "reference", because the gains are divided by it')
 

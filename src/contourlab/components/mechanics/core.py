@@ -22,6 +22,7 @@ from typing import Any
 from contourlab.components.contract import Component
 from contourlab.components.friction.laws import NoFriction
 from contourlab.components.mechanics.lagged_mechanics import lagged_bristle, lagged_smooth, lagged_sticking
+from contourlab.components.mechanics.laws import friction_of
 from contourlab.engine.step import Port, Step, record
 from contourlab.errors import ComponentError
 from contourlab.native.generated import generated
@@ -93,40 +94,12 @@ def _view(prefix: str, names: tuple[str, ...]) -> Callable[..., Any]:
 
 
 @cache
-def _smooth(plant: Any, friction: Any) -> Callable[..., Any]:
-    mobility, decay, drive_force, resistance = plant.mobility, plant.decay, plant.drive_force, friction.force
-
-    def acceleration(par: Any, v: float, push: float) -> float:
-        return mobility(par) * (push - resistance(par, v)) - decay(par) * v  # type: ignore[no-any-return]
-
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        dt, p, v = clock.dt, x.position, x.velocity
-        push = drive_force(par, inp.command) + inp.load
-        half = 0.5 * dt
-        k1 = acceleration(par, v, push)
-        v2 = v + half * k1
-        k2 = acceleration(par, v2, push)
-        v3 = v + half * k2
-        k3 = acceleration(par, v3, push)
-        v4 = v + dt * k3
-        k4 = acceleration(par, v4, push)
-        sixth = dt / 6.0
-        slope = k1 + 2.0 * (k2 + k3) + k4
-        p_next = p + sixth * (v + 2.0 * (v2 + v3) + v4)
-        v_next = v + sixth * slope
-        return (p_next, v_next), (p_next, v_next, slope / 6.0)
-
-    return step
-
-
-@cache
-def _sticking(plant: Any, friction: Any) -> Callable[..., Any]:
-    mobility, decay, drive_force = plant.mobility, plant.decay, plant.drive_force
-    held, sliding = friction.held, friction.sliding
+def _slide_of(plant: Any, friction: Any) -> Callable[..., Any]:
+    """Return ``slide(par, p, v, push, way, h)``: position and velocity after h, and the acceleration at both ends and on average."""
+    mobility, decay, resistance = plant.mobility, plant.decay, friction_of(friction)[0]
 
     def acceleration(par: Any, v: float, push: float, way: float) -> float:
-        # A stage past the reversal sees the friction continued smoothly, which keeps the order.
-        return mobility(par) * (push - way * sliding(par, way * v)) - decay(par) * v  # type: ignore[no-any-return]
+        return mobility(par) * (push - resistance(par, v, way)) - decay(par) * v  # type: ignore[no-any-return]
 
     def slide(par: Any, p: float, v: float, push: float, way: float, h: float) -> Any:
         half, sixth = 0.5 * h, h / 6.0
@@ -137,7 +110,28 @@ def _sticking(plant: Any, friction: Any) -> Callable[..., Any]:
         k3 = acceleration(par, v3, push, way)
         v4 = v + h * k3
         k4 = acceleration(par, v4, push, way)
-        return p + sixth * (v + 2.0 * (v2 + v3) + v4), v + sixth * (k1 + 2.0 * (k2 + k3) + k4), k1, k4
+        p_next = p + sixth * (v + 2.0 * (v2 + v3) + v4)
+        slope = k1 + 2.0 * (k2 + k3) + k4
+        return p_next, v + sixth * slope, k1, k4, slope / 6.0
+
+    return slide
+
+
+@cache
+def _smooth(plant: Any, friction: Any) -> Callable[..., Any]:
+    drive_force, slide = plant.drive_force, _slide_of(plant, friction)
+
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        push = drive_force(par, inp.command) + inp.load
+        p_next, v_next, _, _, mean = slide(par, x.position, x.velocity, push, 1.0, clock.dt)
+        return (p_next, v_next), (p_next, v_next, mean)
+
+    return step
+
+
+@cache
+def _sticking(plant: Any, friction: Any) -> Callable[..., Any]:
+    drive_force, held, slide = plant.drive_force, friction.held, _slide_of(plant, friction)
 
     def zero_of_cubic(v0: float, v1: float, d0: float, d1: float) -> float:
         # Where the cubic with ends v0, v1 of opposite sign and end slopes d0, d1 (per unit interval) is zero; three Newton steps
@@ -157,7 +151,7 @@ def _sticking(plant: Any, friction: Any) -> Callable[..., Any]:
         push = drive_force(par, inp.command) + inp.load
         rest = select(fabs(push) <= held(par), 0.0, select(push > 0.0, 1.0, -1.0))
         way = select(v == 0.0, rest, select(v > 0.0, 1.0, -1.0))
-        p1, v1, k1, k4 = slide(par, p, v, push, way, dt)
+        p1, v1, k1, k4, _ = slide(par, p, v, push, way, dt)
         if way == 0.0:
             p1, v1 = p, 0.0
         elif way * v1 < 0.0:
@@ -165,7 +159,7 @@ def _sticking(plant: Any, friction: Any) -> Callable[..., Any]:
             u = zero_of_cubic(v, v1, dt * k1, dt * k4)
             u2, u3 = u * u, u * u * u
             p_turn = p + (p1 - p) * (3.0 * u2 - 2.0 * u3) + dt * (v * (u - 2.0 * u2 + u3) + v1 * (u3 - u2))
-            p2, v2, _, _ = slide(par, p_turn, 0.0, push, rest, (1.0 - u) * dt)
+            p2, v2, _, _, _ = slide(par, p_turn, 0.0, push, rest, (1.0 - u) * dt)
             p1, v1 = select(rest == 0.0, p_turn, p2), select(rest == 0.0, 0.0, v2)
         return (p1, v1), (p1, v1, (v1 - v) / dt)
 

@@ -19,6 +19,7 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
+from contourlab.components.mechanics.laws import friction_of
 from contourlab.components.mechanics.propagator import DOUBLINGS, land, propagator, speed
 from contourlab.primitives import clip, exp, fabs, log, maximum, select
 
@@ -40,20 +41,31 @@ def _over(par: Any, h: float) -> Any:
 
 
 @cache
+def _stages_of(friction: Any) -> Callable[..., Any]:
+    """Return ``stages(par, full, half, h, v, f, w, load, way)``: the push at the start of a step one way, its rise and its bend."""
+    resistance = friction_of(friction)[0]
+
+    def stages(par: Any, full: Any, half: Any, h: float, v: float, f: float, w: float, load: float, way: float) -> Any:
+        m = par.mobility_value
+        n1 = load - resistance(par, v, way)
+        n2 = load - resistance(par, speed(half, m, 0.5 * h, v, f, w, n1, 0.0), way)
+        n3 = load - resistance(par, speed(half, m, 0.5 * h, v, f, w, n1, 2.0 * (n2 - n1)), way)
+        n4 = load - resistance(par, speed(full, m, h, v, f, w, n1, 2.0 * (n3 - n1)), way)
+        return n1, 2.0 * (n2 + n3) - 3.0 * n1 - n4, 4.0 * (n1 - n2 - n3 + n4)
+
+    return stages
+
+
+@cache
 def lagged_smooth(plant: Any, friction: Any) -> Callable[..., Any]:
     """Return the step of a plant with a friction that is a force of velocity."""
-    resistance = friction.force
+    stages = _stages_of(friction)
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         h, p, v, f, load = clock.dt, x.position, x.velocity, x.force, inp.load
-        m, w = par.mobility_value, par.rate_value * par.gain_value * inp.command
-        full, half = _full(par), _half(par)
-        n1 = load - resistance(par, v)
-        n2 = load - resistance(par, speed(half, m, 0.5 * h, v, f, w, n1, 0.0))
-        n3 = load - resistance(par, speed(half, m, 0.5 * h, v, f, w, n1, 2.0 * (n2 - n1)))
-        n4 = load - resistance(par, speed(full, m, h, v, f, w, n1, 2.0 * (n3 - n1)))
-        rise, bend = 2.0 * (n2 + n3) - 3.0 * n1 - n4, 4.0 * (n1 - n2 - n3 + n4)
-        p1, v1, f1 = land(full, m, par.back_value, h, p, v, f, w, n1, rise, bend)
+        w, full = par.rate_value * par.gain_value * inp.command, _full(par)
+        n, rise, bend = stages(par, full, _half(par), h, v, f, w, load, 1.0)
+        p1, v1, f1 = land(full, par.mobility_value, par.back_value, h, p, v, f, w, n, rise, bend)
         return (p1, v1, f1), (p1, v1, (v1 - v) / h)
 
     return step
@@ -62,19 +74,7 @@ def lagged_smooth(plant: Any, friction: Any) -> Callable[..., Any]:
 @cache
 def lagged_sticking(plant: Any, friction: Any) -> Callable[..., Any]:
     """Return the step of a plant with a friction that holds it at rest."""
-    held, sliding = friction.held, friction.sliding
-
-    def push(par: Any, v: float, load: float, way: float) -> float:
-        # A stage past the reversal sees the friction continued smoothly, which keeps the order.
-        return load - way * sliding(par, way * v)  # type: ignore[no-any-return]
-
-    def slide(par: Any, full: Any, half: Any, h: float, v: float, f: float, w: float, load: float, way: float) -> Any:
-        m = par.mobility_value
-        n1 = push(par, v, load, way)
-        n2 = push(par, speed(half, m, 0.5 * h, v, f, w, n1, 0.0), load, way)
-        n3 = push(par, speed(half, m, 0.5 * h, v, f, w, n1, 2.0 * (n2 - n1)), load, way)
-        n4 = push(par, speed(full, m, h, v, f, w, n1, 2.0 * (n3 - n1)), load, way)
-        return n1, 2.0 * (n2 + n3) - 3.0 * n1 - n4, 4.0 * (n1 - n2 - n3 + n4)
+    held, slide = friction.held, _stages_of(friction)
 
     def turn(par: Any, h: float, v: float, f: float, w: float, n: float, q: float, c: float, v_end: float) -> float:
         # The part of the step at which the velocity passes zero: Newton's steps on the motion itself, held between two of opposite sign.

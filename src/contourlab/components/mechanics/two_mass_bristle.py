@@ -22,8 +22,8 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
+from contourlab.components.mechanics.laws import contact_guard_of, shaft_of, unwound
 from contourlab.components.mechanics.located import first_zero
-from contourlab.components.mechanics.two_mass_laws import contact_guard_of, shaft_of, unwound
 from contourlab.primitives import exp, fabs, select
 
 STRETCHES = 6
@@ -149,14 +149,6 @@ def _stretch_of(gap: Any, physical: bool, motor: Any, load: Any, motor_view: Any
 
 
 @cache
-def _kept(on_motor: bool, on_load: bool) -> Callable[..., Any]:
-    """Return a function that makes a tuple of the existing bristles, the load's first."""
-    if on_motor and on_load:
-        return lambda zl, zm: (zl, zm)
-    return (lambda zl, zm: (zm,)) if on_motor else (lambda zl, zm: (zl,))
-
-
-@cache
 def two_mass_bristle_step(gap: Any, physical: bool, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
     """Return the step of a two-mass plant with bristles.
 
@@ -174,7 +166,6 @@ def two_mass_bristle_step(gap: Any, physical: bool, motor: Any, load: Any, motor
     shaft, stretch = shaft_of(gap), _stretch_of(gap, physical, motor, load, motor_view, load_view)
     advance = _advance_of(gap, motor, load, motor_view, load_view)
     on_motor, on_load = bool(motor.states), bool(load.states)
-    kept = _kept(on_motor, on_load)
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         push = (par.force_value * inp.command, inp.load)
@@ -191,7 +182,6 @@ def two_mass_bristle_step(gap: Any, physical: bool, motor: Any, load: Any, motor
         pm, vm, pl, vl, zm, zl = y
         force, _ = shaft(par, side, y)
         out = (pl, vl, (vl - x.velocity) / clock.dt, pm, vm, side, force)
-        moved = (pm, vm, pl, vl, side, twist)
-        return moved + kept(zl, zm), out
+        return (pm, vm, pl, vl, side, twist, *((zl,) if on_load else ()), *((zm,) if on_motor else ())), out
 
     return step

@@ -20,8 +20,8 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
+from contourlab.components.mechanics.laws import UNKNOWN, body_guard, contact_guard_of, friction_of, shaft_of, unwound
 from contourlab.components.mechanics.located import first_dip, first_zero, hermite
-from contourlab.components.mechanics.two_mass_laws import UNKNOWN, body_guard, contact_guard_of, friction_of, shaft_of, unwound
 from contourlab.primitives import fabs, select
 
 STRETCHES = 6

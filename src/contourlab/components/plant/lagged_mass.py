@@ -23,11 +23,7 @@ class LaggedMass(SingleMass):
 
     states = (Port("position"), Port("velocity"), Port("force"))
     derived = (
-        "mobility_value",
-        "decay_value",
-        "rate_value",
-        "gain_value",
-        "back_value",
+        *("mobility_value", "decay_value", "rate_value", "gain_value", "back_value"),
         *(f"{part}_{name}" for part in ("full", "half") for name in NAMES),
     )
 

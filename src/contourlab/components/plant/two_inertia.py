@@ -105,8 +105,7 @@ class TwoInertia(TwoSided):
             1.0 / par.profile_step,
         )
 
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**values)
+    def check_values(self) -> None:
         if not self.load_inertia + self.mass + self.carried_mass > 0.0:
             raise ParameterError("load_inertia", "0", "> 0 unless a mass is given", "kg*m^2")
 

@@ -137,8 +137,7 @@ class QuadratureEncoder(Component):
     update_travel: float = param(default=1.0 / 32.0, minimum=1e-4, maximum=10.0, doc="travel between updates of the fit, in pitches")
     stream: float = NOISE_STREAM
 
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**values)
+    def check_values(self) -> None:
         order = self.pitch / (4.0 * self.resolution)
         if not 0.75 <= order <= MOST_COUNTS or abs(order - round(order)) > 1e-6:
             shown = f"{self.resolution:g}"

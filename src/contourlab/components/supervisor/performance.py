@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 from typing import Any, ClassVar
 
@@ -13,20 +14,11 @@ from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.primitives import fabs, select, sqrt
 
-
-def _apart(inp: Any) -> float:
-    return inp.motor_position - inp.load_position  # type: ignore[no-any-return]
-
-
-def _tracking(inp: Any) -> float:
-    return inp.reference - inp.position  # type: ignore[no-any-return]
-
-
-def _load(inp: Any) -> float:
-    return inp.reference - inp.load_position  # type: ignore[no-any-return]
-
-
-MEASURES = {"motor-load-difference": _apart, "tracking-error": _tracking, "load-error": _load}
+MEASURES: dict[str, Callable[[Any], Any]] = {
+    "motor-load-difference": lambda inp: inp.motor_position - inp.load_position,
+    "tracking-error": lambda inp: inp.reference - inp.position,
+    "load-error": lambda inp: inp.reference - inp.load_position,
+}
 
 
 @cache
@@ -85,8 +77,7 @@ class Performance(Supervisor):
     hysteresis: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="margin by which a threshold must be passed")
     averaging_time: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="of the root mean square; 0: magnitude itself")
 
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**values)
+    def check_values(self) -> None:
         if list(self.thresholds) != sorted(set(self.thresholds)):
             raise ParameterError("thresholds", f"{list(self.thresholds)} m", "increasing")
         if not self.hysteresis < self.thresholds[0]:

@@ -40,8 +40,7 @@ class PreRouted(Supervisor):
     lines: tuple[float, ...] = param(default=(0.0,), vector=True, minimum=0.0, whole=True, doc="ascending program lines, l_i")
     numbers: tuple[float, ...] = param(vector=True, minimum=0.0, whole=True, doc="controller number from there on, n_i")
 
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**values)
+    def check_values(self) -> None:
         name = "lines" if self.by == "line" else "places"
         if list(self._route) != sorted(set(self._route)):
             raise ParameterError(name, f"{list(self._route)}", "increasing")

@@ -11,16 +11,21 @@ from contourlab.components.mechanics.discretise import RULES, low_pass_weight
 from contourlab.engine.step import Port
 
 
-class FilteredDifference(Component):
-    """First difference of the measured position through a first-order low-pass: V = s w/(s + w) P."""
+class Difference(Component):
+    """Base: a velocity from differences of the measured position."""
 
     family = "velocity"
+    inputs = (Port("position"),)
+    outputs = (Port("velocity"),)
+
+
+class FilteredDifference(Difference):
+    """First difference of the measured position through a first-order low-pass: V = s w/(s + w) P."""
+
     kind = "filtered-difference"
     example = {"bandwidth": 800.0}
     reference = "dirty derivative, backward Euler"
     states = (Port("previous"), Port("velocity"))
-    inputs = (Port("position"),)
-    outputs = (Port("velocity"),)
     derived = ("weight",)
 
     bandwidth: float = param(unit="rad/s", minimum=0.0, exclusive=True, doc="corner of the low-pass, w")
@@ -44,7 +49,7 @@ class FilteredDifference(Component):
         return LinearModel(np.array([[-w]]), np.array([[1.0]]), np.array([[-w * w]]), np.array([[w]]), ("position",), ("velocity",))
 
 
-class TwoTapDifference(Component):
+class TwoTapDifference(Difference):
     """Backward difference of the mean of two neighbouring positions: v_k = (q_k - q_(k-2))/(2 T), one tick late.
 
     The mean removes errors that alternate from tick to tick.
@@ -55,12 +60,9 @@ class TwoTapDifference(Component):
     velocity of the controller of the EMPS.
     """
 
-    family = "velocity"
     kind = "two-tap-difference"
     reference = "Janot, Gautier & Brunot 2019, controller of the EMPS"
     states = (Port("previous"), Port("earlier"))
-    inputs = (Port("position"),)
-    outputs = (Port("velocity"),)
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:

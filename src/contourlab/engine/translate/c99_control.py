@@ -80,7 +80,10 @@ def body_of(made: Control, storage: str = "") -> str:
                 else []
             ),
             *(f"static const double {c.name} = {literal(c.value)};{_meaning(c)}" for c in made.constants.values()),
-            *(f"static const double {table.name}[{len(table.fields)}] = {{{_listed(table)}}};" for table in made.tables),
+            *(
+                f"static const double {table.name}[{len(table.fields)}] = {{{', '.join(literal(field.value) for field in table.fields)}}};"
+                for table in made.tables
+            ),
             "",
             f"{storage}const {name}_parameters {name}_defaults = {{",
             *(f"    {literal(p.value)},{_meaning(p, p.name + ': ')}" for p in made.parameters.values()),
@@ -165,10 +168,6 @@ def _struct(name: str, fields: Iterable[Field]) -> list[str]:
 def _meaning(field: Field, before: str = "") -> str:
     text = f"{before}{'[' + field.unit + '] ' if field.unit else ''}{field.doc}".strip(" :")
     return f" /* {text} */" if text else ""
-
-
-def _listed(memory: Memory) -> str:
-    return ", ".join(literal(field.value) for field in memory.fields)
 
 
 def _filled(memory: Memory) -> list[str]:

@@ -8,9 +8,8 @@ from dataclasses import dataclass, field
 from contourlab.arrays import Array
 from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import rows
-from contourlab.engine.translate.graph import Op
+from contourlab.engine.translate.graph import Op, prune
 from contourlab.engine.translate.maths import EXACT
-from contourlab.engine.translate.passes import prune
 from contourlab.engine.translate.tick_graph import Rows, TickGraph, tick_graph
 
 LIBRARY = ("exp", "log", "tanh", "sin", "cos")

@@ -6,7 +6,6 @@ What the interfaces have and a controller needs not (other types, saved states, 
 from __future__ import annotations
 
 import uuid
-from collections.abc import Iterable
 from xml.sax.saxutils import quoteattr
 
 from contourlab.engine.translate.c99 import literal
@@ -257,6 +256,7 @@ def description_of(made: Control, version: str) -> str:
         (made.parameters.values(), 'causality="parameter" variability="tunable" initial="exact"'),
     )
     fields = [(field, kind) for group, kind in groups for field in group]
+    units = dict.fromkeys(field.unit for field, _ in fields if field.unit)
     time = ['<Float64 name="time" valueReference="0" causality="independent" variability="continuous"/>'] if three else []
     variables = [_variable(number, field, kind, three) for number, (field, kind) in enumerate(fields, start=1)]
     output = 1 + len(made.inputs)
@@ -271,7 +271,7 @@ def description_of(made: Control, version: str) -> str:
             '<?xml version="1.0" encoding="UTF-8"?>',
             f'<fmiModelDescription fmiVersion="{version}" modelName="{made.name}" {head} description={quoteattr(" ".join(made.notes))}>',
             f"  {kind if three else old}",
-            f"  <UnitDefinitions>{''.join(_units(field for field, _ in fields))}</UnitDefinitions>",
+            f"  <UnitDefinitions>{''.join(f'<Unit name={quoteattr(unit)}/>' for unit in units)}</UnitDefinitions>",
             f'  <DefaultExperiment startTime="0.0" stepSize="{made.period!r}"/>',
             "  <ModelVariables>",
             *(f"    {line}" for line in (*time, *variables)),
@@ -303,7 +303,3 @@ def _variable(number: int, field: Field, kind: str, three: bool) -> str:
     start = f'start="{field.value!r}"'.replace("inf", "INF")
     head = f'name="{field.name}" valueReference="{number}" {kind} description={quoteattr(field.doc)}'
     return f"<Float64 {head} {start}{unit}/>" if three else f"<ScalarVariable {head}><Real {start}{unit}/></ScalarVariable>"
-
-
-def _units(fields: Iterable[Field]) -> list[str]:
-    return [f"<Unit name={quoteattr(unit)}/>" for unit in dict.fromkeys(field.unit for field in fields if field.unit)]

@@ -6,7 +6,7 @@ import sys
 
 from contourlab.engine.translate.c99 import literal
 from contourlab.engine.translate.c99_control import INCLUDES, body_of, types_of
-from contourlab.engine.translate.control import Control, Field
+from contourlab.engine.translate.control import Control
 
 _LARGEST = sys.float_info.max
 PINS = {
@@ -40,7 +40,7 @@ def component_of(made: Control) -> str:
             *_derive(inputs),
             # halcompile sets the value before any include: it knows no INFINITY.
             *(
-                f'param rw float {p.name} = {literal(min(max(p.value, -_LARGEST), _LARGEST))} "{p.doc}{_unit(p)}";'
+                f'param rw float {p.name} = {literal(min(max(p.value, -_LARGEST), _LARGEST))} "{p.doc}{f" [{p.unit}]" if p.unit else ""}";'
                 for p in made.parameters.values()
             ),
             f"variable double memory[{max(size, 1)}];",
@@ -69,7 +69,13 @@ def _derive(inputs: list[str]) -> list[str]:
 
 def _function(made: Control, inputs: list[str]) -> list[str]:
     """Return the lines of the function that the thread calls."""
-    name, derived = made.name, _derive(inputs)
+    name, derived, before = made.name, _derive(inputs), "inst->before"
+    differences = [
+        "        /* Exact for lines and parabolas: no lag. */",
+        f"        const double speed = ((3.0 * command) - (4.0 * {before}[0]) + {before}[1]) / {literal(2.0 * made.period)};",
+        f"        const double rate = (command - (2.0 * {before}[0]) + {before}[1]) / {literal(made.period**2)};",
+        "        (void)speed; (void)rate;",
+    ]
     rates = {"reference_velocity": "speed", "reference_acceleration": "rate"}
     plain = {field: f"*inst->{PINS[field]} / inst->scale" for field in inputs}
     plain |= {field: f"inst->derive ? {rates[field]} : ({plain[field]})" for field in rates if field in inputs}
@@ -90,7 +96,7 @@ def _function(made: Control, inputs: list[str]) -> list[str]:
         "    }",
         "    inst->running = (*inst->enable && timely) ? 1 : 0;",
         "    if (inst->running != 0) {",
-        *(_differences(made.period) if derived else []),
+        *(differences if derived else []),
         f"        const {name}_inputs in = {{",
         *(f"            {plain[field]}," for field in inputs),
         "        };",
@@ -101,15 +107,6 @@ def _function(made: Control, inputs: list[str]) -> list[str]:
         "    *inst->fault = *inst->enable && !(timely && isfinite(output));",
         "    *inst->output = isfinite(output) ? output : 0.0;",
         "}",
-    ]
-
-
-def _differences(period: float) -> list[str]:
-    return [
-        "        /* Exact for lines and parabolas: no lag. */",
-        f"        const double speed = ((3.0 * command) - (4.0 * inst->before[0]) + inst->before[1]) / {literal(2.0 * period)};",
-        f"        const double rate = (command - (2.0 * inst->before[0]) + inst->before[1]) / {literal(period**2)};",
-        "        (void)speed; (void)rate;",
     ]
 
 
@@ -141,7 +138,3 @@ def _meaning(name: str) -> str:
     rate = {"velocity": " for each second", "acceleration": " for each second squared"}.get(name.rpartition("_")[2], "")
     what = "reference" if name.startswith("reference") else "measured at the motor" if name.startswith("motor") else "measured"
     return f"{what} [machine units{rate}]"
-
-
-def _unit(field: Field) -> str:
-    return f" [{field.unit}]" if field.unit else ""

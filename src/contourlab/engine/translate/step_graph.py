@@ -8,11 +8,9 @@ from typing import Any
 
 from contourlab.engine.step import Bank, Port, Step, misfit, pack, record, rows, unpack
 from contourlab.engine.translate.evaluate import Evaluator
-from contourlab.engine.translate.graph import TABLE, Graph, MismatchError, Op
+from contourlab.engine.translate.graph import TABLE, Graph, MismatchError, Op, fuse_products, prune
 from contourlab.engine.translate.maths import EXACT
-from contourlab.engine.translate.outer import Reads
-from contourlab.engine.translate.passes import fuse_products, prune
-from contourlab.engine.translate.source import file_of
+from contourlab.engine.translate.outer import Reads, file_of
 from contourlab.errors import EngineError
 from contourlab.primitives import Clock
 

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from typing import ClassVar
 
 from contourlab.engine.translate.c99_control import ControlWriter
-from contourlab.engine.translate.control import Control, Field, Memory
+from contourlab.engine.translate.control import Control, Field
 from contourlab.engine.translate.graph import CONDITION, MismatchError, Op
 
 _LARGEST = "1.7976931348623157E+308"
@@ -52,11 +52,17 @@ def _parts(made: Control) -> tuple[str, str]:
     states, place = list(made.states.values()), input_name(made.feedback)
     after = [f"    s_{made.states[row].name} := {writer.value(op)};" for row, op in made.carried()]
     arrays = [*made.banks, *made.rings]
+    ranges = [f"{memory.name} : ARRAY[0..{len(memory.fields) - 1}] OF LREAL;" for memory in arrays]
+    inputs = [Field(input_name(field.name), field.unit, field.doc) for field in made.inputs.values()]
     ticks = ["s_tick : LREAL; (* number of the call *)"] if made.counts_ticks else []
     constants = [
         _declared(field, initial=True) for field in (Field("PERIOD", "s", "between two calls", made.period), *made.constants.values())
     ]
-    constants += [f"{table.name} : ARRAY[0..{len(table.fields) - 1}] OF LREAL := [{_listed(table)}];" for table in made.tables]
+    listed = [[literal(field.value).strip("()") for field in table.fields] for table in made.tables]
+    constants += [
+        f"{table.name} : ARRAY[0..{len(table.fields) - 1}] OF LREAL := [{', '.join(numbers)}];"
+        for table, numbers in zip(made.tables, listed, strict=True)
+    ]
     kinds = {kind: [name for name, its in writer.locals.items() if its == kind] for kind in ("LREAL", "BOOL")}
     kinds["LREAL"] = [*(f"x_{state.name}" for state in states), *kinds["LREAL"]]
     kinds["LINT"] = [f"{name}_n" for name in writer.indices]
@@ -64,12 +70,10 @@ def _parts(made: Control) -> tuple[str, str]:
     declared = [
         *(f"(* {note} *)" for note in made.notes),
         f"FUNCTION_BLOCK FB_{made.name}",
-        *_section(
-            "VAR_INPUT", ["enable : BOOL; (* FALSE: command 0, state of rest *)", *(_declared(_input(f)) for f in made.inputs.values())]
-        ),
+        *_section("VAR_INPUT", ["enable : BOOL; (* FALSE: command 0, state of rest *)", *map(_declared, inputs)]),
         *_section("VAR_INPUT", (_declared(field, initial=True) for field in made.parameters.values())),
         *_section("VAR_OUTPUT", [_declared(made.output)]),
-        *_section("VAR", ["running : BOOL;", *(f"s_{field.name} : LREAL;" for field in states), *map(_array, arrays), *ticks]),
+        *_section("VAR", ["running : BOOL;", *(f"s_{field.name} : LREAL;" for field in states), *ranges, *ticks]),
         *_section("VAR_TEMP", temporary),
         *_section("VAR CONSTANT", constants),
     ]
@@ -97,10 +101,6 @@ def input_name(name: str) -> str:
     return "reference_position" if name == "reference" else name
 
 
-def _input(field: Field) -> Field:
-    return Field(input_name(field.name), field.unit, field.doc)
-
-
 def _section(head: str, lines: Iterable[str]) -> list[str]:
     inner = [f"    {line}" for line in lines]
     return [head, *inner, "END_VAR"] if inner else []
@@ -110,14 +110,6 @@ def _declared(field: Field, initial: bool = False) -> str:
     text = f"{'[' + field.unit + '] ' if field.unit else ''}{field.doc}"
     start = f" := {literal(field.value).strip('()')}" if initial else ""
     return f"{field.name} : LREAL{start};{f' (* {text} *)' if text else ''}"
-
-
-def _array(memory: Memory) -> str:
-    return f"{memory.name} : ARRAY[0..{len(memory.fields) - 1}] OF LREAL;"
-
-
-def _listed(memory: Memory) -> str:
-    return ", ".join(literal(field.value).strip("()") for field in memory.fields)
 
 
 def literal(number: float) -> str:

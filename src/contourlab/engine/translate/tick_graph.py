@@ -9,9 +9,8 @@ from typing import Any
 from contourlab.engine.schedule import Node, Schedule
 from contourlab.engine.step import Step, rows
 from contourlab.engine.translate.evaluate import Evaluator
-from contourlab.engine.translate.graph import TABLE, Block, Graph, Op
+from contourlab.engine.translate.graph import TABLE, Block, Graph, Op, fuse_products, prune
 from contourlab.engine.translate.outer import Reads
-from contourlab.engine.translate.passes import fuse_products, prune
 from contourlab.engine.translate.step_graph import once as step_once
 from contourlab.engine.translate.step_graph import record_of
 from contourlab.primitives import Clock

@@ -6,7 +6,7 @@ import ctypes
 from collections.abc import Sequence
 
 from contourlab.engine.translate.graph import Op
-from contourlab.engine.translate.llvm_text import Writer
+from contourlab.engine.translate.llvm_ir import Writer
 from contourlab.engine.translate.tick_graph import TickGraph
 
 VECTOR = 16
@@ -44,13 +44,9 @@ class _LoopWriter(Writer):
         return self.load("%mem", self.row(op.extra))
 
     def _period(self, op: Op, args: Sequence[str]) -> str:
-        return self.spread("%period")
+        return self.spread(f"%{op.kind}")
 
-    def _tick(self, op: Op, args: Sequence[str]) -> str:
-        return self.spread("%tick")
-
-    def _time(self, op: Op, args: Sequence[str]) -> str:
-        return self.spread("%time")
+    _tick = _time = _period
 
     def _external(self, op: Op, args: Sequence[str]) -> str:
         place = self.let(f"mul i64 %signal_stride, {op.extra}")
@@ -87,10 +83,8 @@ def source_of(made: TickGraph, lanes: int, width: int, *, gpu: bool = False) -> 
         thread, block, size = (w.let(f"call i32 @llvm.nvvm.read.ptx.sreg.{name}.x()") for name in _PLACES)
         before = w.let(f"mul i32 {block}, {size}")
         w.put(f"%lane = zext i32 {w.let(f'add i32 {before}, {thread}')} to i64")
-    w.put("%mem = getelementptr double, ptr %memory, i64 %lane")
-    w.put("%log = getelementptr double, ptr %logs, i64 %lane")
-    w.put("%some = icmp sgt i64 %n_tick, 0")
-    w.put("br i1 %some, label %enter, label %done")
+    w.put("%mem = getelementptr double, ptr %memory, i64 %lane", "%log = getelementptr double, ptr %logs, i64 %lane")
+    w.put("%some = icmp sgt i64 %n_tick, 0", "br i1 %some, label %enter, label %done")
     w.start("enter")
     starts = [w.load("%mem", w.row(row)) for _, row, _ in made.carried]
     w.block(made.graph.top)
@@ -100,11 +94,8 @@ def source_of(made: TickGraph, lanes: int, width: int, *, gpu: bool = False) -> 
     at = len(w.lines)
     for i, (op, _, _) in enumerate(made.carried):
         w.names[id(op)] = f"%c{i}"
-    w.put("%k = add i64 %first, %step")
-    w.put("%tick = sitofp i64 %k to double")
-    w.put("%time = fmul double %tick, %period")
-    w.put("%fed_at = mul i64 %step, %tick_stride")
-    w.put("%fed = getelementptr double, ptr %external, i64 %fed_at")
+    w.put("%k = add i64 %first, %step", "%tick = sitofp i64 %k to double", "%time = fmul double %tick, %period")
+    w.put("%fed_at = mul i64 %step, %tick_stride", "%fed = getelementptr double, ptr %external, i64 %fed_at")
     w.block(made.body)
     w.put(f"%logged = mul i64 %step, {len(made.log) * width}")
     w.put("%entry_of_log = getelementptr double, ptr %log, i64 %logged")
@@ -112,9 +103,7 @@ def source_of(made: TickGraph, lanes: int, width: int, *, gpu: bool = False) -> 
         w.record(w.value(op), j)
     w.put("br label %latch")
     w.start("latch")
-    w.put("%next = add i64 %step, 1")
-    w.put("%more = icmp slt i64 %next, %n_tick")
-    w.put("br i1 %more, label %ticks, label %leave")
+    w.put("%next = add i64 %step, 1", "%more = icmp slt i64 %next, %n_tick", "br i1 %more, label %ticks, label %leave")
     w.lines[at:at] = [
         f"  %c{i} = phi {w.number} [ {start}, %enter ], [ {w.value(after)}, %latch ]"
         for i, ((_, _, after), start) in enumerate(zip(made.carried, starts, strict=True))

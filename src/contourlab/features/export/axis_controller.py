@@ -15,14 +15,13 @@ from contourlab.app.results import SAFETY
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.components.ideal import IdealSensor
-from contourlab.engine.runner import Group, InterpretedGroup
+from contourlab.engine.runner import InterpretedGroup
 from contourlab.engine.schedule import Late, Schedule
-from contourlab.engine.step import Port
+from contourlab.engine.step import Port, rows
 from contourlab.engine.translate.control import Control, Field, control_of
-from contourlab.engine.translate.tick_graph import Rows
 from contourlab.errors import ParameterError
 from contourlab.geometry import Line, Path
-from contourlab.loop import Controller, Machine
+from contourlab.loop import Axis, Controller, Machine
 from contourlab.loop.builder import accepted_output
 from contourlab.loop.template import EXTERNALS, build
 
@@ -111,14 +110,15 @@ def axis_control(machine: Machine, controller: Controller, axis: str) -> AxisCon
     alone = replace(machine, axes=(replace(machine.axis(axis), mounted_on="", alignment=0.0),), squareness={}, correlations=())
     steered = Controller({axis: controller.axes[axis]})
     loop, moved, third = (loop_of(alone, steered, at) for at in (0.0, 1.0, -2.5))
-    names = _controller_nodes(loop, axis)
+    outside = (f"{axis}.sensor", f"{axis}.motor_sensor", "watch")
+    names = tuple(node.name for node in loop.nodes[: loop.record_point] if node.name not in outside)
     measured: dict[str, str] = {}
     velocity = controller.axes[axis].velocity
     cut, after, further = (
         _cut(whole, names, axis, measured, velocity.at_rest(at)) for whole, at in ((loop, 0.0), (moved, 1.0), (third, -2.5))
     )
-    group = InterpretedGroup(cut, 1, slice(0, 1))
-    rest, at_1, further_on = (InterpretedGroup(one, 1, slice(0, 1)).memory[:, 0] for one in (cut, after, further))
+    group, later, last = (InterpretedGroup(schedule, 1, slice(0, 1)) for schedule in (cut, after, further))
+    rest, at_1, further_on = (at.memory[:, 0] for at in (group, later, last))
     slope = np.subtract(at_1, rest, out=np.zeros(rest.size), where=at_1 != rest)  # parameters may be infinite
     if not np.array_equal(further_on, rest - 2.5 * slope):
         raise ParameterError(f"controller.axes.{axis}", "a state", "linear in the position where the axis rests")
@@ -131,7 +131,7 @@ def axis_control(machine: Machine, controller: Controller, axis: str) -> AxisCon
     adjustable, fixed = _described(parts, axis, machine)
     command = Field("command", unit, "command to the drive, within its limit")
     made = control_of(
-        *(cut, _places(group), rest, slope),
+        *(cut, group.places, rest, slope),
         output=signal,
         command=command,
         inputs=INPUTS,
@@ -161,12 +161,6 @@ def _check(controller: Controller, axis: str) -> None:
 def loop_of(machine: Machine, controller: Controller, at: float) -> Schedule:
     """Return the servo loop of a machine with one axis, at rest at a position."""
     return build(machine, controller, Path([Line((0.0,), (1.0,))]), np.array([at])).schedule
-
-
-def _controller_nodes(loop: Schedule, axis: str) -> tuple[str, ...]:
-    """Return the nodes between measurement and plant."""
-    outside = (f"{axis}.sensor", f"{axis}.motor_sensor", "watch")
-    return tuple(node.name for node in loop.nodes[: loop.record_point] if node.name not in outside)
 
 
 def _cut(loop: Schedule, names: tuple[str, ...], axis: str, measured: dict[str, str], velocity: tuple[Any, Any]) -> Schedule:
@@ -203,11 +197,6 @@ def _measured(signal: str, axis: str) -> str:
     known = {f"{axis}.plant.{port}": port for port in MEASURED}
     known |= {f"{axis}.sensor.position": "position", f"{axis}.motor_sensor.position": "motor_position"}
     return known.get(signal, "")
-
-
-def _places(group: Group) -> Rows:
-    n, first = len(group.schedule.nodes), tuple(group.borders)
-    return Rows(first[1 : n + 1], first[n + 1 : 2 * n + 1], first[2 * n + 1 :], tuple(map(len, group.rings)))
 
 
 def _parts(machine: Machine, controller: Controller, axis: str) -> dict[str, Component]:
@@ -264,3 +253,80 @@ def _notes(machine: Machine, axis: str, parts: tuple[str, ...], digest: str, lim
 def _line(text: str) -> str:
     """Return text that fits into a comment of any language."""
     return re.sub(r"[^\x20-\x7e]|\*/|/\*|\(\*|\*\)|[<>&\"\\\\]", "?", text)
+
+
+SAMPLES = 2000
+"""Most samples of a recorded run."""
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """A run of the servo loop of one axis.
+
+    Attributes
+    ----------
+    names : tuple of str
+        Inputs of the controller, as in its `Control`.
+    inputs : ndarray (n_sample, n_input)
+    command : ndarray (n_sample,)
+        Of the controller alone, in plain Python.
+    in_loop : ndarray (n_sample,)
+        Of the whole servo loop: the same numbers.
+    """
+
+    names: tuple[str, ...]
+    inputs: Array
+    command: Array
+    in_loop: Array
+
+    @property
+    def text(self) -> str:
+        """The run as CSV; all numbers read back identical."""
+        head = ",".join((*self.names, "command"))
+        lines = (",".join(map(repr, row)) for row in np.column_stack([self.inputs, self.command]).tolist())
+        return "\n".join([head, *lines, ""])
+
+
+def there_and_back(axis: Axis, period: float, n_sample: int = SAMPLES) -> Array:
+    """Return two smooth strokes within the limits of an axis: position, velocity and acceleration (n_sample, 3)."""
+    w = 4.0 * math.pi / (n_sample * period)
+    speed, rate = (value if math.isfinite(value) else 0.1 for value in (axis.limits.velocity, axis.limits.acceleration))
+    stroke = 0.5 * min(speed / w, rate / w**2)
+    angle = w * period * np.arange(n_sample)
+    return np.column_stack([stroke * (1.0 - np.cos(angle)), stroke * w * np.sin(angle), stroke * w**2 * np.cos(angle)])
+
+
+def record(found: AxisControl, motion: Array) -> Recorded:
+    """Run the servo loop of an axis, and its controller alone on what the loop measured.
+
+    Parameters
+    ----------
+    found : AxisControl
+    motion : ndarray (n_sample, 3)
+        Position, velocity and acceleration of the reference.
+    """
+    loop = loop_of(found.machine, found.controller, float(motion[0, 0]))
+    ports = [port.name for port in found.schedule.externals]
+    fed = np.zeros((len(motion), rows(loop.externals)))
+    fed[:, :3] = motion
+    wanted = [loop.row(f"in.{name}" if name in EXTERNALS else found.measured[name]) for name in ports]
+    log = InterpretedGroup(loop, 1, slice(0, 1)).run(fed, [*wanted, loop.row(found.signal)])[:, :, 0]
+    return replayed(found, log[:, :-1], log[:, -1])
+
+
+def replayed(found: AxisControl, inputs: Array, in_loop: Array) -> Recorded:
+    """Run the controller of an axis alone, in plain Python.
+
+    Parameters
+    ----------
+    found : AxisControl
+    inputs : ndarray (n_sample, n_port)
+        All inputs of its schedule.
+    in_loop : ndarray (n_sample,)
+        Commands of the servo loop.
+    """
+    columns = {port.name: inputs[:, k] for k, port in enumerate(found.schedule.externals)}
+    names = tuple(field.name for field in found.control.inputs.values())
+    group = found.at_rest(float(columns[found.control.feedback][0]))
+    command = group.run(inputs, [found.schedule.row(found.signal)])[:, 0, 0]
+    return Recorded(names, np.column_stack([columns[name] for name in names]), command, in_loop)

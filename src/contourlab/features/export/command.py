@@ -18,10 +18,9 @@ from contourlab.arrays import Array
 from contourlab.engine.translate import c99_control, fmi, hal, structured_text
 from contourlab.engine.translate.control import LIBRARY, Field
 from contourlab.errors import ParameterError, ScenarioError
-from contourlab.features.export.axis_controller import AxisControl, axis_control
+from contourlab.features.export.axis_controller import SAMPLES, AxisControl, axis_control, record, there_and_back
 from contourlab.features.export.mock_up import compiler, unit_of
 from contourlab.features.export.options import Export
-from contourlab.features.export.recorded_run import SAMPLES, record, there_and_back
 from contourlab.file_kinds import kind_of
 from contourlab.findings import Finding, finding
 from contourlab.rendering.table import Column, Table, paragraphs

@@ -5,16 +5,121 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 
+import numpy as np
+
 from contourlab.errors import ProgramError
-from contourlab.features.precompensate.unrolling import COMMENT, Regions, unrolled
 from contourlab.program import Arc, Dwell, Feed, Move, Point, Program, Reader, Reading, Spline
+from contourlab.program.block import Block as Executed
+from contourlab.program.expressions import Key
 from contourlab.program.moves import PLANE_AXES
 from contourlab.program.reader import read_text, split_lines
 from contourlab.program.state import Frame
-from contourlab.program.vocabulary import CYCLES
+from contourlab.program.vocabulary import CYCLES, G_GROUPS
+
+COMMENT = re.compile(r"\([^()]*\)|;.*")
+_COMPUTED = re.compile(r"[#\[]|M\s*0*9[89](?!\d)", re.IGNORECASE)
+_NUMBER = re.compile(r"^\s*N\s*[0-9.]+\s*", re.IGNORECASE)
+_FIRST_OF_INTERPRETER = 5000
+"""From here on, parameters hold what executed codes set: offsets, positions, tools."""
+
+
+@dataclass(eq=False)
+class Region:
+    """An outermost loop or call, with what it executes.
+
+    Attributes
+    ----------
+    first, last : int
+        Its lines in the program, from 1.
+    call : str
+        The other words of its first line, such as M8 beside M98.
+    text : list of str
+        Executed lines, then the parameters that they changed.
+    corrected : bool
+        Whether a move inside could be corrected, if it stood in the program itself.
+    """
+
+    first: int
+    last: int
+    call: str = ""
+    text: list[str] = field(default_factory=list)
+    corrected: bool = False
+
+
+class Regions:
+    """The loops and calls of a program that is being read."""
+
+    def __init__(self, reader: Reader) -> None:
+        self.found: list[Region] = []
+        self._reader, self._call, self._before = reader, "", dict[Key, float]()
+        reader.on_block, reader.walker.on_region = self._read, self._turned
+
+    def _read(self, line: str, block: Executed) -> None:
+        text = executed(line, block)
+        if not self._reader.walker.repeating:
+            self._call = text if "call" in block.codes else ""
+        elif text:
+            self.found[-1].text.append(text)
+
+    def _turned(self, begins: bool, line: int) -> None:
+        values = self._reader.parameters.outermost()
+        if begins:
+            self.found.append(Region(line, line, self._call))
+            self._before = values
+        else:
+            self.found[-1].last = line
+            changed = {key: value for key, value in values.items() if self._before.get(key) != value}
+            self.found[-1].text += [
+                f"#<{key}> = {_number(value)}" if isinstance(key, str) else f"#{key} = {_number(value)}"
+                for key, value in changed.items()
+                if isinstance(key, str) or key < _FIRST_OF_INTERPRETER
+            ]
+        self._call = ""
+
+
+def executed(line: str, block: Executed) -> str:
+    """Return a line as it was executed: without line number, call, return and assignments, with numbers for its expressions.
+
+    >>> from contourlab.program.block import read_block
+    >>> line = "N5 g1 X[1/4] #3=2 F200 (edge)"
+    >>> executed(line, read_block(line))
+    'G1 X0.25 F200 (edge)'
+    """
+    if not _COMPUTED.search(COMMENT.sub("", line)):
+        return _NUMBER.sub("", line).strip()
+    calls, ends = "call" in block.codes, "stop" in block.codes and block.codes["stop"].number == 99
+    words = [f"G{code.number / 10:g}" for group, code in block.codes.items() if G_GROUPS.get(code.number) == group]
+    words += [f"{word.letter}{_number(word.value)}" for word in block.words.values() if not (calls and word.letter in "PL")]
+    words += [
+        f"M{code.number}"
+        for group, code in block.codes.items()
+        if G_GROUPS.get(code.number) != group and group != "call" and not (ends and group == "stop")
+    ]
+    skipped = ["/"] if words and line.lstrip().startswith("/") else []
+    return " ".join([*skipped, *words, *(comment for comment in COMMENT.findall(line) if "#" not in comment)])
+
+
+def _number(value: float) -> str:
+    return np.format_float_positional(value, trim="-")
+
+
+def unrolled(lines: list[str], regions: list[Region]) -> tuple[list[str], list[int]]:
+    """Return a program with its corrected regions unrolled, and the original number of each line."""
+    written, numbers, at = list[str](), list[int](), 1
+    for region in [*(one for one in regions if one.corrected), Region(len(lines) + 1, len(lines) + 1)]:
+        written += lines[at - 1 : region.first - 1]
+        numbers += range(at, region.first)
+        if region.corrected:
+            head = COMMENT.sub("", lines[region.first - 1]).strip()
+            text = [*([region.call] if region.call else []), f"({head}: unrolled)", *region.text, f"(end of {head})"]
+            written += text
+            numbers += [region.first] * len(text)
+        at = region.last + 1
+    return written, numbers
+
 
 _NOT_TOUCHED = re.compile(r"G\s*0*(4|10|28|30|53|92)(\.\d)?(?![\d.])|M\s*0*(0|1|2|30|60|98|99)(?!\d)|^\s*/", re.IGNORECASE)
 """Codes that a corrected line may not hold: they act at its end, or on its axis words."""
@@ -147,24 +252,19 @@ def _source(lines: list[str], name: str | Path, reading: Reading, axes: Sequence
     for move in reader.moves():
         state, line = reader.state, move.source_line
         first = line
-        if isinstance(move, Spline) and not _motion_of(lines[line - 1]).startswith("5.1"):
+        motion = _MOTION.search(COMMENT.sub("", lines[line - 1]))
+        if isinstance(move, Spline) and not (motion and motion[1].startswith("5.1")):
             first = next((k for k in range(line, 0, -1) if _SPLINE_START.search(lines[k - 1])), line)
         reason = _reason(move, columns, [] if reader.walker.repeating else lines[first - 1 : line], state.motion)
         if state.diameter and not reason:
             reason = "in diameters (G7)"
         if reader.walker.repeating and not reason:
             reason, regions.found[-1].corrected = "inside a loop or subprogram", True
-        frame = Frame(state.frame.system, state.frame.origin, state.frame.rotation, state.frame.shift, state.frame.tool, state.frame.plain)
-        blocks.append(Block(move, (first, line), frame, state.millimetres, state.absolute, state.feed_mode, reason))
+        blocks.append(Block(move, (first, line), replace(state.frame), state.millimetres, state.absolute, state.feed_mode, reason))
         count[line] = count.get(line, 0) + 1
     blocks = [replace(b, reason=b.reason or "several moves in a line") if count[b.lines[1]] > 1 else b for b in blocks]
     program = Program(str(name), tuple(b.move for b in blocks), tuple(lines), tuple(reader.state.events), tuple(reader.notices))
     return Source(program, tuple(lines), tuple(blocks), range(1, len(lines) + 1)), regions
-
-
-def _motion_of(line: str) -> str:
-    found = _MOTION.search(COMMENT.sub("", line))
-    return found[1] if found else ""
 
 
 def _reason(move: Move, columns: Sequence[int], lines: Sequence[str], motion: int | None) -> str:

@@ -14,9 +14,8 @@ from contourlab.arrays import Array
 from contourlab.errors import LogError, ResultError
 from contourlab.features.measure.log_choice import LogChoice
 from contourlab.features.measure.measured_path import moving, progress_along
-from contourlab.features.precompensate.contour import Contour, chunks
 from contourlab.features.precompensate.law import Loop, Run, fit_loop
-from contourlab.features.precompensate.writing import Written
+from contourlab.features.precompensate.writing import Contour, Written, chunks
 from contourlab.feed import LimitReport, Reference, blended, limit_report, plan, route_from_program
 from contourlab.logs import Column, Columns, Log, read_columns, read_record, result_of
 from contourlab.logs.load import LONG_GAP, about

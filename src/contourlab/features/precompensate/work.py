@@ -11,15 +11,13 @@ from pathlib import Path
 
 import numpy as np
 
-from contourlab.arrays import Array
 from contourlab.errors import ProgramError, ResultError
 from contourlab.features.precompensate.blocks import Source, parse_blocks, read_blocks
-from contourlab.features.precompensate.contour import Contour, chunks, contour_of, room
 from contourlab.features.precompensate.law import CUTOFF, Run, learn, proposed, smoother
 from contourlab.features.precompensate.passes import Passes, PassFigures, digest_of
 from contourlab.features.precompensate.result import LeftMove, Precompensated
 from contourlab.features.precompensate.runs import Measured, limits_of, run_of
-from contourlab.features.precompensate.writing import MARK, Written, complaint, marked, write_corrected
+from contourlab.features.precompensate.writing import MARK, Contour, Written, chunks, complaint, contour_of, marked, room, write_corrected
 from contourlab.feed import LimitReport
 from contourlab.findings import Finding, finding
 from contourlab.loop import Machine
@@ -101,7 +99,8 @@ class Work:
 
     def contour_again(self, written: Written) -> Contour:
         """Read a written program, and check that it is the corrected path and nothing else."""
-        source = parse_blocks(written.text, f"corrected {self.part.name}", self._beside(), self.contour.axes)
+        reading = replace(self.reading, folder=self.part.parent) if self.reading.folder is None else self.reading
+        source = parse_blocks(written.text, f"corrected {self.part.name}", reading, self.contour.axes)
         contour = contour_of(source, self.contour.axes, self.contour.period)
         breaks = np.asarray(contour.path.breaks)
         if len(breaks) != len(written.corrected_arc) or np.abs(breaks - written.corrected_arc).max() > 1e-6 + 1e-6 * breaks[-1]:
@@ -109,9 +108,6 @@ class Work:
         if _events(source) != _events(self.contour.source):
             raise ProgramError("cannot be corrected: the written program would lose a code", file=self.part)
         return contour
-
-    def _beside(self) -> Reading:
-        return replace(self.reading, folder=self.part.parent) if self.reading.folder is None else self.reading
 
     def run(self, measured: Measured) -> Run:
         """Return what a run of the last written program shows.
@@ -212,7 +208,8 @@ class Work:
         findings = [finding("CL910", cap=self.settings.cap, share=float(capped.mean()))] if capped.any() else []
         if self.machine is not None and set(self.machine.axis_names) >= set(self.contour.axes):
             findings += self._limits(contour)
-        return [*findings, *self._interpreted(written)]
+        message = complaint(written.text, self.part.parent) if self.is_interpreted else ""
+        return [*findings, finding("CL916", message=message)] if message else findings
 
     def _limits(self, contour: Contour) -> list[Finding]:
         """Plan the written program on the machine, and compare what it needs with the program itself."""
@@ -226,11 +223,6 @@ class Work:
                     axis = machine.axis_names[new.axis]
                     findings.append(finding("CL912", kind=kind, axis=axis, use=new.ratio, before=old.ratio, machine=machine.name))
         return findings
-
-    def _interpreted(self, written: Written) -> list[Finding]:
-        """Let LinuxCNC's interpreter read the written program, where it is installed."""
-        message = complaint(written.text, self.part.parent) if self.is_interpreted else ""
-        return [finding("CL916", message=message)] if message else []
 
     def write(self, result: Precompensated) -> None:
         """Write the program that a result names, if a pass gains."""
@@ -264,16 +256,12 @@ class Work:
             status="next pass" if proceed else "done" if number else "no gain",
             bandwidth={axis: loop.bandwidth for axis, loop in zip(passes.axes, passes.loops, strict=True) if np.isfinite(loop.bandwidth)},
             cutoff=passes.cutoff,
-            correction=_largest(learned.tried if proceed else learned.kept),
+            correction=float(np.linalg.norm(learned.tried if proceed else learned.kept, axis=1).max()),
             lines=0 if written is None else written.n_line,
             shortest_line=None if written is None else written.shortest,
             left=tuple(left),
             findings=(*findings, *more),
         )
-
-
-def _largest(correction: Array) -> float:
-    return float(np.linalg.norm(correction, axis=1).max())
 
 
 def _events(source: Source) -> list[tuple[str, float | None]]:

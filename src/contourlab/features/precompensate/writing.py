@@ -1,4 +1,4 @@
-"""Write a program again with a corrected path: short lines in place of the corrected moves, all other text as it is."""
+"""The programmed contour with its correction, and the program written again: short lines for the corrected moves, all else as it is."""
 
 from __future__ import annotations
 
@@ -7,17 +7,142 @@ import math
 import re
 import subprocess
 import tempfile
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
 
-from contourlab.arrays import Array, Index
-from contourlab.features.precompensate.blocks import Block, without_motion
-from contourlab.features.precompensate.contour import Contour, chunks, node_range
-from contourlab.features.precompensate.unrolling import COMMENT
+from contourlab import geometry
+from contourlab.arrays import Array, Flags, Index
+from contourlab.features.precompensate.blocks import COMMENT, Block, Source, without_motion
+from contourlab.feed import Route, route_from_program
 from contourlab.geometry.thinning import polygon_corners
-from contourlab.program import Mode, Spline
+from contourlab.program import Arc, Dwell, Feed, Mode, Move, Point, Spline
+from contourlab.program.moves import PLANE_AXES
+
+FINEST = 5e-6
+"""Smallest distance between two nodes [m]."""
+
+
+@dataclass(frozen=True, eq=False)
+class Contour:
+    """The path of a program in the axes of a log, and its nodes.
+
+    Attributes
+    ----------
+    source : Source
+    axes : tuple of str
+    route : Route
+        Its `source_line` is the number of the block, from 1.
+    period : float [s]
+        Time between nodes at the programmed feed.
+    """
+
+    source: Source
+    axes: tuple[str, ...]
+    route: Route
+    period: float
+
+    @property
+    def path(self) -> geometry.Path:
+        """The programmed path."""
+        return self.route.path
+
+    @cached_property
+    def corrected(self) -> Flags:
+        """Whether each curve (n_curve,) can be corrected."""
+        return np.array([not self.source.blocks[k - 1].reason for k in self.route.source_line.tolist()])
+
+    @cached_property
+    def nodes(self) -> Array:
+        """Rising arc lengths (n_node,) [m] that hold the correction; every end of a curve is one."""
+        parts = [np.zeros(1)]
+        breaks = self.path.breaks
+        for k, corrected in enumerate(self.corrected.tolist()):
+            step = max(FINEST, float(self.route.feedrate[k]) * self.period) if corrected else np.inf
+            n = max(1, int(np.ceil((breaks[k + 1] - breaks[k]) / step)))
+            parts.append(np.linspace(breaks[k], breaks[k + 1], n + 1)[1:])
+        return np.concatenate(parts)
+
+    @cached_property
+    def positions(self) -> Array:
+        """Position of each node (n_node, n_axis) [m]."""
+        return np.asarray(self.path.position(self.nodes))
+
+    def is_corrected(self, arc_length: Array) -> Flags:
+        """Return whether places (n,) [m] lie on curves that can be corrected."""
+        return np.asarray(self.corrected[self.path.curve_index(arc_length)])
+
+
+def contour_of(source: Source, axes: Sequence[str], period: float) -> Contour:
+    """Return the contour of a program in some of its axes.
+
+    Parameters
+    ----------
+    source : Source
+    axes : sequence of str
+        Some of x, y, z; motion of the others is left out.
+    period : float [s]
+
+    Raises
+    ------
+    FeedError
+        If nothing moves these axes.
+    """
+    columns = ["xyz".index(axis) for axis in axes]
+    moves = tuple(_flat(replace(block.move, source_line=k + 1), columns) for k, block in enumerate(source.blocks))
+    route = route_from_program(replace(source.program, moves=moves), tuple(axes))
+    return Contour(source, tuple(axes), route, period)
+
+
+def _flat(move: Move, columns: Sequence[int]) -> Move:
+    """Return a move without motion of other axes than some; an arc that leaves their plane becomes a line, which is not corrected."""
+
+    def flat(point: Point) -> Point:
+        return tuple(value if k in columns else 0.0 for k, value in enumerate(point))  # type: ignore[return-value]
+
+    if len(columns) == 3 or isinstance(move, Dwell):
+        return move
+    if isinstance(move, Spline):
+        return replace(move, points=tuple(map(flat, move.points)))
+    if isinstance(move, Arc) and not set(PLANE_AXES[move.plane][:2]) <= set(columns):
+        return Feed(flat(move.start), flat(move.end), move.feedrate, move.source_line, move.mode)
+    moved = replace(move, start=flat(move.start), end=flat(move.end))
+    return replace(moved, centre=flat(moved.centre)) if isinstance(moved, Arc) else moved
+
+
+def chunks(contour: Contour) -> list[tuple[int, int]]:
+    """Return the ranges of curves [start, stop) that are corrected without a break between."""
+    blocks, lines = contour.source.blocks, contour.route.source_line
+    ranges: list[tuple[int, int]] = []
+    for k, corrected in enumerate(contour.corrected.tolist()):
+        if not corrected:
+            continue
+        between = blocks[lines[k - 1] : lines[k] - 1] if k else ()
+        if ranges and ranges[-1][1] == k and not between:
+            ranges[-1] = (ranges[-1][0], k + 1)
+        else:
+            ranges.append((k, k + 1))
+    return ranges
+
+
+def room(contour: Contour) -> Array:
+    """Return the distance (n_node,) [m] along the path of each node from the nearer end of its corrected part; 0 outside."""
+    distance = np.zeros(len(contour.nodes))
+    for first, last in chunks(contour):
+        index = node_range(contour, first, last - 1)
+        places = contour.nodes[index]
+        distance[index] = np.minimum(places - places[0], places[-1] - places)
+    return distance
+
+
+def node_range(contour: Contour, first: int, last: int) -> Index:
+    """Return the numbers of the nodes from the start of one curve to the end of another, both included."""
+    breaks, nodes = contour.path.breaks, contour.nodes
+    return np.arange(np.searchsorted(nodes, breaks[first]), np.searchsorted(nodes, breaks[last + 1]) + 1)
+
 
 MARK = "(contourlab precompensate: pass "
 """How a corrected program begins."""
@@ -144,7 +269,8 @@ def _replacing(
         speed = np.maximum(np.maximum.reduceat(fastest, corners[:-1]), fastest[kept])
         length = np.linalg.norm(np.diff(points[corners], axis=0), axis=1)
         _with_feeds(lines, block, speed * length / np.maximum(np.diff(places[corners]), 1e-12))
-    _with_modes(lines, block, move.mode, ends or _turns(contour, places[-1]), tolerance)  # type: ignore[union-attr]
+    turns = ends or bool((np.abs(np.asarray(contour.path.corners) - places[-1]) < _SMOOTH).any())
+    _with_modes(lines, block, move.mode, turns, tolerance)  # type: ignore[union-attr]
     if lines.slowed and ends:
         lines.text.append(block.feed_word)
     return lines
@@ -159,12 +285,6 @@ def _with_feeds(lines: _Lines, block: Block, largest: Array) -> None:
         lines.text[k] += f" {word}" if word != in_force else ""
         in_force = word
     lines.slowed = in_force != feed
-
-
-def _turns(contour: Contour, place: float) -> bool:
-    """Return whether the programmed path has a corner at a place."""
-    corners = np.asarray(contour.path.corners)
-    return bool(corners.size and np.abs(corners - place).min() < _SMOOTH)
 
 
 def _with_modes(lines: _Lines, block: Block, mode: Mode, corner: bool, tolerance: float) -> None:

@@ -16,10 +16,9 @@ from contourlab.errors import ParameterError, UnitError
 from contourlab.features.measure.log_choice import LogChoice, distinct_names, open_log
 from contourlab.features.measure.plausibility import motion_findings, same_column_findings
 from contourlab.features.refine.cross_validation import CrossValidation, cross_validated
-from contourlab.features.refine.findings import unseen_findings
 from contourlab.features.refine.log_run import Agreement, LogRun, log_run
 from contourlab.features.refine.options import Refine
-from contourlab.features.refine.study import Refined, RefineSettings, Window
+from contourlab.features.refine.study import Refined, RefineSettings, Window, unseen_findings
 from contourlab.features.refine.study import refine as refined
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding

@@ -9,8 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from contourlab.errors import ParameterError, ResultError
-from contourlab.features.refine.parameters import RefinedParameter, Sought
-from contourlab.features.refine.study import Refined, RefineSettings, refine_sought
+from contourlab.features.refine.study import Refined, RefinedParameter, RefineSettings, Sought, refine_sought
 from contourlab.findings import finding
 from contourlab.study.values import with_values
 

@@ -7,8 +7,7 @@ from collections.abc import Sequence
 from itertools import combinations
 from typing import Any
 
-from contourlab.features.refine.parameters import Sought
-from contourlab.features.refine.study import Refined
+from contourlab.features.refine.study import Refined, Sought
 from contourlab.loop import Axis, Machine
 from contourlab.scenario.dump import controller_table, machine_tables
 from contourlab.scenario.toml_text import Noted, toml

@@ -3,20 +3,223 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from contourlab.analysis.identification.least_squares import Descent, DescentSettings, descend, fit_covariance, spread_starts
+from contourlab.analysis.identification.least_squares import Descent, DescentSettings, FitCovariance, descend, fit_covariance, spread_starts
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError
-from contourlab.features.refine.findings import fit_findings, unseen_findings
 from contourlab.features.refine.log_run import Agreement, LogRun
-from contourlab.features.refine.parameters import RefinedParameter, Sought, columns_of, seek
-from contourlab.findings import Finding
+from contourlab.figures import figure
+from contourlab.findings import Finding, finding
+from contourlab.loop import parameters_of
+from contourlab.study.space import DesignVariable, Space
 from contourlab.study.values import with_values
+
+SPAN = 10.0
+"""Factor by which a parameter without a range may become smaller or larger."""
+
+
+@dataclass(frozen=True)
+class Sought:
+    """A parameter to refine.
+
+    Attributes
+    ----------
+    variable : DesignVariable
+        Its name, start, range and unit.
+    runs : tuple of int
+        The runs that share it.
+    label : str
+        The name, preceded by the label of the run if only this run has the parameter.
+    signed : bool
+        Whether the parameter may be below zero.
+    """
+
+    variable: DesignVariable
+    runs: tuple[int, ...]
+    label: str
+    signed: bool
+
+    @property
+    def name(self) -> str:
+        """Dotted name."""
+        return self.variable.name
+
+    @property
+    def scale(self) -> float:
+        """Size of the parameter, used to scale steps."""
+        return max(abs(self.variable.value), 0.1 * (self.variable.high - self.variable.low))
+
+    def shown(self, value: float, digits: int = 5) -> str:
+        """Return a value [SI] in the display unit."""
+        return f"{figure(self.variable.display_value(value), digits=digits)} {self.variable.display_unit}".strip()
+
+
+@dataclass(frozen=True)
+class RefinedParameter:
+    """A refined parameter.
+
+    Attributes
+    ----------
+    value, deviation, white_deviation : float [SI]
+        Standard deviations for a coloured and for a white residual: nan at a bound, infinite if the logs do not determine the parameter.
+        With several logs, `deviation` includes the scatter between them.
+    """
+
+    sought: Sought
+    value: float
+    deviation: float
+    white_deviation: float
+    at_bound: bool
+
+
+def seek(runs: Sequence[LogRun], wanted: Iterable[str]) -> tuple[Sought, ...]:
+    """Return the parameters that the texts name, each once.
+
+    Parameters
+    ----------
+    wanted : iterable of str
+        ``NAME`` or ``NAME=LOW..HIGH``, see `contourlab.study.Space.chosen`; ``LABEL:NAME`` selects one run.
+
+    Raises
+    ------
+    ParameterError
+        If a name matches nothing, a parameter is named twice or starts at different values in different runs, or a range is wrong.
+    """
+    sought: dict[tuple[str, tuple[int, ...]], Sought] = {}
+    for text in wanted:
+        label, _, rest = text.rpartition(":")
+        among = [i for i, run in enumerate(runs) if label in ("", run.label)]
+        if not among:
+            raise ParameterError("--parameter", text, f"preceded by the label of a run: {', '.join(run.label for run in runs)}")
+        chosen = _chosen(runs, among, rest)
+        for name in dict.fromkeys(name for variables in chosen.values() for name in variables):
+            held = tuple(i for i in among if name in chosen[i])
+            if any(name == other and set(held) & set(places) for other, places in sought):
+                raise ParameterError("--parameter", name, "given once")
+            sought[name, held] = _sought(runs, [chosen[i][name] for i in held], held, label)
+    if not sought:
+        raise ParameterError("--parameter", "none", "one or more, such as axes.x.plant.damping")
+    return tuple(sought.values())
+
+
+def _chosen(runs: Sequence[LogRun], among: Sequence[int], text: str) -> dict[int, dict[str, DesignVariable]]:
+    """Return the parameters that a text selects in each run; raise only if it selects none in any run."""
+    chosen: dict[int, dict[str, DesignVariable]] = {}
+    for i in among:
+        try:
+            space = Space.chosen(runs[i].machine, runs[i].controller, [text], SPAN)
+        except ParameterError as error:
+            fits_nothing = error.name == "parameter"
+            if not fits_nothing or (i == among[-1] and not any(chosen.values())):
+                raise
+            chosen[i] = {}
+        else:
+            chosen[i] = {variable.name: variable for variable in space.numbers}
+    return chosen
+
+
+def _sought(runs: Sequence[LogRun], variables: Sequence[DesignVariable], held: tuple[int, ...], label: str) -> Sought:
+    variable = variables[0]
+    part, name = parameters_of(runs[held[0]].machine, runs[held[0]].controller)[variable.name]
+    sought = Sought(variable, held, f"{label}:{variable.name}" if label else variable.name, part.parameters[name].minimum < 0.0)
+    starts = sorted({one.value for one in variables})
+    if len(starts) > 1:
+        bound = f"equal in all runs, or selected in one run as {runs[held[0]].label}:{variable.name}"
+        raise ParameterError("--parameter", variable.name, f"{bound}; it starts at {' and '.join(map(sought.shown, starts))}")
+    if part.parameters[name].whole or not math.isfinite(variable.value):
+        raise ParameterError("--parameter", variable.name, f"a continuous parameter with a finite value; it is {variable.value:g}")
+    if not variable.low <= variable.value <= variable.high:
+        ends = f"{sought.shown(variable.low)}..{sought.shown(variable.high)}"
+        raise ParameterError("--parameter", f"{variable.name}={ends}", f"a range that includes the start, {sought.shown(variable.value)}")
+    return sought
+
+
+def columns_of(sought: Sequence[Sought], run: int, points: Array) -> dict[str, Array]:
+    """Return the columns of points (k, p) that belong to a run, by parameter name."""
+    return {parameter.name: points[:, j] for j, parameter in enumerate(sought) if run in parameter.runs}
+
+
+TOGETHER = 0.95
+"""Correlation from which two parameters cannot be distinguished."""
+UNKNOWN = 0.5
+"""Relative deviation from which a parameter is hardly known."""
+EXPLAINED = 0.5
+"""Explained share of a signal's variance below which there is a finding."""
+WORSE = 0.01
+"""Share by which the residual of data that was not fitted may grow."""
+COLOURED = 1.5
+"""Ratio of deviations for a coloured and a white residual from which there is a finding."""
+
+
+def fit_findings(
+    parameters: Sequence[RefinedParameter],
+    descent: Descent,
+    knowledge: FitCovariance,
+    after: Sequence[Agreement],
+    descents: tuple[int, int],
+) -> Iterator[Finding]:
+    """Yield findings that question the parameters.
+
+    Parameters
+    ----------
+    knowledge : FitCovariance
+        Covariance of the parameters that are not at a bound.
+    descents : (int, int)
+        Number of descents, and of those that reached the same minimum as the best one.
+    """
+    for parameter in parameters:
+        value, deviation, place = parameter.value, parameter.deviation, parameter.sought.label
+        if parameter.at_bound:
+            yield finding("CL550", place, value=value)
+        elif not np.isfinite(deviation):
+            yield finding("CL551", place)
+        elif deviation > UNKNOWN * abs(value) and not parameter.sought.signed:
+            yield finding("CL552", place, ratio=deviation / abs(value) if value else np.inf)
+    yield from _correlated(parameters, knowledge)
+    if not descent.converged:
+        yield finding("CL554", steps=descent.iterations)
+    made, same = descents
+    if made > 1 and same < made:
+        yield finding("CL555", made=made, same=same)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratios = np.array([parameter.deviation for parameter in parameters]) / [parameter.white_deviation for parameter in parameters]
+    ratio = float(np.nan_to_num(ratios, nan=1.0, posinf=1.0).max())
+    if ratio > COLOURED:
+        yield finding("CL556", ratio=ratio)
+    for one in after:
+        if one.explained <= 0.0:
+            yield finding("CL558", one.place)
+        elif one.explained < EXPLAINED:
+            yield finding("CL557", one.place, explained=one.explained)
+
+
+def _correlated(parameters: Sequence[RefinedParameter], knowledge: FitCovariance) -> Iterator[Finding]:
+    labels = [parameter.sought.label for parameter in parameters if not parameter.at_bound]
+    for i, j in np.argwhere(np.triu(np.abs(knowledge.correlation), 1) > TOGETHER).tolist():
+        if not (knowledge.untold[i] or knowledge.untold[j]):
+            yield finding("CL553", f"{labels[i]} and {labels[j]}", correlation=float(knowledge.correlation[i, j]))
+
+
+def unseen_findings(before: Sequence[Agreement], after: Sequence[Agreement], validation: bool = False) -> Iterator[Finding]:
+    """Yield findings where the refined model fits unseen data worse than the model at the start.
+
+    Parameters
+    ----------
+    before, after : sequence of Agreement
+        For the same signals in the same order.
+    validation : bool
+        Whether the data is a log for validation, or the part of a fitted log outside `--window`.
+    """
+    for one, other in zip(before, after, strict=True):
+        if other.rms > (1.0 + WORSE) * one.rms:
+            values = {"ratio": other.rms / one.rms, "before": one.rms, "after": other.rms}
+            yield finding("CL560", other.place, **values) if validation else finding("CL559", other.place, **values)
+
 
 Window = tuple[float, float]
 """Start and end [s] on the clock of a log."""
@@ -109,7 +312,7 @@ def refine(
     runs : sequence of LogRun
         Runs that have a parameter of the same name share it.
     wanted : iterable of str
-        Names and ranges, see `contourlab.features.refine.parameters.seek`.
+        Names and ranges, see `contourlab.features.refine.study.seek`.
     windows : sequence of (float, float) or None
         Times [s] to fit in each log; by default all. Motion outside the windows is unseen.
     progress : callable, optional
@@ -158,12 +361,9 @@ class _Problem:
     def __init__(self, runs: Sequence[LogRun], sought: Sequence[Sought], kept: Sequence[Flags]) -> None:
         self.runs, self.sought, self.kept = runs, sought, kept
         self.sizes = [np.ones(run.measured.shape[1]) for run in runs]
-        self.start = np.array([parameter.variable.value for parameter in sought])
-        self.bounds = (
-            np.array([parameter.variable.low for parameter in sought]),
-            np.array([parameter.variable.high for parameter in sought]),
-        )
-        self.scale = np.array([parameter.scale for parameter in sought])
+        columns = [(one.variable.value, one.variable.low, one.variable.high, one.scale) for one in sought]
+        self.start, low, high, self.scale = np.array(columns).T
+        self.bounds = low, high
 
     def left(self, points: Array) -> list[Array]:
         """Return measured minus simulated of each run (n_row, n_channel, k)."""
@@ -287,10 +487,7 @@ def _agreements(
     runs: Sequence[LogRun], ends: Sequence[LogRun], simulated: Sequence[Array], windows: Sequence[Window | None]
 ) -> tuple[tuple[Agreement, ...], tuple[Agreement, ...], tuple[Agreement, ...], tuple[Agreement, ...]]:
     """Return the agreement before and after, over the fitted samples and over the other samples in motion."""
-    before: list[Agreement] = []
-    after: list[Agreement] = []
-    unseen_before: list[Agreement] = []
-    unseen: list[Agreement] = []
+    before, after, unseen_before, unseen = (list[Agreement]() for _ in range(4))
     for run, end, signals, window in zip(runs, ends, simulated, windows, strict=True):
         within, at_start = rows_within(run, window), run.once()
         moves = np.zeros_like(within)

@@ -169,7 +169,7 @@ def test_structured_text_gives_what_plain_python_gives(form: Callable[..., Any],
     group = CompiledGroup(schedule, 1, slice(0, 1))
     rest = group.memory[:, 0].copy()
     control = control_of(
-        schedule, group._places, rest, np.zeros_like(rest), output="x.s.y", command=Field("command"),
+        schedule, group.places, rest, np.zeros_like(rest), output="x.s.y", command=Field("command"),
         inputs={"u": Field("u")}, parameters={}, constants={}, name="made", notes=("a note",),
     )  # fmt: skip
     (tmp_path / "made.st").write_text(structured_text.plain(control))
@@ -184,7 +184,7 @@ def test_portable_assembly_of_a_gpu_loads_from_inside_only() -> None:
 
     schedule = schedule_of(lambda a, b, par, clock: lookup(par.table, a))
     group = CompiledGroup(schedule, 64, slice(0, 64))
-    made = tick_graph.tick_graph(schedule, group._places, [schedule.n_row - 1], maths.LANES)
+    made = tick_graph.tick_graph(schedule, group.places, [schedule.n_row - 1], maths.LANES)
     source = tick_loop.source_of(made, 1, 64, gpu=True)
     (index,) = [line.split()[4] for line in source.splitlines() if "fptosi" in line]
     assert any(line.split()[:3] == [index, "=", "select"] for line in source.splitlines())

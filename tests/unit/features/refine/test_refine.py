@@ -12,8 +12,7 @@ from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.refine.log_run import LogRun, log_run
-from contourlab.features.refine.parameters import seek
-from contourlab.features.refine.study import RefineSettings, refine
+from contourlab.features.refine.study import RefineSettings, refine, seek
 from contourlab.feed import Reference
 from contourlab.geometry import Line, Path
 from contourlab.loop import Axis, AxisController, Controller, Machine, simulate

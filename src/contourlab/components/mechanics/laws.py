@@ -1,4 +1,4 @@
-"""Forces on two masses joined by a shaft with backlash, and guards that fall to zero where the contact changes.
+"""Forces of friction and of a shaft with backlash between two masses, and guards that fall to zero where the contact changes.
 
 `side` is 1 or -1 if the shaft presses on the forward or backward flank, 0 in the gap, `UNKNOWN` if each evaluation looks it up.
 A state is a tuple (motor position, motor velocity, load position, load velocity), all at the load.
