@@ -15,7 +15,7 @@ import tempfile
 from collections.abc import Callable
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any
 
 import numpy as np
 
@@ -23,8 +23,7 @@ from contourlab.arrays import Array
 from contourlab.errors import ContourlabError, LogError, MissingPackageError
 from contourlab.findings import Finding
 from contourlab.logs import matlab, parquet, results
-from contourlab.logs.limits import MEMORY, TIME, factor, raised
-from contourlab.logs.record import Channel, Record
+from contourlab.logs.record import MEMORY, TIME, Channel, Record, factor, raised
 
 READERS: dict[str, Callable[[Path], Record]] = {"matlab": matlab.read, "parquet": parquet.read, "contourlab": results.read}
 _CODE = "from contourlab.logs.apart import main; main()"
@@ -66,10 +65,6 @@ def read_apart(format: str, file: Path) -> Record:  # noqa: A002
         if "error" in content:
             raise LogError(content["error"], file=file)
         arrays = [np.fromfile(answer, np.float64, size) for size in content.pop("sizes")]
-    return _record(file, format, content, arrays)
-
-
-def _record(file: Path, format: str, content: dict[str, Any], arrays: list[Array]) -> Record:  # noqa: A002
     channels = tuple(
         Channel(name, arrays[values], unit, None if time is None else arrays[time], is_timestamp)
         for name, unit, is_timestamp, values, time in content.pop("channels")
@@ -81,7 +76,10 @@ def _record(file: Path, format: str, content: dict[str, Any], arrays: list[Array
 def main() -> None:
     """Read a file in this process and write the answer to stdout; arguments are format and file."""
     kind, file = sys.argv[1:]
-    _limit_memory(int(MEMORY * factor()))
+    with contextlib.suppress(ImportError, ValueError, OSError):  # Windows has no such limit
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_DATA, (int(MEMORY * factor()), resource.getrlimit(resource.RLIMIT_DATA)[1]))
     arrays: list[Array] = []
     try:
         content = _content(READERS[kind](Path(file)), arrays)
@@ -97,14 +95,9 @@ def main() -> None:
         content = {"error": "is nested too deeply, or contains itself: export it again"}
     except Exception as error:  # the libraries pass on any error of a damaged file
         content = {"error": f"cannot be read as {kind}: {' '.join(str(error).split()) or type(error).__name__}"}
-    _write(content, arrays, sys.stdout.buffer)
-
-
-def _limit_memory(most: int) -> None:
-    with contextlib.suppress(ImportError, ValueError, OSError):  # Windows has no such limit
-        import resource
-
-        resource.setrlimit(resource.RLIMIT_DATA, (most, resource.getrlimit(resource.RLIMIT_DATA)[1]))
+    sys.stdout.buffer.write(json.dumps({**content, "sizes": [values.size for values in arrays]}).encode() + b"\n")
+    for values in arrays:
+        sys.stdout.buffer.write(np.ascontiguousarray(values, dtype=np.float64).data)
 
 
 def _content(record: Record, arrays: list[Array]) -> dict[str, Any]:
@@ -124,9 +117,3 @@ def _content(record: Record, arrays: list[Array]) -> dict[str, Any]:
         "attributes": dict(record.attributes),
         "findings": [asdict(finding) for finding in record.findings],
     }
-
-
-def _write(content: dict[str, Any], arrays: list[Array], stream: BinaryIO) -> None:
-    stream.write(json.dumps({**content, "sizes": [values.size for values in arrays]}).encode() + b"\n")
-    for values in arrays:
-        stream.write(np.ascontiguousarray(values, dtype=np.float64).data)

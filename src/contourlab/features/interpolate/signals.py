@@ -93,7 +93,7 @@ def read_quadrature(file: str | Path, columns: str | None = None, reference: str
 
 def line_of(record: Record, sample: int) -> int:
     """Return the line number (from 1) of a sample (from 0)."""
-    lines = [i for i, line in lines_in(text_of(record.file)) if line.strip()[0] not in "#%"]
+    lines = [i for i, line in lines_in(text_of(record.file), record.file) if line.strip()[0] not in "#%"]
     return lines[len(lines) - len(record.channels[0].values) - (CUT in record.findings) + sample]
 
 
