@@ -10,7 +10,7 @@ import numpy as np
 
 from contourlab.arrays import Array, Flags
 from contourlab.errors import ResultError
-from contourlab.metrics.circle_backlash import LEAST_SAMPLES
+from contourlab.metrics.circles import LEAST_SAMPLES
 
 NEAR = 0.02
 """Share of the radius by which a sample of the command may be off the circle."""
