@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from contourlab.arrays import Array, Flags
+from contourlab.arrays import Array, Flags, true_spans
 from contourlab.errors import ResultError
 from contourlab.metrics.circles import LEAST_SAMPLES
 
@@ -168,10 +168,9 @@ def runs_of(name: str, position: Array, period: float, circle: Circle, reference
     # Over a degree or more, counts and noise do not reverse the motion.
     speed = _smooth_rate(angle, period)
     sense = np.where(on_circle(guide, circle) & (np.abs(speed) > 0.2 * np.percentile(np.abs(speed), 90)), np.sign(speed), 0.0)
-    edges = np.flatnonzero(np.diff(sense)) + 1
     runs = []
-    for start, stop in pairwise([0, *edges.tolist(), len(sense)]):
-        if not sense[start] or abs(angle[stop - 1] - angle[start]) < WHOLE or stop - start < LEAST_SAMPLES:
+    for start, stop in true_spans(sense):
+        if abs(angle[stop - 1] - angle[start]) < WHOLE or stop - start < LEAST_SAMPLES:
             continue
         rate = speed[start:stop]
         usual = float(np.median(rate))
