@@ -179,16 +179,6 @@ class Metrics:
         pairs |= {name: (1e6 * axis.max, 1e6 * axis.rms) for name, axis in self._tracking.items()}
         return bars("error [um]", pairs, ("largest", "rms"))
 
-    def _facts(self) -> dict[str, str]:
-        """Return the figures that are no errors."""
-        return {
-            "judged": f"{self.basis}, {figure(self.judged_time, 's', 4)}",
-            "cycle time": figure(self.cycle_time, "s", 5),
-            "mean feedrate": figure(self.feedrate_mean, "mm/min", 4),
-            "feedrate ripple": figure(self.feedrate_ripple, "%"),
-            "saturated": ", ".join(f"{axis} {figure(part, '%')}" for axis, part in zip(self.axes, self.saturation, strict=True)),
-        }
-
     def __repr__(self) -> str:
         errors = {name: f"{figure(error.max, 'um')} largest, {figure(error.rms, 'um')} rms" for name, error in self._errors.items()}
         return facts_line("Metrics", {**errors, "judged": self.basis})
@@ -200,7 +190,14 @@ class Metrics:
             for name, error in self._errors.items()
         }
         rows |= {name: [figure(axis.rms, "um"), "", figure(axis.max, "um"), "", ""] for name, axis in self._tracking.items()}
-        return grid(("", "rms", "95 %", "largest", "at", "line"), rows) + facts_table(self._facts()) + svg(self.plot())
+        facts = {
+            "judged": f"{self.basis}, {figure(self.judged_time, 's', 4)}",
+            "cycle time": figure(self.cycle_time, "s", 5),
+            "mean feedrate": figure(self.feedrate_mean, "mm/min", 4),
+            "feedrate ripple": figure(self.feedrate_ripple, "%"),
+            "saturated": ", ".join(f"{axis} {figure(part, '%')}" for axis, part in zip(self.axes, self.saturation, strict=True)),
+        }
+        return grid(("", "rms", "95 %", "largest", "at", "line"), rows) + facts_table(facts) + svg(self.plot())
 
 
 def summarise(result: Result, reference: Reference, window: tuple[int, int] | Judged | None = None) -> Metrics:

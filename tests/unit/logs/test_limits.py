@@ -11,7 +11,7 @@ from refusals import refuses
 from scipy.io import savemat
 
 from contourlab.errors import LogError, ParameterError
-from contourlab.logs import apart, read_record, record
+from contourlab.logs import formats, read_record, record
 
 
 @pytest.fixture
@@ -22,13 +22,13 @@ def mat(tmp_path: Path) -> Path:
 
 @pytest.mark.parametrize("code", ["import os; os.abort()", "import sys; sys.exit(3)", "pass", "print('{', end='')"])
 def test_a_crash_of_a_library_is_an_error_of_the_file(mat: Path, monkeypatch: pytest.MonkeyPatch, code: str) -> None:
-    monkeypatch.setattr(apart, "_CODE", code)
+    monkeypatch.setattr(formats, "_CODE", code)
     with refuses(LogError, "matlab", file=mat):
         read_record(mat)
 
 
 def test_a_library_that_does_not_end_is_stopped(mat: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(apart, "_CODE", "import time; time.sleep(60)")
+    monkeypatch.setattr(formats, "_CODE", "import time; time.sleep(60)")
     monkeypatch.setenv(record.SETTING, "0.005")
     with refuses(LogError, f"0.3 s.*{record.SETTING}=1", file=mat):
         read_record(mat)

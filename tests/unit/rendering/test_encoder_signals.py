@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from contourlab.features.interpolate.lissajous import LissajousData, lissajous_png
+from contourlab.features.interpolate.text import LissajousData, lissajous_png
 
 
 def data(gap: bool = False) -> LissajousData:

@@ -14,9 +14,8 @@ from contourlab.app.json_values import write_json
 from contourlab.app.results import staged
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.circle.fit import CircleFit, fit_circle
-from contourlab.features.circle.polar_file import is_polar, own_columns, polar_runs
 from contourlab.features.circle.result import SURE, Cause, CircleTest, Correlation, causes_of, correlations_of, lags_of
-from contourlab.features.circle.runs import Circle, CircleRun, find_circle, runs_of
+from contourlab.features.circle.runs import Circle, CircleRun, find_circle, is_polar, own_columns, polar_runs, runs_of
 from contourlab.features.measure.log_choice import LogChoice, open_log, positive
 from contourlab.features.measure.plausibility import columns_of, known_signal
 from contourlab.features.measure.study import ACTUAL

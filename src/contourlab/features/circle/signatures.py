@@ -154,28 +154,29 @@ def _cyclic(runs: Sequence[CircleRun], residuals: Sequence[Array], axes: tuple[s
     for axis, along in zip(axes, (np.cos, np.sin), strict=True):
         places = np.concatenate([along(run.turned) for run in runs])
         weights = np.concatenate(residuals) * places
-        waves, power = _spectrum(0.5 * (places + 1.0), weights, 2.0)
-        asked = (waves >= FEWEST_PITCHES) & (waves <= most)
-        if asked.any():
-            best = int(np.argmax(np.where(asked, power, -1.0)))
-            yield Term("cyclic error", axis, 2, length=radius / float(waves[best]))
+        wave = _peak(*_spectrum(0.5 * (places + 1.0), weights, 2.0), FEWEST_PITCHES, most)
+        if wave is not None:
+            yield Term("cyclic error", axis, 2, length=radius / wave)
 
 
 def _vibrations(runs: Sequence[CircleRun], residuals: Sequence[Array]) -> Iterator[Term]:
     """Yield the best order of a vibration, by the spectrum of the residual over the angle travelled."""
     most = min(len(run.turned) / abs(run.turned[-1] - run.turned[0]) for run in runs) * 2.0 * math.pi / PER_CYCLE
     longest = max(abs(float(run.turned[-1] - run.turned[0])) for run in runs)
-    total: Array | None = None
-    orders = np.zeros(0)
-    for run, residual in zip(runs, residuals, strict=True):
-        gone = np.abs(run.turned - run.turned[0]) / longest
-        for along in (np.cos, np.sin):
-            orders, power = _spectrum(gone, residual * along(run.turned), longest / (2.0 * math.pi))
-            total = power if total is None else total + power
-    asked = (orders >= LOWEST_ORDER) & (orders <= most)
-    if total is not None and asked.any():
-        best = int(np.argmax(np.where(asked, total, -1.0)))
-        yield Term("vibration", "", 4 * len(runs), order=float(orders[best]))
+    spectra = [
+        _spectrum(np.abs(run.turned - run.turned[0]) / longest, residual * along(run.turned), longest / (2.0 * math.pi))
+        for run, residual in zip(runs, residuals, strict=True)
+        for along in (np.cos, np.sin)
+    ]
+    order = _peak(spectra[0][0], np.sum([power for _, power in spectra], axis=0), LOWEST_ORDER, most)
+    if order is not None:
+        yield Term("vibration", "", 4 * len(runs), order=order)
+
+
+def _peak(frequencies: Array, power: Array, low: float, high: float) -> float | None:
+    """Return the frequency of the largest power from a low to a high one; None if no frequency lies there."""
+    asked = (frequencies >= low) & (frequencies <= high)
+    return float(frequencies[np.argmax(np.where(asked, power, -1.0))]) if asked.any() else None
 
 
 def _spectrum(places: Array, weights: Array, span: float) -> tuple[Array, Array]:

@@ -99,7 +99,14 @@ def read_log(file: str | Path, setup: Setup) -> tuple[dict[str, AxisLog], list[F
     for axis in recorded:
         column = log.result.axes.index(axis.name)
         signals = {name: np.asarray(log.result[name][:, column]) for name in log.result.signals}
-        logs[axis.name] = _axis_log(axis, signals, record.file.name, period, setup.unit, findings)
+        command, measured = signals["reference"], signals["position"]
+        output, load = signals.get("command"), signals.get("axis_position")
+        if output is None or not np.isfinite(output).all():  # it was not recorded
+            findings.append(finding("CL872", f"axis {axis.name}"))
+            law = Law(period, axis.previous_target is not False)
+            output = law_output(command, measured, [axis.gains[name] / setup.unit for name in GAINS], law)
+        load = load if load is not None and np.isfinite(load).all() else None
+        logs[axis.name] = AxisLog(record.file.name, axis.name, period, command, measured, output, load)
     return logs, findings
 
 
@@ -116,18 +123,6 @@ def _column(names: Mapping[str, str], numbered: Mapping[str, str], axis: AxisSet
     }
     wired = (f"{axis.pid}.{signal}", axis.signals.get(signal, ""))
     return next((names[name.lower()] for name in (*usual[signal], *wired) if name.lower() in names), None)
-
-
-def _axis_log(axis: AxisSetup, signals: Mapping[str, Array], source: str, period: float, unit: float, findings: list[Finding]) -> AxisLog:
-    """Return the log of an axis; compute an output that was not recorded."""
-    command, measured = signals["reference"], signals["position"]
-    output = signals.get("command")
-    if output is None or not np.isfinite(output).all():
-        findings.append(finding("CL872", f"axis {axis.name}"))
-        law = Law(period, axis.previous_target is not False)
-        output = law_output(command, measured, [axis.gains[name] / unit for name in GAINS], law)
-    load = signals.get("axis_position")
-    return AxisLog(source, axis.name, period, command, measured, output, load if load is not None and np.isfinite(load).all() else None)
 
 
 def moving(log: AxisLog) -> AxisLog:

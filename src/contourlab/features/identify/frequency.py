@@ -273,7 +273,10 @@ def identified_drive(
 ) -> Identified:
     """Return the result of a model fitted to a response."""
     unit, found = records[0].unit, fit.found
-    units = _units(unit)
+    force = unit or "command"
+    mass, loss = ("kg", "N*s/m") if unit == "N" else (f"{force}*s^2/m", f"{force}*s/m")
+    units = dict.fromkeys(("M", "mass", "motor_mass", "load_mass"), mass) | dict.fromkeys(("B", "damping", "shaft_damping"), loss)
+    units |= {"delay": "s", "stiffness": f"{force}/m"} | TWO_MASS_UNITS
     on_mass, possible = mass_findings(fit.whole_mass) if unit == "N" else ([], True)
     findings = [*response.findings, *fit.findings, *findings, *on_mass, *_turning_findings(records, response)]
     if unit != "N":
@@ -293,13 +296,6 @@ def identified_drive(
         correlations=uncertainty.correlations if tables else (),
         pictures=_pictures(records[0].axis, model, response, fit, unit),
     )
-
-
-def _units(unit: str) -> dict[str, str]:
-    force = unit or "command"
-    mass, loss = ("kg", "N*s/m") if unit == "N" else (f"{force}*s^2/m", f"{force}*s/m")
-    units = dict.fromkeys(("M", "mass", "motor_mass", "load_mass"), mass) | dict.fromkeys(("B", "damping", "shaft_damping"), loss)
-    return units | {"delay": "s", "stiffness": f"{force}/m", "resonance": "Hz", "damping_ratio": "", "load_share": ""}
 
 
 def _resonance_lines(fit: DriveFit) -> tuple[str, ...]:

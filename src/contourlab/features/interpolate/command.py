@@ -11,9 +11,8 @@ from contourlab.analysis.encoder.interpolation import interpolation_order
 from contourlab.app.json_values import json_text
 from contourlab.app.results import spared
 from contourlab.errors import ParameterError, UnitError
-from contourlab.features.interpolate.signals import read_quadrature
-from contourlab.features.interpolate.study import Interpolated, Interpolation
-from contourlab.features.interpolate.text import counts_csv
+from contourlab.features.interpolate.study import Interpolated, Interpolation, read_quadrature
+from contourlab.features.interpolate.text import LissajousData, counts_csv, lissajous_png
 from contourlab.logs.load import about
 from contourlab.units import to_si
 
@@ -78,7 +77,6 @@ def _length(option: str, text: str, example: str) -> float:
 
 def _written(folder: Path, interpolation: Interpolation, result: Interpolated) -> Interpolated:
     """Write all files or none; return the result with their names."""
-    from contourlab.features.interpolate.lissajous import LissajousData, lissajous_png
     from contourlab.result.atomic import replacing
 
     result = replace(result, files={key: str(folder / name) for key, name in FILES.items()})
