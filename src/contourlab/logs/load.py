@@ -26,7 +26,7 @@ from contourlab.logs.clock import (
 )
 from contourlab.logs.delimited import CURE
 from contourlab.logs.formats import read_record
-from contourlab.logs.mapping import SIGNALS, TIME, USUAL, Column, Columns, guessed, unknown
+from contourlab.logs.mapping import SIGNALS, TIME, USUAL, Column, Columns, guessed
 from contourlab.logs.record import AXIS_LETTERS, Channel, Record, quoted
 from contourlab.result import Result, Signal
 from contourlab.units import from_si, show, si_unit, to_si
@@ -143,7 +143,9 @@ def result_of(record: Record, given: Columns) -> Log:
     columns = (*given.columns, *guesses)
     wanted = [column for column in columns if column.signal != TIME]
     if not wanted:
-        raise LogError("; ".join([*(doubt.text for doubt in doubtful), unknown(record)]), file=record.file)
+        cure = "write for example --column 'position.x=NAME [mm]', or name a file of columns with --columns"
+        unknown = f"no column matches a signal: {cure}. The columns are {quoted(record.names)}"
+        raise LogError("; ".join([*(doubt.text for doubt in doubtful), unknown]), file=record.file)
     times, time_findings = _times(record, columns, given)
     timed = {name: _timed(record, name, times, given.period, doubtful) for name in dict.fromkeys(column.column for column in wanted)}
     clock = common_clock([(channel.report, float(channel.time[0]), float(channel.time[-1])) for channel in timed.values()], record.file)

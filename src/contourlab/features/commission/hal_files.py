@@ -86,6 +86,10 @@ class Statement(Line):
     written: tuple[str, ...]
     words: tuple[str, ...]
 
+    def entry(self, number: int) -> Entry:
+        """Return a word as a value of the file."""
+        return Entry(self.file, self.line, self.words[number])
+
 
 @dataclass(frozen=True, eq=False)
 class HalGraph:
@@ -233,15 +237,15 @@ def read_graph(ini: Ini, files: Sequence[Path], unread: Sequence[Entry] = ()) ->
         If a file cannot be read, or a number of channels is none.
     """
     absent, statements = list(unread), list[Statement]()
-    open_ = [one for file in files for one in read_hal(file, ini)]
-    open_ += [one for entry in ini.values.get(("HAL", "HALCMD"), []) for one in _statement(entry, ini)]
+    open_ = [statement for file in files for statement in read_hal(file, ini)]
+    open_ += [statement for entry in ini.values.get(("HAL", "HALCMD"), []) for statement in _statement(entry, ini)]
     read = {file.resolve() for file in files}
     while open_:
-        one = open_.pop(0)
-        if one.words[0] != "source" or len(one.words) < 2:
-            statements.append(one)
+        statement = open_.pop(0)
+        if statement.words[0] != "source" or len(statement.words) < 2:
+            statements.append(statement)
             continue
-        entry = Entry(one.file, one.line, one.words[1])
+        entry = statement.entry(1)
         path = _located(entry, ini)
         if path is None:
             absent.append(entry)
@@ -249,14 +253,14 @@ def read_graph(ini: Ini, files: Sequence[Path], unread: Sequence[Entry] = ()) ->
             read.add(path.resolve())
             open_ = [*read_hal(path, ini), *open_]
     graph = HalGraph(tuple(statements), unread=tuple(absent))
-    for one in statements:
-        _add(graph, one)
+    for statement in statements:
+        _add(graph, statement)
     return graph
 
 
-def _add(graph: HalGraph, one: Statement) -> None:
+def _add(graph: HalGraph, statement: Statement) -> None:
     """Add what a statement loads, sets or connects."""
-    command, words = one.words[0], one.words[1:]
+    command, words = statement.words[0], statement.words[1:]
     if command in ("net", "linksp", "linkps", "linkpp") and len(words) > 1:
         signal, pins = (words[1], words[:1]) if command == "linkps" else (words[0], words if command == "linkpp" else words[1:])
         for pin in pins:
@@ -266,15 +270,15 @@ def _add(graph: HalGraph, one: Statement) -> None:
         signal = graph.signal_of.pop(words[0])
         graph.pins[signal] = [pin for pin in graph.pins[signal] if pin != words[0]]
     elif command == "setp" and len(words) == 2:
-        graph.settings[words[0]] = one
+        graph.settings[words[0]] = statement
     elif command == "addf" and words:
         graph.functions.append(words[0])
     elif command == "loadrt" and words:
         before = sum(kind == words[0] for kind in graph.kinds.values())
-        graph.kinds.update(dict.fromkeys(_channels(one, words, before), words[0]))
+        graph.kinds.update(dict.fromkeys(_channels(statement, words, before), words[0]))
 
 
-def _channels(one: Statement, words: tuple[str, ...], before: int) -> list[str]:
+def _channels(statement: Statement, words: tuple[str, ...], before: int) -> list[str]:
     """Return the names of the components that a ``loadrt`` adds to those before."""
     options = dict(word.partition("=")[::2] for word in words[1:])
     if "names" in options:
@@ -283,7 +287,7 @@ def _channels(one: Statement, words: tuple[str, ...], before: int) -> list[str]:
     count = options.get("num_chan", options.get("count", "3" if base == "pid" else "1"))
     size = int(count) if re.fullmatch(r"[0-9]{1,3}", count) else 0
     if not size and base == "pid":
-        raise ScenarioError(f"loadrt pid num_chan={count}: must be a whole number from 1 to 999", file=one.place)
+        raise ScenarioError(f"loadrt pid num_chan={count}: must be a whole number from 1 to 999", file=statement.place)
     return [f"{base}.{n}" for n in range(before, before + size)]
 
 
@@ -540,12 +544,12 @@ class _Wiring:
 
     def _axis(self, letter: str, joint: int, name: str) -> AxisSetup:
         gains, places = dict.fromkeys(GAINS, 0.0) | {"Pgain": 1.0}, {}  # as pid starts
-        mine = [one.line for pin, one in self.set.items() if pin.startswith(f"{name}.") and one.file == self.file]
+        mine = [statement.line for pin, statement in self.set.items() if pin.startswith(f"{name}.") and statement.file == self.file]
         for gain in GAINS:
-            one = self.set.get(f"{name}.{gain}")
-            if one is not None:
-                entry = self.ini.referred(REFERENCE.fullmatch(one.written[2])) or Entry(one.file, one.line, one.words[2])
-                gains[gain], places[gain] = self._number(one), entry
+            statement = self.set.get(f"{name}.{gain}")
+            if statement is not None:
+                entry = self.ini.referred(REFERENCE.fullmatch(statement.written[2])) or statement.entry(2)
+                gains[gain], places[gain] = self._number(statement), entry
         loop = classified(self.graph, name)
         self._check(letter, joint, name, loop)
         previous = self.set.get(f"{name}.error-previous-target")
@@ -571,12 +575,12 @@ class _Wiring:
         """Return whether a pin is set to true."""
         return pin in self.set and self.set[pin].words[2].lower() in ("1", "true", "yes")
 
-    def _number(self, one: Statement) -> float:
+    def _number(self, statement: Statement) -> float:
         try:
-            return float(one.words[2])
+            return float(statement.words[2])
         except ValueError as error:
-            missing = ": the INI file does not have it" if one.words[2].startswith("[") else ""
-            raise ScenarioError(f"setp {one.words[1]} {one.words[2]}{missing}: must be a number", file=one.place) from error
+            missing = ": the INI file does not have it" if statement.words[2].startswith("[") else ""
+            raise ScenarioError(f"{' '.join(statement.words[:3])}{missing}: must be a number", file=statement.place) from error
 
     def _limits(self, letter: str, joint: int) -> dict[str, float]:
         sections, limits = (f"AXIS_{letter.upper()}", f"JOINT_{joint}"), {}
@@ -607,14 +611,14 @@ class _Wiring:
         if calculation not in self.graph.functions:
             self.findings.append(finding("CL857", self.file.name, function=calculation))
         elif controller in self.graph.functions and self.graph.functions.index(calculation) < self.graph.functions.index(controller):
-            at = next(one for one in self.graph.statements if one.words[:2] == ("addf", calculation))
+            at = next(statement for statement in self.graph.statements if statement.words[:2] == ("addf", calculation))
             self.findings.append(finding("CL858", at.place, function=calculation))
         if loop.loop == "step generator":
             return  # nothing is predicted for it
         for parameter in UNUSUAL:
-            one = self.set.get(f"{name}.{parameter}")
-            if one is not None and self._number(one) != 0.0:
-                self.findings.append(finding("CL859", one.place, parameter=f"{name}.{parameter}"))
+            statement = self.set.get(f"{name}.{parameter}")
+            if statement is not None and self._number(statement) != 0.0:
+                self.findings.append(finding("CL859", statement.place, parameter=f"{name}.{parameter}"))
         for pin in ("command-deriv", "feedback-deriv"):
             if f"{name}.{pin}" in self.signal_of:
                 self.findings.append(finding("CL860", self.file.name, pin=f"{name}.{pin}"))

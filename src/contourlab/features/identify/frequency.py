@@ -272,7 +272,7 @@ def identified_drive(
     findings: Sequence[Finding] = (),
 ) -> Identified:
     """Return the result of a model fitted to a response."""
-    unit, found = records[0].unit, fit.found
+    unit, estimate = records[0].unit, fit.found
     force = unit or "command"
     mass, loss = ("kg", "N*s/m") if unit == "N" else (f"{force}*s^2/m", f"{force}*s/m")
     units = dict.fromkeys(("M", "mass", "motor_mass", "load_mass"), mass) | dict.fromkeys(("B", "damping", "shaft_damping"), loss)
@@ -286,11 +286,11 @@ def identified_drive(
         model,
         records[0].axis,
         tuple(record.source for record in records),
-        figures(found.names, found.values, found.deviations, found.robust_deviations, units.__getitem__),
+        figures(estimate.names, estimate.values, estimate.deviations, estimate.robust_deviations, units.__getitem__),
         fit.fit,
         fit.usable and possible,
         tuple(findings),
-        details={"method": response.method, "condition_number": found.condition_number, "points": _json_points(response, unit)},
+        details={"method": response.method, "condition_number": estimate.condition_number, "points": _json_points(response, unit)},
         lines=(response.method, fitted, *(_resonance_lines(fit) if model != "linear-motor" else ())),
         tables=tables,
         correlations=uncertainty.correlations if tables else (),

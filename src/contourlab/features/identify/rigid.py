@@ -157,9 +157,9 @@ def identify_open_loop(record: AxisRecord) -> Identified:
         delay = {"drive.delay": x["delay"]} if "delay" in x else {}
         return plant_numbers(forces, x["a"], x["b"]) | {name: sign * x[key] / forces.one for name, key, sign in held if key in x} | delay
 
-    found = fit.found
+    estimate = fit.found
     tables: Tables = {}
-    uncertainty = propagate(numbers, found.names, found.values, found.robust_deviations, found.correlation, record.source)
+    uncertainty = propagate(numbers, estimate.names, estimate.values, estimate.robust_deviations, estimate.correlation, record.source)
     if fit.usable:
         friction = friction_tables(fit["friction"] / forces.one, -(fit["offset"] / forces.one), forces.unit, uncertainty.origin)
         held = fit["friction"] + abs(fit["offset"])
@@ -171,11 +171,11 @@ def identify_open_loop(record: AxisRecord) -> Identified:
         "first-order",
         record.axis,
         (record.source,),
-        figures(found.names, found.values, found.deviations, found.robust_deviations, units.__getitem__),
-        found.fit,
+        figures(estimate.names, estimate.values, estimate.deviations, estimate.robust_deviations, units.__getitem__),
+        estimate.fit,
         fit.usable and possible,
         (*fit.findings, *on_mass),
-        details={"condition_number": found.condition_number, "smoothing": fit.smoothing},
+        details={"condition_number": estimate.condition_number, "smoothing": fit.smoothing},
         lines=(f"velocity over {fit.smoothing} sample{'s' * (fit.smoothing > 1)}; {steady}",),
         tables=tables,
         correlations=uncertainty.correlations if fit.usable else (),
@@ -211,18 +211,18 @@ def identify_behind_observer(record: AxisRecord, gains: tuple[float, float, str]
             )
         fit = identify_first_order(record.time, record.driven() + record.estimate, record.position, friction=False)
         unit, labels, start = record.unit, ("velocity [mm/s]", command_label(record.unit)), FROM_COMMAND
-    found, key = fit.found, labels[0].partition(" ")[0]
+    estimate, key = fit.found, labels[0].partition(" ")[0]
     units = {"a'": f"m/s^2/{unit}".rstrip("/"), "b'": "1/s", "delay": "s", "start": "m/s"}
-    names = [{"a": "a'", "b": "b'"}.get(name, name) for name in found.names]
+    names = [{"a": "a'", "b": "b'"}.get(name, name) for name in estimate.names]
     return Identified(
         "closed-loop",
         record.axis,
         (record.source,),
-        figures(names, found.values, found.deviations, found.robust_deviations, units.__getitem__),
-        found.fit,
+        figures(names, estimate.values, estimate.deviations, estimate.robust_deviations, units.__getitem__),
+        estimate.fit,
         fit.usable,
         fit.findings,
-        details={"condition_number": found.condition_number},
+        details={"condition_number": estimate.condition_number},
         lines=(start, "use them as model_gain and model_damping of a controller, not in a plant"),
         pictures=_pictures(fit, key, f"{key.capitalize()} of axis {record.axis}, {record.source}", labels),
     )
