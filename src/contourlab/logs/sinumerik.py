@@ -52,13 +52,17 @@ def read(file: Path) -> Record:
     trace = _Trace(file)
     trace.parse()
     signals = [_described(signal, trace.shown.get(signal.get("key", ""), {})) for signal in trace.signals]
-    # The key of a signal's values in the records is its id, else its key, else its number.
-    own = [signal.get("id") or (key if (key := signal.get("key", "")) in trace.samples else f"f{i}") for i, signal in enumerate(signals, 1)]
-    described = list(zip(own, signals, _names(signals), strict=True))
+    keys = []
+    for i, signal in enumerate(signals, 1):
+        # The key of a signal's values in the records is its id, else its key, else its number.
+        key = signal.get("key", "")
+        keys.append(signal.get("id") or (key if key in trace.samples else f"f{i}"))
+    described = list(zip(keys, signals, _names(signals), strict=True))
     channels = tuple(_channel(key, signal, name, trace) for key, signal, name in described if key in trace.samples)
     if not channels:
         raise LogError("contains no trace: no rec element has values of a dataSignal", file=file)
-    lost, silent = _positive(trace.header.get("dropOuts")), [name or key for key, _, name in described if key not in trace.samples]
+    silent = [name or key for key, _, name in described if key not in trace.samples]
+    lost = _positive(trace.header.get("dropOuts"))
     findings = [finding("CL423", drop_outs=int(lost))] if lost else []
     findings += [finding("CL424", signals=silent)] if silent else []
     return Record(file, "sinumerik", channels, findings=tuple(findings))
