@@ -12,7 +12,7 @@ from contourlab.app.json_values import json_text
 from contourlab.app.results import spared
 from contourlab.errors import ParameterError, UnitError
 from contourlab.features.interpolate.study import Interpolated, Interpolation, read_quadrature
-from contourlab.features.interpolate.text import LissajousData, counts_csv, lissajous_png
+from contourlab.features.interpolate.text import counts_csv, lissajous_png
 from contourlab.logs.load import about
 from contourlab.units import to_si
 
@@ -81,10 +81,11 @@ def _written(folder: Path, interpolation: Interpolation, result: Interpolated) -
 
     result = replace(result, files={key: str(folder / name) for key, name in FILES.items()})
     title, after = interpolation.record.source.file.name, interpolation.after[:, interpolation.settled :].T
+    phase, *errors = interpolation.over_phase()
     names = _legend(result.subdivisional_error)
     contents = {
         "counts": counts_csv(result, interpolation.record.time, interpolation.counted.counts, interpolation.position()),
-        "picture": lissajous_png(LissajousData(title, interpolation.before.T, after, *interpolation.over_phase(), names)),
+        "picture": lissajous_png(title, (interpolation.before.T, after), phase, errors, names),
         "summary": (json_text(result) + "\n").encode(),
     }
     # Put the files in place only after all of them are written.
