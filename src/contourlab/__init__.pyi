@@ -76,8 +76,8 @@ from contourlab.loop.machine import Machine as Machine
 from contourlab.loop.parameters import parameter_names as parameter_names
 from contourlab.loop.reconfigure import Change as Change
 from contourlab.loop.simulate import simulate as simulate
-from contourlab.metrics.circle_backlash import backlash_from_circle as backlash_from_circle
-from contourlab.metrics.circle_backlash import backlash_of_runs as backlash_of_runs
+from contourlab.metrics.circles import backlash_from_circle as backlash_from_circle
+from contourlab.metrics.circles import backlash_of_runs as backlash_of_runs
 from contourlab.metrics.circles import circles_of as circles_of
 from contourlab.metrics.figures import Metrics as Metrics
 from contourlab.metrics.figures import summarise as summarise

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import reduce
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -23,10 +24,10 @@ def across(combine: Callable[[Array, Array], Array], rows: Array) -> Array:
     return reduce(combine, rows.T)
 
 
-def true_spans(mask: Flags) -> list[tuple[int, int]]:
-    """Return the spans [start, stop) of samples at which a mask (n,) is true."""
-    edges = np.flatnonzero(np.diff(np.r_[False, mask, False].astype(np.int8)))
-    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
+def true_spans(mask: Flags | Array) -> list[tuple[int, int]]:
+    """Return the spans [start, stop) of samples at which a mask (n,) is true, or values (n,) are equal and not 0."""
+    edges = [0, *(np.flatnonzero(np.diff(mask)) + 1).tolist(), mask.size]
+    return [(start, stop) for start, stop in pairwise(edges) if start < stop and mask[start]]
 
 
 def ranges(first: Index, count: Index) -> Index:

@@ -16,8 +16,7 @@ from typed_commands import AsJson, Refused
 
 from contourlab.cli.main import main
 from contourlab.errors import ResultError
-from contourlab.features.measure.measured_path import path_of_samples
-from contourlab.features.measure.shift import fitted_shift
+from contourlab.features.measure.measured_path import fitted_shift, path_of_samples
 from contourlab.features.measure.study import measure
 from contourlab.geometry import Line
 from contourlab.geometry import Path as Path_

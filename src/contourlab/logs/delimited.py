@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -14,8 +14,7 @@ from contourlab.arrays import Array, Index
 from contourlab.errors import LogError
 from contourlab.findings import Finding, finding
 from contourlab.logs import reading
-from contourlab.logs.limits import COLUMNS, check_limit
-from contourlab.logs.record import Channel, Record
+from contourlab.logs.record import COLUMNS, Channel, Record, check_limit
 
 MARKS = (";", "\t", ",")
 ENDINGS = (".csv", ".tsv", ".txt", ".dat", ".log")
@@ -58,7 +57,7 @@ def read(file: Path) -> Record:
         If there is no row of numbers, or one has another number of columns.
     """
     text = reading.text_of(file)
-    lines = ((i, line) for i, line in reading.lines_in(text) if _bare(line))
+    lines = ((i, line) for i, line in reading.lines_in(text, file) if _bare(line))
     looked = list(itertools.islice(lines, LOOKED_AT))
     if not looked:
         raise LogError("contains no samples", file=file)
@@ -85,7 +84,8 @@ def _plain(rows: Iterable[tuple[int, str]], width: int, mark: str | None) -> Arr
 
 
 def _read_cells(file: Path, text: str, first: int, mark: str | None) -> Record:
-    lines = [(i, line) for i, line in reading.lines_in(text) if _bare(line)]
+    """Read a table cell by cell: a column holds timestamps if its first cell that is not empty looks like one, else numbers."""
+    lines = [(i, line) for i, line in reading.lines_in(text, file) if _bare(line)]
     heads, rows = lines[:first], lines[first:]
     cut = len(rows) > 1 and not text.endswith(("\n", "\r"))
     if _is_closed(heads, rows[:-1] if cut else rows, mark):
@@ -98,19 +98,15 @@ def _read_cells(file: Path, text: str, first: int, mark: str | None) -> Record:
     above = {line for _, line in heads}
     if repeated := next((i for i, line in rows if line in above), 0):
         raise LogError("the header is repeated here: split the file, it contains two records", file=file, line=repeated)
-    return Record(file, "csv", tuple(_channels(rows, names, units, mark, file)), findings=findings)
-
-
-def _channels(rows: list[tuple[int, str]], names: list[str], units: list[str], mark: str | None, file: Path) -> Iterator[Channel]:
-    """Yield the columns cell by cell: numbers, or timestamps if the first cell that is not empty looks like one."""
-    comma = mark != "," and any("," in line for _, line in rows)
-    lines = [i for i, _ in rows]
-    columns = reading.columns_of([(i, _cells(line, mark)) for i, line in rows], len(names), file)
+    comma, channels = mark != "," and any("," in line for _, line in rows), []
+    numbers = [i for i, _ in rows]
+    columns = reading.columns_of([(i, _cells(line, mark)) for i, line in rows], width, file)
     for name, unit, cells in zip(names, units, columns, strict=True):
         if is_timestamp(next((cell.strip('" ') for cell in cells if not reading.is_empty(cell)), "")):
-            yield timestamp_channel(name, cells, lines, file)
+            channels.append(timestamp_channel(name, cells, numbers, file))
         else:
-            yield reading.number_channel(name, cells, lines, file, comma, unit)
+            channels.append(reading.number_channel(name, cells, numbers, file, comma, unit))
+    return Record(file, "csv", tuple(channels), findings=findings)
 
 
 def _first_row(lines: list[tuple[int, str]], file: Path) -> tuple[int, str | None]:
@@ -224,16 +220,11 @@ def _heads(lines: list[list[str]], width: int) -> tuple[list[str], list[str]]:
         above = [cell.strip().strip('"').strip() for cell in wide[-2]]
         if all(re.fullmatch(r'"?\s*([\[(].*[\])])?\s*"?', cell) for cell in wide[-1]):  # units in brackets, or empty
             return above, below
-        if _bare_units(above, below):
+        bare = [(name, cell) for name, cell in zip(above, below, strict=True) if cell not in NO_UNIT]
+        if bare and all(name and name != cell and reading.is_unit(cell) for name, cell in bare):
             return above, ["" if cell in NO_UNIT else cell for cell in below]
     pairs = [reading.name_and_unit(cell.strip().strip('"')) for cell in wide[-1]]
     return [name or str(j + 1) for j, (name, _) in enumerate(pairs)], [unit for _, unit in pairs]
-
-
-def _bare_units(names: list[str], cells: list[str]) -> bool:
-    """Tell whether the cells below the names are known units without brackets, or empty."""
-    units = [(name, cell) for name, cell in zip(names, cells, strict=True) if cell not in NO_UNIT]
-    return bool(units) and all(name and name != cell and reading.is_unit(cell) for name, cell in units)
 
 
 # --- dates and times of day --------------------------------------------------------------------------------------------------------
@@ -305,27 +296,22 @@ def _ticks(texts: list[str], name: str, lines: Sequence[int], file: Path) -> tup
 
     cells = [text.strip(' "').replace(",", ".") for text in texts]
     forms = [_form(cell) for cell in cells]
-    wrong = [form is None or form != forms[0] for form in forms]
-    ticks = np.zeros(len(cells), dtype=np.int64)
-    is_clock = bool(forms and forms[0] and forms[0][0] == "time of day")
-    if is_clock and not any(wrong):
-        ticks = pandas.to_timedelta(cells).as_unit("ns").asi8
-    elif forms and forms[0] and not any(wrong):
+    wrong = [not form[0] or form != forms[0] for form in forms]
+    if not any(wrong) and (not forms or forms[0][0] == "time of day"):
+        return pandas.to_timedelta(cells).as_unit("ns").asi8, bool(forms)
+    if not any(wrong):
         stamps = pandas.to_datetime(cells, format=forms[0][0], dayfirst=True, utc=True, errors="coerce")
         # Outside these years, nanoseconds do not fit 64 bits.
         wrong = (stamps.isna() | (stamps.year < 1678) | (stamps.year > 2261)).tolist()
-        ticks = ticks if any(wrong) else stamps.as_unit("ns").asi8
-    if any(wrong):
-        k = wrong.index(True)
-        other = ", in another format than the first," if forms[k] and forms[k] != forms[0] else ""
-        what = f"{reading.shown(texts[k])} in column {name!r}{other}"
-        raise LogError(f"{what} is not an unambiguous timestamp: {CURE}", file=file, line=lines[k])
-    return ticks, is_clock
+        if not any(wrong):
+            return stamps.as_unit("ns").asi8, False
+    k = wrong.index(True)
+    other = ", in another format than the first," if forms[k][0] and forms[k] != forms[0] else ""
+    what = f"{reading.shown(texts[k])} in column {name!r}{other}"
+    raise LogError(f"{what} is not an unambiguous timestamp: {CURE}", file=file, line=lines[k])
 
 
-def _form(cell: str) -> tuple[str, bool] | None:
-    """Return the name in `_FORMS` of a cell's format, and whether it has a time zone; None if ambiguous."""
-    for name, form in _FORMS.items():
-        if match := form.match(cell):
-            return name, bool(match.groupdict().get("zone"))
-    return None
+def _form(cell: str) -> tuple[str, bool]:
+    """Return the name in `_FORMS` of a cell's format, empty if ambiguous, and whether it has a time zone."""
+    matches = {name: match for name, form in _FORMS.items() if (match := form.match(cell))}
+    return next(((name, bool(match.groupdict().get("zone"))) for name, match in matches.items()), ("", False))

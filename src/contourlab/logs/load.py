@@ -26,7 +26,7 @@ from contourlab.logs.clock import (
 )
 from contourlab.logs.delimited import CURE
 from contourlab.logs.formats import read_record
-from contourlab.logs.mapping import SIGNALS, TIME, USUAL, Column, Columns, guessed, unknown
+from contourlab.logs.mapping import SIGNALS, TIME, USUAL, Column, Columns, guessed
 from contourlab.logs.record import AXIS_LETTERS, Channel, Record, quoted
 from contourlab.result import Result, Signal
 from contourlab.units import from_si, show, si_unit, to_si
@@ -69,15 +69,11 @@ class Log:
     def clock_findings(self) -> list[Finding]:
         """Return the findings on uneven sample times; they name the channels unless all are alike."""
         period = self.result.servo_period
-        alike: list[tuple[ClockReport, list[str]]] = []
+        alike: dict[ClockReport, list[str]] = {}
         for name, report in self.clocks.items():
-            names = next((names for other, names in alike if other == report), None)
-            if names is None:
-                alike.append((report, [name]))
-            else:
-                names.append(name)
-        places = ["" if len(names) == len(self.clocks) else quoted(names) for _, names in alike]
-        return [one for (report, _), place in zip(alike, places, strict=True) for one in report.findings(period, place)]
+            alike.setdefault(report, []).append(name)
+        places = {report: "" if len(names) == len(self.clocks) else quoted(names) for report, names in alike.items()}
+        return [one for report, place in places.items() for one in report.findings(period, place)]
 
     def gaps_at(self, time: float) -> list[str]:
         """Return the position channels with a gap at a time [s] of the result."""
@@ -147,12 +143,15 @@ def result_of(record: Record, given: Columns) -> Log:
     columns = (*given.columns, *guesses)
     wanted = [column for column in columns if column.signal != TIME]
     if not wanted:
-        raise LogError("; ".join([*(doubt.text for doubt in doubtful), unknown(record)]), file=record.file)
+        cure = "write for example --column 'position.x=NAME [mm]', or name a file of columns with --columns"
+        unknown = f"no column matches a signal: {cure}. The columns are {quoted(record.names)}"
+        raise LogError("; ".join([*(doubt.text for doubt in doubtful), unknown]), file=record.file)
     times, time_findings = _times(record, columns, given)
     timed = {name: _timed(record, name, times, given.period, doubtful) for name in dict.fromkeys(column.column for column in wanted)}
     clock = common_clock([(channel.report, float(channel.time[0]), float(channel.time[-1])) for channel in timed.values()], record.file)
     signals, uneven = _signals(record, {column: timed[column.column] for column in wanted}, units, clock)
-    axes = tuple(sorted({column.axis for column in wanted}, key=_order))
+    places = {letter: place for place, letter in enumerate(AXIS_LETTERS)}
+    axes = tuple(sorted({column.axis for column in wanted}, key=lambda axis: (places.get(axis.lower(), len(places)), axis)))
     attributes = {**record.attributes, "log": record.file.name, "format": record.format}
     result = Result(record.file.stem, axes, clock[0], _stacked(signals, axes), attributes=attributes)
     by_name = [f"{column.target} = {column.column}" for column in guesses if column.signal != TIME and column.column != column.target]
@@ -176,11 +175,6 @@ def _guesses(record: Record, given: Columns) -> tuple[list[Column], list[Finding
         if len(names) > 1:
             doubtful.append(finding("CL431", signal=guesses.pop().target, columns=" or ".join(map(repr, names))))
     return guesses, doubtful
-
-
-def _order(axis: str) -> tuple[int, str]:
-    place = AXIS_LETTERS.find(axis.lower()) if len(axis) == 1 else -1
-    return (place if place >= 0 else len(AXIS_LETTERS), axis)
 
 
 def _times(record: Record, columns: Sequence[Column], given: Columns) -> tuple[Array | None, list[Finding]]:
@@ -293,11 +287,10 @@ def _units(record: Record, given: Columns, guesses: Sequence[Column]) -> tuple[d
     own = {column: column.unit or channel.unit for column, channel in channels.items()}
     units, shared = dict(own), []
     for column in [column for column in columns if SIGNALS[column.signal] and not own[column]]:
-        for other in columns:
-            if other.axis == column.axis and SIGNALS[other.signal] == SIGNALS[column.signal] and own[other]:
-                units[column] = own[other]
-                shared.append(finding("CL435", signal=column.signal, unit=own[other], other=other.signal))
-                break
+        alike = [other for other in columns if (other.axis, SIGNALS[other.signal]) == (column.axis, SIGNALS[column.signal]) and own[other]]
+        if alike:
+            units[column] = own[alike[0]]
+            shared.append(finding("CL435", signal=column.signal, unit=units[column], other=alike[0].signal))
     without = [column for column in columns if SIGNALS[column.signal] and not units[column]]
     is_named = any(column.signal != TIME for column in given.columns)
     doubted = [column for column in guesses if column.signal != TIME and (is_named or SIGNALS[column.signal] != "m")]

@@ -13,7 +13,7 @@ from typing import Any
 from contourlab.errors import LogError, UnitError
 from contourlab.file_kinds import mistaken
 from contourlab.logs.reading import name_and_unit, readable
-from contourlab.logs.record import AXIS_LETTERS, Channel, Record, quoted
+from contourlab.logs.record import AXIS_LETTERS, Channel, Record
 from contourlab.units import same_dimension, to_si
 
 TIME = "time"
@@ -212,12 +212,6 @@ def _own(channel: Channel) -> tuple[str, str] | None:
 
 def _meaning(channel: Channel) -> tuple[str, str] | None:
     return _own(channel) or meant(channel.name) or meant(channel.symbol)
-
-
-def unknown(record: Record) -> str:
-    """Return the message that asks for columns."""
-    cure = "write for example --column 'position.x=NAME [mm]', or name a file of columns with --columns"
-    return f"no column matches a signal: {cure}. The columns are {quoted(record.names)}"
 
 
 # --- meaning of a name -------------------------------------------------------------------------------------------------------------

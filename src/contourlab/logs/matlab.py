@@ -10,9 +10,8 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import LogError
-from contourlab.logs.limits import COLUMNS, NUMBERS, check_limit
 from contourlab.logs.reading import name_and_unit
-from contourlab.logs.record import Channel, Record
+from contourlab.logs.record import COLUMNS, NUMBERS, Channel, Record, check_limit
 
 HDF = b"\x89HDF\r\n\x1a\n"
 SHORTEST = 2
@@ -35,14 +34,18 @@ def read(file: Path) -> Record:
     LogError
         If it cannot be read, or holds no numbers.
     """
-    tree = _tree_of_hdf(file) if _is_hdf(file) else _tree(file)
+    with file.open("rb") as stream:
+        # Version 7.3 has MATLAB's own text before the HDF5 signature.
+        head = stream.read(520)
+    tree = _HdfTree(file).read() if HDF in (head[:8], head[512:520]) else _tree(file)
     tree = {name: value for name, value in tree.items() if not name.startswith(("__", "#"))}
     while len(tree) == 1 and isinstance(inner := next(iter(tree.values())), Mapping):
         tree = dict(inner)
     period = None
-    if _is_capture(tree):
+    if isinstance(tree.get("X"), Mapping) and "Data" in tree["X"] and isinstance(tree.get("Y"), list | Mapping):
         try:
-            channels, constants, period = _capture(tree)
+            channels, period = _capture(tree)
+            constants: dict[str, float] = {}
         except (AttributeError, KeyError, TypeError, ValueError) as error:
             raise LogError(f"looks like a capture (X and Y), but a part of it is missing or wrong: {error}", file=file) from error
     else:
@@ -50,23 +53,12 @@ def read(file: Path) -> Record:
         for column in _leaves(tree, ""):
             columns.append(column)
             check_limit(len(columns), COLUMNS, "columns", file)
-        channels = [Channel(*_named(name, value)) for name, value in columns if value.size >= SHORTEST]
+        named = [(*name_and_unit(name), value) for name, value in columns if value.size >= SHORTEST]
+        channels = [Channel(name, value, unit) for name, unit, value in named]
         constants = {name: float(value[0]) for name, value in columns if value.size == 1}
     if not channels:
         raise LogError("contains no columns of numbers", file=file)
     return Record(file, "matlab", tuple(channels), period, constants)
-
-
-def _named(text: str, values: Array) -> tuple[str, Array, str]:
-    name, unit = name_and_unit(text)
-    return name, values, unit
-
-
-def _is_hdf(file: Path) -> bool:
-    with file.open("rb") as stream:
-        # Version 7.3 has MATLAB's own text before the HDF5 signature.
-        head = stream.read(520)
-    return HDF in (head[:8], head[512:520])
 
 
 def _tree(file: Path) -> dict[str, Any]:
@@ -84,18 +76,18 @@ def _plain(value: Any) -> Any:
     return value
 
 
-def _tree_of_hdf(file: Path) -> dict[str, Any]:
-    import h5py
-
-    with h5py.File(file, "r") as stored:
-        return _HdfTree(file).fields(stored)
-
-
 class _HdfTree:
     """Items of version 7.3: groups are structures, references lead to items, text is stored as numbers."""
 
     def __init__(self, file: Path) -> None:
         self.file, self.count = file, 0
+
+    def read(self) -> dict[str, Any]:
+        """Return the items of the file."""
+        import h5py
+
+        with h5py.File(self.file, "r") as stored:
+            return self.fields(stored)
 
     def fields(self, group: Any) -> dict[str, Any]:
         """Return the items of a group; links to other files and broken links are left out."""
@@ -131,25 +123,17 @@ class _HdfTree:
         return np.squeeze(item[()].T)
 
 
-def _is_capture(tree: Mapping[str, Any]) -> bool:
-    return isinstance(tree.get("X"), Mapping) and "Data" in tree["X"] and isinstance(tree.get("Y"), list | Mapping)
-
-
-def _capture(tree: Mapping[str, Any]) -> tuple[list[Channel], dict[str, float], float | None]:
+def _capture(tree: Mapping[str, Any]) -> tuple[list[Channel], float | None]:
     time = _numbers(tree["X"]["Data"])
     channels = []
     for row in tree["Y"] if isinstance(tree["Y"], list) else [tree["Y"]]:
-        name, unit = name_and_unit(_short(str(row.get("Name", ""))))
+        # "Model Root"/"Encoder Feedback X"/"x [mm]" becomes Encoder Feedback X/x [mm].
+        parts = [part.strip('" ') for part in str(row.get("Name", "")).split('"/"')]
+        name, unit = name_and_unit("/".join(part for part in parts if part and part != "Model Root"))
         own = row.get("Unit")
         channels.append(Channel(name, _numbers(row["Data"]), own if isinstance(own, str) and own else unit, time))
     period = tree.get("Capture", {}).get("SamplingPeriod") if isinstance(tree.get("Capture"), Mapping) else None
-    return channels, {}, float(period) if period is not None and np.size(period) == 1 and float(period) > 0.0 else None
-
-
-def _short(name: str) -> str:
-    """Return ``Encoder Feedback X/x [mm]`` for ``"Model Root"/"Encoder Feedback X"/"x [mm]"``."""
-    parts = [part.strip('" ') for part in name.split('"/"')]
-    return "/".join(part for part in parts if part and part != "Model Root")
+    return channels, float(period) if period is not None and np.size(period) == 1 and float(period) > 0.0 else None
 
 
 def _leaves(tree: Any, name: str) -> Iterator[tuple[str, Array]]:

@@ -9,9 +9,8 @@ import numpy as np
 
 from contourlab.extras import extra_module
 from contourlab.findings import finding
-from contourlab.logs.limits import COLUMNS, NUMBERS, check_limit
 from contourlab.logs.reading import name_and_unit
-from contourlab.logs.record import Channel, Record
+from contourlab.logs.record import COLUMNS, NUMBERS, Channel, Record, check_limit
 
 MAGIC = b"PAR1"
 

@@ -16,8 +16,7 @@ import numpy as np
 from contourlab.errors import LogError, UnitError
 from contourlab.file_kinds import mistaken
 from contourlab.findings import Finding, finding
-from contourlab.logs.limits import LINE, check_limit
-from contourlab.logs.record import Channel
+from contourlab.logs.record import LINE, Channel, check_limit
 from contourlab.units import same_dimension
 
 HEAD = 1 << 16
@@ -69,28 +68,18 @@ def text_of(file: Path) -> str:
     Raises
     ------
     LogError
-        If it cannot be read, is not text, or has a line too long: its cells would fill the memory.
+        If it cannot be read, or is not text.
     """
     with readable(file):
         data = file.read_bytes()
     if data[:2] in UTF_16:
-        text = data.decode("utf-16", errors="replace")
-    elif b"\0" in data[:HEAD]:
+        return data.decode("utf-16", errors="replace")
+    if b"\0" in data[:HEAD]:
         raise LogError("is not text: name its format with --format", file=file)
-    else:
-        try:
-            text = data.decode("utf-8-sig")
-        except UnicodeDecodeError:
-            text = data.decode("latin-1")
-    start = 0
-    while len(text) - start > LINE:
-        end = max(text.rfind("\n", start, start + LINE), text.rfind("\r", start, start + LINE)) + 1
-        if end == 0:
-            end = min((k for k in (text.find("\n", start), text.find("\r", start)) if k >= 0), default=len(text)) + 1
-            line = len(text[:start].splitlines()) + 1
-            check_limit(end - 1 - start, LINE, "characters in a line", file, line)
-        start = end
-    return text
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return data.decode("latin-1")
 
 
 def lines_of(file: Path) -> tuple[list[tuple[int, str]], tuple[Finding, ...]]:
@@ -99,15 +88,23 @@ def lines_of(file: Path) -> tuple[list[tuple[int, str]], tuple[Finding, ...]]:
     A last line without a line break was cut short, and is left out.
     """
     text = text_of(file)
-    lines = list(lines_in(text))
+    lines = list(lines_in(text, file))
     if not lines or text.endswith(("\n", "\r")):
         return lines, ()
     return lines[:-1], (CUT,)
 
 
-def lines_in(text: str) -> Iterator[tuple[int, str]]:
-    """Yield the numbered lines of a text without blank ones."""
+def lines_in(text: str, file: Path) -> Iterator[tuple[int, str]]:
+    """Yield the numbered lines of a text without blank ones.
+
+    Raises
+    ------
+    LogError
+        If a line is too long: its cells would fill the memory.
+    """
     for i, line in enumerate(io.StringIO(text, newline=None), 1):
+        if len(line) > LINE:
+            check_limit(len(line.rstrip("\n")), LINE, "characters in a line", file, i)
         if line.strip():
             yield i, line.rstrip("\n")
 

@@ -1,20 +1,32 @@
-"""The content of a log: named channels, constants and notes."""
+"""The content of a log: named channels, constants and notes. Limits on what it may cost: a small file must not fill the memory."""
 
 from __future__ import annotations
 
 import itertools
+import math
+import os
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from contourlab.arrays import Array
-from contourlab.errors import LogError
+from contourlab.errors import LogError, ParameterError
 from contourlab.findings import Finding
-from contourlab.logs.limits import COLUMNS, check_limit
 
 AXIS_LETTERS = "xyzabcuvw"
 """Axes in the order of their joints."""
+SETTING = "CONTOURLAB_LOG_LIMIT"
+"""Environment variable with a factor on all limits."""
+COLUMNS = 10_000
+LINE = 1_000_000
+"""Characters of a line of text."""
+NUMBERS = 50_000_000
+"""Numbers of a log in a compressed or sparse format."""
+MEMORY = 850_000_000
+"""Memory of the process that reads a binary format [byte]."""
+TIME = 60.0
+"""Time of that process [s]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,7 +93,11 @@ class Record:
 
     def __post_init__(self) -> None:
         check_limit(len(self.channels), COLUMNS, "columns", self.file)
-        object.__setattr__(self, "channels", _numbered(self.channels))
+        # Channels of the same name are numbered.
+        count = Counter(channel.name for channel in self.channels)
+        place = {name: itertools.count(1) for name in count}
+        numbered = (replace(c, name=f"{c.name} #{next(place[c.name])}") if count[c.name] > 1 else c for c in self.channels)
+        object.__setattr__(self, "channels", tuple(numbered))
         if not any(channel.values.size for channel in self.channels):
             raise LogError("contains no samples", file=self.file)
         faults = [channel.fault for channel in self.channels]
@@ -105,30 +121,22 @@ class Record:
 
     def channels_of(self, names: Iterable[str]) -> list[Channel]:
         """Return channels by their names, as `channel` does; an error names all columns that are missing."""
-        matches = {name: self._matches(name) for name in names}
-        if absent := [name for name, found in matches.items() if not found]:
+        matches = {}
+        for name in names:
+            folded = name.casefold()
+            matches[name] = (
+                [c for c in self.channels if c.name == name]
+                or [c for c in self.channels if c.name.casefold() == folded]
+                or [c for c in self.channels if folded in c.name.casefold()]
+            )
+        if absent := [name for name, channels in matches.items() if not channels]:
             column = "column" if len(absent) == 1 else "columns"
             raise LogError(f"has no {column} {quoted(absent)}; the columns are {quoted(self.names)}", file=self.file)
-        for name, found in matches.items():
-            if len(found) > 1:
-                several = quoted(c.name for c in found)
+        for name, channels in matches.items():
+            if len(channels) > 1:
+                several = quoted(c.name for c in channels)
                 raise LogError(f"column {name!r} is ambiguous, it matches {several}: write the full name", file=self.file)
-        return [found[0] for found in matches.values()]
-
-    def _matches(self, name: str) -> list[Channel]:
-        folded = name.casefold()
-        return (
-            [c for c in self.channels if c.name == name]
-            or [c for c in self.channels if c.name.casefold() == folded]
-            or [c for c in self.channels if folded in c.name.casefold()]
-        )
-
-
-def _numbered(channels: tuple[Channel, ...]) -> tuple[Channel, ...]:
-    """Number channels of the same name: ``x #1``, ``x #2``."""
-    count = Counter(channel.name for channel in channels)
-    place = {name: itertools.count(1) for name in count}
-    return tuple(replace(c, name=f"{c.name} #{next(place[c.name])}") if count[c.name] > 1 else c for c in channels)
+        return [channels[0] for channels in matches.values()]
 
 
 def quoted(names: Iterable[str], most: int = 30) -> str:
@@ -136,3 +144,33 @@ def quoted(names: Iterable[str], most: int = 30) -> str:
     listed = [repr(name) for name in names]
     more = f" and {len(listed) - most} more" if len(listed) > most else ""
     return ", ".join(listed[:most]) + more
+
+
+def factor() -> float:
+    """Return the factor on all limits.
+
+    Raises
+    ------
+    ParameterError
+        If the setting is not a positive number.
+    """
+    text = os.environ.get(SETTING, "1")
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not 0.0 < value < math.inf:
+        raise ParameterError(SETTING, repr(text), "a factor > 0, such as 4")
+    return value
+
+
+def check_limit(count: int, most: int, what: str, file: Path, line: int = 0) -> None:
+    """Raise `LogError` if a log has more than `most` columns, characters or numbers, times the factor."""
+    if count > most * factor():
+        # Rounded up, so that the value in the message is enough.
+        raise LogError(f"has {count} {what}, too many: set {SETTING}={math.ceil(count / most)} to read it", file=file, line=line)
+
+
+def raised() -> str:
+    """Return what to write if memory or time are not enough."""
+    return f"if the file is sound, set {SETTING}={math.ceil(2.0 * factor())}"

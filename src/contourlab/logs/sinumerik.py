@@ -16,10 +16,9 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import LogError
-from contourlab.findings import Finding, finding
-from contourlab.logs.limits import COLUMNS, NUMBERS, check_limit
+from contourlab.findings import finding
 from contourlab.logs.reading import is_unit, number, readable, shown
-from contourlab.logs.record import Channel, Record
+from contourlab.logs.record import COLUMNS, NUMBERS, Channel, Record, check_limit
 
 NOTHING = 9.2e18
 """Larger numbers are the bits of NaN, written as an integer."""
@@ -53,19 +52,20 @@ def read(file: Path) -> Record:
     trace = _Trace(file)
     trace.parse()
     signals = [_described(signal, trace.shown.get(signal.get("key", ""), {})) for signal in trace.signals]
-    keys = [_key(i, signal, trace) for i, signal in enumerate(signals, 1)]
+    keys = []
+    for i, signal in enumerate(signals, 1):
+        # The key of a signal's values in the records is its id, else its key, else its number.
+        key = signal.get("key", "")
+        keys.append(signal.get("id") or (key if key in trace.samples else f"f{i}"))
     described = list(zip(keys, signals, _names(signals), strict=True))
     channels = tuple(_channel(key, signal, name, trace) for key, signal, name in described if key in trace.samples)
     if not channels:
         raise LogError("contains no trace: no rec element has values of a dataSignal", file=file)
     silent = [name or key for key, _, name in described if key not in trace.samples]
-    return Record(file, "sinumerik", channels, findings=_findings(trace, silent))
-
-
-def _findings(trace: _Trace, silent: Sequence[str]) -> tuple[Finding, ...]:
     lost = _positive(trace.header.get("dropOuts"))
     findings = [finding("CL423", drop_outs=int(lost))] if lost else []
-    return (*findings, *([finding("CL424", signals=silent)] if silent else []))
+    findings += [finding("CL424", signals=silent)] if silent else []
+    return Record(file, "sinumerik", channels, findings=tuple(findings))
 
 
 @dataclass
@@ -93,8 +93,12 @@ class _Trace:
             self._take(tag, attributes, above, parser.CurrentLineNumber)
             above.append(tag)
 
+        def refuse(*_: object) -> None:
+            # Entities may grow without limit, or name other files.
+            raise LogError("declares a document type (DOCTYPE), which no trace has: delete the declaration", file=self.file)
+
         parser.StartElementHandler = start
-        parser.StartDoctypeDeclHandler = self._refuse_types
+        parser.StartDoctypeDeclHandler = refuse
         parser.EndElementHandler = lambda _: above.pop()
         try:
             with readable(self.file):
@@ -104,10 +108,6 @@ class _Trace:
             raise LogError(f"is not valid or complete XML: {expat.ErrorString(error.code)}", file=self.file, line=error.lineno) from error
         except (LookupError, ValueError) as error:
             raise LogError(f"is XML in an unknown encoding: {error}", file=self.file) from error
-
-    def _refuse_types(self, *_: object) -> None:
-        # Entities may grow without limit, or name other files.
-        raise LogError("declares a document type (DOCTYPE), which no trace has: delete the declaration", file=self.file)
 
     def _take(self, tag: str, attributes: dict[str, str], above: list[str], line: int) -> None:
         check_limit(max(len(attributes), len(self.signals)), COLUMNS, "columns", self.file, line)
@@ -139,14 +139,6 @@ class _Trace:
             written.append(value if abs(value) < NOTHING else np.nan)
 
 
-def _key(number_from_1: int, signal: Mapping[str, str], trace: _Trace) -> str:
-    """Return the key of a signal's values in the records: its id, else its key, else its number."""
-    if signal.get("id"):
-        return signal["id"]
-    key = signal.get("key", "")
-    return key if key in trace.samples else f"f{number_from_1}"
-
-
 def _described(signal: Mapping[str, str], shown: Mapping[str, str]) -> dict[str, str]:
     """Complete a signal from the display; the description there has priority, because people edit it there."""
     own = {key: text for key, text in signal.items() if text.strip()}
@@ -164,32 +156,22 @@ def _names(signals: Sequence[Mapping[str, str]]) -> list[str]:
 
 def _channel(key: str, signal: Mapping[str, str], name: str, trace: _Trace) -> Channel:
     written, values = (np.array(numbers) for numbers in trace.samples[key])
-    n = _sample_count(written, signal, trace.last)
-    trace.count += 2 * max(n, written.size)
+    every, count, n = _positive(signal.get("interval")), _positive(signal.get("datapointCount")), 0.0
+    if every and not 0.0 < count <= written.size:
+        # Unchanged values are not written. Records end with the last change; the count includes all samples.
+        n = max((trace.last - written[0]) / every + ON_GRID + 1.0, count)
+        n = n if n <= MOST_HELD * written.size else 0.0
+    trace.count += 2 * max(int(n), written.size)
     check_limit(trace.count, NUMBERS, "times and values", trace.file)
-    time, values = _held(written, values, signal, n)
+    time, values = _held(written, values, every, int(n)) if n else (written, values)
     valid = ~np.isnan(values)
     kind = signal.get("unitsType", "")
     unit = signal.get("units") or signal.get("unit") or UNITS.get(kind) or (kind if is_unit(kind) else "")
     return Channel(name or key, values[valid], unit, time[valid])
 
 
-def _sample_count(written: Array, signal: Mapping[str, str], last: float) -> int:
-    """Return the number of samples of a signal, unchanged ones included; 0 if the written ones are all."""
-    every = _positive(signal.get("interval"))
-    count = _positive(signal.get("datapointCount"))
-    if not every or 0.0 < count <= written.size:
-        return 0
-    # Records end with the last change; the count includes all samples.
-    n = max((last - written[0]) / every + ON_GRID + 1.0, count)
-    return 0 if n > MOST_HELD * written.size else int(n)
-
-
-def _held(written: Array, values: Array, signal: Mapping[str, str], n: int) -> tuple[Array, Array]:
-    """Return times and values of `n` samples, each value held until the next; for 0 those written."""
-    every = _positive(signal.get("interval"))
-    if n == 0:
-        return written, values
+def _held(written: Array, values: Array, every: float, n: int) -> tuple[Array, Array]:
+    """Return times and values of `n` samples, each value held until the next; those written if they are off this grid."""
     exact = (written - written[0]) / every
     place = np.rint(exact)
     if (np.abs(exact - place) > ON_GRID).any() or (np.diff(place) < 1.0).any():

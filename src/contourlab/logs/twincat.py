@@ -10,7 +10,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import LogError
-from contourlab.findings import Finding, finding
+from contourlab.findings import finding
 from contourlab.logs.reading import cell_number, cells_of, lines_of, number
 from contourlab.logs.record import Channel, Record
 
@@ -52,21 +52,18 @@ def read(file: Path) -> Record:
     if len({len(heads[key]) for key in (NAME, PERIOD)}) > 1:
         raise LogError("channel names contain the separator: export with tabs or semicolons", file=file)
     start = max(i for i, row in enumerate(rows[:60]) if row[0] in (*heads, *LAST)) + 1
-    body = _until_end([(line, row) for (line, _), row in zip(written[start:], rows[start:], strict=True)])
+    samples = [(line, row) for (line, _), row in zip(written[start:], rows[start:], strict=True)]
+    # An end mark, triggers or markers may follow the samples.
+    end = next((k for k, (_, row) in enumerate(samples) if row[0].strip() and not _number(row[0])), len(samples))
+    body = samples[:end]
     if not body:
         raise LogError("contains no samples", file=file)
     layout = _layout(heads[NAME], body[0][1], file)
     comma = any("," in cell for cell in heads[PERIOD]) and mark != ","
     values = _values(body, max(max(pair) for pair in layout) + 1, comma, file, {column: heads[NAME][head] for head, column, _ in layout})
-    return Record(file, "twincat", tuple(_channel(heads, values, *pair) for pair in layout), findings=(*findings, *_findings(heads)))
-
-
-def _until_end(body: list[tuple[int, list[str]]]) -> list[tuple[int, list[str]]]:
-    """Return the rows of samples, before the end mark, triggers or markers."""
-    for k, (_, row) in enumerate(body):
-        if row[0].strip() and not _number(row[0]):
-            return body[:k]
-    return body
+    scaled = [name for name, factor in zip(heads[NAME], heads.get("ScaleFactor", []), strict=False) if _number(factor) and factor != "1"]
+    findings += (finding("CL420", channels=scaled),) if scaled else ()
+    return Record(file, "twincat", tuple(_channel(heads, values, *pair) for pair in layout), findings=findings)
 
 
 def _number(cell: str) -> bool:
@@ -113,8 +110,3 @@ def _channel(heads: dict[str, list[str]], values: Array, head: int, column: int,
     # The unit is written with its quantity: "dV (Voltage)".
     unit, symbol = ("".join(heads.get(key, [])[head : head + 1]) for key in (UNIT, SYMBOL))
     return Channel(heads[NAME][head], values[valid, column], unit.partition("(")[0].strip(), seconds, symbol=symbol)
-
-
-def _findings(heads: dict[str, list[str]]) -> tuple[Finding, ...]:
-    scaled = [name for name, factor in zip(heads[NAME], heads.get("ScaleFactor", []), strict=False) if _number(factor) and factor != "1"]
-    return (finding("CL420", channels=scaled),) if scaled else ()

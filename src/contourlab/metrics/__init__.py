@@ -1,9 +1,11 @@
 """Metrics: figures of a run from positions and the path alone, without knowledge of the controller."""
 
-from contourlab.metrics.circle_backlash import CircleBacklash, backlash_from_circle, backlash_of_runs
 from contourlab.metrics.circles import (
     Bidirectional,
+    CircleBacklash,
     CircleFigures,
+    backlash_from_circle,
+    backlash_of_runs,
     bidirectional,
     circle_figures,
     circles_of,

@@ -10,7 +10,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from contourlab.arrays import Flags, Index
+from contourlab.arrays import Index
 from contourlab.errors import ResultError
 from contourlab.feed import Reference
 from contourlab.feed.profile import CUTTING, LAST_LAP, Judged
@@ -179,16 +179,6 @@ class Metrics:
         pairs |= {name: (1e6 * axis.max, 1e6 * axis.rms) for name, axis in self._tracking.items()}
         return bars("error [um]", pairs, ("largest", "rms"))
 
-    def _facts(self) -> dict[str, str]:
-        """Return the figures that are no errors."""
-        return {
-            "judged": f"{self.basis}, {figure(self.judged_time, 's', 4)}",
-            "cycle time": figure(self.cycle_time, "s", 5),
-            "mean feedrate": figure(self.feedrate_mean, "mm/min", 4),
-            "feedrate ripple": figure(self.feedrate_ripple, "%"),
-            "saturated": ", ".join(f"{axis} {figure(part, '%')}" for axis, part in zip(self.axes, self.saturation, strict=True)),
-        }
-
     def __repr__(self) -> str:
         errors = {name: f"{figure(error.max, 'um')} largest, {figure(error.rms, 'um')} rms" for name, error in self._errors.items()}
         return facts_line("Metrics", {**errors, "judged": self.basis})
@@ -200,7 +190,14 @@ class Metrics:
             for name, error in self._errors.items()
         }
         rows |= {name: [figure(axis.rms, "um"), "", figure(axis.max, "um"), "", ""] for name, axis in self._tracking.items()}
-        return grid(("", "rms", "95 %", "largest", "at", "line"), rows) + facts_table(self._facts()) + svg(self.plot())
+        facts = {
+            "judged": f"{self.basis}, {figure(self.judged_time, 's', 4)}",
+            "cycle time": figure(self.cycle_time, "s", 5),
+            "mean feedrate": figure(self.feedrate_mean, "mm/min", 4),
+            "feedrate ripple": figure(self.feedrate_ripple, "%"),
+            "saturated": ", ".join(f"{axis} {figure(part, '%')}" for axis, part in zip(self.axes, self.saturation, strict=True)),
+        }
+        return grid(("", "rms", "95 %", "largest", "at", "line"), rows) + facts_table(facts) + svg(self.plot())
 
 
 def summarise(result: Result, reference: Reference, window: tuple[int, int] | Judged | None = None) -> Metrics:
@@ -231,7 +228,10 @@ def summarise(result: Result, reference: Reference, window: tuple[int, int] | Ju
     cut = judged.samples
     tracking = result["tracking_error"][cut]
     axes = tuple(AxisFigures(float(np.sqrt(np.mean(e**2))), float(np.abs(e).max())) for e in tracking.T)
-    saturation = tuple(float(np.mean(row)) for row in _saturated(result, cut).T)
+    saturation = (0.0,) * len(result.axes)
+    if "applied_command" in result:
+        limits = np.array([float(result.attributes.get(f"command_limit_{axis}", math.inf)) for axis in result.axes])
+        saturation = tuple(np.mean(np.abs(result["applied_command"][cut]) >= limits * (1.0 - 1e-12), axis=0).tolist())
     mean, ripple = _feedrate(result, judged)
     cycle = (result.n_sample - 1) * result.servo_period
     names = ("part_error", "contour_error", "planning_deviation")
@@ -255,11 +255,9 @@ def _others(result: Result, reference: Reference, judged: Judged) -> Iterator[Mo
     if judged.basis != CUTTING:
         return
     first, last = judged.ranges[0][0], judged.ranges[-1][1]
-    between = tuple((one[1], other[0]) for one, other in pairwise(judged.ranges))
-    parts = (("approach", ((0, first),)), ("rapids", between), ("retract", ((last, result.n_sample),)))
-    for name, ranges in parts:
-        moved = tuple((start, stop) for start, stop in ranges if start < stop)
-        if moved:
+    between = [(before[1], after[0]) for before, after in pairwise(judged.ranges)]
+    for name, ranges in (("approach", [(0, first)]), ("rapids", between), ("retract", [(last, result.n_sample)])):
+        if moved := tuple((start, stop) for start, stop in ranges if start < stop):
             samples = Judged(moved, name).samples
             size = np.abs(result["part_error"][samples])
             worst = _place(result, reference, samples[size.argmax()])
@@ -287,16 +285,6 @@ def _error_figures(result: Result, reference: Reference, name: str, cut: Index) 
         integral_without_mean=float(np.abs(signed - mean).sum() * result.servo_period),
         worst=_place(result, reference, cut[size.argmax()]),
     )
-
-
-def _saturated(result: Result, cut: Index) -> Flags:
-    """Return where each drive was at the limit that the run recorded."""
-    saturated = np.zeros((cut.size, len(result.axes)), dtype=bool)
-    if "applied_command" in result:
-        for j, axis in enumerate(result.axes):
-            limit = float(result.attributes.get(f"command_limit_{axis}", math.inf))
-            saturated[:, j] = np.abs(result["applied_command"][cut, j]) >= limit * (1.0 - 1e-12)
-    return saturated
 
 
 def _feedrate(result: Result, judged: Judged) -> tuple[float, float]:

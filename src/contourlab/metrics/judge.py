@@ -101,21 +101,14 @@ def judge(result: Result, reference: Reference, *, error: float = 0.0, planning:
 
 def planning_deviation(reference: Reference, wanted: Array, along: Array) -> tuple[Array, Array]:
     """Return the planning deviation (n,) [m] of some samples of a reference, and the arc length (n,) [m] of their foot points."""
-    place, window = _around(reference, wanted, along)
-    return _errors(reference.programmed, wanted, place, window)
-
-
-def _around(reference: Reference, wanted: Array, along: Array) -> tuple[Array, Array]:
-    """Return the place of the reference on the programmed path, and how far (n,) [m] its foot point may be from there.
-
-    The error of the corresponding place is at most the length that one curve replaces there: a corner or a merged piece. The foot point is
-    not further away than that place, and the margin covers a path that bends back.
-    """
     place = reference.programmed_arc_length(along)
-    if reference.correspondence is None:
-        return place, np.full(place.size, 0.02 * reference.programmed.length)
-    off = np.linalg.norm(wanted - reference.programmed.position(place), axis=1)
-    return place, reference.correspondence.span(along) + 3.0 * off + 1e-9
+    window = np.full(place.size, 0.02 * reference.programmed.length)
+    if reference.correspondence is not None:
+        # The error of the corresponding place is at most the length that one curve replaces there: a corner or a merged piece. The foot
+        # point is not further away than that place, and the margin covers a path that bends back.
+        off = np.linalg.norm(wanted - reference.programmed.position(place), axis=1)
+        window = reference.correspondence.span(along) + 3.0 * off + 1e-9
+    return _errors(reference.programmed, wanted, place, window)
 
 
 def stands_still(reference: Reference, error: ArrayLike) -> Flags:
@@ -129,10 +122,11 @@ def stands_still(reference: Reference, error: ArrayLike) -> Flags:
 
 def check_follows(judged: Result, reference: Reference) -> None:
     """Raise DivergenceError if the tool stands still while its reference moves; see `stands_still`."""
-    off = np.linalg.norm(judged["reference"] - judged["tool_position"], axis=1)
+    behind = judged["reference"] - judged["tool_position"]
+    off = np.linalg.norm(behind, axis=1)
     sample = int(np.argmax(off))
     if stands_still(reference, off[sample]):
-        axis = judged.axes[int(np.argmax(np.abs(judged["reference"] - judged["tool_position"])[sample]))]
+        axis = judged.axes[int(np.argmax(np.abs(behind[sample])))]
         reason = f"{judged.scheme}: the tool hardly leaves its start: it is {1e3 * off[sample]:.4g} mm from its reference"
         raise DivergenceError(reason, sample=sample, time=sample * judged.servo_period, axis=axis)
 

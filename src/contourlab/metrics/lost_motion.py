@@ -16,7 +16,6 @@ from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Index
 from contourlab.errors import ParameterError, ResultError
-from contourlab.metrics.records import check_positive, records
 
 MARGIN = 1.2
 """Travel since the last turn that ensures contact, as a multiple of the range of motor less load."""
@@ -117,13 +116,13 @@ def lost_motion_from_pair(
     weight. Means are taken over each pass in each bin; scale errors along the axis cancel, since they are the same both ways.
     """
     no_force = np.zeros(np.shape(motor_position))
-    motor, load, push = records(motor=motor_position, load=load_position, force=no_force if force is None else force)
+    motor, load, push = _records(motor=motor_position, load=load_position, force=no_force if force is None else force)
     if bins != int(bins) or bins < 1:
         raise ParameterError("bins", bins, "a whole number, 1 or more")
     if stiffness is not None:
-        check_positive("stiffness", stiffness, "N/m")
+        _check_positive("stiffness", stiffness, "N/m")
     if friction is not None:
-        check_positive("friction", friction, "N", or_zero=True)
+        _check_positive("friction", friction, "N", or_zero=True)
         if stiffness is None or force is not None:
             raise ParameterError("friction", friction, "given with stiffness, and without force")
     cells, middle, passes = _cells(motor, motor - load, push, bins)
@@ -256,3 +255,22 @@ def _by_place(cells: _Cells, bins: Index) -> tuple[Array, Array]:
     lost = np.array([forward.mean() - backward.mean() for forward, backward in groups])
     deviation = np.array([scatter * math.sqrt(1.0 / len(forward) + 1.0 / len(backward)) for forward, backward in groups])
     return lost, deviation
+
+
+def _records(**values: ArrayLike) -> list[Array]:
+    """Return records (n,) as float arrays; raise a ResultError unless they are vectors of one length, not empty, and finite."""
+    arrays, names = [np.asarray(value, dtype=float) for value in values.values()], " and ".join(values)
+    if arrays[0].ndim != 1 or len({array.shape for array in arrays}) > 1:
+        shapes = " and ".join(str(array.shape) for array in arrays)
+        raise ResultError(f"{names} have shapes {shapes}: give one number per sample, the same number of samples")
+    if not arrays[0].size:
+        raise ResultError(f"{names} hold no samples")
+    if not all(np.isfinite(array).all() for array in arrays):
+        raise ResultError(f"{names} hold values that are not finite")
+    return arrays
+
+
+def _check_positive(name: str, value: float, unit: str, *, or_zero: bool = False) -> None:
+    """Raise a ParameterError unless a value is finite and > 0, or 0 if that is allowed."""
+    if not (0.0 < value < math.inf or (or_zero and value == 0.0)):
+        raise ParameterError(name, value, f"finite and {'>= 0' if or_zero else '> 0'}", unit)

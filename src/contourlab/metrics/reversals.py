@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from contourlab.arrays import Array, Index
+from contourlab.arrays import Array
 from contourlab.feed import Reference
 from contourlab.geometry import Arc, Curve
 from contourlab.metrics.judge import furthest, reach
@@ -115,37 +115,29 @@ def reversal_spikes(
     most = int(longest / result.servo_period)
     ends = [min(k + max((next_ - k) // 2, 4 * _BEFORE), k + most, result.n_sample) for k, next_ in zip(samples, following, strict=True)]
     searches = [(k, end, j) for (k, j), end in zip(turns, ends, strict=True) if k >= _BEFORE and end - k > 2 * _BEFORE]
-    errors = _Errors(result, reference, [(k - _BEFORE, end) for k, end, _ in searches])
+    errors = _errors(result, reference, [(k - _BEFORE, end) for k, end, _ in searches])
     angles = [math.nan] * len(searches)
     if reference is not None:
         angles = _angles(result, reference, [(k, j, float(velocity[k, j])) for k, _, j in searches])
-    return tuple(_spike(result, errors, velocity[k], (k, end), j, angle) for (k, end, j), angle in zip(searches, angles, strict=True))
+    return tuple(_spike(result, error, velocity[k], k, j, angle) for (k, _, j), error, angle in zip(searches, errors, angles, strict=True))
 
 
-class _Errors:
-    """The signed contour error (n, 1); in space the vector (n, n_axis) from the path to the tool, in some ranges of samples."""
-
-    def __init__(self, result: Result, reference: Reference | None, ranges: Sequence[tuple[int, int]]) -> None:
-        self.samples: Index | None = None
-        self.values = result["contour_error"][:, None]
-        if reference is None or reference.path.is_planar or not ranges:
-            return
-        marked = np.zeros(result.n_sample, dtype=bool)
-        for start, stop in ranges:
-            marked[start:stop] = True
-        self.samples = here = np.flatnonzero(marked)
-        path, tool = reference.path, result["tool_position"][here]
-        if reference.programmed is path:
-            foot = path.position(result["foot_arc_length"][here])
-        else:
-            window = reach(path, furthest(result["reference"] - result["tool_position"]))
-            foot = path.foot_point(tool, result["arc_length"][here], window).position
-        self.values = tool - foot
-
-    def of(self, start: int, stop: int) -> Array:
-        """Return the errors of the samples [start, stop) within one of the ranges."""
-        first = start if self.samples is None else int(np.searchsorted(self.samples, start))
-        return np.asarray(self.values[first : first + stop - start])
+def _errors(result: Result, reference: Reference | None, ranges: Sequence[tuple[int, int]]) -> list[Array]:
+    """Return the signed contour error (n, 1) in some ranges of samples; in space the vector (n, n_axis) from the path to the tool."""
+    if reference is None or reference.path.is_planar or not ranges:
+        return [result["contour_error"][start:stop, None] for start, stop in ranges]
+    marked = np.zeros(result.n_sample, dtype=bool)
+    for start, stop in ranges:
+        marked[start:stop] = True
+    here = np.flatnonzero(marked)
+    path, tool = reference.path, result["tool_position"][here]
+    if reference.programmed is path:
+        foot = path.position(result["foot_arc_length"][here])
+    else:
+        window = reach(path, furthest(result["reference"] - result["tool_position"]))
+        foot = path.foot_point(tool, result["arc_length"][here], window).position
+    firsts = np.searchsorted(here, [start for start, _ in ranges])
+    return [(tool - foot)[first : first + stop - start] for first, (start, stop) in zip(firsts, ranges, strict=True)]
 
 
 def reversal_figures(spikes: Sequence[Spike], *, places: bool = True) -> tuple[ReversalFigures, ...]:
@@ -157,16 +149,14 @@ def reversal_figures(spikes: Sequence[Spike], *, places: bool = True) -> tuple[R
     for spike in spikes:
         angle = spike.angle if places and math.isfinite(spike.angle) else None
         groups.setdefault((spike.axis, spike.direction, angle), []).append(spike)
-    figures = map(_figures_of, groups.values())
+    figures = []
+    for (axis, direction, _), group in groups.items():
+        heights, angle = np.array([abs(spike.height) for spike in group]), group[0].angle
+        worst, width = int(heights.argmax()), float(np.mean([spike.width for spike in group]))
+        of_group = (float(heights.mean()), float(heights[worst]), group[worst].time, width)
+        same = all(spike.angle == angle for spike in group)
+        figures.append(ReversalFigures(axis, direction, angle if same else math.nan, len(group), *of_group))
     return tuple(sorted(figures, key=lambda f: (math.isnan(f.angle), np.nan_to_num(f.angle), f.axis, -f.direction)))
-
-
-def _figures_of(group: Sequence[Spike]) -> ReversalFigures:
-    first, heights = group[0], np.array([abs(spike.height) for spike in group])
-    angle = first.angle if all(spike.angle == first.angle for spike in group) else math.nan
-    worst, width = int(heights.argmax()), float(np.mean([spike.width for spike in group]))
-    figures = (float(heights.mean()), float(heights[worst]), group[worst].time, width)
-    return ReversalFigures(first.axis, first.direction, angle, len(group), *figures)
 
 
 def _angles(result: Result, reference: Reference, turns: Sequence[tuple[int, int, float]]) -> list[float]:
@@ -184,18 +174,14 @@ def _angles(result: Result, reference: Reference, turns: Sequence[tuple[int, int
 
 
 def _common_plane(one: Curve, other: Curve) -> tuple[int, ...]:
-    """Return the two axes in whose plane two curves are arcs of one circle; empty if they are not."""
+    """Return the two axes in whose plane two curves are arcs of one circle, in the order XY, YZ, ZX; empty if they are not, or tilted."""
     if not (isinstance(one, Arc) and isinstance(other, Arc)):
         return ()
-    same = abs(one.radius - other.radius) <= 1e-9 and np.allclose(one.centre, other.centre, rtol=0.0, atol=1e-9)
-    return _plane(other) if same else ()
-
-
-def _plane(arc: Arc) -> tuple[int, ...]:
-    """Return the two axes in whose plane an arc lies, in the order XY, YZ, ZX; empty if it is tilted."""
-    if arc.n_axis == 2:
+    if abs(one.radius - other.radius) > 1e-9 or not np.allclose(one.centre, other.centre, rtol=0.0, atol=1e-9):
+        return ()
+    if other.n_axis == 2:
         return 0, 1
-    moved = np.flatnonzero(np.abs(np.array([arc.u, arc.v])).max(axis=0) > 1e-9).tolist()
+    moved = np.flatnonzero(np.abs(np.array([other.u, other.v])).max(axis=0) > 1e-9).tolist()
     return next((plane for plane in ((0, 1), (1, 2), (2, 0)) if sorted(plane) == moved), ())
 
 
@@ -206,11 +192,10 @@ def _turns(velocity: Array) -> list[int]:
     return [int(k) for k in moving[1:][sign[1:] != sign[:-1]]]
 
 
-def _spike(result: Result, errors: _Errors, velocity: Array, search: tuple[int, int], j: int, angle: float) -> Spike:
-    k, end = search
-    error = errors.of(k - _BEFORE, end)
+def _spike(result: Result, error: Array, velocity: Array, k: int, j: int, angle: float) -> Spike:
+    """Return the spike of axis j that reverses at sample k, from the errors since `_BEFORE` samples earlier."""
     low, high = error[:_BEFORE].mean(axis=0), error[-_BEFORE:].mean(axis=0)
-    away = error[_BEFORE:] - np.linspace(low, high, end - k)
+    away = error[_BEFORE:] - np.linspace(low, high, len(error) - _BEFORE)
     size = np.linalg.norm(away, axis=1)
     peak = int(np.argmax(size))
     below = np.flatnonzero(~(size >= 0.5 * size[peak]))

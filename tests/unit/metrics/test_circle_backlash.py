@@ -13,8 +13,7 @@ from made_circles import behind
 from numpy.typing import NDArray
 
 from contourlab.errors import ContourlabError, ParameterError, ResultError
-from contourlab.metrics.circle_backlash import CircleBacklash, backlash_from_circle, backlash_of_runs
-from contourlab.metrics.circles import circle_figures
+from contourlab.metrics.circles import CircleBacklash, backlash_from_circle, backlash_of_runs, circle_figures
 
 Array = NDArray[np.float64]
 

@@ -10,14 +10,13 @@ from pathlib import Path
 import numpy as np
 
 from contourlab.app.session import QUIET, Session, question
-from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.circle.fit import CircleFit, fit_circle
 from contourlab.features.circle.options import Circle
-from contourlab.features.circle.polar_file import is_polar, own_columns, polar_runs
 from contourlab.features.circle.result import SURE, Cause, CircleTest, Correlation, causes_of, correlations_of, lags_of
-from contourlab.features.circle.runs import CircleRun, find_circle, runs_of
+from contourlab.features.circle.runs import CircleRun, find_circle, is_polar, own_columns, polar_runs, runs_of
 from contourlab.features.measure.log_choice import LogChoice, open_log
+from contourlab.features.measure.plausibility import columns_of, known_signal
 from contourlab.features.measure.study import ACTUAL
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log, read_record
@@ -113,21 +112,12 @@ def _read(choices: Sequence[LogChoice], settings: Circle) -> _Read:
 def _log_runs(log: Log, axes: tuple[str, ...], radius: float | None) -> tuple[tuple[CircleRun, ...], bool]:
     """Return the runs of a log, and whether it has the command."""
     result = log.result
-    if missing := [axis for axis in axes if axis not in result.axes]:
-        raise ResultError(f"no axis {missing[0]} in {result.source}; there are {', '.join(result.axes)}")
-    if len(axes) < 2:
+    if len(columns_of(result, axes)) < 2:
         raise ResultError(f"has the axis {', '.join(axes)} only: a circle needs two")
-    columns = [result.axes.index(axis) for axis in axes[:2]]
-
-    def points(names: Sequence[str]) -> Array | None:
-        for name in names:
-            if name in result and np.isfinite(result[name][:, columns]).all():
-                return np.asarray(result[name][:, columns])
-        return None
-
-    position, reference = points(ACTUAL), points(("reference",))
-    if position is None:
+    measured, commanded = (known_signal(result, axes[:2], names) for names in (ACTUAL, ("reference",)))
+    if measured is None:
         raise ResultError(f"no position in {result.source}: name its columns, such as --column 'position.x=NAME [mm]'")
+    position, reference = measured[1], None if commanded is None else commanded[1]
     circle = find_circle(position if reference is None else reference)
     if radius is not None and abs(radius - circle.radius) > 0.05 * radius:
         raise ResultError(f"a circle of {1e3 * circle.radius:.6g} mm radius, not of {1e3 * radius:.6g} mm")

@@ -11,10 +11,9 @@ import numpy as np
 from contourlab.analysis.identification.least_squares import fit_covariance
 from contourlab.arrays import Array
 from contourlab.errors import ResultError
-from contourlab.features.circle.periodic import refined, strongest
 from contourlab.features.circle.runs import CircleRun
-from contourlab.features.circle.signatures import AFTER, BEFORE, Term, columns_of, usual_terms
-from contourlab.metrics.circle_backlash import WIDEST_HOLE, crossing, is_crossed, outside, past, widest_hole
+from contourlab.features.circle.signatures import AFTER, BEFORE, Term, columns_of, refined, strongest, usual_terms
+from contourlab.metrics.circles import check_cover, correlated_variance, crossing, is_crossed, outside, past
 
 MOST_PERIODIC = 4
 """Cyclic errors and vibrations together."""
@@ -137,10 +136,15 @@ def fit_circle(runs: Sequence[CircleRun], axes: tuple[str, str], pitch: float | 
     Then the cyclic error or vibration that removes most of the residual is added, as long as its amplitude exceeds `CERTAIN` deviations.
     The covariance allows for the autocorrelation of the residual (`contourlab.analysis.identification.least_squares.fit_covariance`).
     """
-    _check(runs)
+    radii, feeds = [run.radius for run in runs], [run.feedrate for run in runs if math.isfinite(run.feedrate)]
+    if max(radii) - min(radii) > 1e-9:
+        raise ResultError(f"circles of {1e3 * min(radii):.6g} and {1e3 * max(radii):.6g} mm radius: give runs around one circle")
+    if feeds and max(feeds) > 1.1 * min(feeds):
+        raise ResultError(f"feeds of {6e4 * min(feeds):.4g} and {6e4 * max(feeds):.4g} mm/min: lag depends on it, give runs at one feed")
     uses = [outside(run.turned, run.clockwise, BEFORE, AFTER) for run in runs]
     kept = [replace(run, turned=run.turned[use], deviation=run.deviation[use]) for run, use in zip(runs, uses, strict=True)]
-    _check_cover(kept)
+    for run in kept:
+        check_cover(run.turned, BEFORE + AFTER)
     terms = usual_terms(axes, len({run.clockwise for run in runs}) == 2)
     coefficients, covariance, residuals = _solved(kept, terms, axes)
     for _ in range(MOST_PERIODIC):
@@ -163,21 +167,6 @@ def _squares(residuals: Sequence[Array]) -> float:
     return sum(float(residual @ residual) for residual in residuals)
 
 
-def _check(runs: Sequence[CircleRun]) -> None:
-    radii, feeds = [run.radius for run in runs], [run.feedrate for run in runs if math.isfinite(run.feedrate)]
-    if max(radii) - min(radii) > 1e-9:
-        raise ResultError(f"circles of {1e3 * min(radii):.6g} and {1e3 * max(radii):.6g} mm radius: give runs around one circle")
-    if feeds and max(feeds) > 1.1 * min(feeds):
-        raise ResultError(f"feeds of {6e4 * min(feeds):.4g} and {6e4 * max(feeds):.4g} mm/min: lag depends on it, give runs at one feed")
-
-
-def _check_cover(kept: Sequence[CircleRun]) -> None:
-    """Raise for a run with a hole."""
-    for run in kept:
-        if (hole := widest_hole(run.turned, BEFORE + AFTER)) > WIDEST_HOLE:
-            raise ResultError(f"{math.degrees(hole):.3g} degrees without a sample outside the reversals: measure the whole circle")
-
-
 def _design(kept: Sequence[CircleRun], terms: Sequence[Term], axes: tuple[str, str]) -> list[Array]:
     """Return the columns of all terms in each run."""
     return [np.column_stack([columns_of(term, run, k, len(kept), axes) for term in terms]) for k, run in enumerate(kept)]
@@ -192,16 +181,16 @@ def _solved(kept: Sequence[CircleRun], terms: Sequence[Term], axes: tuple[str, s
     designs = _design(kept, terms, axes)
     solution = np.linalg.lstsq(np.concatenate(designs), np.concatenate([run.deviation for run in kept]), rcond=None)[0]
     residuals = [run.deviation - design @ solution for run, design in zip(kept, designs, strict=True)]
-    found = fit_covariance([design[:, None, :] for design in designs], [residual[:, None] for residual in residuals])
-    deviations = np.where(np.isfinite(found.deviations), found.deviations, 0.0)
-    return np.asarray(solution), found.correlation * np.outer(deviations, deviations), residuals
+    covariance = fit_covariance([design[:, None, :] for design in designs], [residual[:, None] for residual in residuals])
+    deviations = np.where(np.isfinite(covariance.deviations), covariance.deviations, 0.0)
+    return np.asarray(solution), covariance.correlation * np.outer(deviations, deviations), residuals
 
 
-def _alike(one: Term, other: Term) -> bool:
+def _alike(term: Term, other: Term) -> bool:
     """Return whether two terms differ by less than the fit resolves."""
-    if (one.cause, one.axis) != (other.cause, other.axis):
+    if (term.cause, term.axis) != (other.cause, other.axis):
         return False
-    return 0.8 < one.length / other.length < 1.25 if one.cause == "cyclic error" else abs(one.order - other.order) < 8.0
+    return 0.8 < term.length / other.length < 1.25 if term.cause == "cyclic error" else abs(term.order - other.order) < 8.0
 
 
 def _refined_together(kept: Sequence[CircleRun], terms: list[Term], axes: tuple[str, str], pitch: float | None) -> list[Term]:
@@ -216,14 +205,8 @@ def _refined_together(kept: Sequence[CircleRun], terms: list[Term], axes: tuple[
     return terms
 
 
-@dataclass(frozen=True, eq=False)
-class _Window:
-    """One reversal in one run: mean residual in each bin past it, and its variance."""
-
-    run: int
-    angle: float
-    mean: Array
-    variance: Array
+_Window = tuple[int, float, Array, Array]
+"""Reversal of a run: number of the run, angle, mean residual in each bin past it, and the variance of this mean."""
 
 
 def _with_spikes(fit: CircleFit, residuals: Sequence[Array]) -> CircleFit:
@@ -243,16 +226,16 @@ def _with_spikes(fit: CircleFit, residuals: Sequence[Array]) -> CircleFit:
     for axis in fit.axes:
         windows = _windows(fit, axis, residuals, edges)
         gap = next(float(fit.coefficients[fit.place(term)][0]) for term in fit.terms if (term.cause, term.axis) == ("backlash", axis))
-        if is_crossed(middle, np.mean([window.mean for window in windows], axis=0), gap, fit.runs[0].radius):
+        if is_crossed(middle, np.mean([mean for _, _, mean, _ in windows], axis=0), gap, fit.runs[0].radius):
             fit = replace(fit, crossed=(*fit.crossed, axis))
             windows = _windows(fit, axis, residuals, edges)
-        table = np.array([window.mean for window in windows])
+        table = np.array([mean for _, _, mean, _ in windows])
         shapes[axis] = middle, table.mean(axis=0)
-        for i, window in enumerate(windows):
+        for i, (k, angle, mean, variance) in enumerate(windows):
             at, weights = _top(np.delete(table, i, axis=0).mean(axis=0))
-            height = float(weights @ window.mean[at])
-            deviation = math.sqrt(float(weights**2 @ window.variance[at]) + (height - float(window.mean[at][1])) ** 2)
-            spikes.append(ReversalSpike(axis, fit.runs[window.run].clockwise, window.angle, height, deviation))
+            height = float(weights @ mean[at])
+            deviation = math.sqrt(float(weights**2 @ variance[at]) + (height - float(mean[at][1])) ** 2)
+            spikes.append(ReversalSpike(axis, fit.runs[k].clockwise, angle, height, deviation))
     return replace(fit, spikes=tuple(spikes), shapes=shapes)
 
 
@@ -283,14 +266,5 @@ def _window(fit: CircleFit, k: int, angle: float, left: Array, residual: Array, 
     part = replace(run, turned=run.turned[near], deviation=run.deviation[near])
     rows = np.column_stack([columns_of(term, part, k, len(fit.runs), fit.axes) for term in fit.terms])
     base = np.array([np.bincount(bins, column, n) / count for column in rows.T]).T
-    variance = _long_variance(residual) / count + np.einsum("ij,jk,ik->i", base, fit.covariance, base)
-    return _Window(k, angle, np.bincount(bins, left[near], n) / count, np.maximum(variance, 0.0))
-
-
-def _long_variance(residual: Array) -> float:
-    """Return the variance of a residual times the samples over which it is correlated (first order)."""
-    square = float(residual @ residual)
-    if square <= 0.0:
-        return 0.0
-    keep = min(max(float(residual[1:] @ residual[:-1]) / square, 0.0), 1.0 - 1.0 / len(residual))
-    return square / len(residual) * (1.0 + keep) / (1.0 - keep)
+    variance = correlated_variance(residual, len(residual)) / count + np.einsum("ij,jk,ik->i", base, fit.covariance, base)
+    return k, angle, np.bincount(bins, left[near], n) / count, np.maximum(variance, 0.0)

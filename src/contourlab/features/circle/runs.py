@@ -1,16 +1,20 @@
-"""Runs around a circle: angle and radial deviation of each sample, cut out of measured positions."""
+"""Runs around a circle: angle and radial deviation of each sample, cut out of measured positions, or as ball bars write them."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
 
-from contourlab.arrays import Array, Flags
-from contourlab.errors import ResultError
-from contourlab.metrics.circle_backlash import LEAST_SAMPLES
+from contourlab.arrays import Array, Flags, true_spans
+from contourlab.errors import LogError, ParameterError, ResultError
+from contourlab.logs.reading import name_and_unit
+from contourlab.logs.record import Channel, Record
+from contourlab.metrics.circles import LEAST_SAMPLES
+from contourlab.units import to_si
 
 NEAR = 0.02
 """Share of the radius by which a sample of the command may be off the circle."""
@@ -168,10 +172,9 @@ def runs_of(name: str, position: Array, period: float, circle: Circle, reference
     # Over a degree or more, counts and noise do not reverse the motion.
     speed = _smooth_rate(angle, period)
     sense = np.where(on_circle(guide, circle) & (np.abs(speed) > 0.2 * np.percentile(np.abs(speed), 90)), np.sign(speed), 0.0)
-    edges = np.flatnonzero(np.diff(sense)) + 1
     runs = []
-    for start, stop in pairwise([0, *edges.tolist(), len(sense)]):
-        if not sense[start] or abs(angle[stop - 1] - angle[start]) < WHOLE or stop - start < LEAST_SAMPLES:
+    for start, stop in true_spans(sense):
+        if abs(angle[stop - 1] - angle[start]) < WHOLE or stop - start < LEAST_SAMPLES:
             continue
         rate = speed[start:stop]
         usual = float(np.median(rate))
@@ -217,3 +220,87 @@ def runs_of_angles(name: str, angle: Array, deviation: Array, radius: float, fee
         covered = math.degrees(float(np.ptp(turned)))
         raise ResultError(f"{len(turned)} samples over {covered:.4g} degrees: a circle needs {LEAST_SAMPLES} or more over one whole turn")
     return tuple(runs)
+
+
+# --- text files of angle and radius --------------------------------------------------------------------------------------------------
+
+ANGLE, RADIUS, DEVIATION = "angle", "radius", "deviation"
+_NAMES = {
+    ANGLE: ("angle", "phi", "theta", "winkel"),
+    RADIUS: ("radius", "r", "length"),
+    DEVIATION: ("deviation", "dev", "radial deviation", "error", "dr"),
+}
+_EXAMPLE = "--column 'angle=NAME [deg]' --column 'deviation=NAME [um]'"
+
+
+def own_columns(columns: Sequence[str]) -> tuple[dict[str, str], tuple[str, ...]]:
+    """Split the columns of the command line into those of a ball bar, ``angle=NAME [deg]``, and those of a log."""
+    mine, others = {}, []
+    for text in columns:
+        target, _, name = text.partition("=")
+        if target.strip() in _NAMES and name.strip():
+            mine[target.strip()] = name.strip()
+        else:
+            others.append(text)
+    return mine, tuple(others)
+
+
+def is_polar(record: Record, named: dict[str, str]) -> bool:
+    """Tell whether a record holds angles and radii, or radial deviations."""
+    present = {target for target in _NAMES if _channel(record, target, named) is not None}
+    return ANGLE in present and bool(present & {RADIUS, DEVIATION})
+
+
+def polar_runs(record: Record, named: dict[str, str], radius: float | None, feedrate: float) -> tuple[CircleRun, ...]:
+    """Return the runs of a ball-bar file.
+
+    Parameters
+    ----------
+    record : Record
+    named : dict of str to str
+        Columns as typed; angle, radius and deviation.
+    radius : float [m] or None
+        Nominal.
+    feedrate : float [m/s]
+        nan if unknown.
+
+    Raises
+    ------
+    LogError
+        If a length has no unit.
+    ParameterError
+        If a file of deviations has no nominal radius.
+    """
+    angle = _values(record, ANGLE, named, "rad")
+    if _channel(record, DEVIATION, named) is not None:
+        if radius is None:
+            raise ParameterError("--radius", "None", 'the radius of the circle, such as "100 mm": the file holds deviations only')
+        deviation = _values(record, DEVIATION, named, "m")
+    else:
+        lengths = _values(record, RADIUS, named, "m")
+        radius = float(np.mean(lengths)) if radius is None else radius
+        deviation = lengths - radius
+    known = np.isfinite(angle) & np.isfinite(deviation)
+    if float(np.abs(deviation[known]).max(initial=0.0)) > 0.2 * radius:
+        raise LogError(f"deviations reach more than a fifth of the radius of {1e3 * radius:.6g} mm: check the units", file=record.file)
+    return runs_of_angles(record.file.name, angle[known], deviation[known], radius, feedrate)
+
+
+def _channel(record: Record, target: str, named: dict[str, str]) -> Channel | None:
+    if target in named:
+        return record.channel(name_and_unit(named[target])[0])
+    names = _NAMES[target]
+    return next((channel for channel in record.channels if channel.name.strip().casefold() in names), None)
+
+
+def _values(record: Record, target: str, named: dict[str, str], si: str) -> Array:
+    channel = _channel(record, target, named)
+    if channel is None:
+        raise LogError(f"has no column of the {target}: name it, as {_EXAMPLE}", file=record.file)
+    if channel.fault is not None:
+        raise channel.fault
+    unit = (name_and_unit(named[target])[1] if target in named else "") or channel.unit or ("deg" if target == ANGLE else "")
+    if not unit:
+        raise LogError(f"column {channel.name!r} has no unit: write --column '{target}={channel.name} [um]'", file=record.file)
+    scale = math.radians(1.0) if unit in ("deg", "°") else to_si(f"1 {unit}", si)
+    return np.asarray(channel.values * scale)

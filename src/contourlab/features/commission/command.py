@@ -19,12 +19,11 @@ from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.features.commission.control_terms import Term, cascade_of, check_control, term_table, terms_of
 from contourlab.features.commission.excitation import excitation, sampler_lines, steps
-from contourlab.features.commission.hal_files import AxisSetup, Setup, read_setup
+from contourlab.features.commission.hal_files import AxisSetup, LoopClass, Setup, read_setup
 from contourlab.features.commission.identification import IdentifiedAxis, identify_axis
 from contourlab.features.commission.loop import GAINS, robustly_stable
-from contourlab.features.commission.loop_class import LoopClass, decided
 from contourlab.features.commission.options import LinuxCNC
-from contourlab.features.commission.records import AxisLog, doubts, law_of, moving, read_log
+from contourlab.features.commission.records import AxisLog, decided, doubts, law_of, moving, read_log
 from contourlab.features.commission.report import changes, circle_errors, circle_png, gain_table, page, text_of
 from contourlab.features.commission.tuning import AxisTask, Moves, TunedAxis, largest_error, shared_delay, tune_axis
 from contourlab.figures import figure

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import TypeAlias
@@ -21,7 +21,7 @@ from contourlab.analysis.identification.least_squares import (
     spread_starts,
 )
 from contourlab.app.json_values import HIDDEN
-from contourlab.arrays import Array
+from contourlab.arrays import Array, true_spans
 from contourlab.errors import ParameterError
 from contourlab.features.commission.loop import MOST_DELAY, AxisModel, Law, driven, run_lanes
 from contourlab.features.commission.records import AxisLog
@@ -123,7 +123,8 @@ def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law) -> Identified
         Gains in use, per metre.
     law : Law
     """
-    place, split = f"axis {logs[0].axis}", [_split(log) for log in logs]
+    place, moves = f"axis {logs[0].axis}", [np.cumsum(np.abs(np.diff(log.command, prepend=log.command[:1])) > 0.0) for log in logs]
+    split = [int(np.searchsorted(count, FITTED * count[-1])) + 1 for count in moves]  # samples to fit
     longest = max(range(len(logs)), key=lambda i: split[i])
     first = logs[longest]
     part = slice(0, split[longest])
@@ -135,7 +136,9 @@ def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law) -> Identified
     model = AxisModel(**{name: fit[name] for name in fit.names})
     deviations = {name: fit.deviation(name) for name in fit.names}
     rest = np.concatenate([_noise_at_rest(log) for log in logs])
-    noise = float(rest.std()) if rest.size else _noise_in_motion(first)
+    # In motion, third differences: they nearly vanish where it is smooth.
+    in_motion = float(np.median(np.abs(np.diff(first.measured, 3)))) / 0.6745 / math.sqrt(20.0)
+    noise = float(rest.std()) if rest.size else in_motion
     play, play_deviation = play_at_load(logs, model)
     seen = "CL892"
     if math.isnan(play):
@@ -154,12 +157,6 @@ def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law) -> Identified
     findings += [finding("CL894", place, share=share)] if share > 0.15 else []
     findings += [finding("CL896", place, delay=model.delay)] if model.delay > 1.5 * law.period else []
     return IdentifiedAxis(model, deviations, fit.fit, law, rest, noise, play, play_deviation, measured, simulated, tuple(findings))
-
-
-def _split(log: AxisLog) -> int:
-    """Return the number of samples to fit: up to `FITTED` of those in which the command moves."""
-    moves = np.cumsum(np.abs(np.diff(log.command, prepend=log.command[:1])) > 0.0)
-    return int(np.searchsorted(moves, FITTED * moves[-1])) + 1
 
 
 def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, s: int, first: Mapping[str, float]) -> OutputFit:
@@ -238,8 +235,8 @@ def _descended(model: Model, measured: Array, free: Mapping[str, Free], settings
 def _noise_at_rest(log: AxisLog) -> Array:
     """Return the positions around their mean where the command rests, from 0.1 s after it stopped."""
     settle = round(0.1 / log.period)
-    still = np.concatenate([[1.0], np.diff(log.command) == 0.0])
-    parts = [log.measured[a + settle : b] for a, b in _stretches(still) if b - a > 2 * settle]
+    still = np.append(True, np.diff(log.command) == 0.0)
+    parts = [log.measured[a + settle : b] for a, b in true_spans(still) if b - a > 2 * settle]
     window = 25
 
     def around(values: Array) -> Array:
@@ -250,17 +247,6 @@ def _noise_at_rest(log: AxisLog) -> Array:
     samples = np.concatenate([np.zeros(0), *(around(part) for part in parts)])
     # An axis that slips at rest leaves steps, which are no noise.
     return samples[np.abs(samples) <= 4.0 * float(np.median(np.abs(samples)))] if samples.size else samples
-
-
-def _noise_in_motion(log: AxisLog) -> float:
-    """Return the noise from third differences, which nearly vanish for a smooth motion."""
-    return float(np.median(np.abs(np.diff(log.measured, 3)))) / 0.6745 / math.sqrt(20.0)
-
-
-def _stretches(flags: Array) -> Iterator[tuple[int, int]]:
-    """Yield start and stop of the ranges in which values (n,) are equal and not 0."""
-    edges = [0, *(np.flatnonzero(np.diff(flags)) + 1).tolist(), flags.size]
-    return ((a, b) for a, b in pairwise(edges) if a < b and flags[a])
 
 
 def _windup(model: AxisModel, friction: float) -> float:
@@ -283,7 +269,7 @@ def play_at_load(logs: Sequence[AxisLog], model: AxisModel) -> tuple[float, floa
         before, at, after = log.command[: -2 * m], log.command[m:-m], log.command[2 * m :]
         speed, apart = (after - before) / (2.0 * m * log.period), (log.measured - log.load)[m:-m]
         way = np.where((np.abs(after - 2.0 * at + before) < STRAIGHT) & (np.abs(speed) > 1e-6), np.sign(speed), 0.0)
-        for a, b in _stretches(way):
+        for a, b in true_spans(way):
             if b - a > 0.1 / log.period:
                 part = apart[(a + b) // 2 : b]
                 noise = 0.5 * float(np.mean(np.diff(part) ** 2))
@@ -308,7 +294,7 @@ def lost_motion_at_motor(logs: Sequence[AxisLog], model: AxisModel, noise: float
     for log in logs:
         speed = np.diff(log.command) / log.period
         way = np.where(np.abs(speed) > 1e-6, np.sign(speed), 0.0)
-        for (first, turn), (start, last) in pairwise(_stretches(way)):
+        for (first, turn), (start, last) in pairwise(true_spans(way)):
             most = float(np.abs(speed[first:last]).max())
             if turn < start or not most < SLOW or not way[first] * way[turn] < 0.0 or last - turn < 0.2 / log.period:
                 continue

@@ -195,11 +195,11 @@ def _groups(schedule: Schedule, n: int) -> Iterator[tuple[Group, int]]:
 def driven(output: Array, models: Sequence[AxisModel], period: float, at: float = 0.0) -> Array:
     """Return the measured positions (m, n) [m] of axes under a recorded output (n,), from rest at a position."""
     schedule = Schedule((_axis_node(models, period, "in.output", at),), ports("output"), period, 0)
-    row, found = schedule.row("axis.measured"), []
+    row, parts = schedule.row("axis.measured"), []
     for group, count in _groups(schedule, len(models)):
         group.rings[0][:] = output[0]
-        found.append(group.run(output[:, None], [row])[:, 0, :count].T)
-    return np.concatenate(found)
+        parts.append(group.run(output[:, None], [row])[:, 0, :count].T)
+    return np.concatenate(parts)
 
 
 # --- the loop ------------------------------------------------------------------------------------------------------------------------
@@ -268,8 +268,8 @@ def _pid(par: Any, x: Any, inp: Any, clock: Any) -> Any:
     u = clip(u, -bound, bound)
     off, change = target - measured, u - x.last_output
     largest = select(fabs(off) <= x.largest, x.largest, fabs(off))  # what is not a number, too
-    found = (largest, x.square + off * off, maximum(x.most, fabs(u)), x.rough + change * change, x.limited + fabs(held))
-    after = (*found, summed, held, shift, target, rate, second, measured, u)
+    figures = (largest, x.square + off * off, maximum(x.most, fabs(u)), x.rough + change * change, x.limited + fabs(held))
+    after = (*figures, summed, held, shift, target, rate, second, measured, u)
     if x.largest < LEFT:
         return after, (measured, u)
     return x, (measured, 0.0)
@@ -313,10 +313,10 @@ def run_lanes(
         log = group.run(external, log_rows)
         last = log[:, :, count - 1].T if trace else last
         sums.append(group.state_of("pid")[: len(SUMS), :count])
-    found = np.concatenate(sums, axis=1)
+    figures = np.concatenate(sums, axis=1)
     # What a run that diverged leaves may be no number.
-    found = np.where(found[0] < LEFT, found, np.array([np.inf, np.inf, 0.0, 0.0, 0.0])[:, None])
-    largest, square, output, rough, limited = found
+    figures = np.where(figures[0] < LEFT, figures, np.array([np.inf, np.inf, 0.0, 0.0, 0.0])[:, None])
+    largest, square, output, rough, limited = figures
     return Runs(largest, np.sqrt(square / command.size), output, np.sqrt(rough / command.size), limited / command.size, *last)
 
 

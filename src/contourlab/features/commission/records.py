@@ -1,4 +1,4 @@
-"""The signals of each axis in a log of the control, and whether they can be what they are called."""
+"""The signals of each axis in a log of the control: whether they can be what they are called, and what loop they show."""
 
 from __future__ import annotations
 
@@ -12,16 +12,23 @@ import numpy as np
 from contourlab.arrays import Array, true_spans
 from contourlab.errors import LogError
 from contourlab.features.commission.excitation import SIGNALS, sampler_columns
-from contourlab.features.commission.hal_files import AxisSetup, Setup
+from contourlab.features.commission.hal_files import AxisSetup, LoopClass, Setup
 from contourlab.features.commission.loop import GAINS, Law, law_output
+from contourlab.figures import figure
 from contourlab.findings import Finding, finding
-from contourlab.logs import Column, Columns, Record, read_record, result_of
+from contourlab.logs import Column, Columns, read_record, result_of
 
 LEAST_MOTION = 1e-4
 """Range of a command [m] below which an axis was not asked to move."""
 AGREES = 0.02
 """Difference of the logged output from the law of pid, relative to its standard deviation, up to which they agree."""
 INCH = 25.4
+SPAN, LATEST = 0.02, 0.02
+"""Time [s] over which positions are differenced where a log decides, and longest delay of the motion behind the output."""
+EXPLAINED = 0.8
+"""Least part of the output that velocity, acceleration and friction must explain."""
+QUICK, SLOW = 100.0, 20.0
+"""Rates [1/s] at which a velocity settles: above the first one it follows the output; above the second where the output is the speed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,14 +84,14 @@ def read_log(file: str | Path, setup: Setup) -> tuple[dict[str, AxisLog], list[F
         for signal, kind in (("command", "reference"), ("feedback", "position"), ("load", "axis_position"), ("output", "command")):
             name = chosen[signal]
             if name is not None:
-                unit = "" if signal == "output" or _unit(record, name) else setup.unit_name
+                unit = "" if signal == "output" or record.channel(name).unit else setup.unit_name
                 columns.append(Column(kind, axis.name, name, unit))
     if not columns:
         wanted = ", ".join(sampler_columns(setup))
         raise LogError(f"has none of the columns {wanted}: name them so, or record with the lines of sampler.hal", file=record.file)
     timed = any(channel.time is not None or channel.name.lower().startswith("time") for channel in record.channels)
     log = result_of(record, Columns(tuple(columns), None if timed or record.period else setup.period))
-    findings += [one for one in log.findings if one.code not in ("CL430", "CL433", "CL436")]
+    findings += [doubt for doubt in log.findings if doubt.code not in ("CL430", "CL433", "CL436")]
     period = log.result.servo_period
     if abs(period / setup.period - 1.0) > 0.01:
         findings.append(finding("CL871", record.file.name, period=period, ini=setup.period))
@@ -92,12 +99,15 @@ def read_log(file: str | Path, setup: Setup) -> tuple[dict[str, AxisLog], list[F
     for axis in recorded:
         column = log.result.axes.index(axis.name)
         signals = {name: np.asarray(log.result[name][:, column]) for name in log.result.signals}
-        logs[axis.name] = _axis_log(axis, signals, record.file.name, period, setup.unit, findings)
+        command, measured = signals["reference"], signals["position"]
+        output, load = signals.get("command"), signals.get("axis_position")
+        if output is None or not np.isfinite(output).all():  # it was not recorded
+            findings.append(finding("CL872", f"axis {axis.name}"))
+            law = Law(period, axis.previous_target is not False)
+            output = law_output(command, measured, [axis.gains[name] / setup.unit for name in GAINS], law)
+        load = load if load is not None and np.isfinite(load).all() else None
+        logs[axis.name] = AxisLog(record.file.name, axis.name, period, command, measured, output, load)
     return logs, findings
-
-
-def _unit(record: Record, name: str) -> str:
-    return next(channel.unit for channel in record.channels if channel.name == name)
 
 
 def _column(names: Mapping[str, str], numbered: Mapping[str, str], axis: AxisSetup, signal: str) -> str | None:
@@ -115,21 +125,11 @@ def _column(names: Mapping[str, str], numbered: Mapping[str, str], axis: AxisSet
     return next((names[name.lower()] for name in (*usual[signal], *wired) if name.lower() in names), None)
 
 
-def _axis_log(axis: AxisSetup, signals: Mapping[str, Array], source: str, period: float, unit: float, findings: list[Finding]) -> AxisLog:
-    """Return the log of an axis; compute an output that was not recorded."""
-    command, measured = signals["reference"], signals["position"]
-    output = signals.get("command")
-    if output is None or not np.isfinite(output).all():
-        findings.append(finding("CL872", f"axis {axis.name}"))
-        law = Law(period, axis.previous_target is not False)
-        output = law_output(command, measured, [axis.gains[name] / unit for name in GAINS], law)
-    load = signals.get("axis_position")
-    return AxisLog(source, axis.name, period, command, measured, output, load if load is not None and np.isfinite(load).all() else None)
-
-
 def moving(log: AxisLog) -> AxisLog:
     """Return a log from half a second before the first motion of the axis to half a second after its last, from rest."""
-    free = _off(log)
+    # While LinuxCNC is off, the command repeats the noisy position.
+    repeats = true_spans(np.abs(log.error) <= 2e-9)
+    free = next((last for first, last in repeats if first < 100 and last - first > 20 and np.ptp(log.measured[first:last]) > 0.0), 0)
     moves = free + np.flatnonzero(np.diff(log.command[free:]))
     if not moves.size:
         return log
@@ -138,14 +138,6 @@ def moving(log: AxisLog) -> AxisLog:
     part = slice(first, last)
     load = None if log.load is None else log.load[part]
     return replace(log, command=log.command[part], measured=log.measured[part], output=log.output[part], load=load, free=free)
-
-
-def _off(log: AxisLog) -> int:
-    """Return the number of samples until LinuxCNC was switched on: while it is off, the command repeats the noisy position."""
-    for first, last in true_spans(np.abs(log.error) <= 2e-9):
-        if first < 100 and last - first > 20 and np.ptp(log.measured[first:last]) > 0.0:
-            return last
-    return 0
 
 
 # --- can the signals be what they are called? -----------------------------------------------------------------------------------------
@@ -159,15 +151,19 @@ def doubts(logs: Mapping[str, AxisLog]) -> Iterator[Finding]:
         if asked < LEAST_MOTION:
             yield finding("CL873", place, range=asked)
             continue
-        other = next((one for one, rival in logs.items() if one != name and _follows(log, rival) > max(0.98, _follows(log, log))), None)
+        own, centred = _follows(log, log), log.command - log.command.mean()
+        ratio = float(centred @ log.measured / (centred @ centred))
+        other = next((rival for rival, its in logs.items() if rival != name and _follows(log, its) > max(0.98, own)), None)
         if other is not None:
             yield finding("CL874", place, other=other)
         elif went < 0.02 * asked:
             yield finding("CL875", place, asked=asked, went=went)
-        elif _follows(log, log) < -0.9:
+        elif own < -0.9:
             yield finding("CL876", place)
-        else:
-            yield from _scale(log, place)
+        elif any(abs(ratio / factor - 1.0) < 0.1 for factor in (INCH, 1.0 / INCH)):
+            yield finding("CL877", place, ratio=ratio)
+        elif own > 0.9 and not 0.8 < ratio < 1.25:
+            yield finding("CL878", place, ratio=ratio)
 
 
 def _follows(log: AxisLog, commanded: AxisLog) -> float:
@@ -175,17 +171,6 @@ def _follows(log: AxisLog, commanded: AxisLog) -> float:
     if log.measured.size != commanded.command.size or not np.ptp(log.measured) > 0.0 or not np.ptp(commanded.command) > 0.0:
         return 0.0
     return float(np.corrcoef(log.measured, commanded.command)[0, 1])
-
-
-def _scale(log: AxisLog, place: str) -> Iterator[Finding]:
-    centred = log.command - log.command.mean()
-    ratio = float(centred @ log.measured / (centred @ centred))
-    for factor in (INCH, 1.0 / INCH):
-        if abs(ratio / factor - 1.0) < 0.1:
-            yield finding("CL877", place, ratio=ratio)
-            return
-    if _follows(log, log) > 0.9 and not 0.8 < ratio < 1.25:
-        yield finding("CL878", place, ratio=ratio)
 
 
 def saturation(log: AxisLog, limit: float) -> float:
@@ -253,3 +238,54 @@ def _diagnosis(log: AxisLog, gains: Array, laws: Sequence[Law], place: str) -> l
     if max(factors) - min(factors) < 0.05 * abs(p):
         return [finding("CL883", place, factor=p)]
     return [finding("CL884", place, gains=[f"{name} {share:.3g} times" for name, share in zip(names, factors, strict=True)])]
+
+
+# --- what a pid closes its loop on, where the wiring cannot say ---------------------------------------------------------------------
+
+
+def decided(records: Sequence[tuple[Array, Array]], period: float, unit: float) -> LoopClass | None:
+    """Return the class that logs show, or None if they show none.
+
+    Parameters
+    ----------
+    records : sequence of (ndarray (n,), ndarray (n,) [m])
+        Output and measured position.
+    period : float [s]
+    unit : float [m]
+        Machine unit.
+
+    Notes
+    -----
+    The output is explained by the motion, u = (v' + d v + f sign v)/g + o, both averaged over a triangle of twice `SPAN`. A velocity
+    drive with one lag T has d = 1/T and no more than that: it differs from a torque by how soon its velocity settles, and by an output
+    in machine units per second.
+    """
+    s = max(round(SPAN / period), 2)
+    records = [(output, measured) for output, measured in records if measured.size > 20 * s]
+    fits = [_explained(records, s, period, late) for late in range(max(round(LATEST / period), 1))] if records else []
+    explained, late, (inertia, damping, *_) = max(fits, key=lambda fit: fit[0], default=(0.0, 0, (0.0, 0.0)))
+    if not explained > EXPLAINED or not max(inertia, damping) > 0.0:
+        return None
+    rate = damping / inertia if inertia > 0.0 else np.inf
+    as_speed = 0.8 * unit < 1.0 / max(damping, 1e-30) < 1.25 * unit
+    if rate > QUICK or (rate > SLOW and as_speed):
+        lag, delay = figure(1.0 / rate, "ms"), figure(late * period, "ms")
+        return LoopClass("velocity drive", f"in the log its velocity follows the output, with a lag of {lag} and a delay of {delay}")
+    slowing = figure(max(rate, 0.0), "1/s")
+    return LoopClass("servo", f"in the log the output accelerates it; left alone its velocity decays with {slowing}")
+
+
+def _explained(records: Sequence[tuple[Array, Array]], s: int, period: float, late: int) -> tuple[float, int, Array]:
+    """Return the part of the output that the motion explains, its delay in samples, and output per acceleration and per velocity."""
+    rows, targets = list[Array](), list[Array]()
+    for output, measured in records:
+        ends = np.array([measured[2 * s :], measured[s:-s], measured[: -2 * s]])[:, late:]
+        place, held = np.cumsum(measured) - 0.5 * measured, np.cumsum(output) - 0.5 * output
+        force = np.cumsum(held) - held  # the output is held from each sample to the next
+        speed = (place[2 * s :] - 2.0 * place[s:-s] + place[: -2 * s])[late:] / (s * s * period)
+        acceleration = (ends[0] - 2.0 * ends[1] + ends[2]) / (s * period) ** 2
+        targets.append(((force[2 * s :] - 2.0 * force[s:-s] + force[: -2 * s]) / (s * s))[: acceleration.size])
+        rows.append(np.column_stack([acceleration, speed, np.sign(ends[0] - ends[2]), np.ones(speed.size)]))
+    left, right = np.concatenate(rows), np.concatenate(targets)
+    numbers = np.asarray(np.linalg.lstsq(left, right, rcond=None)[0], dtype=float)
+    return 1.0 - float(np.var(left @ numbers - right)) / max(float(np.var(right)), 1e-30), late, numbers

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -104,7 +105,7 @@ def rigid_tables(
     held: float = 0.0,
     delay: float = 0.0,
     friction: Tables | None = None,
-    peak: Peak | None = None,
+    peak: float | None = None,
 ) -> Tables:
     """Return the axis file of the plant v' = -b v + a u.
 
@@ -118,10 +119,10 @@ def rigid_tables(
         Delay of the drive.
     friction : Tables, optional
         Tables of friction and disturbance.
-    peak : Peak, optional
-        Largest acceleration; see `motion_limits`.
+    peak : float [m/s^2], optional
+        Largest acceleration; by default from reference and position.
     """
-    limits = motion_limits(records, Effort(forces, a, b, held), peak)
+    limits = _motion_limits(records, _Effort(forces, a, b, held), peak)
     x = plant_numbers(forces, a, b)
     if forces.unit == "N":
         plant: dict[str, Row] = {
@@ -157,7 +158,7 @@ def two_inertia_numbers(lead: float, x: Mapping[str, float]) -> dict[str, float]
 
 
 def two_inertia_tables(
-    records: Sequence[AxisRecord], lead: float, x: Mapping[str, float], given: Mapping[str, float], origin: OriginOf, limits: MotionLimits
+    records: Sequence[AxisRecord], lead: float, x: Mapping[str, float], given: Mapping[str, float], origin: OriginOf, peak: float
 ) -> Tables:
     """Return the axis file of two inertias.
 
@@ -167,7 +168,11 @@ def two_inertia_tables(
         Travel per turn.
     x, given : mapping of str to float
         All parameters, and those that are given instead of fitted.
+    peak : float [m/s^2]
+        Largest acceleration.
     """
+    whole = x["motor_mass"] + x["load_mass"]
+    limits = _motion_limits(records, _Effort(forces_of(records), 1.0 / whole, x["damping"] / whole), peak)
     values = two_inertia_numbers(lead, x)
     plant: dict[str, Row] = {"kind": ("two-inertia", "", None), "lead": (lead, "m", assumed("as given"))}
     for name, (key, unit) in TWO_INERTIAS.items():
@@ -194,7 +199,7 @@ def _sensor_table(records: Sequence[AxisRecord]) -> Tables:
 
 
 @dataclass(frozen=True)
-class Effort:
+class _Effort:
     """Command that the motion of an axis needs.
 
     Attributes
@@ -228,42 +233,16 @@ class Effort:
         return min(1.0, left / taken) if taken > 0.0 else 1.0
 
 
-@dataclass(frozen=True)
-class Peak:
-    """The largest acceleration in logs [m/s^2], and a note on its signal."""
-
-    value: float
-    note: str = ""
-
-
-@dataclass(frozen=True)
-class MotionLimits:
-    """Limits of an axis file.
-
-    Attributes
-    ----------
-    table : dict of str to Row
-        Limits of velocity, acceleration and jerk.
-    command : float [command]
-        Limit of the drive.
-    origin : Origin
-        Origin of `command`.
-    """
+class _MotionLimits(NamedTuple):
+    """Limits of an axis file: the table of velocity, acceleration and jerk; the limit of the drive [command] and its origin."""
 
     table: dict[str, Row]
     command: float
     origin: Origin
 
 
-def motion_limits(records: Sequence[AxisRecord], effort: Effort, acceleration: Peak | None = None) -> MotionLimits:
-    """Return the limits of an axis file.
-
-    Parameters
-    ----------
-    records : sequence of AxisRecord
-        Of one axis.
-    acceleration : Peak, optional
-        Largest acceleration in the records; by default from reference and position.
+def _motion_limits(records: Sequence[AxisRecord], effort: _Effort, peak: float | None) -> _MotionLimits:
+    """Return the limits of an axis file, from the largest acceleration [m/s^2]; by default it comes from reference and position.
 
     Notes
     -----
@@ -273,44 +252,41 @@ def motion_limits(records: Sequence[AxisRecord], effort: Effort, acceleration: P
     lowered by the same share.
     """
     source = reference_name(records)
-    peak = acceleration or max((_largest_acceleration(record) for record in records), key=lambda peak: peak.value)
+    largest, of_signal = (peak, "") if peak is not None else max(map(_largest_acceleration, records), key=lambda pair: pair[0])
     top = max(fastest(record.position[:, None], record.period) for record in records)
-    velocity, gain = (1.0 + ROOM) * top, (1.0 + ROOM) * peak.value
+    velocity, gain = (1.0 + ROOM) * top, (1.0 + ROOM) * largest
     velocity, gain = velocity * effort.share(velocity, 0.0), gain * effort.share(0.0, gain)
     share, command = effort.share(velocity, gain), effort.drive(velocity, gain)
 
     def origin(value: float, largest: float, note: str, why: str) -> Origin:
-        return Origin("assumed", reference=source, note=_limit_note(value, largest, note, why))
+        """Tell how a limit compares with the largest value in the log, and why if the share is not the usual one."""
+        above = value / largest - 1.0 if largest else ROOM
+        apart = f"{100.0 * abs(above):.0f} % {'above' if above >= 0.0 else 'below'} the largest value{note} in the log"
+        reason = "" if math.isclose(above, ROOM) else f", since {why}"
+        return Origin("assumed", reference=source, note=f"{apart}{reason}: replace it by the axis' own limit")
 
     less = "the drive cannot give more velocity and acceleration at once"
-    rows = (("velocity", share * velocity, top, "m/s", ""), ("acceleration", share * gain, peak.value, "m/s^2", peak.note))
-    table: dict[str, Row] = {name: (value, unit, origin(value, largest, note, less)) for name, value, largest, unit, note in rows}
+    rows = (("velocity", share * velocity, top, "m/s", ""), ("acceleration", share * gain, largest, "m/s^2", of_signal))
+    table: dict[str, Row] = {name: (value, unit, origin(value, seen, note, less)) for name, value, seen, unit, note in rows}
     table["jerk"] = (100.0 * share * gain, "m/s^3", assumed("the acceleration in 10 ms"))
     more = "velocity and acceleration at their limits need it"
     of_drive = origin(command, effort.forces.largest, "", more) if effort.forces.unit == "N" else assumed("full scale")
-    return MotionLimits(table, command, of_drive)
+    return _MotionLimits(table, command, of_drive)
 
 
-def _largest_acceleration(record: AxisRecord) -> Peak:
-    """Return the largest acceleration of the planned motion in a log: the smaller one of reference and position.
+def _largest_acceleration(record: AxisRecord) -> tuple[float, str]:
+    """Return the largest acceleration [m/s^2] of the planned motion in a log, the smaller one of reference and position; and a note on it.
 
     The position contains the controller's reaction to friction, and the reference contains corners that the axis did not follow. Without
     a reference the position counts.
     """
     if record.reference is None or not np.ptp(record.reference) > 0.0:
-        return Peak(_acceleration(record.position, record.period, REACTED), f" over {1e3 * REACTED:.0f} ms")
+        return _acceleration(record.position, record.period, REACTED), f" over {1e3 * REACTED:.0f} ms"
     asked, driven = (_acceleration(values, record.period, PLANNED) for values in (record.reference, record.position))
-    return Peak(asked, " of the reference") if asked <= driven else Peak(driven)
+    return (asked, " of the reference") if asked <= driven else (driven, "")
 
 
 def _acceleration(position: Array, period: float, over: float) -> float:
     """Return the largest second difference over a time [m/s^2]."""
     n = max(1, min(round(over / period), (position.size - 1) // 2))
     return float(np.abs(position[2 * n :] - 2.0 * position[n:-n] + position[: -2 * n]).max(initial=0.0)) / (n * period) ** 2
-
-
-def _limit_note(value: float, largest: float, note: str, why: str) -> str:
-    """Return how a limit compares with the largest value in the log, and why if the share is not the usual one."""
-    above = value / largest - 1.0 if largest else ROOM
-    apart = f"{100.0 * abs(above):.0f} % {'above' if above >= 0.0 else 'below'} the largest value{note} in the log"
-    return f"{apart}{'' if math.isclose(above, ROOM) else f', since {why}'}: replace it by the axis' own limit"

@@ -14,6 +14,7 @@ from contourlab.analysis.identification.drive_fit import (
     fit_linear_motor,
     fit_load_share,
     fit_two_inertia,
+    fit_two_mass,
     held_response,
     resonances,
 )
@@ -32,20 +33,11 @@ from contourlab.analysis.identification.frequency_response import (
 )
 from contourlab.analysis.identification.inverse_dynamics import mass_findings
 from contourlab.arrays import Array, Complex
-from contourlab.components.origin import Origin
+from contourlab.components.plant.two_mass import TwoMass
 from contourlab.errors import ParameterError
-from contourlab.features.identify.axis_tables import (
-    Effort,
-    Peak,
-    forces_of,
-    motion_limits,
-    plant_numbers,
-    rigid_tables,
-    two_inertia_numbers,
-    two_inertia_tables,
-)
+from contourlab.features.identify.axis_tables import forces_of, plant_numbers, rigid_tables, two_inertia_numbers, two_inertia_tables
 from contourlab.features.identify.records import TRAVEL, AxisRecord, common_unit, newton_option, reference_name
-from contourlab.features.identify.result import Drawn, Graph, Identified, Picture, Propagated, Tables, figures, propagate
+from contourlab.features.identify.result import Drawn, Graph, Identified, Picture, Propagated, Row, Tables, assumed, figures, propagate
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
 from contourlab.rendering.table import Column, Table
@@ -61,6 +53,10 @@ MODEL_POINTS = 400
 """Points of a model curve."""
 BEYOND, BELOW_NYQUIST = 2.0, 0.4
 """Cut-off for accelerations: relative to the highest fitted frequency, and at most relative to the sampling frequency."""
+TWO_MASS_UNITS = {"resonance": "Hz", "damping_ratio": "", "load_share": ""}
+"""Parameters of the plant besides those of a rigid one."""
+EQUAL = 0.5
+"""Share of the load where it is not known."""
 SMOOTHED, SLOW, RARELY = 0.005, 0.1, 0.05
 """Interval [s] for a speed, share of the top speed that counts as motion, share of the samples that counts as reversing."""
 
@@ -119,7 +115,7 @@ def identify_linear_motor(records: Sequence[AxisRecord], excitation: str = EXCIT
     """
     response = measured_response(records, excitation)
     fit, forces = fit_linear_motor(response), forces_of(records)
-    uncertainty = propagated(fit, lambda x: plant_numbers(forces, 1.0 / x["M"], x["B"] / x["M"]) | {"drive.delay": x["delay"]})
+    uncertainty = propagated(records, fit, lambda x: plant_numbers(forces, 1.0 / x["M"], x["B"] / x["M"]) | {"drive.delay": x["delay"]})
     tables: Tables = {}
     if fit.usable:
         tables = rigid_tables(
@@ -127,7 +123,7 @@ def identify_linear_motor(records: Sequence[AxisRecord], excitation: str = EXCIT
             forces,
             1.0 / fit["M"],
             fit["B"] / fit["M"],
-            lambda name, note="": uncertainty.origin(reference_name(records), name, note or "frequency response"),
+            uncertainty.origin,
             delay=fit["delay"],
             peak=largest_acceleration(records, fit),
         )
@@ -166,9 +162,13 @@ def identify_two_inertia(
     response, unit = measured_response(records, excitation), records[0].unit
     fit = fit_two_inertia(response, side)
     if motor_inertia is not None and lead is not None and unit == "N" and fit.usable:
-        fit = _with_motor(response, fit, motor_inertia, lead)
+        arm = lead / (2.0 * math.pi)
+        if motor_inertia >= fit["mass"] * arm**2:
+            bound = f"below the total inertia of the response, {fit['mass'] * arm**2:.4g}"
+            raise ParameterError("motor_inertia", f"{motor_inertia:.4g}", bound, "kg*m^2")
+        fit = fit_load_share(response, fit, motor_inertia / arm**2)
     tables: Tables = {}
-    uncertainty, findings = Propagated({}), []
+    uncertainty, findings = Propagated(), []
     missing = [] if lead is not None else [TRAVEL]
     missing += ["--motor-inertia, of motor and screw"] if side == "load" and motor_inertia is None else []
     missing += [] if unit == "N" else [newton_option(records[0].logged)]
@@ -176,24 +176,52 @@ def identify_two_inertia(
         findings.append(finding("CL504", options=tuple(dict.fromkeys(missing))))
     elif fit.usable and lead is not None:
         note = "frequency response at the load, with the motor's inertia as given" if fit.given else "frequency response"
-        uncertainty = propagated(fit, lambda x: two_inertia_numbers(lead, {**fit.given, **x}))
-
-        def origin(name: str) -> Origin:
-            return uncertainty.origin(reference_name(records), name, note)
-
-        effort = Effort(forces_of(records), 1.0 / fit.whole_mass, fit["damping"] / fit.whole_mass)
-        limits = motion_limits(records, effort, largest_acceleration(records, fit))
-        tables = two_inertia_tables(records, lead, fit.parameters, fit.given, origin, limits)
+        uncertainty = propagated(records, fit, lambda x: two_inertia_numbers(lead, {**fit.given, **x}), note)
+        peak = largest_acceleration(records, fit)
+        tables = two_inertia_tables(records, lead, fit.parameters, fit.given, uncertainty.origin, peak)
     return identified_drive("two-inertia", records, response, fit, tables, uncertainty, findings)
 
 
-def _with_motor(response: MeasuredResponse, whole: DriveFit, motor_inertia: float, lead: float) -> DriveFit:
-    """Return the fit at the load with a given motor inertia."""
-    arm = lead / (2.0 * math.pi)
-    if motor_inertia >= whole["mass"] * arm**2:
-        bound = f"below the total inertia of the response, {whole['mass'] * arm**2:.4g}"
-        raise ParameterError("motor_inertia", f"{motor_inertia:.4g}", bound, "kg*m^2")
-    return fit_load_share(response, whole, motor_inertia / arm**2)
+def identify_two_mass(records: Sequence[AxisRecord], side: str = "motor", excitation: str = EXCITATIONS[0]) -> Identified:
+    """Fit an axis with one structural resonance to its frequency response.
+
+    Parameters
+    ----------
+    side : str
+        Where the position is measured, ``"motor"`` or ``"load"``. The response at the load does not show the load's share of the mass.
+    excitation : str
+        As in `identify_response`.
+
+    Raises
+    ------
+    ResultError, ParameterError
+        If the response cannot be measured or the model cannot be fitted.
+    """
+    response = measured_response(records, excitation)
+    fit = fit_two_mass(response, side)
+    tables: Tables = {}
+    uncertainty, findings = Propagated(), []
+    if fit.usable and records[0].unit != "N":
+        findings.append(finding("CL504", options=(newton_option(records[0].logged),)))
+    elif fit.usable:
+        names = {"delay": "drive.delay"}
+        uncertainty = propagated(records, fit, lambda x: {names.get(name, f"plant.{name}"): value for name, value in x.items()})
+        tables = _two_mass_tables(records, fit, uncertainty, side)
+    return identified_drive("two-mass", records, response, fit, tables, uncertainty, findings)
+
+
+def _two_mass_tables(records: Sequence[AxisRecord], fit: DriveFit, uncertainty: Propagated, side: str) -> Tables:
+    """Return the axis file: that of a rigid axis with the resonance, its encoder on the side measured."""
+    mass, peak, origin = fit["mass"], largest_acceleration(records, fit), uncertainty.origin
+    tables = dict(rigid_tables(records, forces_of(records), 1.0 / mass, fit["damping"] / mass, origin, delay=fit["delay"], peak=peak))
+    plant: dict[str, Row] = {**tables["plant"], "kind": (TwoMass.kind, "", None)}
+    plant |= {name: (fit[name], unit, origin(f"plant.{name}")) for name, unit in TWO_MASS_UNITS.items() if name in fit.parameters}
+    if "load_share" not in fit.parameters:
+        plant["load_share"] = (EQUAL, "", assumed("equal shares: the response at the load does not show them"))
+    tables["plant"] = plant
+    if side == "motor" and "sensor" in tables:
+        tables["motor_sensor"] = tables.pop("sensor")
+    return tables
 
 
 def measured_response(records: Sequence[AxisRecord], excitation: str = EXCITATIONS[0]) -> MeasuredResponse:
@@ -221,21 +249,26 @@ def _run(record: AxisRecord, excitation: str) -> Measured:
         return Measured(record.period, record.driven(), record.position, record.reference if closed else None)
 
 
-def propagated(fit: DriveFit, numbers: Callable[[Mapping[str, float]], Mapping[str, float]]) -> Propagated:
+def propagated(
+    records: Sequence[AxisRecord],
+    fit: DriveFit,
+    numbers: Callable[[Mapping[str, float]], Mapping[str, float]],
+    note: str = "frequency response",
+) -> Propagated:
     """Return the uncertainty of the parameters of an axis file that `numbers` computes from those of the fit."""
-    found = fit.found
-    return propagate(numbers, found.names, found.values, found.robust_deviations, found.correlation)
+    of = fit.found
+    return propagate(numbers, of.names, of.values, of.robust_deviations, of.correlation, reference_name(records), note)
 
 
-def largest_acceleration(records: Sequence[AxisRecord], fit: DriveFit) -> Peak:
-    """Return the largest acceleration up to the fitted frequencies; above them encoder counts and noise dominate."""
+def largest_acceleration(records: Sequence[AxisRecord], fit: DriveFit) -> float:
+    """Return the largest acceleration [m/s^2] up to the fitted frequencies; above them encoder counts and noise dominate."""
     peaks = []
     for record in records:
         cutoff = min(BEYOND * float(fit.frequency[-1]), BELOW_NYQUIST / record.period)
         ends = math.ceil(1.0 / (cutoff * record.period))
         acceleration = filtered_motion(record.position, record.period, cutoff=cutoff).acceleration
         peaks.append(float(np.abs(acceleration[ends:-ends]).max(initial=0.0)))
-    return Peak(max(peaks))
+    return max(peaks)
 
 
 def identified_drive(
@@ -248,8 +281,11 @@ def identified_drive(
     findings: Sequence[Finding] = (),
 ) -> Identified:
     """Return the result of a model fitted to a response."""
-    unit, found = records[0].unit, fit.found
-    units = _units(unit)
+    unit, estimate = records[0].unit, fit.found
+    force = unit or "command"
+    mass, loss = ("kg", "N*s/m") if unit == "N" else (f"{force}*s^2/m", f"{force}*s/m")
+    units = dict.fromkeys(("M", "mass", "motor_mass", "load_mass"), mass) | dict.fromkeys(("B", "damping", "shaft_damping"), loss)
+    units |= {"delay": "s", "stiffness": f"{force}/m"} | TWO_MASS_UNITS
     on_mass, possible = mass_findings(fit.whole_mass) if unit == "N" else ([], True)
     findings = [*response.findings, *fit.findings, *findings, *on_mass, *_turning_findings(records, response)]
     if unit != "N":
@@ -259,23 +295,16 @@ def identified_drive(
         model,
         records[0].axis,
         tuple(record.source for record in records),
-        figures(found.names, found.values, found.deviations, found.robust_deviations, units.__getitem__),
+        figures(estimate.names, estimate.values, estimate.deviations, estimate.robust_deviations, units.__getitem__),
         fit.fit,
         fit.usable and possible,
         tuple(findings),
-        details={"method": response.method, "condition_number": found.condition_number, "points": _json_points(response, unit)},
+        details={"method": response.method, "condition_number": estimate.condition_number, "points": _json_points(response, unit)},
         lines=(response.method, fitted, *(_resonance_lines(fit) if model != "linear-motor" else ())),
         tables=tables,
         correlations=uncertainty.correlations if tables else (),
         pictures=_pictures(records[0].axis, model, response, fit, unit),
     )
-
-
-def _units(unit: str) -> dict[str, str]:
-    force = unit or "command"
-    mass, loss = ("kg", "N*s/m") if unit == "N" else (f"{force}*s^2/m", f"{force}*s/m")
-    units = dict.fromkeys(("M", "mass", "motor_mass", "load_mass"), mass) | dict.fromkeys(("B", "damping", "shaft_damping"), loss)
-    return units | {"delay": "s", "stiffness": f"{force}/m", "resonance": "Hz", "damping_ratio": "", "load_share": ""}
 
 
 def _resonance_lines(fit: DriveFit) -> tuple[str, ...]:

@@ -81,11 +81,18 @@ def identify_friction(records: Sequence[AxisRecord]) -> Identified:
     with_points = {stretch.source for stretch in stretches}
     findings += [finding("CL510", source) for source in log_names(records) if source not in with_points]
     findings += [finding("CL511", share=uneven)] if uneven > UNEVEN else []
-    curve, written = fit.chosen, None
-    if usable and (written := _writable(fit)) is not None:
-        findings += unit_findings(unit) or _file_findings(written, curve, unit)
-        written = None if unit_findings(unit) else written
-    uncertainty = Propagated({}) if written is None else _propagated(written)
+    curve, written = fit.chosen, _writable(fit) if usable else None
+    if written is not None and (wrong_unit := unit_findings(unit)):
+        findings, written = [*findings, *wrong_unit], None
+    elif written is not None:
+        # How the axis file differs from the curve.
+        findings += [] if written is curve else [finding("CL513", model=written.name, fit=written.fit / 100.0)]
+        findings += direction_findings(_values(written), _units(unit))
+        findings += [finding("CL514")] if _mean(_values(written), "Fv") > 0.0 else []
+    uncertainty = Propagated()
+    if written is not None:
+        of = written.names, written.values, written.deviations, written.correlation
+        uncertainty = propagate(lambda x: _numbers(x, written.rises), *of, reference_name(records))
     return Identified(
         "friction",
         records[0].axis,
@@ -94,9 +101,15 @@ def identify_friction(records: Sequence[AxisRecord]) -> Identified:
         curve.fit,
         usable,
         tuple(findings),
-        details=_details(fit, stretches, unit),
+        details={
+            "friction_model": curve.name,
+            "scatter_between_runs": curve.scatter,
+            "unit": unit,
+            "points": stretches,
+            "tried": [{"model": c.name, "aicc": c.criterion, "fit_percent": c.fit, "parameters": _values(c)} for c in fit.tried],
+        },
         points=_stretch_table(stretches, unit),
-        tables={} if written is None else _curve_tables(written, unit, records, uncertainty),
+        tables={} if written is None else _curve_tables(written, unit, uncertainty),
         correlations=uncertainty.correlations,
         pictures=_curve_pictures(curve, stretches, unit, records[0].axis),
     )
@@ -104,13 +117,6 @@ def identify_friction(records: Sequence[AxisRecord]) -> Identified:
 
 def _points(stretches: Sequence[Stretch]) -> tuple[list[float], list[float], list[float]]:
     return [s.speed for s in stretches], [s.command for s in stretches], [s.deviation for s in stretches]
-
-
-def _file_findings(written: FrictionCurve, chosen: FrictionCurve, unit: str) -> list[Finding]:
-    """Return findings on how the axis file differs from the curve."""
-    findings = [] if written is chosen else [finding("CL513", model=written.name, fit=written.fit / 100.0)]
-    findings += direction_findings(_values(written), _units(unit))
-    return [*findings, finding("CL514")] if _mean(_values(written), "Fv") > 0.0 else findings
 
 
 def _units(unit: str) -> dict[str, str]:
@@ -125,16 +131,6 @@ def _stretch_table(stretches: Sequence[Stretch], unit: str) -> Table:
     for s in sorted(stretches, key=lambda s: s.speed):
         table.add(f"{1e3 * s.speed:.4g}", f"{s.command:.4g}", f"{s.deviation:.2g}", f"{s.scatter:.3g}", f"{s.count}", s.source)
     return table
-
-
-def _details(fit: FrictionFit, stretches: Sequence[Stretch], unit: str) -> dict[str, object]:
-    return {
-        "friction_model": fit.chosen.name,
-        "scatter_between_runs": fit.chosen.scatter,
-        "unit": unit,
-        "points": stretches,
-        "tried": [{"model": c.name, "aicc": c.criterion, "fit_percent": c.fit, "parameters": _values(c)} for c in fit.tried],
-    }
 
 
 def _writable(fit: FrictionFit) -> FrictionCurve | None:
@@ -164,13 +160,7 @@ def _values(curve: FrictionCurve) -> dict[str, float]:
     return dict(zip(curve.names, curve.values.tolist(), strict=True))
 
 
-def _propagated(curve: FrictionCurve) -> Propagated:
-    """Return the uncertainty of the parameters of the axis file."""
-    rises = curve.rises
-    return propagate(lambda x: _numbers(x, rises), curve.names, curve.values, curve.deviations, curve.correlation)
-
-
-def _curve_tables(curve: FrictionCurve, unit: str, records: Sequence[AxisRecord], uncertainty: Propagated) -> Tables:
+def _curve_tables(curve: FrictionCurve, unit: str, uncertainty: Propagated) -> Tables:
     force = unit or "full_scale"
     units = {"friction.viscous": f"{force}*s/m", f"friction.{DIP}": "m/s", f"friction.{RISE}": "m/s"}
     kind: Row = ("rising" if curve.rises else "coulomb", "", None)
@@ -178,7 +168,7 @@ def _curve_tables(curve: FrictionCurve, unit: str, records: Sequence[AxisRecord]
     for name, value in _numbers(_values(curve), curve.rises).items():
         table, _, key = name.partition(".")
         note = "offset of the command" if table == "disturbance" else "constant speeds"
-        tables[table][key] = (value, units.get(name, force), uncertainty.origin(reference_name(records), name, note))
+        tables[table][key] = (value, units.get(name, force), uncertainty.origin(name, note))
     return tables
 
 
@@ -224,16 +214,16 @@ def identify_stiction(records: Sequence[AxisRecord]) -> Identified:
     findings: list[Finding] = []
     for record in records:
         try:
-            found, without = breakaways(record.time, record.driven(), record.position)
+            moved, without = breakaways(record.time, record.driven(), record.position)
         except ParameterError as error:
             if len(records) == 1:
                 raise
             findings.append(finding("CL520", record.source, reason=str(error)))
             continue
-        ramps += [replace(ramp, time=ramp.time + record.start) for ramp in found]
-        findings += [replace(one, place=record.source) for one in without]
+        ramps += [replace(ramp, time=ramp.time + record.start) for ramp in moved]
+        findings += [replace(doubt, place=record.source) for doubt in without]
     if not ramps:
-        reasons = "; ".join(one.text for one in findings)
+        reasons = "; ".join(doubt.text for doubt in findings)
         raise ParameterError("LOG", f"{len(records)} records", f"one in which a command ramp moves the axis from rest; {reasons}")
     ways = {name: [ramp for ramp in ramps if ramp.direction == way] for name, way in (("breakaway+", 1), ("breakaway-", -1))}
     findings += _ramp_findings(ways)
@@ -241,11 +231,17 @@ def identify_stiction(records: Sequence[AxisRecord]) -> Identified:
     usable = fit > 0.5 * EXPLAINED
     findings += [finding("CL525", fit=fit / 100.0)] if fit < EXPLAINED else []
     findings += unit_findings(unit)
+    parameters = {}
+    for name, of_way in ways.items():
+        if of_way:
+            own = math.sqrt(sum(ramp.deviation**2 for ramp in of_way)) / len(of_way)
+            deviation = max(own, _spread(of_way) / math.sqrt(len(of_way)))
+            parameters[name] = Figure(float(_levels(of_way).mean()), unit, own, deviation)
     return Identified(
         "stiction",
         records[0].axis,
         log_names(records),
-        {name: _breakaway_figure(of_way, unit) for name, of_way in ways.items() if of_way},
+        parameters,
         fit,
         usable,
         tuple(findings),
@@ -263,11 +259,6 @@ def _levels(ramps: Sequence[Breakaway]) -> np.ndarray:
 def _spread(ramps: Sequence[Breakaway]) -> float:
     """Return the standard deviation over repeats; for a single ramp its own deviation."""
     return float(_levels(ramps).std(ddof=1)) if len(ramps) > 1 else ramps[0].deviation
-
-
-def _breakaway_figure(ramps: Sequence[Breakaway], unit: str) -> Figure:
-    own = math.sqrt(sum(ramp.deviation**2 for ramp in ramps)) / len(ramps)
-    return Figure(float(_levels(ramps).mean()), unit, own, max(own, _spread(ramps) / math.sqrt(len(ramps))))
 
 
 def _ramp_findings(ways: Mapping[str, Sequence[Breakaway]]) -> list[Finding]:

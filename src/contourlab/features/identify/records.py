@@ -14,7 +14,6 @@ from contourlab.errors import ResultError
 from contourlab.features.measure.plausibility import motion_findings, period_findings, same_column_findings
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log
-from contourlab.result import Result
 
 POSITIONS = ("position", "motor_position", "axis_position")
 LARGEST = {"N": 1e5, "V": 1e3, "A": 1e3, "full_scale": 1.01}
@@ -101,20 +100,16 @@ class AxisRecord:
 
     def doubts(self) -> list[Finding]:
         """Return findings on the record and on implausible signals."""
-        found = [*self.findings, *period_findings(self.period, self.source)]
-        position = self.position[:, None]
-        found += motion_findings(position, self.period, f"{self.axis} in {self.source}")
+        place, position = f"{self.axis} in {self.source}", self.position[:, None]
+        doubts = [*self.findings, *period_findings(self.period, self.source), *motion_findings(position, self.period, place)]
         if self.reference is not None:
-            found += same_column_findings((self.axis,), self.reference[:, None], position, self.source)
-        return found if self.command is None else [*found, *self._command_doubts()]
-
-    def _command_doubts(self) -> list[Finding]:
-        reached, unit = self.largest(), self.unit
-        if unit == "N" and self.logged not in ("", "N") and reached / abs(self.gain) > LARGEST.get(self.logged, np.inf):
-            reached, unit = reached / abs(self.gain), self.logged
-        if reached <= LARGEST.get(unit, np.inf):
-            return []
-        return [finding("CL502", f"{self.axis} in {self.source}", largest=reached, unit=unit)]
+            doubts += same_column_findings((self.axis,), self.reference[:, None], position, self.source)
+        if self.command is not None:
+            reached, unit = self.largest(), self.unit
+            if unit == "N" and self.logged not in ("", "N") and reached / abs(self.gain) > LARGEST.get(self.logged, np.inf):
+                reached, unit = reached / abs(self.gain), self.logged
+            doubts += [finding("CL502", place, largest=reached, unit=unit)] if reached > LARGEST.get(unit, np.inf) else []
+        return doubts
 
 
 def newton_option(unit: str) -> str:
@@ -191,9 +186,13 @@ def axis_pieces(
         If the log has several axes and none is named, or has no position; if a gain is given for a log that has only forces, or together
         with the lead for a log of torques.
     """
-    name = _chosen_axis(log.result, axis)
-    whole = _whole(log, name, gain, full_scale, source, lead)
-    spans = log.stretches(name)
+    result = log.result
+    if axis is None and len(result.axes) == 1:
+        axis = result.axes[0]
+    if axis not in result.axes:
+        problem = "which axis?" if axis is None else f"no axis {axis} in {result.source}:"
+        raise ResultError(f"{problem} There are {', '.join(result.axes)}: name one with --axis")
+    whole, spans = _whole(log, axis, gain, full_scale, source, lead), log.stretches(axis)
     if spans == [(0, whole.position.size)]:
         return [whole]
     if not spans:
@@ -218,15 +217,6 @@ def samples_digest(pieces: Sequence[AxisRecord]) -> str:
         digest.update(np.array([piece.position.size, command.size]).tobytes())
         digest.update(piece.position.tobytes() + command.tobytes())
     return digest.hexdigest()
-
-
-def _chosen_axis(result: Result, axis: str | None) -> str:
-    if axis is None and len(result.axes) == 1:
-        return result.axes[0]
-    if axis not in result.axes:
-        problem = "which axis?" if axis is None else f"no axis {axis} in {result.source}:"
-        raise ResultError(f"{problem} There are {', '.join(result.axes)}: name one with --axis")
-    return axis
 
 
 def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None, source: str, lead: float | None) -> AxisRecord:

@@ -9,15 +9,18 @@ from pathlib import Path
 
 from contourlab.analysis.identification.inverse_dynamics import InverseDynamicsSettings
 from contourlab.errors import ParameterError, UnitError
-from contourlab.features.identify.first_order import identify_behind_observer, identify_open_loop
-from contourlab.features.identify.frequency import identify_linear_motor, identify_response, identify_two_inertia
+from contourlab.features.identify.frequency import (
+    identify_linear_motor,
+    identify_response,
+    identify_two_inertia,
+    identify_two_mass,
+)
 from contourlab.features.identify.friction import identify_friction, identify_stiction
 from contourlab.features.identify.options import Identify
 from contourlab.features.identify.records import AxisRecord, axis_pieces, longest_piece, newtons_per, samples_digest
 from contourlab.features.identify.result import Identified, join_names
 from contourlab.features.identify.rigid import MODELS as RIGID
-from contourlab.features.identify.rigid import identify_rigid
-from contourlab.features.identify.two_mass import identify_two_mass
+from contourlab.features.identify.rigid import identify_behind_observer, identify_open_loop, identify_rigid
 from contourlab.features.measure.log_choice import LogChoice, distinct_names, open_log
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log

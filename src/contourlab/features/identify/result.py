@@ -115,15 +115,19 @@ def figures(names: Sequence[str], values: Array, deviations: Array, robust: Arra
 
 @dataclass(frozen=True, eq=False)
 class Propagated:
-    """Uncertainty of the parameters of an axis file, by name: deviations, and correlations of pairs."""
+    """Uncertainty of the parameters of an axis file, by name: deviations, and correlations of pairs; the log, and a note on the method."""
 
-    deviations: Mapping[str, float]
+    deviations: Mapping[str, float] = field(default_factory=dict)
     correlations: tuple[tuple[str, str, float], ...] = ()
+    log: str = ""
+    note: str = ""
 
-    def origin(self, log: str, name: str, note: str = "") -> Origin:
-        """Return the origin of a parameter: fitted, or assumed if it is at its bound and so has no deviation."""
-        deviation = self.deviations[name]
-        return fitted(log, deviation, note) if deviation > 0.0 else Origin("assumed", reference=log, note=AT_BOUND)
+    def origin(self, name: str, note: str = "") -> Origin:
+        """Return the origin of a parameter: fitted, or assumed if the fit lacks it, or if it is at its bound and so has no deviation."""
+        deviation = self.deviations.get(name)
+        if deviation is None or not deviation > 0.0:
+            return Origin("assumed", reference=self.log, note="not visible in the log" if deviation is None else AT_BOUND)
+        return fitted(self.log, deviation, note or self.note)
 
 
 def propagate(
@@ -132,6 +136,8 @@ def propagate(
     values: Array,
     deviations: Array,
     correlation: Array,
+    log: str = "",
+    note: str = "",
 ) -> Propagated:
     """Propagate the uncertainty of fitted parameters to the parameters of an axis file.
 
@@ -144,6 +150,8 @@ def propagate(
     values, deviations : ndarray (p,)
         A parameter without a deviation, for example at its bound, adds nothing.
     correlation : ndarray (p, p)
+    log, note : str
+        Log of the fit, and its method.
 
     Notes
     -----
@@ -159,9 +167,9 @@ def propagate(
     covariance = effect @ correlation @ effect.T
     sizes = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     of = list(numbers(dict(zip(names, values.tolist(), strict=True))))
-    known = [i for i, size in enumerate(sizes.tolist()) if 0.0 < size < float("inf")]
+    known = np.flatnonzero((sizes > 0.0) & (sizes < np.inf)).tolist()
     pairs = ((of[i], of[j], round(float(covariance[i, j] / (sizes[i] * sizes[j])), 4)) for i, j in combinations(known, 2))
-    return Propagated(dict(zip(of, sizes.tolist(), strict=True)), tuple(pair for pair in pairs if pair[2]))
+    return Propagated(dict(zip(of, sizes.tolist(), strict=True)), tuple(pair for pair in pairs if pair[2]), log, note)
 
 
 def fitted(log: str, deviation: float, note: str = "") -> Origin:

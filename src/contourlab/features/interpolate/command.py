@@ -13,9 +13,8 @@ from contourlab.app.json_values import json_text
 from contourlab.app.results import spared
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.features.interpolate.options import Interpolate
-from contourlab.features.interpolate.signals import read_quadrature
-from contourlab.features.interpolate.study import Interpolated, Interpolation
-from contourlab.features.interpolate.text import counts_csv, text
+from contourlab.features.interpolate.study import Interpolated, Interpolation, read_quadrature
+from contourlab.features.interpolate.text import counts_csv, lissajous_png, text
 from contourlab.logs.load import about
 
 FILES = {"counts": "interpolated.csv", "picture": "interpolation.png", "summary": "interpolation.json"}
@@ -108,15 +107,15 @@ def interpolate(file: str | Path, *, settings: Interpolate, session: Session = Q
 
 def _written(folder: Path, interpolation: Interpolation, result: Interpolated) -> Interpolated:
     """Write all files or none; return the result with their names."""
-    from contourlab.features.interpolate.lissajous import LissajousData, lissajous_png
     from contourlab.result.atomic import replacing
 
     result = replace(result, files={key: str(folder / name) for key, name in FILES.items()})
     title, after = interpolation.record.source.file.name, interpolation.after[:, interpolation.settled :].T
+    phase, *errors = interpolation.over_phase()
     names = _legend(result.subdivisional_error)
     contents = {
         "counts": counts_csv(result, interpolation.record.time, interpolation.counted.counts, interpolation.position()),
-        "picture": lissajous_png(LissajousData(title, interpolation.before.T, after, *interpolation.over_phase(), names)),
+        "picture": lissajous_png(title, (interpolation.before.T, after), phase, errors, names),
         "summary": (json_text(result) + "\n").encode(),
     }
     # Put the files in place only after all of them are written.

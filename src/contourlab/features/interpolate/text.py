@@ -1,12 +1,16 @@
-"""Text and count table of ``contourlab interpolate``."""
+"""Text, count table and picture of ``contourlab interpolate``."""
 
 from __future__ import annotations
 
+import io
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+
+import numpy as np
 
 from contourlab.arrays import Array, Index
 from contourlab.features.interpolate.study import Interpolated
+from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import paragraphs
 
 
@@ -50,3 +54,47 @@ def counts_csv(r: Interpolated, time: Array | None, counts: Index, position: Arr
     if time is not None:
         rows = [f"{t:.12g},{row}" for t, row in zip(time.tolist(), rows, strict=True)]
     return ("\n".join([*head, "count,position [m]" if time is None else "t [s],count,position [m]", *rows]) + "\n").encode()
+
+
+# --- the two signals against each other before and after correction, and the error over a period ------------------------------------
+
+POINTS = 6000
+
+
+def lissajous_png(title: str, signals: Sequence[Array], phase: Array, errors: Sequence[Array], names: Sequence[str]) -> bytes:
+    """Return the picture as a PNG of 200 dpi; equal data give equal bytes.
+
+    Parameters
+    ----------
+    title : str
+    signals : sequence of ndarray (n, 2)
+        As measured, and corrected; both divided by the amplitude.
+    phase : ndarray (m,) [deg]
+    errors : sequence of ndarray (m,) [nm]
+        Over the phase, before and after correction.
+    names : sequence of str
+        Of the two errors, for the legend.
+    """
+    import matplotlib
+    from matplotlib.figure import Figure
+
+    from contourlab.rendering.matplotlib_view import LOOKS, WIDTH
+
+    with matplotlib.rc_context(fname=LOOKS):
+        figure = Figure(figsize=(WIDTH, 3.6), layout="constrained")
+        left, right = figure.subplots(1, 2, width_ratios=(1.0, 1.25))
+        every = max(1, len(signals[0]) // POINTS)
+        turn = np.linspace(0.0, 2.0 * np.pi, 361)
+        left.plot(np.cos(turn), np.sin(turn), color="#8a949e", linewidth=0.8)
+        for i, points in enumerate(signals):
+            style = {"linestyle": "none", "marker": ".", "markersize": 1.6, "color": scheme_style(i, 2)[0]}
+            left.plot(points[::every, 0], points[::every, 1], **style)
+        left.set_aspect("equal", adjustable="datalim")
+        left.set(xlabel="u1 / amplitude", ylabel="u2 / amplitude", title=title.replace("$", "\\$"))
+        for i, (name, error) in enumerate(zip(names, errors, strict=True)):
+            right.plot(phase, error, color=scheme_style(i, 2)[0], linewidth=1.1, label=name)
+        right.set(xlabel="phase [deg]", ylabel="error within a pitch [nm]", xlim=(0.0, 360.0), xticks=range(0, 361, 90))
+        figure.legend(*right.get_legend_handles_labels(), loc="outside lower left", ncols=2)
+        buffer = io.BytesIO()
+        figure.savefig(buffer, format="png")
+    return buffer.getvalue()

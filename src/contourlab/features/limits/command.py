@@ -20,6 +20,7 @@ from contourlab.features.limits.options import Limits
 from contourlab.features.limits.result import LimitTest, ProgramLine
 from contourlab.features.measure.log_choice import PROGRAMS, LogChoice, open_log
 from contourlab.features.measure.measured_path import progress_along
+from contourlab.features.measure.plausibility import known_signal
 from contourlab.features.measure.study import ACTUAL
 from contourlab.feed import AxisLimits, Reference, Route, blended, plan, route_from_program
 from contourlab.feed.verify import KINDS as ALL_KINDS
@@ -206,14 +207,10 @@ def _logged(choice: LogChoice, options: Limits, tolerance: float, reading: Readi
 
 def _positions(log: Log, axes: Sequence[str]) -> tuple[str, Array]:
     """Return "reference" or "position", and the values (n, n_axis) [m]."""
-    result = log.result
-    if missing := [axis for axis in axes if axis not in result.axes]:
-        raise ResultError(f"no axis {missing[0]} in {result.source}; there are {', '.join(result.axes)}")
-    columns = [result.axes.index(axis) for axis in axes]
-    for name in ("reference", *ACTUAL, "motor_position"):
-        if name in result and np.isfinite(result[name][:, columns]).all():
-            return "reference" if name == "reference" else "position", np.asarray(result[name][:, columns])
-    raise ResultError(f"no reference or position of {', '.join(axes)} in {result.source}: name the columns with --column")
+    known = known_signal(log.result, axes, ("reference", *ACTUAL, "motor_position"))
+    if known is None:
+        raise ResultError(f"no reference or position of {', '.join(axes)} in {log.result.source}: name the columns with --column")
+    return "reference" if known[0] == "reference" else "position", known[1]
 
 
 def _lines_of(
@@ -221,14 +218,16 @@ def _lines_of(
 ) -> tuple[Index, Array | None]:
     """Return the program line of each sample, 0 for none, and the distance from the program's path [m]."""
     n = len(position)
-    lines, errors = np.zeros(n, dtype=np.int64), None
+    lines = np.zeros(n, dtype=np.int64)
+    errors: Array | None = None
     if options.program is not None:
         program = read_program(Path(options.program), reading=reading)
         route: Route = route_from_program(program, tuple(axes), default_tolerance=DEFAULT_CORNER_TOLERANCE)
         with about(choice.file):
             along, _ = progress_along(route.path, position)
         lines = np.asarray(route.source_line[route.path.curve_index(along)], dtype=np.int64)
-        errors = _distances(log, axes, route, along)
+        if (measured := known_signal(log.result, axes, ACTUAL)) is not None:
+            errors = np.asarray(route.path.foot_point(measured[1], along, 0.02 * route.path.length + 1e-3).distance)
     named = options.line_column or next((c.name for c in log.record.channels if c.name.casefold() in _LINES), None)
     if named is not None:
         values = log.record.channel(named).values
@@ -237,16 +236,6 @@ def _lines_of(
         elif options.line_column:
             raise LogError(f"column {named!r} does not have a line number for each sample", file=log.record.file)
     return lines, errors
-
-
-def _distances(log: Log, axes: Sequence[str], route: Route, along: Array) -> Array | None:
-    """Return the distance [m] of the measured position from the programmed path; None without one."""
-    columns = [log.result.axes.index(axis) for axis in axes]
-    name = next((name for name in ACTUAL if name in log.result and np.isfinite(log.result[name][:, columns]).all()), None)
-    if name is None:
-        return None
-    points = log.result[name][:, columns]
-    return np.asarray(route.path.foot_point(points, along, 0.02 * route.path.length + 1e-3).distance)
 
 
 def _log_peaks(

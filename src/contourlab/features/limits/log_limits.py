@@ -132,11 +132,11 @@ def course(position: Array, period: float, order: int, limit: float) -> Course:
     longest = max(len(position) // LARGEST_PART, 1)
     stride = 1
     while True:
-        found = _differences(position, period, order, stride)
+        magnitude = _differences(position, period, order, stride)
         added = 2.0 ** (order - 1) * error / (stride * period) ** order
-        wanted = limit if math.isfinite(limit) else float(np.nanmax(found, initial=0.0))
+        wanted = limit if math.isfinite(limit) else float(np.nanmax(magnitude, initial=0.0))
         if added <= RESOLVED * wanted or stride >= longest:
-            return Course(found, added, stride)
+            return Course(magnitude, added, stride)
         stride = min(max(stride + 1, int(1.25 * stride)), longest)
 
 

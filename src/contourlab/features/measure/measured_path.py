@@ -1,4 +1,4 @@
-"""Path of a measured run: the polygon through the samples of its reference, its last lap, and the progress of the tool along it."""
+"""Path of a measured run: the polygon through the samples of its reference, its last lap, the progress of the tool along it, its zero."""
 
 from __future__ import annotations
 
@@ -58,10 +58,10 @@ def progress_along(path: Path, positions: Array) -> tuple[Array, float]:
     grid = np.linspace(0.0, path.length, n)
     places = path.position(grid)
     spacing = path.length / (n - 1)
-    size = float(np.ptp(places, axis=0).max())
+    size, moved = float(np.ptp(places, axis=0).max()), float(np.ptp(positions, axis=0).max())
     # A motion much smaller than the path may lie near one point of it by chance: a path in inches, read in millimetres.
-    limit = farthest(min(size, float(np.ptp(positions, axis=0).max())))
-    way = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(positions, axis=0), axis=1)))
+    limit = farthest(min(size, moved))
+    way = _arc_length(positions)
     # Pick samples two grid steps of travel apart.
     picked = np.unique(np.searchsorted(way, np.arange(0.0, way[-1] + spacing, 2.0 * spacing)).clip(0, len(way) - 1))
     tool, ahead = positions[picked], (2.0 * np.diff(way[picked], prepend=0.0) / spacing).astype(int) + 3
@@ -69,26 +69,20 @@ def progress_along(path: Path, positions: Array) -> tuple[Array, float]:
     ways: list[tuple[float, Index]] = []
     strays, most = np.inf, np.inf
     for start in _starts(first, limit):
-        found, total, far = _followed(places, spacing, tool, ahead, start, limit, most)
+        followed, total, far = _followed(places, spacing, tool, ahead, start, limit, most)
         strays = min(strays, far)
         if far <= limit and total <= most:
-            ways.append((total, found))
+            ways.append((total, followed))
             most = min(most, ALIKE * total + len(tool) * spacing**2)
     if not ways:
+        hint = f" The tool travels {way[-1] / path.length:.3g} times the path's length, but only a closed path can have laps"
+        hint = "" if path.closed or way[-1] < LAPS * path.length else f"{hint}: cut the log to one pass"
         raise ResultError(
             f"the tool is {strays * 1e3:.4g} mm or more off a path of {size * 1e3:.4g} mm in size, and moves by "
-            f"{float(np.ptp(positions, axis=0).max()) * 1e3:.4g} mm: are both in the same coordinates and units?{_on_laps(path, way[-1])}"
+            f"{moved * 1e3:.4g} mm: are both in the same coordinates and units?{hint}"
         )
-    found = min((found for total, found in ways if total <= most), key=lambda found: int(found[0]))
-    return np.interp(way, way[picked], grid[found]), float(first[found[0]])
-
-
-def _on_laps(path: Path, way: float) -> str:
-    """Return a hint if the tool travels further than an open path is long; else an empty text."""
-    if path.closed or way < LAPS * path.length:
-        return ""
-    ratio = f"{way / path.length:.3g} times the path's length"
-    return f" The tool travels {ratio}, but only a closed path can have laps: cut the log to one pass"
+    followed = min((indices for total, indices in ways if total <= most), key=lambda indices: int(indices[0]))
+    return np.interp(way, way[picked], grid[followed]), float(first[followed[0]])
 
 
 def _starts(distance: Array, limit: float) -> list[int]:
@@ -108,7 +102,7 @@ def _followed(
     Return the grid point (index) of each position, the sum of squared distances [m^2], and the largest distance [m]. Stop when a distance
     exceeds `limit`, or the sum exceeds `most`.
     """
-    found = np.empty(len(tool), dtype=int)
+    followed = np.empty(len(tool), dtype=int)
     at, total, worst, distance = start, 0.0, 0.0, 0.0
     for i, (position, reach) in enumerate(zip(tool, ahead.tolist(), strict=True)):
         # A tool that turned before the end of a spike is off the path until it is found further ahead, on the way back.
@@ -116,13 +110,13 @@ def _followed(
         square = ((places[at:far] - position) ** 2).sum(axis=1)
         nearest = int(np.argmin(square))
         at += nearest
-        found[i] = at
+        followed[i] = at
         distance = float(square[nearest]) ** 0.5
         total += float(square[nearest])
         worst = max(worst, float(square[nearest]))
         if worst > limit**2 or total > most:
             break
-    return found, total, worst**0.5
+    return followed, total, worst**0.5
 
 
 LAP_PLACES = 8000
@@ -203,3 +197,69 @@ def path_of_samples(positions: Array) -> tuple[Path, Array]:
 
 def _arc_length(points: Array) -> Array:
     return np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
+
+
+# --- programs count from the part, encoders from the machine -------------------------------------------------------------------------
+
+SAMPLES, ITERATIONS = 5000, 50
+"""Samples used, evenly spaced along the tool's travel, and largest number of steps."""
+SETTLED = 1e-9
+"""Length [m] of the last step."""
+ALONG = 1e-6
+"""Share of the normals in a direction below which the path does not determine the shift in it."""
+
+
+def fitted_shift(path: Path, positions: Array) -> Array:
+    """Fit the shift (n_axis,) [m] that brings a path closest to measured positions (least squares).
+
+    Parameters
+    ----------
+    positions : ndarray (n, n_axis) [m]
+        From the start of the path to its end, or to where the tool stopped.
+
+    Raises
+    ------
+    ResultError
+        If the path does not determine the shift, such as a straight line in its own direction, or the positions do not follow the path.
+
+    Notes
+    -----
+    The fit starts twice: with the bounding boxes centred on each other, and with the first position on the start of the path. The closer
+    result counts. Each step finds the foot points, then solves for the shift that removes the normal distances. Samples are spaced evenly
+    along the travel, so a resting tool has no weight. A constant offset of the tool counts as shift and disappears from the error.
+    """
+    travel = _arc_length(positions)
+    tool = positions[np.unique(np.searchsorted(travel, np.linspace(0.0, travel[-1], SAMPLES)))]
+    box = path.position(np.linspace(0.0, path.length, SAMPLES))
+    centres = (tool.max(axis=0) + tool.min(axis=0) - box.max(axis=0) - box.min(axis=0)) / 2.0
+    fits: list[tuple[float, Array]] = []
+    errors = []
+    for start in (centres, tool[0] - box[0]):
+        try:
+            fits.append(_fit_from(path, tool, np.asarray(start)))
+        except ResultError as error:
+            errors.append(error)
+    if not fits:
+        raise errors[-1]
+    return min(fits, key=lambda fit: fit[0])[1]
+
+
+def _fit_from(path: Path, tool: Array, shift: Array) -> tuple[float, Array]:
+    """Iterate from one start; return the mean squared normal distance [m^2] and the shift [m]."""
+    for _ in range(ITERATIONS):
+        here = tool - shift
+        along, _ = progress_along(path, here)
+        window = 4.0 * float(np.linalg.norm(path.position(along) - here, axis=1).max()) + 1e-6
+        foot = path.foot_point(here, along, min(window, 0.25 * path.length))
+        tangent = path.tangent(foot.arc_length)
+        normal = np.eye(path.n_axis) - np.einsum("ki,kj->ij", tangent, tangent) / len(tangent)
+        if np.linalg.eigvalsh(normal)[0] < ALONG:
+            raise ResultError("a straight path does not determine the shift along itself: give the shift as lengths")
+        # At corners and ends the distance to the foot point has a tangential part.
+        off = here - foot.position
+        off -= (off * tangent).sum(axis=1, keepdims=True) * tangent
+        step = np.linalg.solve(normal, off.mean(axis=0))
+        shift = shift + step
+        if np.abs(step).max() < SETTLED:
+            return float((off**2).sum(axis=1).mean()), shift
+    raise ResultError(f"the shift between path and log has not converged after {ITERATIONS} steps: give it as lengths")

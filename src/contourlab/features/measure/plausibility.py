@@ -1,11 +1,15 @@
-"""Signals that no machine tool has; the units, columns or signs of the log are probably wrong."""
+"""The signals of some axes of a log, and those that no machine tool has: units, columns or signs of the log are probably wrong."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 
 from contourlab.arrays import Array
+from contourlab.errors import ResultError
 from contourlab.findings import Finding, finding
+from contourlab.result import Result
 
 SHORT, SLOW = 1e-3, 1e-3
 """Travel [m] and top speed [m/s] of a run; a machine's run exceeds at least one."""
@@ -17,6 +21,20 @@ SPEED_INTERVAL = 2e-3
 """Shortest interval [s] for a speed; between single samples the position resolution would dominate."""
 USUAL = 0.99
 """Quantile of the samples for the speed of a run; it excludes glitches."""
+
+
+def columns_of(result: Result, axes: Sequence[str]) -> list[int]:
+    """Return the columns of some axes; raise ResultError if one is missing."""
+    if missing := [axis for axis in axes if axis not in result.axes]:
+        raise ResultError(f"no axis {missing[0]} in {result.source}; there are {', '.join(result.axes)}")
+    return [result.axes.index(axis) for axis in axes]
+
+
+def known_signal(result: Result, axes: Sequence[str], names: Sequence[str]) -> tuple[str, Array] | None:
+    """Return the first of some signals that some axes have at all samples, by name and values (n, n_axis); None if there is none."""
+    columns = columns_of(result, axes)
+    known = (name for name in names if name in result and np.isfinite(result[name][:, columns]).all())
+    return next(((name, np.asarray(result[name][:, columns])) for name in known), None)
 
 
 def period_findings(period: float, place: str = "") -> list[Finding]:

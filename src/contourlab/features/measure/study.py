@@ -9,9 +9,8 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import ResultError
-from contourlab.features.measure.measured_path import farthest, last_lap, moving, path_of_samples, progress_along, size_of
-from contourlab.features.measure.plausibility import motion_findings, period_findings, same_column_findings
-from contourlab.features.measure.shift import fitted_shift
+from contourlab.features.measure.measured_path import farthest, fitted_shift, last_lap, moving, path_of_samples, progress_along, size_of
+from contourlab.features.measure.plausibility import columns_of, motion_findings, period_findings, same_column_findings
 from contourlab.feed import Reference
 from contourlab.feed.profile import Judged
 from contourlab.findings import Finding, finding
@@ -164,15 +163,15 @@ def _bridged_at(log: Log, measured: Measured, time: float) -> tuple[str, ...]:
 
 def _signals_of(run: Result, path: Path | None) -> list[Array]:
     """Return the position, and without a path the reference; raise one error for all that are missing."""
-    found, missing = [], []
+    signals, missing = [], []
     for signal_of in (_position_of, *([_reference_of] if path is None else [])):
         try:
-            found.append(signal_of(run))
+            signals.append(signal_of(run))
         except ResultError as error:
             missing.append(str(error))
     if missing:
         raise ResultError("; ".join(missing))
-    return found
+    return signals
 
 
 def _position_of(run: Result) -> Array:
@@ -289,11 +288,8 @@ def _stated(run: Result) -> Judged | None:
 def _of_axes(result: Result, axes: tuple[str, ...]) -> Result:
     if len(set(axes)) < len(axes):
         raise ResultError(f"axes {', '.join(axes)}: one is named twice")
-    unknown = [axis for axis in axes if axis not in result.axes]
-    if unknown:
-        raise ResultError(f"no axis {unknown[0]} in {result.source}; there are {', '.join(result.axes)}")
+    columns = columns_of(result, axes)
     if axes == result.axes:
         return result
-    columns = [result.axes.index(axis) for axis in axes]
     signals = {n: replace(s, data=s.data[:, columns]) if s.data.ndim == 2 else s for n, s in result.signals.items()}
     return replace(result, axes=axes, signals=signals)

@@ -9,7 +9,7 @@ from made_two_masses import TwoMasses, drawn
 
 from contourlab.errors import ScenarioError
 from contourlab.features.commission.hal_files import Setup, read_setup
-from contourlab.features.commission.loop_class import decided
+from contourlab.features.commission.records import decided
 
 STEPS, VELOCITY, SERVO, UNKNOWN = "step generator", "velocity drive", "servo", "unknown"
 INI = """[KINS]

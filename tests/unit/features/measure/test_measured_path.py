@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from contourlab.errors import ResultError
-from contourlab.features.measure.measured_path import progress_along
-from contourlab.features.measure.shift import fitted_shift
+from contourlab.features.measure.measured_path import fitted_shift, progress_along
 from contourlab.geometry import Arc, Line, Path
 
 
