@@ -9,9 +9,8 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.figures import figure, number, shown_unit
 from contourlab.rendering.charts import Chart, Curve, Level, Panel, Tick
-from contourlab.rendering.data import ReportData, SchemeReport
+from contourlab.rendering.data import FeedRun, JudgedRun, ReportData
 from contourlab.rendering.error_pictures import MARKS
-from contourlab.rendering.run_data import AxisBounds, FeedRun
 from contourlab.rendering.samples import axis_column, largest_magnitude, times
 from contourlab.rendering.style import LIMIT, REFERENCE, scheme_style
 from contourlab.result import Result
@@ -101,9 +100,13 @@ def _runs(data: ReportData, axis: int, points: int, signal: str, label: str, fac
     return Panel("time [s]", f"{label} [{unit}]", curves) if curves else None
 
 
-def _limited(panel: Panel, bounds: AxisBounds | None, name: str, axis: int, factor: float, unit: str) -> Panel:
-    """Return the panel with its two limits and a range that flattens neither them nor the curves."""
-    limit = float(getattr(bounds, name)[axis]) * factor if bounds is not None else float("inf")
+def _limited(data: ReportData, panel: Panel, name: str, axis: int, factor: float, unit: str) -> Panel:
+    """Return the panel with the two limits of the first machine, and a range that flattens neither them nor the curves."""
+    machine = next((scheme.machine for scheme in data.schemes if scheme.machine is not None), None)
+    if machine is None:
+        return panel
+    part = machine.axes[axis]
+    limit = factor * float(getattr(part.drive, "limit", np.inf) if name == "command" else getattr(part.limits, name))
     if not np.isfinite(limit):
         return panel
     text = f"limit ±{number(limit, 6)} {unit}"
@@ -126,11 +129,6 @@ def _off_scale(panel: Panel) -> str:
     return f"{what.capitalize()} peaks at {peak} at {number(float(worst.x[at]), 4)} s, outside the drawn range."
 
 
-def _bounds(data: ReportData) -> AxisBounds | None:
-    """Return the limits of the first scheme that has any."""
-    return next((scheme.bounds for scheme in data.schemes if scheme.bounds is not None), None)
-
-
 def _reference_of(data: ReportData, signal: str) -> Result | None:
     """Return the first result with a signal of the common reference."""
     return next((scheme.result for scheme in data.schemes if signal in scheme.result), None)
@@ -145,7 +143,7 @@ def _velocity(data: ReportData, axis: int, points: int) -> Panel | None:
         wanted = axis_column(source, "reference_velocity", axis)
         curve = _curve(source, wanted, points, factor, ("reference", REFERENCE, "dot"))
         panel = Panel("time [s]", f"velocity [{unit}]", (curve, *(panel.curves if panel else ())))
-    return _limited(panel, _bounds(data), "velocity", axis, factor, unit) if panel is not None else None
+    return _limited(data, panel, "velocity", axis, factor, unit) if panel is not None else None
 
 
 def _planned(data: ReportData, axis: int, points: int, name: str) -> Panel | None:
@@ -161,7 +159,7 @@ def _planned(data: ReportData, axis: int, points: int, name: str) -> Panel | Non
     unit = "m/s^2" if name == "acceleration" else "m/s^3"
     curve = _curve(source, values, points, 1.0, ("reference", REFERENCE, "solid"))
     ticks = _curvature_steps(data, axis) if name == "jerk" else ()
-    return _limited(Panel("time [s]", f"{name} [{unit}]", (curve,), ticks=ticks), _bounds(data), name, axis, 1.0, unit)
+    return _limited(data, Panel("time [s]", f"{name} [{unit}]", (curve,), ticks=ticks), name, axis, 1.0, unit)
 
 
 def _curvature_steps(data: ReportData, axis: int) -> tuple[Tick, ...]:
@@ -191,7 +189,7 @@ def _command(data: ReportData, axis: int, points: int) -> Panel | None:
         return None
     factor, unit = shown_unit(str(source.signals["command"].unit))
     panel = _runs(data, axis, points, "command", "command", factor, unit or "1")
-    return _limited(panel, _bounds(data), "command", axis, factor, unit) if panel is not None else None
+    return _limited(data, panel, "command", axis, factor, unit) if panel is not None else None
 
 
 def bode_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
@@ -256,7 +254,7 @@ def _loop(result: Result, axis: int, points: int) -> tuple[Array, Array]:
     return load[kept] * 1e3, apart[kept] * UM
 
 
-def _flanks(scheme: SchemeReport, axis: str, x: Array) -> tuple[Curve, Curve]:
+def _flanks(scheme: JudgedRun, axis: str, x: Array) -> tuple[Curve, Curve]:
     """Return the two flanks of the gap [um] over the used travel."""
     place, width = scheme.gaps[axis]
     low, high = float(np.nanmin(x)), float(np.nanmax(x))
@@ -266,7 +264,7 @@ def _flanks(scheme: SchemeReport, axis: str, x: Array) -> tuple[Curve, Curve]:
     return Curve(at, half, "edge of the gap", LIMIT, "dash"), Curve(at, -half, "edge of the gap", LIMIT, "dash")
 
 
-def _note(scheme: SchemeReport, axis: str, x: Array, y: Array) -> str:
+def _note(scheme: JudgedRun, axis: str, x: Array, y: Array) -> str:
     """Describe the width of the gap and the largest wind-up."""
     place, width = scheme.gaps[axis]
     wide, narrow = float(width.max()) * UM, float(width.min()) * UM

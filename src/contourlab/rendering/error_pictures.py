@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Index
 from contourlab.figures import figure, number
+from contourlab.metrics import CircleFigures
 from contourlab.rendering.charts import Chart, Curve, Panel, PolarChart, Tick, ring_spacing
-from contourlab.rendering.data import ReportData
+from contourlab.rendering.data import JudgedRun, ReportData
 from contourlab.rendering.samples import error_signal, largest_magnitude, signal, times
 from contourlab.rendering.style import scheme_style
 from contourlab.thinning import keep_extremes
@@ -101,14 +104,14 @@ def _polar(data: ReportData, name: str, index: int, points: int) -> PolarChart:
     curves, marks, radius, top = [], [], 0.0, 0.0
     for place, scheme in enumerate(data.schemes):
         colour, _ = scheme_style(place, len(data.schemes))
-        for i, circle in enumerate(scheme.circles):
+        for circle in scheme.circles:
             if circle.name != name:
                 continue
             kept = keep_extremes(circle.deviation, points)
             way, dash = ("clockwise", "dash") if circle.clockwise else ("counter-clockwise", "solid")
             angle = np.degrees(np.unwrap(circle.angle))[kept]
             curves.append(Curve(angle, circle.deviation[kept] * UM, f"{scheme.name}, {way}", colour, dash))
-            at = np.asarray(scheme.circle_spikes[i] if scheme.circle_spikes else (), dtype=np.int64)
+            at = _peaks(scheme, circle)
             if at.size:
                 marks.append(Curve(np.degrees(circle.angle[at]), circle.deviation[at] * UM, f"{scheme.name}, {way}", colour))
             radius, top = circle.radius, max(top, largest_magnitude(circle.deviation) * UM)
@@ -119,3 +122,10 @@ def _polar(data: ReportData, name: str, index: int, points: int) -> PolarChart:
         + (" Small circles mark the peaks of reversal spikes." if marks else "")
     )
     return PolarChart(f"circle-{index}", name, caption, tuple(curves), division, (-2.0 * span, span), radius, tuple(marks))
+
+
+def _peaks(scheme: JudgedRun, circle: CircleFigures) -> Index:
+    """Return the points of a circle at which reversal spikes are highest."""
+    period, start = scheme.result.servo_period, scheme.result.start
+    highest = [round(spike.peak_time / period) - start for spike in scheme.spikes if math.isfinite(spike.angle)]
+    return np.flatnonzero(np.isin(circle.samples, highest))

@@ -10,8 +10,7 @@ from contourlab.analysis.learning.learning_analysis import LearningAnalysis
 from contourlab.arrays import Array
 from contourlab.figures import figure
 from contourlab.rendering.charts import Chart, Curve, Level, Panel, Tick
-from contourlab.rendering.data import ReportData
-from contourlab.rendering.run_data import TrialCourse
+from contourlab.rendering.data import ReportData, TrialCourse
 from contourlab.rendering.style import scheme_style
 
 

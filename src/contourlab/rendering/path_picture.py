@@ -12,7 +12,7 @@ from contourlab.figures import figure
 from contourlab.geometry import Path
 from contourlab.rendering.charts import Curve, Magnified, PathChart, SpaceChart
 from contourlab.rendering.comparison import judged_words
-from contourlab.rendering.data import ReportData, SchemeReport
+from contourlab.rendering.data import JudgedRun, ReportData
 from contourlab.rendering.lead import lines_at
 from contourlab.rendering.samples import keep_changes, largest_magnitude, signal
 from contourlab.rendering.style import BAND, INK, REFERENCE, magnification, scheme_style
@@ -75,7 +75,7 @@ def _places(path: Path, points: int) -> Array:
     return np.asarray(s[(s >= 0.0) & (s <= path.length)], dtype=np.float64)
 
 
-def _run(data: ReportData, scheme: SchemeReport, points: int) -> _Drawn:
+def _run(data: ReportData, scheme: JudgedRun, points: int) -> _Drawn:
     """Return the points of a run, in the window of its figures: many where the error changes.
 
     With many laps drawn, each would have too few points, and lines between them would cut corners.

@@ -11,7 +11,7 @@ from contourlab.arrays import Array
 from contourlab.figures import figure
 from contourlab.loop.switches import Switches, SwitchKind
 from contourlab.rendering.charts import Chart, Curve, Panel
-from contourlab.rendering.data import ReportData, SchemeReport
+from contourlab.rendering.data import JudgedRun, ReportData
 from contourlab.rendering.samples import signal
 from contourlab.rendering.style import REFERENCE, scheme_style
 
@@ -123,14 +123,14 @@ def strip_charts(data: ReportData) -> tuple[Chart, ...]:
     return tuple(charts)
 
 
-def _names(scheme: SchemeReport) -> list[str]:
+def _names(scheme: JudgedRun) -> list[str]:
     """Return the names of a scheme's controllers, the initially active one first."""
     assert scheme.switches is not None
     held = [name for axis in scheme.switches.axes for name in scheme.switches.active[axis]]
     return list(dict.fromkeys([*scheme.switches.first.values(), *held, *(kind.after for kind in scheme.switches.kinds)]))
 
 
-def _panel(scheme: SchemeReport, looks: dict[str, str], label: str) -> Panel:
+def _panel(scheme: JudgedRun, looks: dict[str, str], label: str) -> Panel:
     """Return the strip of one scheme: a row for each axis with a lane for each controller."""
     switches, result = scheme.switches, scheme.result
     assert switches is not None

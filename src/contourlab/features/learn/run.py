@@ -27,6 +27,7 @@ from contourlab.findings import Finding, finding
 from contourlab.geometry.view import PathView
 from contourlab.loop import Controller, Machine
 from contourlab.loop.trials import Trial, Trials, feedforward_command
+from contourlab.rendering.data import TrialCourse
 from contourlab.scenario.components import parameters_of
 
 Part = Literal["ends", "all", "none"]
@@ -86,6 +87,12 @@ class LearningRun:
     def diverged(self) -> bool:
         """Whether learning diverged."""
         return self.status.startswith("diverged")
+
+    @property
+    def course(self) -> TrialCourse:
+        """The errors of the trials, for tables and pictures."""
+        contour, tracking = (np.array([getattr(trial, name) for trial in self.trials]) for name in ("contour_rms", "tracking_rms"))
+        return TrialCourse(contour, tracking, self.best, self.status)
 
     @property
     def gain(self) -> float:

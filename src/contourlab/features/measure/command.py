@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import shlex
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Literal
 
@@ -25,29 +25,16 @@ from contourlab.features.measure.log_choice import (
     program_path,
     reference_columns,
 )
-from contourlab.features.measure.study import Measured, gap_findings, measure
-from contourlab.features.measure.summary import MeasuredScheme, MeasuredSummary
+from contourlab.features.measure.study import gap_findings, measure
+from contourlab.features.measure.summary import MeasuredRun, MeasuredSummary
 from contourlab.features.run.command import RunOutcome, check_plots, file_names
 from contourlab.figures import figure
-from contourlab.findings import Finding, finding
-from contourlab.logs import Log
+from contourlab.findings import finding
 from contourlab.logs.load import about
-from contourlab.metrics import reversal_figures
 from contourlab.units import to_si
 
 _OF_COLUMNS = ("--column", "--columns", "--format", "--period")
 """Options that say how to read a log."""
-
-
-@dataclass(frozen=True, eq=False)
-class _Run:
-    """A measured run, judged, with the name for its results."""
-
-    name: str
-    log: Log
-    measured: Measured
-    findings: tuple[Finding, ...]
-    inputs: tuple[str | Path, ...]
 
 
 def measure_log(
@@ -105,17 +92,17 @@ def compare_runs(files: Sequence[str | Path], out: str | Path, *, plots: Sequenc
     judged = [_judged(LogChoice(_signals_of(Path(file)))) for file in files]
     names = _names([Path(file) for file in files])
     runs = [replace(run, name=name) for name, run in zip(names, judged, strict=True)]
-    axes, path = runs[0].measured.result.axes, runs[0].measured.reference.path
+    axes, path = runs[0].result.axes, runs[0].reference.path
     for i, run in enumerate(runs[1:], 1):
-        if run.measured.result.axes != axes:
-            message = f"has axes {', '.join(run.measured.result.axes)}, but {runs[0].name} has {', '.join(axes)}"
+        if run.result.axes != axes:
+            message = f"has axes {', '.join(run.result.axes)}, but {runs[0].name} has {', '.join(axes)}"
             raise LogError(message, file=run.log.record.file)
-        if run.measured.reference.path.digest != path.digest:
+        if run.reference.path.digest != path.digest:
             runs[i] = replace(run, findings=(*run.findings, finding("CL413", first=runs[0].name)))
     return _written(runs, " and ".join(names), out, None, command, plots)
 
 
-def _judged(choice: LogChoice, reference: str | None = None, shift: str | None = None) -> _Run:
+def _judged(choice: LogChoice, reference: str | None = None, shift: str | None = None) -> MeasuredRun:
     program = reference if reference is not None and is_program(reference) else None
     more = reference_columns(reference, choice) if reference is not None and program is None else ()
     log = open_log(choice, more)
@@ -127,7 +114,8 @@ def _judged(choice: LogChoice, reference: str | None = None, shift: str | None =
         except ResultError as error:
             raise ResultError("; ".join([str(error), *(doubt.text for doubt in log.doubtful)])) from error
     findings = (*log.findings, *measured.findings, *gap_findings(log, measured, of_samples=path is None))
-    return _Run(log.result.scheme, log, measured, findings, (*choice.files, *([program] if program else [])))
+    given: dict[str, Any] = vars(measured) | {"name": log.result.scheme, "findings": findings}
+    return MeasuredRun(**given, log=log, inputs=(*choice.files, *([program] if program else [])))
 
 
 def _shift(text: str | None, axes: tuple[str, ...]) -> Array | Literal["fit"] | None:
@@ -163,68 +151,48 @@ def _names(files: Sequence[Path]) -> list[str]:
     raise LogError("is given twice: give two different runs", file=files[0])
 
 
-def _written(runs: Sequence[_Run], title: str, out: str | Path, limit: float | None, command: str, plots: Sequence[str]) -> RunOutcome:
+def _written(
+    runs: Sequence[MeasuredRun], title: str, out: str | Path, limit: float | None, command: str, plots: Sequence[str]
+) -> RunOutcome:
     files = file_names([run.name for run in runs])
     outputs = ("summary.json", "report.html", *(f"signals/{name}.nc" for name in files.values()))
-    passed = None if limit is None else all(run.measured.metrics.contour_error.max <= limit for run in runs)
+    passed = None if limit is None else all(run.metrics.contour_error.max <= limit for run in runs)
     with staged(out, *outputs, inputs=[file for run in runs for file in run.inputs]) as folder:
         for run in runs:
-            run.measured.result.save(folder / "signals" / f"{files[run.name]}.nc")
-        summary: dict[str, Any] = json_values(MeasuredSummary(title, command, limit, passed, {run.name: _scheme(run) for run in runs}))
+            run.result.save(folder / "signals" / f"{files[run.name]}.nc")
+        summary: dict[str, Any] = json_values(MeasuredSummary(title, command, limit, passed, {run.name: run for run in runs}))
         write_json(folder / "summary.json", summary)
         step = _next_step(runs, limit, command)
         table = _report(runs, title, limit, folder, command, plots, step)
     return RunOutcome(passed is not False, summary, f"{table}\nreport: {Path(out) / 'report.html'}\n\nnext: {step[1]}")
 
 
-def _next_step(runs: Sequence[_Run], limit: float | None, command: str) -> tuple[str, str]:
+def _next_step(runs: Sequence[MeasuredRun], limit: float | None, command: str) -> tuple[str, str]:
     """Return what to do next, and the command for it: judge the worst run against a tolerance, or identify its worst axis."""
-    worst = max(runs, key=lambda run: run.measured.metrics.contour_error.max)
+    worst = max(runs, key=lambda run: run.metrics.contour_error.max)
     typed = shlex.split(command) if len(runs) == 1 else ["contourlab", "measure", str(worst.log.record.file)]
     if limit is None:
-        twice = 2e6 * worst.measured.metrics.contour_error.max
+        twice = 2e6 * worst.metrics.contour_error.max
         return "Judge it against a tolerance:", as_typed([*typed, "--tolerance", f"{float(f'{twice:.1g}'):g} um"])
-    errors = [math.inf if math.isnan(one.rms) else one.rms for one in worst.measured.metrics.tracking_error]
-    axis = worst.measured.result.axes[errors.index(max(errors))]
+    errors = [math.inf if math.isnan(one.rms) else one.rms for one in worst.metrics.tracking_error]
+    axis = worst.result.axes[errors.index(max(errors))]
     model = "rigid" if "force" in worst.log.result else "first-order"
     words = ["contourlab", "identify", typed[2], "--model", model, "--axis", axis, *chosen_options(typed, *_OF_COLUMNS)]
     return "Identify the axis that strays most:", as_typed(words)
 
 
-def _scheme(run: _Run) -> MeasuredScheme:
-    log, measured = run.log, run.measured
-    return MeasuredScheme(
-        file=log.record.file,
-        format=log.record.format,
-        axes=measured.result.axes,
-        servo_period=measured.result.servo_period,
-        n_sample=measured.result.n_sample,
-        shift=measured.shift,
-        metrics=measured.metrics,
-        circles=measured.circles,
-        reversals=measured.spikes,
-        reversal_figures=reversal_figures(measured.spikes),
-        clock=log.clocks,
-        columns=log.columns,
-        notes=tuple(note.text for note in run.findings),
-        findings=run.findings,
-    )
-
-
 def _report(
-    runs: Sequence[_Run], title: str, limit: float | None, folder: Path, command: str, plots: Sequence[str], step: tuple[str, str]
+    runs: Sequence[MeasuredRun], title: str, limit: float | None, folder: Path, command: str, plots: Sequence[str], step: tuple[str, str]
 ) -> str:
     """Write report and plots; return the text for the terminal."""
-    from contourlab.rendering.data import Provenance, ReportData, SchemeReport
+    from contourlab.rendering.data import Provenance, ReportData
     from contourlab.rendering.html import write_html
     from contourlab.rendering.page_tables import reversal_text
     from contourlab.rendering.tables import comparison_text
 
-    measured = ((run.name, run.measured) for run in runs)
-    schemes = [SchemeReport(name, one.result, one.metrics, circles=one.circles, spikes=one.spikes) for name, one in measured]
     notes = [str(note) if len(runs) == 1 else f"{run.name}: {note}" for run in runs for note in run.findings]
     about_runs: dict[str, Any] = {"tolerance": limit, "notes": notes, "is_measured": True, "next_steps": [step]}
-    data = ReportData(title, schemes, runs[0].measured.reference.path, Provenance(command, command), **about_runs)
+    data = ReportData(title, runs, Provenance(command, command), **about_runs)
     write_html(data, folder / "report.html")
     if plots:
         from contourlab.rendering.plots import write_plots
@@ -235,12 +203,11 @@ def _report(
     return "\n".join([*lines, *(line for run in runs for line in _lines(run, limit))])
 
 
-def _lines(run: _Run, limit: float | None) -> list[str]:
-    measured = run.measured
-    result, error = measured.result, measured.metrics.contour_error
+def _lines(run: MeasuredRun, limit: float | None) -> list[str]:
+    result, error = run.result, run.metrics.contour_error
     lines = [f"{run.name}: read as {run.log.record.format}, {result.n_sample} samples every {figure(result.servo_period, 'us', 6)}"]
-    if measured.shift is not None:
-        shifts = (f"{axis} {figure(value, 'mm', 6)}" for axis, value in measured.shift.items())
+    if run.shift is not None:
+        shifts = (f"{axis} {figure(value, 'mm', 6)}" for axis, value in run.shift.items())
         lines.append(f"path shifted by {', '.join(shifts)}")
     if limit is not None:
         verdict = "PASS" if error.max <= limit else "FAIL"

@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING
 from contourlab.analysis.linear.margins import Margins
 from contourlab.app.results import check_file, proposed
 from contourlab.errors import ParameterError
-from contourlab.features.run.margin_words import decibel, degrees
 from contourlab.features.tune.objective import FIGURES, Evaluation, evaluate
 from contourlab.figures import figure, number
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine
+from contourlab.rendering.margin_words import decibel, degrees
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.study.guards import Bounds, Guards

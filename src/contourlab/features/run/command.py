@@ -14,9 +14,9 @@ from contourlab.components.friction.laws import NoFriction
 from contourlab.errors import DivergenceError, ParameterError
 from contourlab.features.run.inputs import of_program, scenario_of
 from contourlab.features.run.next_step import next_steps
-from contourlab.features.run.outcome import Outcome, run_case
+from contourlab.features.run.outcome import run_case
 from contourlab.features.run.record import switch_file
-from contourlab.features.run.summary import summary_of
+from contourlab.features.run.summary import Outcome, summary_of
 from contourlab.features.run.trust.provenance import numbers_of
 from contourlab.figures import figure
 from contourlab.findings import Finding

@@ -11,7 +11,7 @@ from contourlab.features.run.verdict import unexplained
 from contourlab.feed import Reference
 from contourlab.metrics import circles_of, judge, summarise
 from contourlab.program import Program
-from contourlab.rendering.data import Provenance, ReportData, SchemeReport
+from contourlab.rendering.data import JudgedRun, Provenance, ReportData
 from contourlab.rendering.html import write_html
 from contourlab.result import Result
 
@@ -71,9 +71,7 @@ def report(
         if other.programmed.digest != motion.programmed.digest:
             raise ParameterError(f"path of {name!r}", "another one", f"that of {first!r}")
     schemes = [_scheme(name, result, motions[name], tolerance, program) for name, result in named.items()]
-    programmed = None if motion.programmed is motion.path else motion.programmed
-    lines = () if program is None else program.lines
-    data = ReportData(title or ", ".join(named), schemes, motion.path, Provenance(), programmed, lines, tolerance)
+    data = ReportData(title or ", ".join(named), schemes, Provenance(), () if program is None else program.lines, tolerance)
     if Path(file).suffix.lower() == ".pdf":
         from contourlab.rendering.one_page import write_page
 
@@ -112,17 +110,17 @@ def _references(named: Mapping[str, Result], reference: Reference | Sequence[Ref
     return motions
 
 
-def _scheme(name: str, result: Result, reference: Reference, tolerance: float | None, program: Program | None) -> SchemeReport:
+def _scheme(name: str, result: Result, reference: Reference, tolerance: float | None, program: Program | None) -> JudgedRun:
     """Judge a run where necessary, and sum it up."""
     judged = result if {"part_error", "tracking_error"} <= set(result.signals) else judge(result, reference)
-    circles = circles_of(judged, reference)
     verdict = None if tolerance is None else unexplained(reference, judged, tolerance, () if program is None else program.lines)
-    return SchemeReport(
+    return JudgedRun(
         name=name,
+        reference=reference,
         result=judged,
         metrics=summarise(judged, reference),
         verdict=verdict,
-        circles=circles,
+        circles=circles_of(judged, reference),
         spikes=judged_spikes(judged, reference),
         findings=() if verdict is None else verdict.findings,
         lines=None if program is None else reference.source_line(judged["arc_length"]),

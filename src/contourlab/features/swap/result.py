@@ -10,7 +10,6 @@ from contourlab.analysis.linear.margins import Margins
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.features.link.result import largest_held
-from contourlab.features.run.margin_words import decibel, degrees
 from contourlab.features.swap.beyond import Coverage, NetworkCost
 from contourlab.features.swap.linear import LinearSwap
 from contourlab.features.swap.search import Optimum, SwapSettings
@@ -18,6 +17,7 @@ from contourlab.features.swap.study import Choice, SwapStudy
 from contourlab.features.swap.variants import Variants
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
+from contourlab.rendering.margin_words import decibel, degrees
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.study import DesignVariable
 from contourlab.study.guards import Bounds

@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator
 
 from contourlab.analysis.linear.margins import Margins
-from contourlab.features.run.margin_words import decibel, degrees
 from contourlab.features.tune.objective import FIGURES, Goal
 from contourlab.features.tune.study import Tuned
 from contourlab.figures import figure, listing
+from contourlab.rendering.margin_words import decibel, degrees
 from contourlab.rendering.table import Column, Table, paragraphs
 
 
