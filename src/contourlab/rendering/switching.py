@@ -88,22 +88,15 @@ def _table(name: str, switches: Switches) -> SwitchTable:
     for kind, count in sorted(switches.counts().items(), key=lambda item: (switches.axes.index(item[0].axis), -item[1])):
         held = switches.active[kind.axis]
         share = f"{100.0 * held.get(kind.after, 0) / max(sum(held.values()), 1):.1f} %"
-        row = _moment(switches, first[kind])
-        rows.append((kind.axis, f"{kind.before} → {kind.after}", kind.reason, str(count), share, row[0], row[-1]))
+        time, line = figure(float(switches.time[first[kind]]), "s", 6), int(switches.line[first[kind]])
+        rows.append((kind.axis, f"{kind.before} → {kind.after}", kind.reason, str(count), share, time, str(line or "")))
     rows += [(axis, f"{switches.first[axis]} always", "", "0", "100.0 %", "", "") for axis in switches.axes if not switches.of(axis).size]
     listed = []
-    for i in range(min(len(switches), LISTED)):
-        kind, (time, place, line) = switches.kinds[switches.kind[i]], _moment(switches, i)
-        change = f"{kind.before} → {kind.after}"
-        listed.append((time, str(switches.sample[i]), kind.axis, change, kind.reason, place, line))
+    for one in switches.rows(LISTED):
+        place = figure(one.arc_length, "mm", 6) if np.isfinite(one.arc_length) else ""
+        change = f"{one.before} → {one.after}"
+        listed.append((figure(one.time, "s", 6), str(one.sample), one.axis, change, one.reason, place, str(one.line or "")))
     return SwitchTable(name, len(switches), tuple(rows), tuple(listed))
-
-
-def _moment(switches: Switches, i: int) -> tuple[str, str, str]:
-    """Return time, arc length and line of a switch in print; empty if unknown."""
-    along, line = float(switches.arc_length[i]), int(switches.line[i])
-    place = figure(along, "mm", 6) if np.isfinite(along) else ""
-    return figure(float(switches.time[i]), "s", 6), place, str(line) if line else ""
 
 
 def strip_charts(data: ReportData) -> tuple[Chart, ...]:

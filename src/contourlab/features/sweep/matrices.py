@@ -15,7 +15,7 @@ from contourlab.features.sweep.pairings import best_choice
 from contourlab.features.sweep.rows import Rows
 from contourlab.features.sweep.summary import display
 from contourlab.features.sweep.words import shown, title_of
-from contourlab.rendering.plotly_parts import axis_look, layout_look, packed, plain
+from contourlab.rendering.plotly_view import axis_look, layout_look, packed, plain
 
 CELLS = 200
 """Most modules of a kind in a picture."""
