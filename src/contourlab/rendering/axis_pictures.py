@@ -12,7 +12,7 @@ from contourlab.rendering.charts import Chart, Curve, Level, Panel, Tick
 from contourlab.rendering.data import FeedRun, JudgedRun, ReportData
 from contourlab.rendering.error_pictures import MARKS
 from contourlab.rendering.samples import axis_column, largest_magnitude, times
-from contourlab.rendering.style import LIMIT, REFERENCE, scheme_style
+from contourlab.rendering.style import LIMIT, REFERENCE
 from contourlab.result import Result
 from contourlab.thinning import keep_extremes
 
@@ -92,10 +92,9 @@ def _curve(result: Result, values: Array, points: int, factor: float, look: tupl
 def _runs(data: ReportData, axis: int, points: int, signal: str, label: str, factor: float, unit: str) -> Panel | None:
     """Return a panel with one signal of every scheme."""
     curves = tuple(
-        _curve(scheme.result, axis_column(scheme.result, signal, axis), points, factor, (scheme.name, *style))
-        for index, scheme in enumerate(data.schemes)
+        _curve(scheme.result, axis_column(scheme.result, signal, axis), points, factor, data.looks[scheme.name])
+        for scheme in data.schemes
         if signal in scheme.result
-        for style in (scheme_style(index, len(data.schemes)),)
     )
     return Panel("time [s]", f"{label} [{unit}]", curves) if curves else None
 
@@ -196,21 +195,20 @@ def bode_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
     """Return the frequency response of the closed loop of each axis that has one."""
     charts = []
     for index, axis in enumerate(data.axes):
-        with_axis = [(i, scheme) for i, scheme in enumerate(data.schemes) if axis in scheme.bode]
-        if not with_axis:
+        loops = {scheme.name: scheme.bode[axis] for scheme in data.schemes if axis in scheme.bode}
+        if not loops:
             continue
         gains, phases, notes = [], [], []
-        for i, scheme in with_axis:
-            answer, look = scheme.bode[axis], (scheme.name, *scheme_style(i, len(data.schemes)))
+        for name, answer in loops.items():
+            look = data.looks[name]
             with np.errstate(divide="ignore"):
                 gain = 20.0 * np.log10(np.abs(answer.response))
             phase = np.degrees(np.unwrap(np.angle(answer.response)))
             kept = keep_extremes(gain, points)
             gains.append(Curve(answer.frequency[kept], gain[kept], *look))
             phases.append(Curve(answer.frequency[kept], phase[kept], *look))
-            figures = ", ".join(f"{name} {value}" for name, value in answer.notes.items())
-            note = ", ".join(text for text in (answer.meant, figures) if text)
-            notes += [f"{scheme.name}: {note}."] * bool(note)
+            figures = [f"{what} {value}" for what, value in answer.notes.items()]
+            notes.append(f"{name}: {', '.join(filter(None, (answer.meant, *figures)))}.")
         magnitude = Panel("frequency [Hz]", "magnitude [dB]", tuple(gains), (Level(-3.0, "−3 dB"),), log_x=True, y_range=_decibels(gains))
         phase_panel = Panel("frequency [Hz]", "phase [deg]", tuple(phases), log_x=True)
         caption = " ".join(["Closed loop, reference to position.", *notes])
@@ -232,13 +230,13 @@ def hysteresis_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
 
 
 def _hysteresis(data: ReportData, axis: int, name: str, points: int) -> Chart | None:
-    shown = [(i, scheme) for i, scheme in enumerate(data.schemes) if name in scheme.gaps and "motor_position" in scheme.result]
+    shown = [scheme for scheme in data.schemes if name in scheme.gaps and "motor_position" in scheme.result]
     if not shown:
         return None
     panels, notes = [], []
-    for i, scheme in shown:
+    for scheme in shown:
         x, y = _loop(scheme.result, axis, FINER * points)
-        panels.append((Curve(x, y, scheme.name, *scheme_style(i, len(data.schemes)), 1.0), *_flanks(scheme, name, x)))
+        panels.append((Curve(x, y, *data.looks[scheme.name], 1.0), *_flanks(scheme, name, x)))
         notes.append(_note(scheme, name, x, y))
     edge = 1.15 * max(largest_magnitude(curve.y) for curves in panels for curve in curves) or 1.0
     drawn = tuple(Panel("load position [mm]", "motor − load [um]", curves, y_range=(-edge, edge)) for curves in panels)

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 
 from contourlab.figures import NONE, figure, listing, number
 from contourlab.rendering.data import JudgedRun, ReportData
-from contourlab.rendering.style import scheme_style
 
 UM = 1e6
 
@@ -72,8 +71,7 @@ def compare(data: ReportData) -> Comparison:
     Rows: verdict (with a tolerance), servo loops (if one is unstable), learning, errors, axes, drives, time. A figure that no scheme has
     is omitted.
     """
-    count = len(data.schemes)
-    heads = tuple(Head(scheme.name, scheme_style(i, count)[0]) for i, scheme in enumerate(data.schemes))
+    heads = tuple(Head(name, colour) for name, colour, _ in data.looks.values())
     columns = [figures_of(data, scheme) for scheme in data.schemes]
     figures = [_row([column.get(key) for column in columns]) for key in dict.fromkeys(key for column in columns for key in column)]
     rows = [*_status_rows(data), *(row for row in figures if any(cell.text != NONE for cell in row.cells))]

@@ -23,6 +23,7 @@ from contourlab.loop.switches import Switches
 from contourlab.metrics import CircleFigures, Metrics, ReversalFigures, Spike, reversal_figures
 from contourlab.rendering.judgement import Trust, Verdict
 from contourlab.rendering.margin_words import gain_words, phase_words
+from contourlab.rendering.style import scheme_style
 from contourlab.result import Result
 
 NANOMETRE = 1e-9
@@ -114,6 +115,11 @@ class TrialCourse:
     tracking_rms: Array
     best: int
     status: str
+
+    @property
+    def whole_rms(self) -> Array:
+        """Tracking rms of each trial over all axes [m]."""
+        return np.asarray(np.sqrt(np.square(self.tracking_rms).sum(axis=1)))
 
     @property
     def in_words(self) -> str:
@@ -270,6 +276,11 @@ class ReportData:
     def axes(self) -> tuple[str, ...]:
         """Names of the axes."""
         return tuple(self.schemes[0].result.axes)
+
+    @property
+    def looks(self) -> dict[str, tuple[str, str, str]]:
+        """Name, colour and dash of each scheme, by name: the same in every picture."""
+        return {scheme.name: (scheme.name, *scheme_style(i, len(self.schemes))) for i, scheme in enumerate(self.schemes)}
 
     @property
     def findings(self) -> list[tuple[str, Finding]]:

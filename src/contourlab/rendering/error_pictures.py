@@ -12,7 +12,6 @@ from contourlab.metrics import CircleFigures
 from contourlab.rendering.charts import Chart, Curve, Panel, PolarChart, Tick, ring_spacing
 from contourlab.rendering.data import JudgedRun, ReportData
 from contourlab.rendering.samples import error_signal, largest_magnitude, signal, times
-from contourlab.rendering.style import scheme_style
 from contourlab.thinning import keep_extremes
 
 UM = 1e6
@@ -25,15 +24,14 @@ def error_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
     name = error_signal(data)
     over_time, over_arc = [], []
     signed = False
-    for index, scheme in enumerate(data.schemes):
+    for scheme in data.schemes:
         error = signal(scheme.result, name)
         kept = keep_extremes(error, points)
         height = error[kept] * UM
         signed = signed or bool(np.any(height < 0.0))
-        colour, dash = scheme_style(index, len(data.schemes))
-        over_time.append(Curve(times(scheme.result, kept), height, scheme.name, colour, dash))
+        over_time.append(Curve(times(scheme.result, kept), height, *data.looks[scheme.name]))
         if "arc_length" in scheme.result:
-            over_arc.append(Curve(signal(scheme.result, "arc_length")[kept] * 1e3, height, scheme.name, colour, dash))
+            over_arc.append(Curve(signal(scheme.result, "arc_length")[kept] * 1e3, height, *data.looks[scheme.name]))
     label = f"{name.replace('_', ' ')} [um]"
     moments = _moments(data)
     caption = _caption(name, signed, {tick.kind for tick in moments})
@@ -102,11 +100,9 @@ def polar_charts(data: ReportData, points: int) -> tuple[PolarChart, ...]:
 def _polar(data: ReportData, name: str, index: int, points: int) -> PolarChart:
     """Return the plot of one circle: all schemes, both directions."""
     curves, marks, radius, top = [], [], 0.0, 0.0
-    for place, scheme in enumerate(data.schemes):
-        colour, _ = scheme_style(place, len(data.schemes))
-        for circle in scheme.circles:
-            if circle.name != name:
-                continue
+    for scheme in data.schemes:
+        colour = data.looks[scheme.name][1]
+        for circle in (circle for circle in scheme.circles if circle.name == name):
             kept = keep_extremes(circle.deviation, points)
             way, dash = ("clockwise", "dash") if circle.clockwise else ("counter-clockwise", "solid")
             angle = np.degrees(np.unwrap(circle.angle))[kept]

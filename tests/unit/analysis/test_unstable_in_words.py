@@ -11,7 +11,7 @@ import pytest
 import contourlab as cl
 from contourlab.analysis.linear.margins import Margins
 from contourlab.features.run.outcome import bode_of, run_case
-from contourlab.features.run.page import report_data
+from contourlab.features.run.report import report_data
 from contourlab.features.run.summary import Outcome, summary_of
 from contourlab.rendering.comparison import compare
 

@@ -273,7 +273,7 @@ def file_names(names: Sequence[str]) -> dict[str, str]:
 def _write_report(
     scenario: Scenario, outcomes: Sequence[Outcome], folder: Path, command: str, options: RunOptions, steps: Sequence[tuple[str, str]]
 ) -> tuple[str, ReportData]:
-    from contourlab.features.run.page import report_data
+    from contourlab.features.run.report import report_data
     from contourlab.rendering.html import write_html
     from contourlab.rendering.page_tables import reversal_text
     from contourlab.rendering.switching import switch_lines
