@@ -69,17 +69,18 @@ def axis_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
 def _axis_chart(data: ReportData, axis: int, name: str, points: int) -> Chart:
     """Return the chart of one axis, without panels of signals that no scheme has."""
     panels = (
-        _runs(data, axis, points, "tracking_error", "tracking error", 1e6, "um"),
+        _runs(data, axis, points, "tracking_error", 1e6, "um"),
         _velocity(data, axis, points),
         _planned(data, axis, points, "acceleration"),
         _planned(data, axis, points, "jerk"),
         _command(data, axis, points),
     )
     drawn = tuple(panel for panel in panels if panel is not None)
-    peaks = [text for panel in drawn if (text := _off_scale(panel))]
-    bounded = ["Dashed lines are the limits."] if any(panel.levels for panel in drawn) else []
-    planned = ["Acceleration and jerk are those of the reference."] if _reference_of(data, "reference_acceleration") is not None else []
-    caption = " ".join([*bounded, *planned, *peaks, *_steps_of(drawn)])
+    bounded = "Dashed lines are the limits." if any(panel.levels for panel in drawn) else ""
+    planned = "Acceleration and jerk are those of the reference." if _reference_of(data, "reference_acceleration") is not None else ""
+    marked = any(tick.kind == STEP for panel in drawn for tick in panel.ticks)
+    steps = "Triangles mark curvature steps; their jerk over a servo period exceeds the limit, see the table above." if marked else ""
+    caption = " ".join(filter(None, [bounded, planned, *map(_off_scale, drawn), steps]))
     return Chart(f"axis-{axis}", f"Axis {name}", caption, drawn)
 
 
@@ -89,14 +90,14 @@ def _curve(result: Result, values: Array, points: int, factor: float, look: tupl
     return Curve(times(result, kept), values[kept] * factor, *look)
 
 
-def _runs(data: ReportData, axis: int, points: int, signal: str, label: str, factor: float, unit: str) -> Panel | None:
+def _runs(data: ReportData, axis: int, points: int, signal: str, factor: float, unit: str) -> Panel | None:
     """Return a panel with one signal of every scheme."""
     curves = tuple(
         _curve(scheme.result, axis_column(scheme.result, signal, axis), points, factor, data.looks[scheme.name])
         for scheme in data.schemes
         if signal in scheme.result
     )
-    return Panel("time [s]", f"{label} [{unit}]", curves) if curves else None
+    return Panel("time [s]", f"{signal.replace('_', ' ')} [{unit}]", curves) if curves else None
 
 
 def _limited(data: ReportData, panel: Panel, name: str, axis: int, factor: float, unit: str) -> Panel:
@@ -136,7 +137,7 @@ def _reference_of(data: ReportData, signal: str) -> Result | None:
 def _velocity(data: ReportData, axis: int, points: int) -> Panel | None:
     """Return the velocity of every scheme over that of the reference."""
     factor, unit = shown_unit("m/s")
-    panel = _runs(data, axis, points, "velocity", "velocity", factor, unit)
+    panel = _runs(data, axis, points, "velocity", factor, unit)
     source = _reference_of(data, "reference_velocity")
     if source is not None:
         wanted = axis_column(source, "reference_velocity", axis)
@@ -175,19 +176,13 @@ def _curvature_steps(data: ReportData, axis: int) -> tuple[Tick, ...]:
     )
 
 
-def _steps_of(panels: tuple[Panel, ...]) -> list[str]:
-    """Explain the marks of curvature steps, if any."""
-    marked = any(tick.kind == STEP for panel in panels for tick in panel.ticks)
-    return ["Triangles mark curvature steps; their jerk over a servo period exceeds the limit, see the table above."] if marked else []
-
-
 def _command(data: ReportData, axis: int, points: int) -> Panel | None:
     """Return the command of every scheme and its saturation."""
     source = _reference_of(data, "command")
     if source is None:
         return None
     factor, unit = shown_unit(str(source.signals["command"].unit))
-    panel = _runs(data, axis, points, "command", "command", factor, unit or "1")
+    panel = _runs(data, axis, points, "command", factor, unit or "1")
     return _limited(data, panel, "command", axis, factor, unit) if panel is not None else None
 
 

@@ -103,16 +103,14 @@ class LearningRun:
 
 @dataclass(eq=False)
 class _Course:
-    """State of learning while the trials run."""
+    """State of learning while the trials run; `kept` has table, tool positions and contour errors of the first and of the best trial."""
 
     runner: Trials
     law: LearningLaw
     part: Part
     memory: Memory
     figures: list[TrialFigures] = field(default_factory=list)
-    best_table: Array | None = None
-    first: tuple[Array, Array] | None = None
-    best: tuple[Array, Array] | None = None
+    kept: dict[int, tuple[Array, Array, Array]] = field(default_factory=dict)
 
     def note(self, run: Trial, i: int, table: Array) -> None:
         """Add a trial."""
@@ -121,20 +119,17 @@ class _Course:
             figures = figures.having(part_max=part_error(run.tool, self.runner))
         self.figures.append(figures)
         if i == 0 or (run.status.ok and best_of(self.figures) == i):
-            kept = (run.tool, run.contour_error)
-            self.first = self.first or kept
-            self.best, self.best_table = kept, table
+            now = (table, run.tool, run.contour_error)
+            self.kept = {0: self.kept.get(0, now), i: now}
 
     def ended(self, stop: Stop, problem: LearningProblem, began: float) -> LearningRun:
         """Return the result."""
-        assert self.first is not None
-        assert self.best is not None
-        assert self.best_table is not None
         runner, figures, best = self.runner, self.figures, best_of(self.figures)
+        (_, *first), (learned, *last) = self.kept[0], self.kept[best]
         if self.part == "ends":
-            for i, (tool, _) in ((0, self.first), (best, self.best)):
+            for i in {0, best}:
                 if not figures[i].failed and math.isnan(figures[i].part_max):
-                    figures[i] = figures[i].having(part_max=part_error(tool, runner))
+                    figures[i] = figures[i].having(part_max=part_error(self.kept[i][1], runner))
         status, growth, findings = stop.status, None, [stop.finding]
         if figures[-1].saturated:
             findings.append(finding("CL307", samples=figures[-1].saturated))
@@ -148,9 +143,9 @@ class _Course:
             band |= {"growth": growth.factor - 1.0, "doubling": doubling(growth.factor)}
             findings.append(finding("CL309", place=f"axis {growth.axis}", **band))
         if isinstance(self.law, BasisFunctions) and self.law.target == "command":
-            findings += _feedforwards(self.law.gains(self.best_table, problem), runner.machine, runner.controller)
-        table = LearnedTable.of(self.best_table.copy(), runner.machine, runner.controller, runner.reference, self.law, _columns(figures))
-        positions, contours = zip(self.first, self.best, strict=True)
+            findings += _feedforwards(self.law.gains(learned, problem), runner.machine, runner.controller)
+        table = LearnedTable.of(learned.copy(), runner.machine, runner.controller, runner.reference, self.law, _columns(figures))
+        positions, contours = zip(first, last, strict=True)
         times = (time.perf_counter() - began, runner.engine_seconds, runner.judge_seconds)
         split = self.memory.split(self.law, problem)
         return LearningRun(status, tuple(findings), tuple(figures), best, table, split, growth, *positions, *contours, *times)
@@ -245,7 +240,7 @@ def learn(
     try:
         stop = run_all(nothing if start is None else start.values)
     except KeyboardInterrupt:
-        if course.best is None:
+        if not course.kept:
             raise
         stop = Stop("interrupted", finding("CL308", trial=len(course.figures) - 1))
     return course.ended(stop, problem, began)

@@ -100,7 +100,8 @@ def run_case(
     if case.learning is not None:
         if foretell:
             begin(f"analysing how {case.name} learns")
-            foretold = _foretold(case)
+            with suppress(ComponentError):  # no linear model
+                foretold = learning_analysis(machine, controller, case.learning.law)
         begin(f"learning, {case.name}")
         learned = _learned(case, reference, report_progress)
     begin(f"simulating {case.name}" + ("" if learned is None else f", trial {learned.best}"))
@@ -240,15 +241,6 @@ def _unreached(name: str, supervisor: PreRouted, reference: Reference) -> Iterat
     beyond = [place for place in supervisor.places if place > end] if supervisor.by == "arc-length" else []
     if beyond:
         yield finding("CL103", place=f"axis {name}", place_at=beyond[0], end=end)
-
-
-def _foretold(case: Case) -> LearningAnalysis | None:
-    """Analyse learning before it begins; None without a linear model."""
-    assert case.learning is not None
-    try:
-        return learning_analysis(case.machine, case.controller, case.learning.law)
-    except ComponentError:
-        return None
 
 
 def _learned(case: Case, reference: Reference, report_progress: Callable[[int], None]) -> LearningRun:
