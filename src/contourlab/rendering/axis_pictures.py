@@ -21,6 +21,7 @@ OFF_SCALE = 4.0
 """Peaks above this multiple of the limit are cut off, because they would flatten the rest."""
 FAR = 0.08
 """Curves below this share of the limit are drawn without it, because they would look flat."""
+UNITS = {"velocity": "m/s", "acceleration": "m/s^2", "jerk": "m/s^3"}
 STEP = "curvature step"
 """Kind of the marks at steps of curvature."""
 DEEPEST = 120.0
@@ -68,13 +69,9 @@ def axis_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
 
 def _axis_chart(data: ReportData, axis: int, name: str, points: int) -> Chart:
     """Return the chart of one axis, without panels of signals that no scheme has."""
-    panels = (
-        _runs(data, axis, points, "tracking_error", 1e6, "um"),
-        _velocity(data, axis, points),
-        _planned(data, axis, points, "acceleration"),
-        _planned(data, axis, points, "jerk"),
-        _command(data, axis, points),
-    )
+    tracking = _runs(data, axis, points, "tracking_error", UM)
+    panels = [Panel("time [s]", "tracking error [um]", tracking) if tracking else None]
+    panels += [_limited_panel(data, axis, points, name) for name in ("velocity", "acceleration", "jerk", "command")]
     drawn = tuple(panel for panel in panels if panel is not None)
     bounded = "Dashed lines are the limits." if any(panel.levels for panel in drawn) else ""
     planned = "Acceleration and jerk are those of the reference." if _reference_of(data, "reference_acceleration") is not None else ""
@@ -90,14 +87,35 @@ def _curve(result: Result, values: Array, points: int, factor: float, look: tupl
     return Curve(times(result, kept), values[kept] * factor, *look)
 
 
-def _runs(data: ReportData, axis: int, points: int, signal: str, factor: float, unit: str) -> Panel | None:
-    """Return a panel with one signal of every scheme."""
-    curves = tuple(
+def _runs(data: ReportData, axis: int, points: int, signal: str, factor: float) -> tuple[Curve, ...]:
+    """Return one signal of every scheme that has it."""
+    return tuple(
         _curve(scheme.result, axis_column(scheme.result, signal, axis), points, factor, data.looks[scheme.name])
         for scheme in data.schemes
         if signal in scheme.result
     )
-    return Panel("time [s]", f"{signal.replace('_', ' ')} [{unit}]", curves) if curves else None
+
+
+def _limited_panel(data: ReportData, axis: int, points: int, name: str) -> Panel | None:
+    """Return a quantity of the reference and of every scheme, with its limit; of acceleration and jerk only that of the reference.
+
+    The jerk is the difference of the acceleration over a servo period.
+    """
+    wanted = {"velocity": "reference_velocity", "command": "command"}.get(name, "reference_acceleration")
+    source = _reference_of(data, wanted)
+    curves: tuple[Curve, ...] = ()
+    factor, unit = shown_unit(UNITS.get(name) or ("" if source is None else str(source.signals[wanted].unit)))
+    if source is not None and name != "command":
+        values = axis_column(source, wanted, axis)
+        values = np.diff(values) / float(source.servo_period) if name == "jerk" else values
+        look = ("reference", REFERENCE, "dot" if name == "velocity" else "solid")
+        curves = (_curve(source, values, points, factor, look),) if values.size else ()
+    if name in ("velocity", "command"):
+        curves += _runs(data, axis, points, name, factor)
+    if not curves:
+        return None
+    ticks = _curvature_steps(data, axis) if name == "jerk" else ()
+    return _limited(data, Panel("time [s]", f"{name} [{unit or '1'}]", curves, ticks=ticks), name, axis, factor, unit)
 
 
 def _limited(data: ReportData, panel: Panel, name: str, axis: int, factor: float, unit: str) -> Panel:
@@ -134,34 +152,6 @@ def _reference_of(data: ReportData, signal: str) -> Result | None:
     return next((scheme.result for scheme in data.schemes if signal in scheme.result), None)
 
 
-def _velocity(data: ReportData, axis: int, points: int) -> Panel | None:
-    """Return the velocity of every scheme over that of the reference."""
-    factor, unit = shown_unit("m/s")
-    panel = _runs(data, axis, points, "velocity", factor, unit)
-    source = _reference_of(data, "reference_velocity")
-    if source is not None:
-        wanted = axis_column(source, "reference_velocity", axis)
-        curve = _curve(source, wanted, points, factor, ("reference", REFERENCE, "dot"))
-        panel = Panel("time [s]", f"velocity [{unit}]", (curve, *(panel.curves if panel else ())))
-    return _limited(data, panel, "velocity", axis, factor, unit) if panel is not None else None
-
-
-def _planned(data: ReportData, axis: int, points: int, name: str) -> Panel | None:
-    """Return acceleration or jerk (difference over a servo period) of the reference."""
-    source = _reference_of(data, "reference_acceleration")
-    if source is None:
-        return None
-    values = axis_column(source, "reference_acceleration", axis)
-    if name == "jerk":
-        if values.size < 2:
-            return None
-        values = np.diff(values) / float(source.servo_period)
-    unit = "m/s^2" if name == "acceleration" else "m/s^3"
-    curve = _curve(source, values, points, 1.0, ("reference", REFERENCE, "solid"))
-    ticks = _curvature_steps(data, axis) if name == "jerk" else ()
-    return _limited(data, Panel("time [s]", f"{name} [{unit}]", (curve,), ticks=ticks), name, axis, 1.0, unit)
-
-
 def _curvature_steps(data: ReportData, axis: int) -> tuple[Tick, ...]:
     """Return marks at the curvature steps whose jerk over a servo period exceeds the limit; the largest ones if there are many."""
     scheme = next(scheme for scheme in data.schemes if "reference_acceleration" in scheme.result)
@@ -174,16 +164,6 @@ def _curvature_steps(data: ReportData, axis: int) -> tuple[Tick, ...]:
         Tick(float(steps.sample[i] * period), f"step of {figure(steps.size[i], 'm/s^2')}: {figure(steps.size[i] / period, 'm/s^3')}", STEP)
         for i in sorted(shown, key=lambda i: int(steps.sample[i]))
     )
-
-
-def _command(data: ReportData, axis: int, points: int) -> Panel | None:
-    """Return the command of every scheme and its saturation."""
-    source = _reference_of(data, "command")
-    if source is None:
-        return None
-    factor, unit = shown_unit(str(source.signals["command"].unit))
-    panel = _runs(data, axis, points, "command", factor, unit or "1")
-    return _limited(data, panel, "command", axis, factor, unit) if panel is not None else None
 
 
 def bode_charts(data: ReportData, points: int) -> tuple[Chart, ...]:

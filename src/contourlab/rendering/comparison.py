@@ -82,7 +82,7 @@ def compare(data: ReportData) -> Comparison:
 def _status_rows(data: ReportData) -> list[Row]:
     """Return the rows of text: pass or fail, unstable loops, how learning ended."""
     rows = []
-    passed = [_passed(scheme, data.tolerance) for scheme in data.schemes]
+    passed = [data.passed(scheme) for scheme in data.schemes]
     if any(answer is not None for answer in passed):
         tolerance = data.tolerance or next(scheme.verdict.tolerance for scheme in data.schemes if scheme.verdict is not None)
         cells = tuple(Cell(NONE) if answer is None else Cell("pass", "good") if answer else Cell("fail", "poor") for answer in passed)
@@ -104,15 +104,6 @@ def _learning(scheme: JudgedRun) -> Cell:
     if scheme.trials is None:
         return Cell(NONE)
     return Cell(scheme.trials.in_words, "poor" if scheme.trials.status.startswith("diverged") else "")
-
-
-def _passed(scheme: JudgedRun, tolerance: float | None) -> bool | None:
-    """Return the verdict, or whether the largest error is within the tolerance; a run that stopped early fails."""
-    if not scheme.result.status.ok:
-        return False
-    if scheme.verdict is not None:
-        return bool(scheme.verdict.passed)
-    return None if tolerance is None else bool(scheme.metrics.part_error.max <= tolerance)
 
 
 def _row(figures: list[Figure | None]) -> Row:

@@ -272,6 +272,14 @@ class ReportData:
         if self.tolerance is not None and not 0.0 < self.tolerance < float("inf"):
             raise ParameterError("tolerance", self.tolerance, "finite and > 0", "m")
 
+    def passed(self, scheme: JudgedRun) -> bool | None:
+        """Return the verdict of a scheme, or whether its largest error is within the tolerance; a run that stopped early fails."""
+        if not scheme.result.status.ok:
+            return False
+        if scheme.verdict is not None:
+            return scheme.verdict.passed
+        return None if self.tolerance is None else bool(scheme.metrics.part_error.max <= self.tolerance)
+
     @property
     def axes(self) -> tuple[str, ...]:
         """Names of the axes."""
