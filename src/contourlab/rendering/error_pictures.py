@@ -11,7 +11,7 @@ from contourlab.figures import figure, number
 from contourlab.metrics import CircleFigures
 from contourlab.rendering.charts import Chart, Curve, Panel, PolarChart, Tick, ring_spacing
 from contourlab.rendering.data import JudgedRun, ReportData
-from contourlab.rendering.samples import error_signal, largest_magnitude, signal, times
+from contourlab.rendering.samples import largest_magnitude, signal, times
 from contourlab.thinning import keep_extremes
 
 UM = 1e6
@@ -21,7 +21,8 @@ MARKS = 400
 
 def error_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
     """Return the error over time, and over arc length if every scheme has it; curves have at most `points` points."""
-    name = error_signal(data)
+    # The tolerance applies to the part error; without blending the two errors are equal.
+    name = "part_error" if data.is_blended else "contour_error"
     over_time, over_arc = [], []
     signed = False
     for scheme in data.schemes:

@@ -19,6 +19,7 @@ from contourlab.rendering.style import BAND, INK, REFERENCE, magnification
 from contourlab.thinning import keep_extremes
 
 MM, UM = 1e3, 1e6
+DRAWN = "The path is to scale. The error of each run is magnified and drawn from the nearest point of the path."
 FLAT = 1e-3
 """An axis with an extent below this share of the largest gets no view."""
 
@@ -141,7 +142,7 @@ def _chart(data: ReportData, pair: tuple[int, int], s: Array, asked: Array, runs
         f"path-{index}",
         view,
         "Path with magnified error",
-        _caption(data),
+        f"{DRAWN} Shown: {judged_words(data.schemes[0])}.",
         labels,
         tuple(lines),
         magnified,
@@ -150,12 +151,6 @@ def _chart(data: ReportData, pair: tuple[int, int], s: Array, asked: Array, runs
         scale,
         lines_at(data, s),
     )
-
-
-def _caption(data: ReportData) -> str:
-    """Describe how the errors are drawn, and which part of the run."""
-    how = "The path is to scale. The error of each run is magnified and drawn from the nearest point of the path."
-    return f"{how} Shown: {judged_words(data.schemes[0])}."
 
 
 def _outline(points: Array, name: str, colour: str, dash: str) -> Curve:

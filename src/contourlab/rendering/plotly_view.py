@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array, Index
-from contourlab.rendering.charts import Chart, Curve, Magnified, Panel, PathChart, PolarChart, SpaceChart
+from contourlab.rendering.charts import MARKS, Chart, Curve, Magnified, Panel, PathChart, PolarChart, SpaceChart
 from contourlab.rendering.style import BAND, FONT, GRID, INK, LIMIT, MUTED, round_down
 
 Figure = dict[str, Any]
@@ -28,8 +28,6 @@ BUTTONS, ROW, LABEL = 21, 29, 16
 """Heights above a picture [px]: buttons, a row of the legend, a label of the first panel."""
 LEGEND_WIDTH, ENTRY, LETTER = 910.0, 45.0, 6.1
 """Widths [px]: a row of the legend, an entry without its text, a letter."""
-TICKS = (("reversal", "triangle-up"), ("corner", "diamond"), ("first zero", "circle"), ("curvature step", "triangle-down"))
-"""Symbols of marks on the x axis."""
 PICKED: Figure = {"mode": "lines", "hoverinfo": "skip", "showlegend": False, "line": {"color": "#f0a202", "width": 6}, "opacity": 0.7}
 """The part of the path that the chosen line programs."""
 
@@ -48,7 +46,8 @@ def _line_figure(chart: Chart) -> Figure:
     count = len(chart.panels)
     one_high = chart.panel_height or (330 if count == 1 else HEIGHT)
     inner = one_high * count + GAP * (count - 1)
-    label = LABEL if _labelled(chart.panels[0]) else 0
+    first = chart.panels[0]
+    label = LABEL if first.band_label or first.span_label or any(level.label for level in first.levels) else 0
     top = BUTTONS + ROW * _legend_rows(chart) + label
     height = top + inner + BOTTOM
     layout = layout_look(height, shapes=[], annotations=[], hovermode="closest" if chart.loops else "x unified")
@@ -78,11 +77,6 @@ def _line_figure(chart: Chart) -> Figure:
         data += _panel_curves(panel, tail, seen)
         _decorate(layout, panel, tail)
     return {"data": data, "layout": layout}
-
-
-def _labelled(panel: Panel) -> bool:
-    """Return whether a panel has a label above it."""
-    return bool(panel.band_label or panel.span_label or any(level.label for level in panel.levels))
 
 
 def _legend_rows(chart: Chart) -> int:
@@ -128,7 +122,7 @@ def _panel_curves(panel: Panel, tail: str, seen: set[str]) -> list[Figure]:
             trace["hovertemplate"] = f"%{{x:.6g}}<extra>{plain(curve.name)}</extra>"
         seen.add(curve.name)
         traces.append(trace)
-    for kind, symbol in TICKS:
+    for kind, (symbol, _) in MARKS.items():
         ticks = [tick for tick in panel.ticks if tick.kind == kind]
         if ticks:
             traces.append(_marks(panel, ticks, kind, symbol, tail))
@@ -249,7 +243,10 @@ def path_figure(chart: PathChart) -> Figure:
         curves.append({"trace": len(data), **_columns(worst)})
         more = {"name": plain(worst.name), "hoverinfo": "name"}
         data.append({"type": "scatter", "mode": "markers", "marker": mark, **more})
-    layout = layout_look(_path_height(chart), hovermode="closest", dragmode="pan")
+    wide, high = float(np.ptp(chart.lines[0].x)), float(np.ptp(chart.lines[0].y))
+    # For a drawing 760 px wide.
+    height = round(min(max(760.0 * high / wide + 110.0, 340.0), 680.0)) if wide > 0.0 else 680
+    layout = layout_look(height, hovermode="closest", dragmode="pan")
     layout["legend"] |= {"orientation": "v", "x": 1.01, "y": 1, "yanchor": "top"}
     layout["margin"] |= {"t": 24}
     layout["xaxis"] = axis_look(chart.labels[0])
@@ -303,12 +300,6 @@ def space_figure(chart: SpaceChart) -> Figure:
     del layout["dragmode"]
     magnify = {"start": chart.magnification, "curves": curves, "bar": _bar(chart.asked)}
     return {"data": data, "layout": layout, "magnify": magnify, "numbered": numbered}
-
-
-def _path_height(chart: PathChart) -> int:
-    """Return the height [px] that suits the path's shape in a drawing 760 px wide."""
-    wide, high = float(np.ptp(chart.lines[0].x)), float(np.ptp(chart.lines[0].y))
-    return round(min(max(760.0 * high / wide + 110.0, 340.0), 680.0)) if wide > 0.0 else 680
 
 
 def _columns(run: Magnified) -> Figure:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import groupby
+from operator import attrgetter
 
 import numpy as np
 
@@ -64,17 +65,14 @@ def _in_words(counts: dict[SwitchKind, int], first: str) -> str:
     total = sum(counts.values())
     if not total:
         return f"no switch, {first} is always active"
-    shown = list(counts.items())[:KINDS]
+    change = attrgetter("before", "after")
+    shown = sorted(list(counts)[:KINDS], key=change)
     parts = [
-        f"{before} -> {after} " + ", ".join(f"{count} ({kind.reason})" for kind, count in group)
-        for (before, after), group in groupby(sorted(shown, key=_pair), key=_pair)
+        f"{before} -> {after} " + ", ".join(f"{counts[kind]} ({kind.reason})" for kind in group)
+        for (before, after), group in groupby(shown, key=change)
     ]
-    rest = total - sum(count for _, count in shown)
+    rest = total - sum(counts[kind] for kind in shown)
     return f"{total} switch{'es' if total > 1 else ''}: {'; '.join(parts)}" + (f"; others {rest}" if rest else "")
-
-
-def _pair(item: tuple[SwitchKind, int]) -> tuple[str, str]:
-    return item[0].before, item[0].after
 
 
 def switch_tables(data: ReportData) -> tuple[SwitchTable, ...]:

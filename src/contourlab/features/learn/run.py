@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import partial
 from typing import ClassVar, Literal
 
@@ -279,5 +279,5 @@ def _check_reach(law: LearningLaw, reference: Reference) -> None:
 
 
 def _columns(figures: list[TrialFigures]) -> dict[str, Array]:
-    names = ("contour_rms", "contour_max", "contour_mean", "tracking_rms", "tracking_max", "command_peak", "saturated")
-    return {name: np.array([getattr(trial, name) for trial in figures], dtype=float) for name in (*names, "part_max", "change")}
+    names = [part.name for part in fields(TrialFigures) if part.name not in ("trial", "failed")]
+    return {name: np.array([getattr(trial, name) for trial in figures], dtype=float) for name in names}
