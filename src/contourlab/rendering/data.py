@@ -118,7 +118,7 @@ class TrialCourse:
 
     @property
     def whole_rms(self) -> Array:
-        """Tracking rms of each trial over all axes [m]."""
+        """Tracking rms over all axes, (n_trial,) [m]."""
         return np.asarray(np.sqrt(np.square(self.tracking_rms).sum(axis=1)))
 
     @property

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from functools import partial
 from typing import ClassVar, Literal
 
@@ -116,7 +116,7 @@ class _Course:
         """Add a trial."""
         figures = figures_of(i, run, self.runner)
         if run.status.ok and self.part == "all" and math.isnan(figures.part_max):
-            figures = figures.having(part_max=part_error(run.tool, self.runner))
+            figures = replace(figures, part_max=part_error(run.tool, self.runner))
         self.figures.append(figures)
         if i == 0 or (run.status.ok and best_of(self.figures) == i):
             now = (table, run.tool, run.contour_error)
@@ -129,7 +129,7 @@ class _Course:
         if self.part == "ends":
             for i in {0, best}:
                 if not figures[i].failed and math.isnan(figures[i].part_max):
-                    figures[i] = figures[i].having(part_max=part_error(self.kept[i][1], runner))
+                    figures[i] = replace(figures[i], part_max=part_error(self.kept[i][1], runner))
         status, growth, findings = stop.status, None, [stop.finding]
         if figures[-1].saturated:
             findings.append(finding("CL307", samples=figures[-1].saturated))
@@ -226,7 +226,7 @@ def learn(
             record = record_of(run, runner, table if law.target == "command" else nothing, beforehand)
             course.note(run, i, table)
             if run.status.ok:
-                course.figures[-1] = course.figures[-1].having(change=course.memory.change(record.tracking_error, runner.judged))
+                course.figures[-1] = replace(course.figures[-1], change=course.memory.change(record.tracking_error, runner.judged))
                 course.memory.add(record.feedback_command, record.tracking_error, run.contour_error)
             if on_trial is not None:
                 on_trial(course.figures[-1])
