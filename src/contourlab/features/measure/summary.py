@@ -17,6 +17,8 @@ from contourlab.logs import Log
 class MeasuredRun(Measured):
     """One measured run.
 
+    Listed are the keys of its JSON, see `json_form`; its Python attributes are those of `JudgedRun`.
+
     Attributes
     ----------
     file : Path

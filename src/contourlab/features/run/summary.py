@@ -121,6 +121,8 @@ class LimitSummary:
 class Outcome(JudgedRun):
     """A judged case; of a case that learns, its best trial.
 
+    Listed are the keys of its JSON, see `json_form`; its Python attributes are those of `JudgedRun`.
+
     Attributes
     ----------
     machine : str
