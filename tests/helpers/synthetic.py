@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
 
+from contourlab.analysis.linear.margins import Margins
+from contourlab.components.drive.saturation import Saturation
+from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.feed import Reference, uniform
 from contourlab.findings import finding
 from contourlab.geometry import Path, contour
+from contourlab.loop import Axis, Machine
+from contourlab.loop.axis_parts import Limits
 from contourlab.metrics import circles_of, judge, reversal_spikes, summarise
-from contourlab.rendering.data import Provenance, ReportData, SchemeReport
+from contourlab.rendering.data import ClosedLoop, JudgedRun, Provenance, ReportData
 from contourlab.rendering.judgement import Cause, Verdict, Worst
-from contourlab.rendering.run_data import AxisBounds, FrequencyResponse
 from contourlab.result import Result, Signal
 
 RADIUS, LAG, FREQUENCY = 0.02, 50e-6, 0.5
@@ -60,18 +65,23 @@ def judgement(result: Result, tolerance: float, text: str = "G3 X20 Y0 I-20 J0")
     return Verdict(value <= tolerance, tolerance, worst, causes)
 
 
-def response(bandwidth: float) -> FrequencyResponse:
-    """Return a second-order closed loop."""
+def response(bandwidth: float) -> ClosedLoop:
+    """Return a second-order closed loop of this bandwidth [Hz], about."""
     frequency = np.geomspace(0.1, 1000.0, 300)
     s = 1j * frequency / bandwidth
-    return FrequencyResponse(frequency, 1.0 / (s * s + 1.4 * s + 1.0), {"bandwidth": f"{bandwidth:g} Hz"})
+    return ClosedLoop(frequency, 1.0 / (s * s + 1.4 * s + 1.0), Margins(math.inf, math.inf, math.nan, 0.7))
 
 
-def scheme(name: str, reference: Reference, amplitude: float, tolerance: float = 5e-6) -> SchemeReport:
+def machine(axes: tuple[str, ...], limits: Limits, command: float = math.inf) -> Machine:
+    """Return a machine whose axes have these limits, and drives that saturate at a command."""
+    drive = Saturation(limit=command)
+    return Machine("synthetic", tuple(Axis(name, RigidAxis(gain=1.0), drive=drive, limits=limits) for name in axes), 1e-3)
+
+
+def scheme(name: str, reference: Reference, amplitude: float, tolerance: float = 5e-6) -> JudgedRun:
     """Return one run with every entry of a report."""
     result = run(name, reference, amplitude)
-    n = len(result.axes)
-    bounds = AxisBounds(np.full(n, 0.1), np.full(n, 1.0), np.full(n, 20.0), np.ones(n))
+    limited = machine(result.axes, Limits(velocity=0.1, acceleration=1.0, jerk=20.0), command=1.0)
     bode = {axis: response(25.0 + 10.0 * i) for i, axis in enumerate(result.axes)}
     circles = circles_of(result, reference) if reference.n_sample < 20_000 else ()
     spikes = reversal_spikes(result, reference.judged.ranges[0])
@@ -81,7 +91,7 @@ def scheme(name: str, reference: Reference, amplitude: float, tolerance: float =
     # The first half of each lap is line 3 of the program, the second half line 4.
     half = np.mod(result["arc_length"], reference.path.length) < 0.5 * reference.path.length
     lines = np.where(half, 3, 4)
-    return SchemeReport(name, result, metrics, bounds, verdict, bode, circles, spikes, findings=(advice,), lines=lines)
+    return JudgedRun(name, reference, result, metrics, verdict, circles, spikes, (advice,), limited, bode, lines=lines)
 
 
 def report(
@@ -101,7 +111,7 @@ def report(
         "0.1.0",
         "Linux x86_64, Python 3.11",
     )
-    return ReportData("Circle of 20 mm at 3770 mm/min", schemes, path, source, None, program, 5e-6)
+    return ReportData("Circle of 20 mm at 3770 mm/min", schemes, source, program, 5e-6)
 
 
 def with_result(data: ReportData, result: Result) -> ReportData:
@@ -122,6 +132,5 @@ def around(data: ReportData, path: Path, reference: Reference, offset: float = 4
     }
     axes = ("x", "y", "z")[: path.n_axis]
     result = judge(Result("off by a vector", axes, reference.servo_period, signals), reference)
-    only = SchemeReport("off by a vector", result, summarise(result, reference))
-    programmed = None if reference.programmed is reference.path else reference.programmed
-    return replace(data, schemes=(only,), planned=path, programmed=programmed, program=(), tolerance=None)
+    only = JudgedRun("off by a vector", reference, result, summarise(result, reference))
+    return replace(data, schemes=(only,), program=(), tolerance=None)

@@ -113,7 +113,7 @@ def _object(kind: type, definitions: _Definitions) -> dict[str, Any]:
     properties = {}
     keys = {name: (name, hint) for name, hint in get_type_hints(kind).items()} if is_typeddict(kind) else json_keys(kind)
     for key, (name, hint) in keys.items():
-        description = about.get(name) or _derived(kind, name)
+        description = about.get(name) or about.get(key) or _derived(kind, name)
         properties[key] = _schema(hint, definitions) | ({"description": description} if description else {})
     summary = " ".join(text.split("\n\n")[0].split())
     return {"type": "object", "description": summary, "properties": properties, "required": list(properties)}

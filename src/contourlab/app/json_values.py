@@ -8,6 +8,7 @@ import os
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
 from functools import cache
+from operator import attrgetter
 from typing import Any, get_type_hints
 
 from contourlab.findings import Finding
@@ -48,8 +49,7 @@ def json_values(value: Any) -> Any:
             "text": value.text,
         }
     if is_dataclass(value) and not isinstance(value, type):
-        names = _names(type(value))
-        return {key: json_values(getattr(value, name)) for key, name in names.items()}
+        return {key: json_values(attrgetter(path)(value)) for key, path in _paths(type(value)).items()}
     if isinstance(value, Mapping):
         return {str(key): json_values(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
@@ -68,8 +68,10 @@ def json_values(value: Any) -> Any:
 
 
 @cache
-def _names(kind: type) -> dict[str, str]:
-    """Return the JSON keys of a dataclass, each with its attribute."""
+def _paths(kind: type) -> dict[str, str]:
+    """Return the JSON keys of a dataclass, each with its attribute, which may be one of an attribute: ``result.axes``."""
+    if "json_form" in vars(kind):
+        return dict(vars(kind)["json_form"])
     derived = getattr(kind, "json_derived", {})
     derived = derived if isinstance(derived, dict) else {name: name for name in derived}
     keys = {part.name: part.metadata.get("json", part.name) for part in fields(kind)}
@@ -80,8 +82,15 @@ def json_keys(kind: type) -> dict[str, tuple[str, Any]]:
     """Return the JSON keys of a dataclass, each with its attribute and type.
 
     Keys are the names of the fields, except those marked ``field(metadata={"json": False})``; the metadata may also give another name. Then
-    follow the properties in the class variable ``json_derived``: a sequence of names, or a mapping of keys to names.
+    follow the properties in the class variable ``json_derived``: a sequence of names, or a mapping of keys to names. The class variable
+    ``json_form``, a mapping of keys to attributes, replaces both; it may name attributes of attributes, as ``result.axes``.
     """
-    hints = get_type_hints(kind)
-    types = {key: hints.get(name) or get_type_hints(getattr(kind, name).fget)["return"] for key, name in _names(kind).items()}
-    return {key: (name, types[key]) for key, name in _names(kind).items()}
+    return {key: (path.split(".")[-1], _type_at(kind, path)) for key, path in _paths(kind).items()}
+
+
+def _type_at(kind: Any, path: str) -> Any:
+    """Return the type of an attribute, or of an attribute's attribute."""
+    for name in path.split("."):
+        part = getattr(kind, name, None)
+        kind = get_type_hints(part.fget)["return"] if isinstance(part, property) else get_type_hints(kind)[name]
+    return kind

@@ -7,7 +7,7 @@ run of any length can be followed block by block.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -32,6 +32,20 @@ class SwitchKind:
     before: str
     after: str
     reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Switch:
+    """One switch: time [s], sample, axis, controllers before and after, reason, arc length [m], program line (0 if none)."""
+
+    time: float
+    sample: int
+    axis: str
+    before: str = field(metadata={"json": "from"})
+    after: str = field(metadata={"json": "to"})
+    reason: str
+    arc_length: float
+    line: int
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,6 +93,13 @@ class Switches:
         """Return the number of switches of each kind, the most frequent first."""
         counted = np.bincount(self.kind, minlength=len(self.kinds))
         return dict(Counter({kind: int(n) for kind, n in zip(self.kinds, counted, strict=True) if n}).most_common())
+
+    def rows(self, most: int | None = None) -> Iterator[Switch]:
+        """Yield the switches one by one, at most so many."""
+        columns = (self.time, self.sample, self.kind, self.arc_length, self.line)
+        for time, sample, number, along, line in zip(*(column[:most].tolist() for column in columns), strict=True):
+            kind = self.kinds[number]
+            yield Switch(time, sample, kind.axis, kind.before, kind.after, kind.reason, along, line)
 
     def of(self, axis: str) -> Index:
         """Return the numbers of the switches of one axis."""

@@ -9,11 +9,10 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.figures import figure, number, shown_unit
 from contourlab.rendering.charts import Chart, Curve, Level, Panel, Tick
-from contourlab.rendering.data import ReportData, SchemeReport
+from contourlab.rendering.data import FeedRun, JudgedRun, ReportData
 from contourlab.rendering.error_pictures import MARKS
-from contourlab.rendering.run_data import AxisBounds, FeedRun
 from contourlab.rendering.samples import axis_column, largest_magnitude, times
-from contourlab.rendering.style import LIMIT, REFERENCE, scheme_style
+from contourlab.rendering.style import LIMIT, REFERENCE
 from contourlab.result import Result
 from contourlab.thinning import keep_extremes
 
@@ -22,6 +21,7 @@ OFF_SCALE = 4.0
 """Peaks above this multiple of the limit are cut off, because they would flatten the rest."""
 FAR = 0.08
 """Curves below this share of the limit are drawn without it, because they would look flat."""
+UNITS = {"velocity": "m/s", "acceleration": "m/s^2", "jerk": "m/s^3"}
 STEP = "curvature step"
 """Kind of the marks at steps of curvature."""
 DEEPEST = 120.0
@@ -69,18 +69,15 @@ def axis_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
 
 def _axis_chart(data: ReportData, axis: int, name: str, points: int) -> Chart:
     """Return the chart of one axis, without panels of signals that no scheme has."""
-    panels = (
-        _runs(data, axis, points, "tracking_error", "tracking error", 1e6, "um"),
-        _velocity(data, axis, points),
-        _planned(data, axis, points, "acceleration"),
-        _planned(data, axis, points, "jerk"),
-        _command(data, axis, points),
-    )
+    tracking = _runs(data, axis, points, "tracking_error", UM)
+    panels = [Panel("time [s]", "tracking error [um]", tracking) if tracking else None]
+    panels += [_limited_panel(data, axis, points, name) for name in ("velocity", "acceleration", "jerk", "command")]
     drawn = tuple(panel for panel in panels if panel is not None)
-    peaks = [text for panel in drawn if (text := _off_scale(panel))]
-    bounded = ["Dashed lines are the limits."] if any(panel.levels for panel in drawn) else []
-    planned = ["Acceleration and jerk are those of the reference."] if _reference_of(data, "reference_acceleration") is not None else []
-    caption = " ".join([*bounded, *planned, *peaks, *_steps_of(drawn)])
+    bounded = "Dashed lines are the limits." if any(panel.levels for panel in drawn) else ""
+    planned = "Acceleration and jerk are those of the reference." if _reference_of(data, "reference_acceleration") is not None else ""
+    marked = any(tick.kind == STEP for panel in drawn for tick in panel.ticks)
+    steps = "Triangles mark curvature steps; their jerk over a servo period exceeds the limit, see the table above." if marked else ""
+    caption = " ".join(filter(None, [bounded, planned, *map(_off_scale, drawn), steps]))
     return Chart(f"axis-{axis}", f"Axis {name}", caption, drawn)
 
 
@@ -90,20 +87,44 @@ def _curve(result: Result, values: Array, points: int, factor: float, look: tupl
     return Curve(times(result, kept), values[kept] * factor, *look)
 
 
-def _runs(data: ReportData, axis: int, points: int, signal: str, label: str, factor: float, unit: str) -> Panel | None:
-    """Return a panel with one signal of every scheme."""
-    curves = tuple(
-        _curve(scheme.result, axis_column(scheme.result, signal, axis), points, factor, (scheme.name, *style))
-        for index, scheme in enumerate(data.schemes)
+def _runs(data: ReportData, axis: int, points: int, signal: str, factor: float) -> tuple[Curve, ...]:
+    """Return one signal of every scheme that has it."""
+    return tuple(
+        _curve(scheme.result, axis_column(scheme.result, signal, axis), points, factor, data.looks[scheme.name])
+        for scheme in data.schemes
         if signal in scheme.result
-        for style in (scheme_style(index, len(data.schemes)),)
     )
-    return Panel("time [s]", f"{label} [{unit}]", curves) if curves else None
 
 
-def _limited(panel: Panel, bounds: AxisBounds | None, name: str, axis: int, factor: float, unit: str) -> Panel:
-    """Return the panel with its two limits and a range that flattens neither them nor the curves."""
-    limit = float(getattr(bounds, name)[axis]) * factor if bounds is not None else float("inf")
+def _limited_panel(data: ReportData, axis: int, points: int, name: str) -> Panel | None:
+    """Return a quantity of the reference and of every scheme, with its limit; of acceleration and jerk only that of the reference.
+
+    The jerk is the difference of the acceleration over a servo period.
+    """
+    wanted = {"velocity": "reference_velocity", "command": "command"}.get(name, "reference_acceleration")
+    source = _reference_of(data, wanted)
+    curves: tuple[Curve, ...] = ()
+    factor, unit = shown_unit(UNITS.get(name) or ("" if source is None else str(source.signals[wanted].unit)))
+    if source is not None and name != "command":
+        values = axis_column(source, wanted, axis)
+        values = np.diff(values) / float(source.servo_period) if name == "jerk" else values
+        look = ("reference", REFERENCE, "dot" if name == "velocity" else "solid")
+        curves = (_curve(source, values, points, factor, look),) if values.size else ()
+    if name in ("velocity", "command"):
+        curves += _runs(data, axis, points, name, factor)
+    if not curves:
+        return None
+    ticks = _curvature_steps(data, axis) if name == "jerk" else ()
+    return _limited(data, Panel("time [s]", f"{name} [{unit or '1'}]", curves, ticks=ticks), name, axis, factor, unit)
+
+
+def _limited(data: ReportData, panel: Panel, name: str, axis: int, factor: float, unit: str) -> Panel:
+    """Return the panel with the two limits of the first machine, and a range that flattens neither them nor the curves."""
+    machine = next((scheme.machine for scheme in data.schemes if scheme.machine is not None), None)
+    if machine is None:
+        return panel
+    part = machine.axes[axis]
+    limit = factor * float(getattr(part.drive, "limit", np.inf) if name == "command" else getattr(part.limits, name))
     if not np.isfinite(limit):
         return panel
     text = f"limit ±{number(limit, 6)} {unit}"
@@ -126,42 +147,9 @@ def _off_scale(panel: Panel) -> str:
     return f"{what.capitalize()} peaks at {peak} at {number(float(worst.x[at]), 4)} s, outside the drawn range."
 
 
-def _bounds(data: ReportData) -> AxisBounds | None:
-    """Return the limits of the first scheme that has any."""
-    return next((scheme.bounds for scheme in data.schemes if scheme.bounds is not None), None)
-
-
 def _reference_of(data: ReportData, signal: str) -> Result | None:
     """Return the first result with a signal of the common reference."""
     return next((scheme.result for scheme in data.schemes if signal in scheme.result), None)
-
-
-def _velocity(data: ReportData, axis: int, points: int) -> Panel | None:
-    """Return the velocity of every scheme over that of the reference."""
-    factor, unit = shown_unit("m/s")
-    panel = _runs(data, axis, points, "velocity", "velocity", factor, unit)
-    source = _reference_of(data, "reference_velocity")
-    if source is not None:
-        wanted = axis_column(source, "reference_velocity", axis)
-        curve = _curve(source, wanted, points, factor, ("reference", REFERENCE, "dot"))
-        panel = Panel("time [s]", f"velocity [{unit}]", (curve, *(panel.curves if panel else ())))
-    return _limited(panel, _bounds(data), "velocity", axis, factor, unit) if panel is not None else None
-
-
-def _planned(data: ReportData, axis: int, points: int, name: str) -> Panel | None:
-    """Return acceleration or jerk (difference over a servo period) of the reference."""
-    source = _reference_of(data, "reference_acceleration")
-    if source is None:
-        return None
-    values = axis_column(source, "reference_acceleration", axis)
-    if name == "jerk":
-        if values.size < 2:
-            return None
-        values = np.diff(values) / float(source.servo_period)
-    unit = "m/s^2" if name == "acceleration" else "m/s^3"
-    curve = _curve(source, values, points, 1.0, ("reference", REFERENCE, "solid"))
-    ticks = _curvature_steps(data, axis) if name == "jerk" else ()
-    return _limited(Panel("time [s]", f"{name} [{unit}]", (curve,), ticks=ticks), _bounds(data), name, axis, 1.0, unit)
 
 
 def _curvature_steps(data: ReportData, axis: int) -> tuple[Tick, ...]:
@@ -178,41 +166,24 @@ def _curvature_steps(data: ReportData, axis: int) -> tuple[Tick, ...]:
     )
 
 
-def _steps_of(panels: tuple[Panel, ...]) -> list[str]:
-    """Explain the marks of curvature steps, if any."""
-    marked = any(tick.kind == STEP for panel in panels for tick in panel.ticks)
-    return ["Triangles mark curvature steps; their jerk over a servo period exceeds the limit, see the table above."] if marked else []
-
-
-def _command(data: ReportData, axis: int, points: int) -> Panel | None:
-    """Return the command of every scheme and its saturation."""
-    source = _reference_of(data, "command")
-    if source is None:
-        return None
-    factor, unit = shown_unit(str(source.signals["command"].unit))
-    panel = _runs(data, axis, points, "command", "command", factor, unit or "1")
-    return _limited(panel, _bounds(data), "command", axis, factor, unit) if panel is not None else None
-
-
 def bode_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
     """Return the frequency response of the closed loop of each axis that has one."""
     charts = []
     for index, axis in enumerate(data.axes):
-        with_axis = [(i, scheme) for i, scheme in enumerate(data.schemes) if axis in scheme.bode]
-        if not with_axis:
+        loops = {scheme.name: scheme.bode[axis] for scheme in data.schemes if axis in scheme.bode}
+        if not loops:
             continue
         gains, phases, notes = [], [], []
-        for i, scheme in with_axis:
-            answer, look = scheme.bode[axis], (scheme.name, *scheme_style(i, len(data.schemes)))
+        for name, answer in loops.items():
+            look = data.looks[name]
             with np.errstate(divide="ignore"):
                 gain = 20.0 * np.log10(np.abs(answer.response))
             phase = np.degrees(np.unwrap(np.angle(answer.response)))
             kept = keep_extremes(gain, points)
             gains.append(Curve(answer.frequency[kept], gain[kept], *look))
             phases.append(Curve(answer.frequency[kept], phase[kept], *look))
-            figures = ", ".join(f"{name} {value}" for name, value in answer.notes.items())
-            note = ", ".join(text for text in (answer.meant, figures) if text)
-            notes += [f"{scheme.name}: {note}."] * bool(note)
+            figures = [f"{what} {value}" for what, value in answer.notes.items()]
+            notes.append(f"{name}: {', '.join(filter(None, (answer.meant, *figures)))}.")
         magnitude = Panel("frequency [Hz]", "magnitude [dB]", tuple(gains), (Level(-3.0, "−3 dB"),), log_x=True, y_range=_decibels(gains))
         phase_panel = Panel("frequency [Hz]", "phase [deg]", tuple(phases), log_x=True)
         caption = " ".join(["Closed loop, reference to position.", *notes])
@@ -234,13 +205,13 @@ def hysteresis_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
 
 
 def _hysteresis(data: ReportData, axis: int, name: str, points: int) -> Chart | None:
-    shown = [(i, scheme) for i, scheme in enumerate(data.schemes) if name in scheme.gaps and "motor_position" in scheme.result]
+    shown = [scheme for scheme in data.schemes if name in scheme.gaps and "motor_position" in scheme.result]
     if not shown:
         return None
     panels, notes = [], []
-    for i, scheme in shown:
+    for scheme in shown:
         x, y = _loop(scheme.result, axis, FINER * points)
-        panels.append((Curve(x, y, scheme.name, *scheme_style(i, len(data.schemes)), 1.0), *_flanks(scheme, name, x)))
+        panels.append((Curve(x, y, *data.looks[scheme.name], 1.0), *_flanks(scheme, name, x)))
         notes.append(_note(scheme, name, x, y))
     edge = 1.15 * max(largest_magnitude(curve.y) for curves in panels for curve in curves) or 1.0
     drawn = tuple(Panel("load position [mm]", "motor − load [um]", curves, y_range=(-edge, edge)) for curves in panels)
@@ -256,7 +227,7 @@ def _loop(result: Result, axis: int, points: int) -> tuple[Array, Array]:
     return load[kept] * 1e3, apart[kept] * UM
 
 
-def _flanks(scheme: SchemeReport, axis: str, x: Array) -> tuple[Curve, Curve]:
+def _flanks(scheme: JudgedRun, axis: str, x: Array) -> tuple[Curve, Curve]:
     """Return the two flanks of the gap [um] over the used travel."""
     place, width = scheme.gaps[axis]
     low, high = float(np.nanmin(x)), float(np.nanmax(x))
@@ -266,7 +237,7 @@ def _flanks(scheme: SchemeReport, axis: str, x: Array) -> tuple[Curve, Curve]:
     return Curve(at, half, "edge of the gap", LIMIT, "dash"), Curve(at, -half, "edge of the gap", LIMIT, "dash")
 
 
-def _note(scheme: SchemeReport, axis: str, x: Array, y: Array) -> str:
+def _note(scheme: JudgedRun, axis: str, x: Array, y: Array) -> str:
     """Describe the width of the gap and the largest wind-up."""
     place, width = scheme.gaps[axis]
     wide, narrow = float(width.max()) * UM, float(width.min()) * UM

@@ -11,6 +11,14 @@ import numpy as np
 from contourlab.arrays import Array, Flags, Index
 from contourlab.rendering.style import round_down, scheme_style
 
+MARKS = {
+    "reversal": ("triangle-up", "^"),
+    "corner": ("diamond", "D"),
+    "first zero": ("circle", "o"),
+    "curvature step": ("triangle-down", "v"),
+}
+"""Kinds of marks on the x axis: their symbols in plotly and in matplotlib."""
+
 
 @dataclass(frozen=True, eq=False)
 class Curve:

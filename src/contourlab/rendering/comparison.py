@@ -8,8 +8,7 @@ from dataclasses import dataclass
 
 from contourlab.figures import NONE, figure, listing, number
 from contourlab.metrics.run_figures import FIGURES, PART, figures_of_run
-from contourlab.rendering.data import ReportData, SchemeReport
-from contourlab.rendering.style import scheme_style
+from contourlab.rendering.data import JudgedRun, ReportData
 
 UM = 1e6
 
@@ -73,8 +72,7 @@ def compare(data: ReportData) -> Comparison:
     Rows: verdict (with a tolerance), servo loops (if one is unstable), learning, errors, axes, drives, time. A figure that no scheme has
     is omitted.
     """
-    count = len(data.schemes)
-    heads = tuple(Head(scheme.name, scheme_style(i, count)[0]) for i, scheme in enumerate(data.schemes))
+    heads = tuple(Head(name, colour) for name, colour, _ in data.looks.values())
     columns = [figures_of(data, scheme) for scheme in data.schemes]
     figures = [_row([column.get(key) for column in columns]) for key in dict.fromkeys(key for column in columns for key in column)]
     rows = [*_status_rows(data), *(row for row in figures if any(cell.text != NONE for cell in row.cells))]
@@ -85,37 +83,28 @@ def compare(data: ReportData) -> Comparison:
 def _status_rows(data: ReportData) -> list[Row]:
     """Return the rows of text: pass or fail, unstable loops, how learning ended."""
     rows = []
-    passed = [_passed(scheme, data.tolerance) for scheme in data.schemes]
+    passed = [data.passed(scheme) for scheme in data.schemes]
     if any(answer is not None for answer in passed):
         tolerance = data.tolerance or next(scheme.verdict.tolerance for scheme in data.schemes if scheme.verdict is not None)
         cells = tuple(Cell(NONE) if answer is None else Cell("pass", "good") if answer else Cell("fail", "poor") for answer in passed)
         rows.append(Row(f"tolerance {figure(tolerance, 'um', 6)}", "", cells, strong=True))
-    if any(not answer.stable for scheme in data.schemes for answer in scheme.bode.values()):
+    if any(not loop.margins.stable for scheme in data.schemes for loop in scheme.bode.values()):
         rows.append(Row("servo loops", "", tuple(map(_loops, data.schemes))))
     if any(scheme.trials is not None for scheme in data.schemes):
         rows.append(Row("learning", "", tuple(map(_learning, data.schemes))))
     return rows
 
 
-def _loops(scheme: SchemeReport) -> Cell:
+def _loops(scheme: JudgedRun) -> Cell:
     """Name the unstable loops of a scheme."""
-    unstable = [f"{axis} ({answer.meant})" if answer.meant else axis for axis, answer in scheme.bode.items() if not answer.stable]
+    unstable = [f"{axis} ({loop.meant})" if loop.meant else axis for axis, loop in scheme.bode.items() if not loop.margins.stable]
     return Cell(f"unstable: {', '.join(unstable)}", "poor") if unstable else Cell("stable" if scheme.bode else NONE)
 
 
-def _learning(scheme: SchemeReport) -> Cell:
+def _learning(scheme: JudgedRun) -> Cell:
     if scheme.trials is None:
         return Cell(NONE)
     return Cell(scheme.trials.in_words, "poor" if scheme.trials.status.startswith("diverged") else "")
-
-
-def _passed(scheme: SchemeReport, tolerance: float | None) -> bool | None:
-    """Return the verdict, or whether the largest error is within the tolerance; a run that stopped early fails."""
-    if not scheme.result.status.ok:
-        return False
-    if scheme.verdict is not None:
-        return bool(scheme.verdict.passed)
-    return None if tolerance is None else bool(scheme.metrics.part_error.max <= tolerance)
 
 
 def _row(figures: list[Figure | None]) -> Row:
@@ -137,7 +126,7 @@ def _change(before: float, after: float, lower_is_better: bool) -> Cell:
     return Cell(text, ("good" if percent < 0.0 else "poor") if lower_is_better and abs(percent) >= 1.0 else "")
 
 
-def judged_words(scheme: SchemeReport) -> str:
+def judged_words(scheme: JudgedRun) -> str:
     """Describe the judged samples of a run."""
     metrics, period = scheme.metrics, scheme.result.servo_period
     if len(metrics.judged.ranges) > 1:
@@ -146,7 +135,7 @@ def judged_words(scheme: SchemeReport) -> str:
     return f"the {metrics.basis}, {start} to {stop}"
 
 
-def _judged_parts(schemes: Sequence[SchemeReport]) -> str:
+def _judged_parts(schemes: Sequence[JudgedRun]) -> str:
     """Describe the evaluated part of the run; by scheme if they differ."""
     parts: dict[str, list[str]] = {}
     for scheme in schemes:
@@ -193,7 +182,7 @@ class Figure:
     lower_is_better: bool = True
 
 
-def figures_of(data: ReportData, scheme: SchemeReport) -> dict[str, Figure]:
+def figures_of(data: ReportData, scheme: JudgedRun) -> dict[str, Figure]:
     """Return the figures of a run by label, in printing order; part error and contour error appear once if they are the same."""
     figures: dict[str, Figure] = {}
     for one in _figures(data, scheme):
@@ -201,7 +190,7 @@ def figures_of(data: ReportData, scheme: SchemeReport) -> dict[str, Figure]:
     return figures
 
 
-def _figures(data: ReportData, scheme: SchemeReport) -> Iterator[Figure]:
+def _figures(data: ReportData, scheme: JudgedRun) -> Iterator[Figure]:
     metrics, blended = scheme.metrics, data.is_blended
     if blended:
         yield Figure("part error, largest", metrics.part_error.max, UM, "um", strong=True)

@@ -1,22 +1,29 @@
-"""Data of a report, complete and read-only."""
+"""Data of a report, complete and read-only: judged runs, the planned motion, and where they come from."""
 
 from __future__ import annotations
 
+import math
 import platform
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
+import numpy as np
+from numpy.typing import NDArray
+
 from contourlab import __version__
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis
-from contourlab.arrays import Array, Index
+from contourlab.analysis.linear.margins import Margins
+from contourlab.arrays import Array, Complex, Index
 from contourlab.errors import ParameterError
-from contourlab.feed.verify import LimitReport
+from contourlab.feed import LimitReport, Reference
 from contourlab.findings import Finding
 from contourlab.geometry import Path
+from contourlab.loop import Machine
 from contourlab.loop.switches import Switches
-from contourlab.metrics import CircleFigures, Metrics, Spike
+from contourlab.metrics import CircleFigures, Metrics, ReversalFigures, Spike, reversal_figures
 from contourlab.rendering.judgement import Trust, Verdict
-from contourlab.rendering.run_data import AxisBounds, FeedRun, FrequencyResponse, TrialCourse
+from contourlab.rendering.margin_words import gain_words, phase_words
+from contourlab.rendering.style import scheme_style
 from contourlab.result import Result
 
 NANOMETRE = 1e-9
@@ -24,20 +31,129 @@ NANOMETRE = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class SchemeReport:
-    """One simulated or measured run.
+class ClosedLoop:
+    """The closed loop of one axis, reference to position, and its margins.
+
+    Parameters
+    ----------
+    frequency : ndarray (n,) [Hz], > 0, ascending
+    response : ndarray of complex (n,)
+        Position over reference, 1 when the axis follows exactly.
+    meant : str
+        Which loop of the axis the linear analysis is of, if it has several: for example ``"in contact"``.
+    """
+
+    frequency: Array
+    response: Complex
+    margins: Margins
+    meant: str = ""
+
+    @property
+    def notes(self) -> dict[str, str]:
+        """Bandwidth and margins in words."""
+        margins = self.margins
+        if not margins.stable:
+            return {"loop": "unstable: no margins; the curve is not a real response"}
+        below = np.flatnonzero(np.abs(self.response) < math.sqrt(0.5))
+        bandwidth = f"{self.frequency[below[0]]:.3g} Hz" if below.size else f"above {self.frequency[-1]:.3g} Hz"
+        notes = {"bandwidth (-3 dB)": bandwidth}
+        if math.isfinite(margins.phase):
+            notes["phase margin"] = f"{phase_words(margins.phase)} at {margins.crossover / (2.0 * math.pi):.3g} Hz"
+        if math.isfinite(margins.gain):
+            notes["gain margin"] = f"{gain_words(margins.gain)} at {margins.phase_crossover / (2.0 * math.pi):.3g} Hz"
+        return notes | {"modulus margin": f"{margins.modulus:.3g}"}
+
+
+@dataclass(frozen=True, eq=False)
+class FeedRun:
+    """A planned motion along its path.
+
+    Parameters
+    ----------
+    arc_length : ndarray (n,) [m]
+        Ascending.
+    feedrate : ndarray (n,) [m/s]
+    programmed : ndarray (n,) [m/s]
+        inf on rapids.
+    time : ndarray (n,) [s]
+        Ascending.
+    binding : ndarray (n,) of int
+        What limits the speed up to the next point: an index into `names`.
+    """
+
+    arc_length: Array
+    feedrate: Array
+    programmed: Array
+    time: Array
+    binding: NDArray[np.int8]
+    names: Sequence[str]
+
+    def shares(self) -> dict[str, float]:
+        """Return the share of time for which each cause limits the speed, the largest first."""
+        lasting = np.diff(self.time)
+        total = float(lasting.sum()) or 1.0
+        held = {name: float(lasting[self.binding[:-1] == code].sum()) / total for code, name in enumerate(self.names)}
+        return dict(sorted(((name, part) for name, part in held.items() if part > 0.0), key=lambda item: -item[1]))
+
+
+@dataclass(frozen=True, eq=False)
+class TrialCourse:
+    """Errors from trial to trial.
+
+    Parameters
+    ----------
+    contour_rms : ndarray (n_trial,) [m]
+        NaN for a trial that did not finish.
+    tracking_rms : ndarray (n_trial, n_axis) [m]
+    best : int
+        The trial that gives the scheme's figures.
+    status : str
+        How learning ended.
+    """
+
+    contour_rms: Array
+    tracking_rms: Array
+    best: int
+    status: str
+
+    @property
+    def whole_rms(self) -> Array:
+        """Tracking rms over all axes, (n_trial,) [m]."""
+        return np.asarray(np.sqrt(np.square(self.tracking_rms).sum(axis=1)))
+
+    @property
+    def in_words(self) -> str:
+        """The end of learning in a few words."""
+        trials = len(self.contour_rms) - 1
+        return self.status if self.status.startswith("diverged") else f"{self.status}, best trial {self.best} of {trials}"
+
+
+@dataclass(frozen=True, eq=False)
+class JudgedRun:
+    """One simulated or measured run, judged. Tables, pictures, pages and JSON are made from it.
 
     Parameters
     ----------
     name : str
         For example ``"without observer"``.
+    reference : Reference
+        What it was asked to follow; for a log the motion along the path that it is compared with.
     result : Result
-        Judged, with the signals ``contour_error`` and ``tracking_error``.
-    bode : mapping of axis name to FrequencyResponse
-    circle_spikes : sequence of sequence of int
-        Points of each circle at which reversal spikes are highest, to be marked.
+        With the signals of the judge.
+    metrics : Metrics
+        Of a log: over the moving part; tracking errors are nan without a reference.
+    verdict : Verdict or None
+        None without a tolerance.
+    circles : sequence of CircleFigures
+        Each full circle of the path, with the figures of ISO 230-4.
+    spikes : sequence of Spike
+        Spikes of the contour error at reversals on the judged moves.
+    machine : Machine or None
+        Whose limits the pictures show.
+    bode : mapping of axis name to ClosedLoop
+        Of the axes whose components are linear but for friction, counts and limits.
     limits : LimitReport or None
-        Largest values of the planned motion against its limits; None without limits.
+        Largest values of the planned motion against its limits; None where it was not planned within limits.
     trials : TrialCourse or None
         Trials of a scheme that learns; `result` is the best one.
     foretold : LearningAnalysis or None
@@ -45,7 +161,7 @@ class SchemeReport:
     tick : float or None [s]
         Measured computing time of a servo tick.
     switches : Switches or None
-        Between controllers of an axis.
+        Between controllers of an axis; None where no axis has several.
     gaps : mapping of str to (ndarray (n,), ndarray (n,)) [m]
         Load positions and the free travel there, for each axis with motor and load.
     trust : Trust or None
@@ -55,14 +171,15 @@ class SchemeReport:
     """
 
     name: str
+    reference: Reference
     result: Result
     metrics: Metrics
-    bounds: AxisBounds | None = None
     verdict: Verdict | None = None
-    bode: Mapping[str, FrequencyResponse] = field(default_factory=dict)
-    circles: Sequence[CircleFigures] = ()
-    spikes: Sequence[Spike] = ()
-    circle_spikes: Sequence[Sequence[int]] = ()
+    circles: tuple[CircleFigures, ...] = ()
+    spikes: tuple[Spike, ...] = ()
+    findings: tuple[Finding, ...] = ()
+    machine: Machine | None = None
+    bode: Mapping[str, ClosedLoop] = field(default_factory=dict)
     limits: LimitReport | None = None
     trials: TrialCourse | None = None
     foretold: LearningAnalysis | None = None
@@ -70,8 +187,17 @@ class SchemeReport:
     switches: Switches | None = None
     gaps: Mapping[str, tuple[Array, Array]] = field(default_factory=dict)
     trust: Trust | None = None
-    findings: Sequence[Finding] = ()
     lines: Index | None = None
+
+    @property
+    def path_digest(self) -> str:
+        """Hash of the planned path's geometry."""
+        return self.reference.path.digest
+
+    @property
+    def reversal_figures(self) -> tuple[ReversalFigures, ...]:
+        """The reversal spikes by axis, direction and quadrant."""
+        return reversal_figures(self.spikes)
 
 
 @dataclass(frozen=True)
@@ -102,12 +228,8 @@ class ReportData:
 
     Parameters
     ----------
-    schemes : sequence of SchemeReport
-        At least one; the others are compared with the first ("before").
-    planned : Path
-        The followed path.
-    programmed : Path or None
-        The programmed path, if it differs; the judge's ``foot_arc_length`` belongs to it.
+    schemes : sequence of JudgedRun
+        At least one, along one path; the others are compared with the first ("before").
     program : sequence of str
         Lines of the part program.
     tolerance : float [m] or None, > 0
@@ -128,10 +250,8 @@ class ReportData:
     """
 
     title: str
-    schemes: Sequence[SchemeReport]
-    planned: Path
+    schemes: Sequence[JudgedRun]
     provenance: Provenance
-    programmed: Path | None = None
     program: Sequence[str] = ()
     tolerance: float | None = None
     notes: Sequence[str] = ()
@@ -152,20 +272,38 @@ class ReportData:
         if self.tolerance is not None and not 0.0 < self.tolerance < float("inf"):
             raise ParameterError("tolerance", self.tolerance, "finite and > 0", "m")
 
+    def passed(self, scheme: JudgedRun) -> bool | None:
+        """Return the verdict of a scheme, or whether its largest error is within the tolerance; a run that stopped early fails."""
+        if not scheme.result.status.ok:
+            return False
+        if scheme.verdict is not None:
+            return scheme.verdict.passed
+        return None if self.tolerance is None else bool(scheme.metrics.part_error.max <= self.tolerance)
+
     @property
     def axes(self) -> tuple[str, ...]:
         """Names of the axes."""
         return tuple(self.schemes[0].result.axes)
 
     @property
+    def looks(self) -> dict[str, tuple[str, str, str]]:
+        """Name, colour and dash of each scheme, by name: the same in every picture."""
+        return {scheme.name: (scheme.name, *scheme_style(i, len(self.schemes))) for i, scheme in enumerate(self.schemes)}
+
+    @property
     def findings(self) -> list[tuple[str, Finding]]:
-        """The findings of all schemes, each with the name of its scheme."""
-        return [(scheme.name, finding) for scheme in self.schemes for finding in scheme.findings]
+        """The findings of all schemes, each with the name of its scheme; none of logs, whose findings are notes."""
+        return [(scheme.name, finding) for scheme in self.schemes for finding in scheme.findings if not self.is_measured]
+
+    @property
+    def planned(self) -> Path:
+        """The followed path."""
+        return self.schemes[0].reference.path
 
     @property
     def asked(self) -> Path:
-        """The path that the part is compared with."""
-        return self.planned if self.programmed is None else self.programmed
+        """The programmed path, which the part is compared with; the judge's ``foot_arc_length`` belongs to it."""
+        return self.schemes[0].reference.programmed
 
     @property
     def is_blended(self) -> bool:

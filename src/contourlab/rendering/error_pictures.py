@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Index
 from contourlab.figures import figure, number
+from contourlab.metrics import CircleFigures
 from contourlab.rendering.charts import Chart, Curve, Panel, PolarChart, Tick, ring_spacing
-from contourlab.rendering.data import ReportData
-from contourlab.rendering.samples import error_signal, largest_magnitude, signal, times
-from contourlab.rendering.style import scheme_style
+from contourlab.rendering.data import JudgedRun, ReportData
+from contourlab.rendering.samples import largest_magnitude, signal, times
 from contourlab.thinning import keep_extremes
 
 UM = 1e6
@@ -19,18 +21,18 @@ MARKS = 400
 
 def error_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
     """Return the error over time, and over arc length if every scheme has it; curves have at most `points` points."""
-    name = error_signal(data)
+    # The tolerance applies to the part error; without blending the two errors are equal.
+    name = "part_error" if data.is_blended else "contour_error"
     over_time, over_arc = [], []
     signed = False
-    for index, scheme in enumerate(data.schemes):
+    for scheme in data.schemes:
         error = signal(scheme.result, name)
         kept = keep_extremes(error, points)
         height = error[kept] * UM
         signed = signed or bool(np.any(height < 0.0))
-        colour, dash = scheme_style(index, len(data.schemes))
-        over_time.append(Curve(times(scheme.result, kept), height, scheme.name, colour, dash))
+        over_time.append(Curve(times(scheme.result, kept), height, *data.looks[scheme.name]))
         if "arc_length" in scheme.result:
-            over_arc.append(Curve(signal(scheme.result, "arc_length")[kept] * 1e3, height, scheme.name, colour, dash))
+            over_arc.append(Curve(signal(scheme.result, "arc_length")[kept] * 1e3, height, *data.looks[scheme.name]))
     label = f"{name.replace('_', ' ')} [um]"
     moments = _moments(data)
     caption = _caption(name, signed, {tick.kind for tick in moments})
@@ -99,16 +101,14 @@ def polar_charts(data: ReportData, points: int) -> tuple[PolarChart, ...]:
 def _polar(data: ReportData, name: str, index: int, points: int) -> PolarChart:
     """Return the plot of one circle: all schemes, both directions."""
     curves, marks, radius, top = [], [], 0.0, 0.0
-    for place, scheme in enumerate(data.schemes):
-        colour, _ = scheme_style(place, len(data.schemes))
-        for i, circle in enumerate(scheme.circles):
-            if circle.name != name:
-                continue
+    for scheme in data.schemes:
+        colour = data.looks[scheme.name][1]
+        for circle in (circle for circle in scheme.circles if circle.name == name):
             kept = keep_extremes(circle.deviation, points)
             way, dash = ("clockwise", "dash") if circle.clockwise else ("counter-clockwise", "solid")
             angle = np.degrees(np.unwrap(circle.angle))[kept]
             curves.append(Curve(angle, circle.deviation[kept] * UM, f"{scheme.name}, {way}", colour, dash))
-            at = np.asarray(scheme.circle_spikes[i] if scheme.circle_spikes else (), dtype=np.int64)
+            at = _peaks(scheme, circle)
             if at.size:
                 marks.append(Curve(np.degrees(circle.angle[at]), circle.deviation[at] * UM, f"{scheme.name}, {way}", colour))
             radius, top = circle.radius, max(top, largest_magnitude(circle.deviation) * UM)
@@ -119,3 +119,10 @@ def _polar(data: ReportData, name: str, index: int, points: int) -> PolarChart:
         + (" Small circles mark the peaks of reversal spikes." if marks else "")
     )
     return PolarChart(f"circle-{index}", name, caption, tuple(curves), division, (-2.0 * span, span), radius, tuple(marks))
+
+
+def _peaks(scheme: JudgedRun, circle: CircleFigures) -> Index:
+    """Return the points of a circle at which reversal spikes are highest."""
+    period, start = scheme.result.servo_period, scheme.result.start
+    highest = [round(spike.peak_time / period) - start for spike in scheme.spikes if math.isfinite(spike.angle)]
+    return np.flatnonzero(np.isin(circle.samples, highest))

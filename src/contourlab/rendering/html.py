@@ -12,18 +12,16 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.figures import figure, number
-from contourlab.rendering.axis_pictures import FINER, axis_charts, bode_charts, feed_charts, hysteresis_charts
+from contourlab.rendering.axis_pictures import FINER
 from contourlab.rendering.charts import Chart, PathChart, PolarChart, SpaceChart
 from contourlab.rendering.comparison import compare
 from contourlab.rendering.data import ReportData
-from contourlab.rendering.error_pictures import error_charts, polar_charts
 from contourlab.rendering.lead import MOST_LINES, program_lines, sentence
-from contourlab.rendering.learning_pictures import trial_charts
 from contourlab.rendering.page_tables import circle_tables, limit_tables, origin_tables, reversal_table
-from contourlab.rendering.path_picture import path_charts
 from contourlab.rendering.plotly_view import figure_of
+from contourlab.rendering.plots import sections
 from contourlab.rendering.samples import share
-from contourlab.rendering.switching import strip_charts, switch_tables
+from contourlab.rendering.switching import switch_tables
 from contourlab.result.atomic import write_text_atomic
 
 MOST_POINTS = 4000
@@ -69,7 +67,7 @@ def write_html(data: ReportData, file: str | Path) -> Path:
 def render_html(data: ReportData) -> str:
     """Return the text of the report; the same data give the same text."""
     points = _points(data)
-    groups = _figures(data, points)
+    groups = {section: [entry_of(chart) for chart in charts] for section, charts in sections(data, points)}
     return str(
         page_template("report.html.j2").render(
             data=data,
@@ -111,20 +109,6 @@ def _points(data: ReportData) -> int:
     n_loop = FINER * sum(len(scheme.gaps) for scheme in data.schemes)
     n_curve = n_scheme * (2 + 4 * n_axis + 3 * n_view) + n_circle + 4 * n_axis + 8 * n_view + n_loop
     return max(16, share(TOTAL_POINTS, n_curve, MOST_POINTS))
-
-
-def _figures(data: ReportData, points: int) -> dict[str, list[dict[str, Any]]]:
-    charts: dict[str, Iterable[Chart | PolarChart | PathChart | SpaceChart]] = {
-        "path": path_charts(data, points),
-        "circles": polar_charts(data, points),
-        "errors": error_charts(data, points),
-        "axes": (*feed_charts(data.feed), *axis_charts(data, points)),
-        "backlash": hysteresis_charts(data, points),
-        "switches": strip_charts(data),
-        "trials": trial_charts(data),
-        "bode": bode_charts(data, points),
-    }
-    return {section: [entry_of(chart) for chart in members] for section, members in charts.items()}
 
 
 def entry_of(chart: Chart | PolarChart | PathChart | SpaceChart) -> dict[str, Any]:

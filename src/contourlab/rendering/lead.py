@@ -8,7 +8,7 @@ import numpy as np
 
 from contourlab.arrays import Array, Index
 from contourlab.figures import NONE, figure, number
-from contourlab.rendering.data import ReportData, SchemeReport
+from contourlab.rendering.data import JudgedRun, ReportData
 from contourlab.rendering.judgement import Verdict
 from contourlab.rendering.samples import signal
 
@@ -19,25 +19,18 @@ MOST_LINES, LETTERS = 500, 200
 def sentence(data: ReportData) -> str:
     """Return the answer in one or two sentences: does the tool keep the tolerance, where not, why, and what helps."""
     schemes = data.schemes
-    best = min(schemes, key=lambda scheme: (not _kept(data, scheme), scheme.metrics.part_error.max))
+    best = min(schemes, key=lambda scheme: (data.passed(scheme) is False, scheme.metrics.part_error.max))
     if len(schemes) == 1:
         return _alone(data, best)
     size = figure(best.metrics.part_error.max, "um")
     if data.tolerance is None:
         return f"Of {len(schemes)} runs, {best.name} keeps closest to the path: {size} at most."
-    kept = sum(_kept(data, scheme) for scheme in schemes)
+    kept = sum(data.passed(scheme) is not False for scheme in schemes)
     count = f"{kept} of {len(schemes)} runs {'stays' if kept == 1 else 'stay'}" if kept else f"None of {len(schemes)} runs stays"
     return f"{count} within {figure(data.tolerance, 'um', 6)}. Best: {best.name}, {size}."
 
 
-def _kept(data: ReportData, scheme: SchemeReport) -> bool:
-    """Return whether a run finished within the tolerance."""
-    if scheme.verdict is not None:
-        return scheme.result.status.ok and scheme.verdict.passed
-    return scheme.result.status.ok and (data.tolerance is None or scheme.metrics.part_error.max <= data.tolerance)
-
-
-def _alone(data: ReportData, scheme: SchemeReport) -> str:
+def _alone(data: ReportData, scheme: JudgedRun) -> str:
     size, verdict = figure(scheme.metrics.part_error.max, "um"), scheme.verdict
     if not scheme.result.status.ok:
         return f"The run did not finish: {scheme.result.status.reason}."
@@ -95,7 +88,7 @@ def program_lines(data: ReportData) -> tuple[LineRow, ...]:
     return tuple(LineRow(n, data.program[n - 1][:LETTERS], tuple(cell(column.get(n)) for column in columns)) for n in inside)
 
 
-def _largest(scheme: SchemeReport) -> dict[int, float]:
+def _largest(scheme: JudgedRun) -> dict[int, float]:
     """Return the largest part error [m] of each line with judged samples."""
     if scheme.lines is None:
         return {}

@@ -10,29 +10,25 @@ from contourlab.analysis.learning.learning_analysis import LearningAnalysis
 from contourlab.arrays import Array
 from contourlab.figures import figure
 from contourlab.rendering.charts import Chart, Curve, Level, Panel, Tick
-from contourlab.rendering.data import ReportData
-from contourlab.rendering.run_data import TrialCourse
+from contourlab.rendering.data import ReportData, TrialCourse
 from contourlab.rendering.style import scheme_style
 
 
 def trial_charts(data: ReportData) -> tuple[Chart, ...]:
     """Return the errors of each trial, with schemes that do not learn as levels, and the predictions; nothing if none learns."""
-    learning = [(i, scheme) for i, scheme in enumerate(data.schemes) if scheme.trials is not None]
-    if not learning:
+    counts = [len(scheme.trials.contour_rms) for scheme in data.schemes if scheme.trials is not None]
+    if not counts:
         return ()
-    last = max(len(scheme.trials.contour_rms) for _, scheme in learning if scheme.trials) - 1
     contour, tracking, ends = [], [], []
-    for i, scheme in enumerate(data.schemes):
-        colour, dash = scheme_style(i, len(data.schemes))
-        course = scheme.trials
+    for scheme in data.schemes:
+        look, course = data.looks[scheme.name], scheme.trials
         if course is None:
             level = np.full(2, scheme.metrics.contour_error.rms * 1e6)
-            contour.append(Curve(np.array([0.0, max(last, 1)]), level, scheme.name, colour, "dot"))
+            contour.append(Curve(np.array([0.0, max(*counts, 2) - 1.0]), level, *look[:2], "dot"))
             continue
         trial = np.arange(len(course.contour_rms), dtype=float)
-        contour.append(Curve(trial, _drawn(course.contour_rms), scheme.name, colour, dash))
-        whole = np.sqrt(np.square(course.tracking_rms).sum(axis=1))
-        tracking.append(Curve(trial, _drawn(whole), scheme.name, colour, dash))
+        contour.append(Curve(trial, _drawn(course.contour_rms), *look))
+        tracking.append(Curve(trial, _drawn(course.whole_rms), *look))
         first, best = course.contour_rms[0], course.contour_rms[course.best]
         ends.append(f"{scheme.name}: {figure(first, 'um')} to {figure(best, 'um')}; {course.in_words}")
     panels = (
@@ -53,8 +49,7 @@ def trial_rows(course: TrialCourse) -> list[tuple[int, float, float]]:
     last = len(course.contour_rms) - 1
     step = max(5, -(-last // 10))
     shown = sorted({*range(min(last, 5) + 1), *range(0, last + 1, step), course.best, last})
-    whole = np.sqrt(np.square(course.tracking_rms).sum(axis=1))
-    return [(i, float(course.contour_rms[i]), float(whole[i])) for i in shown]
+    return [(i, float(course.contour_rms[i]), float(course.whole_rms[i])) for i in shown]
 
 
 def _drawn(rms: Array) -> Array:

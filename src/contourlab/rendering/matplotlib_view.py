@@ -11,7 +11,7 @@ import numpy as np
 
 from contourlab.errors import ParameterError
 from contourlab.figures import number
-from contourlab.rendering.charts import Bars, Chart, Magnified, Matrix, Multiples, Panel, PathChart, PolarChart, Tile
+from contourlab.rendering.charts import MARKS, Bars, Chart, Matrix, Multiples, Panel, PathChart, PolarChart, Tile
 from contourlab.rendering.style import BAND, INK, LIMIT, MUTED
 
 if TYPE_CHECKING:
@@ -179,7 +179,7 @@ def _decades(panel: Panel) -> float:
 def _ticks(place: Axes, panel: Panel) -> None:
     """Draw the marks along the foot of a panel."""
     transform = place.get_xaxis_transform()
-    for kind, symbol in (("reversal", "^"), ("corner", "D"), ("first zero", "o"), ("curvature step", "v")):
+    for kind, (_, symbol) in MARKS.items():
         x = [tick.x for tick in panel.ticks if tick.kind == kind]
         if x:
             style: dict[str, Any] = {"linestyle": "none", "marker": symbol, "markersize": 3.2, "color": MUTED}
@@ -225,19 +225,14 @@ def draw_path(place: Axes, chart: PathChart) -> None:
         label = "_nolegend_" if run.name in named else escaped(run.name)
         named.add(run.name)
         place.plot(points[:, 0], points[:, 1], label=label, **_curve_look(run))
+    ring: dict[str, Any] = {"marker": "o", "markersize": 9, "markerfacecolor": "none", "linestyle": "none", "markeredgewidth": 1.4}
     for worst in chart.worst:
-        _ring(place, worst, chart.magnification)
+        x, y = worst.drawn(chart.magnification).T
+        place.plot(x, y, color=worst.colour, label=escaped(worst.name), **ring)
     place.set_aspect("equal", adjustable="datalim")
     place.set_xlabel(escaped(chart.labels[0]))
     place.set_ylabel(escaped(chart.labels[1]))
     place.set_title(f"{escaped(chart.title)}, {escaped(chart.view)}: errors × {number(chart.magnification, 6)}")
-
-
-def _ring(place: Axes, worst: Magnified, magnification: float) -> None:
-    """Draw a ring round the worst error of a run."""
-    style: dict[str, Any] = {"marker": "o", "markersize": 9, "markerfacecolor": "none", "linestyle": "none"}
-    x, y = worst.drawn(magnification).T
-    place.plot(x, y, color=worst.colour, markeredgewidth=1.4, label=escaped(worst.name), **style)
 
 
 def _multiples_drawing(chart: Multiples) -> Figure:

@@ -15,7 +15,7 @@ from contourlab.rendering.lead import sentence
 from contourlab.rendering.matplotlib_view import LOOKS, draw_panel, draw_path, escaped
 from contourlab.rendering.path_picture import path_charts
 from contourlab.rendering.plots import POINTS, TIMELESS
-from contourlab.rendering.style import BAND, INK, LIMIT, MUTED, scheme_style
+from contourlab.rendering.style import BAND, INK, LIMIT, MUTED
 from contourlab.result import write_bytes_atomic
 
 if TYPE_CHECKING:
@@ -61,11 +61,11 @@ def _words(place: Axes, data: ReportData) -> None:
     lines: list[tuple[str, dict[str, Any]]] = [(data.title, {"size": 15, "weight": "bold"})]
     lines += [(line, {"size": 10.5}) for line in wrap(sentence(data), LETTERS)]
     answers: dict[int, tuple[str, str]] = {}
-    for i, scheme in enumerate(data.schemes[:MOST_RUNS]):
+    for scheme in data.schemes[:MOST_RUNS]:
         verdict, size = scheme.verdict, scheme.metrics.part_error
         where = f", at line {verdict.worst.line}" if verdict is not None and verdict.worst.line else ""
         words = f"{scheme.name}: largest part error {figure(size.max, 'um')}{where}, rms {number(1e6 * size.rms)} um"
-        lines.append((words, {"size": 8.5, "color": scheme_style(i, len(data.schemes))[0]}))
+        lines.append((words, {"size": 8.5, "color": data.looks[scheme.name][1]}))
         if verdict is not None:
             answers[len(lines) - 1] = ("PASS", BAND) if verdict.passed else ("FAIL", LIMIT)
     typed = [f"Next: {command}" for _, command in data.next_steps[:1]]

@@ -14,7 +14,6 @@ from contourlab.rendering.html import page_template, template_file
 from contourlab.rendering.lead import sentence
 from contourlab.rendering.path_picture import path_charts
 from contourlab.rendering.plots import POINTS, TIMELESS
-from contourlab.rendering.style import scheme_style
 from contourlab.result import write_text_atomic
 
 SIZE = (4.2, 3.8)
@@ -45,7 +44,7 @@ def write_overview(file: str | Path, answer: str, reports: Mapping[str, ReportDa
 
 
 def _part(address: str, data: ReportData) -> dict[str, Any]:
-    colours = [scheme_style(i, len(data.schemes))[0] for i in range(len(data.schemes))]
+    colours = [colour for _, colour, _ in data.looks.values()]
     chart = next(chart for chart in path_charts(data, POINTS) if isinstance(chart, PathChart))
     dotted = "; dotted: the tolerance" if chart.tolerance else ""
     caption = f"Errors drawn {chart.magnification:g} times as large. Dark: the programmed path{dotted}; rings: the largest errors."

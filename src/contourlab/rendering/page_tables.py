@@ -6,6 +6,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from contourlab.feed.verify import LimitReport, Worst
 from contourlab.figures import NONE, figure, number, shown_unit
 from contourlab.metrics import ReversalFigures, reversal_figures
@@ -22,7 +24,6 @@ LIMIT_ROWS = (
     ("curvature step", "curvature_step", "m/s^2"),
     ("kink", "kink", "m/s"),
 )
-Key = tuple[str, int, float | None]
 
 
 @dataclass(frozen=True)
@@ -142,47 +143,39 @@ class ReversalTable:
 
 def reversal_table(data: ReportData, *, places: bool = True) -> ReversalTable | None:
     """Return the reversal spikes by axis and direction, with `places` also by quadrant of arcs; None without reversals."""
-    columns = [{_key(f): f for f in reversal_figures(list(scheme.spikes), places=places)} for scheme in data.schemes]
-    keys = sorted({key for column in columns for key in column}, key=lambda key: _order(key, data.axes))
+    columns = []
+    for scheme in data.schemes:
+        by_kind = reversal_figures(scheme.spikes, places=places)
+        columns.append({(math.isnan(f.angle), np.nan_to_num(f.angle), data.axes.index(f.axis), -f.direction): f for f in by_kind})
+    keys = sorted({key for column in columns for key in column})
     if not keys:
         return None
-    mixed = any(key[2] is not None for key in keys) and any(key[2] is None for key in keys)
+    mixed = places and len({elsewhere for elsewhere, *_ in keys}) == 2
     rows = []
     for key in keys:
         there = [column[key] for column in columns if key in column]
         counts = sorted({f.count for f in there})
         many = str(counts[0]) if len(counts) == 1 else f"{counts[0]} to {counts[-1]}"
-        rows.append((_kind(key, mixed and places), many, tuple(_reversal_cells(column.get(key)) for column in columns)))
+        rows.append((_kind(there[0], mixed), many, tuple(_reversal_cells(column.get(key)) for column in columns)))
     return ReversalTable(tuple(scheme.name for scheme in data.schemes), tuple(rows))
 
 
 def reversal_text(data: ReportData) -> str:
     """Return mean and largest spike by axis and direction for the terminal; empty without reversals."""
-    found = reversal_table(data, places=False)
-    if found is None:
+    reversals = reversal_table(data, places=False)
+    if reversals is None:
         return ""
-    heads = [Column("axis, direction (count)", left=True), *(Column(head) for head in found.heads)]
+    heads = [Column("axis, direction (count)", left=True), *map(Column, reversals.heads)]
     table = Table(heads, "Reversal spikes, mean / largest [um]")
-    for where, many, cells in found.rows:
+    for where, many, cells in reversals.rows:
         table.add(f"{where} ({many})", *(f"{mean} / {top}" for mean, top, _ in cells))
     return table.text()
 
 
-def _key(figures: ReversalFigures) -> Key:
-    return figures.axis, figures.direction, None if math.isnan(figures.angle) else figures.angle
-
-
-def _order(key: Key, axes: tuple[str, ...]) -> tuple[bool, float, int, int]:
-    """Order by quadrant, then by axis and direction."""
-    axis, direction, angle = key
-    return angle is None, angle or 0.0, axes.index(axis), -direction
-
-
-def _kind(key: Key, mixed: bool) -> str:
-    axis, direction, angle = key
-    if angle is not None:
-        return f"{axis} at {math.degrees(angle):.0f} deg" + (" on arcs" if mixed else "")
-    return f"{axis}, {'- to +' if direction > 0 else '+ to -'}" + (", not on arcs" if mixed else "")
+def _kind(figures: ReversalFigures, mixed: bool) -> str:
+    if not math.isnan(figures.angle):
+        return f"{figures.axis} at {math.degrees(figures.angle):.0f} deg" + (" on arcs" if mixed else "")
+    return f"{figures.axis}, {'- to +' if figures.direction > 0 else '+ to -'}" + (", not on arcs" if mixed else "")
 
 
 def _reversal_cells(figures: ReversalFigures | None) -> tuple[str, str, str]:

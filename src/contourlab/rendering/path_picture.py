@@ -12,13 +12,14 @@ from contourlab.figures import figure
 from contourlab.geometry import Path
 from contourlab.rendering.charts import Curve, Magnified, PathChart, SpaceChart
 from contourlab.rendering.comparison import judged_words
-from contourlab.rendering.data import ReportData, SchemeReport
+from contourlab.rendering.data import JudgedRun, ReportData
 from contourlab.rendering.lead import lines_at
 from contourlab.rendering.samples import keep_changes, largest_magnitude, signal
-from contourlab.rendering.style import BAND, INK, REFERENCE, magnification, scheme_style
+from contourlab.rendering.style import BAND, INK, REFERENCE, magnification
 from contourlab.thinning import keep_extremes
 
 MM, UM = 1e3, 1e6
+DRAWN = "The path is to scale. The error of each run is magnified and drawn from the nearest point of the path."
 FLAT = 1e-3
 """An axis with an extent below this share of the largest gets no view."""
 
@@ -75,7 +76,7 @@ def _places(path: Path, points: int) -> Array:
     return np.asarray(s[(s >= 0.0) & (s <= path.length)], dtype=np.float64)
 
 
-def _run(data: ReportData, scheme: SchemeReport, points: int) -> _Drawn:
+def _run(data: ReportData, scheme: JudgedRun, points: int) -> _Drawn:
     """Return the points of a run, in the window of its figures: many where the error changes.
 
     With many laps drawn, each would have too few points, and lines between them would cut corners.
@@ -105,10 +106,9 @@ def _space(data: ReportData, asked: Array, asked_at: Index, runs: list[_Drawn], 
         return flat if high else np.column_stack([flat, np.broadcast_to(height, flat.shape[:1])])
 
     drawn = []
-    for i, (scheme, run) in enumerate(zip(data.schemes, runs, strict=True)):
+    for look, run in zip(data.looks.values(), runs, strict=True):
         error = column(run.error) if high else column(0.0 * run.error, run.size)
-        style = scheme_style(i, len(data.schemes))
-        drawn.append(Magnified(column(run.foot) * MM, error * UM, scheme.name, *style, run.lines))
+        drawn.append(Magnified(column(run.foot) * MM, error * UM, *look, run.lines))
     caption = "The colour is the size of the error. " + ("The error is magnified." if high else "The height is the error, magnified.")
     return SpaceChart(
         "path-space",
@@ -129,10 +129,9 @@ def _chart(data: ReportData, pair: tuple[int, int], s: Array, asked: Array, runs
     columns = list(pair)
     names = [data.axes[i] for i in pair]
     view = "".join(names).upper() if "".join(names).isalpha() else " and ".join(names)
-    count = len(data.schemes)
     magnified = tuple(
-        Magnified(run.foot[:, columns] * MM, run.error[:, columns] * UM, scheme.name, *scheme_style(i, count), run.lines)
-        for i, (run, scheme) in enumerate(zip(runs, data.schemes, strict=True))
+        Magnified(run.foot[:, columns] * MM, run.error[:, columns] * UM, *look, run.lines)
+        for look, run in zip(data.looks.values(), runs, strict=True)
     )
     lines = [_outline(asked[:, columns], "programmed path", INK, "solid")]
     if data.is_blended:
@@ -143,7 +142,7 @@ def _chart(data: ReportData, pair: tuple[int, int], s: Array, asked: Array, runs
         f"path-{index}",
         view,
         "Path with magnified error",
-        _caption(data),
+        f"{DRAWN} Shown: {judged_words(data.schemes[0])}.",
         labels,
         tuple(lines),
         magnified,
@@ -152,12 +151,6 @@ def _chart(data: ReportData, pair: tuple[int, int], s: Array, asked: Array, runs
         scale,
         lines_at(data, s),
     )
-
-
-def _caption(data: ReportData) -> str:
-    """Describe how the errors are drawn, and which part of the run."""
-    how = "The path is to scale. The error of each run is magnified and drawn from the nearest point of the path."
-    return f"{how} Shown: {judged_words(data.schemes[0])}."
 
 
 def _outline(points: Array, name: str, colour: str, dash: str) -> Curve:
@@ -183,13 +176,12 @@ def _tolerance(data: ReportData, asked: Array, s: Array, columns: list[int], sca
 def _worst(data: ReportData, columns: list[int]) -> tuple[Magnified, ...]:
     """Return the worst error of every run that was judged."""
     places = []
-    for index, scheme in enumerate(data.schemes):
-        sample = -1 if scheme.verdict is None else scheme.verdict.worst.sample
-        if scheme.verdict is not None and 0 <= sample < scheme.result.n_sample:
-            along = signal(scheme.result, "foot_arc_length")[sample : sample + 1]
+    for scheme in data.schemes:
+        worst = None if scheme.verdict is None else scheme.verdict.worst
+        if worst is not None and 0 <= worst.sample < scheme.result.n_sample:
+            along = signal(scheme.result, "foot_arc_length")[worst.sample : worst.sample + 1]
             foot = np.asarray(data.asked.position(along), dtype=np.float64)
-            error = signal(scheme.result, "tool_position")[sample] - foot
-            colour, _ = scheme_style(index, len(data.schemes))
-            name = f"{scheme.name}: worst {figure(scheme.verdict.worst.value, 'um')}"
-            places.append(Magnified(foot[:, columns] * MM, error[:, columns] * UM, name, colour))
+            error = signal(scheme.result, "tool_position")[worst.sample] - foot
+            name = f"{scheme.name}: worst {figure(worst.value, 'um')}"
+            places.append(Magnified(foot[:, columns] * MM, error[:, columns] * UM, name, data.looks[scheme.name][1]))
     return tuple(places)

@@ -1,26 +1,35 @@
-"""Charts as plain dictionaries for plotly.js: panels of lines, polar plots; paths are in `plotly_path`."""
+"""Charts as plain dictionaries for plotly.js. Numbers travel as base64 of little-endian floats.
+
+The page draws the errors of a path at the foot points, with the magnification that the reader sets: ``magnify`` holds the initial
+magnification, the length of the scale bar [mm], and the index, foot points [mm] and errors [um] of each magnified trace as packed columns.
+``numbered`` holds the program lines of the traces, the path itself first; the last trace is the part that the chosen line programs.
+"""
 
 from __future__ import annotations
 
+import base64
 import math
 from typing import Any
 
 import numpy as np
 
-from contourlab.rendering.charts import Chart, Panel, PathChart, PolarChart, SpaceChart
-from contourlab.rendering.plotly_parts import BOTTOM, Figure, axis_look, layout_look, line_look, packed, plain
-from contourlab.rendering.plotly_path import path_figure, space_figure
-from contourlab.rendering.style import BAND, GRID, INK, LIMIT, MUTED
+from contourlab.arrays import Array, Index
+from contourlab.rendering.charts import MARKS, Chart, Curve, Magnified, Panel, PathChart, PolarChart, SpaceChart
+from contourlab.rendering.style import BAND, FONT, GRID, INK, LIMIT, MUTED, round_down
 
+Figure = dict[str, Any]
+
+SINGLE = 64.0
+"""Largest magnitude over spread for float32: rounding to 2^-24 of the value is then 2^-18 of the spread, far below a pixel."""
+TOP, BOTTOM = 50, 56
+"""Heights above and below a picture [px]."""
 HEIGHT, GAP = 190, 26
 BUTTONS, ROW, LABEL = 21, 29, 16
 """Heights above a picture [px]: buttons, a row of the legend, a label of the first panel."""
 LEGEND_WIDTH, ENTRY, LETTER = 910.0, 45.0, 6.1
 """Widths [px]: a row of the legend, an entry without its text, a letter."""
-
-
-TICKS = (("reversal", "triangle-up"), ("corner", "diamond"), ("first zero", "circle"), ("curvature step", "triangle-down"))
-"""Symbols of marks on the x axis."""
+PICKED: Figure = {"mode": "lines", "hoverinfo": "skip", "showlegend": False, "line": {"color": "#f0a202", "width": 6}, "opacity": 0.7}
+"""The part of the path that the chosen line programs."""
 
 
 def figure_of(chart: Chart | PolarChart | PathChart | SpaceChart) -> Figure:
@@ -37,7 +46,8 @@ def _line_figure(chart: Chart) -> Figure:
     count = len(chart.panels)
     one_high = chart.panel_height or (330 if count == 1 else HEIGHT)
     inner = one_high * count + GAP * (count - 1)
-    label = LABEL if _labelled(chart.panels[0]) else 0
+    first = chart.panels[0]
+    label = LABEL if first.band_label or first.span_label or any(level.label for level in first.levels) else 0
     top = BUTTONS + ROW * _legend_rows(chart) + label
     height = top + inner + BOTTOM
     layout = layout_look(height, shapes=[], annotations=[], hovermode="closest" if chart.loops else "x unified")
@@ -67,11 +77,6 @@ def _line_figure(chart: Chart) -> Figure:
         data += _panel_curves(panel, tail, seen)
         _decorate(layout, panel, tail)
     return {"data": data, "layout": layout}
-
-
-def _labelled(panel: Panel) -> bool:
-    """Return whether a panel has a label above it."""
-    return bool(panel.band_label or panel.span_label or any(level.label for level in panel.levels))
 
 
 def _legend_rows(chart: Chart) -> int:
@@ -117,7 +122,7 @@ def _panel_curves(panel: Panel, tail: str, seen: set[str]) -> list[Figure]:
             trace["hovertemplate"] = f"%{{x:.6g}}<extra>{plain(curve.name)}</extra>"
         seen.add(curve.name)
         traces.append(trace)
-    for kind, symbol in TICKS:
+    for kind, (symbol, _) in MARKS.items():
         ticks = [tick for tick in panel.ticks if tick.kind == kind]
         if ticks:
             traces.append(_marks(panel, ticks, kind, symbol, tail))
@@ -213,3 +218,171 @@ def _polar_figure(chart: PolarChart) -> Figure:
     layout = layout_look(600, polar=polar, legend=legend, hovermode="closest")
     layout["margin"] = {"l": 40, "r": 16, "t": 44, "b": 44}
     return {"data": data, "layout": layout}
+
+
+def path_figure(chart: PathChart) -> Figure:
+    """Return the path, seen along one axis."""
+    moved = (*chart.tolerance, *chart.runs)
+    data = [line_look(line, x=packed(line.x), y=packed(line.y), hoverinfo="none") for line in chart.lines]
+    curves, numbered = [], _numbered(0, chart.asked_at)
+    names: set[str] = set()
+    for run in moved:
+        size = np.hypot(run.error[:, 0], run.error[:, 1])
+        trace = line_look(run, hovertemplate="%{customdata:.3g} um", showlegend=run.name not in names)
+        names.add(run.name)
+        if run in chart.runs:
+            trace["customdata"] = packed(size)
+            numbered += _numbered(len(data), run.lines)
+        else:
+            trace |= {"hoverinfo": "skip", "hovertemplate": None}
+            trace["line"]["width"] = 1
+        curves.append({"trace": len(data), **_columns(run)})
+        data.append(trace)
+    for worst in chart.worst:
+        mark = {"symbol": "circle-open", "size": 15, "color": worst.colour, "line": {"width": 2}}
+        curves.append({"trace": len(data), **_columns(worst)})
+        more = {"name": plain(worst.name), "hoverinfo": "name"}
+        data.append({"type": "scatter", "mode": "markers", "marker": mark, **more})
+    wide, high = float(np.ptp(chart.lines[0].x)), float(np.ptp(chart.lines[0].y))
+    # For a drawing 760 px wide.
+    height = round(min(max(760.0 * high / wide + 110.0, 340.0), 680.0)) if wide > 0.0 else 680
+    layout = layout_look(height, hovermode="closest", dragmode="pan")
+    layout["legend"] |= {"orientation": "v", "x": 1.01, "y": 1, "yanchor": "top"}
+    layout["margin"] |= {"t": 24}
+    layout["xaxis"] = axis_look(chart.labels[0])
+    layout["yaxis"] = axis_look(chart.labels[1], scaleanchor="x")
+    magnify = {"start": chart.magnification, "curves": curves, "bar": _bar(np.column_stack([chart.lines[0].x, chart.lines[0].y]))}
+    data.append({**PICKED, "type": "scatter", "x": [], "y": []})
+    return {"data": data, "layout": layout, "magnify": magnify, "numbered": numbered}
+
+
+def _numbered(trace: int, lines: Index | None) -> list[Figure]:
+    """Return the program lines of a trace for the page; nothing without any."""
+    if lines is None or not lines.any():
+        return []
+    text = base64.b64encode(lines.astype("<i4").tobytes()).decode("ascii")
+    return [{"trace": trace, "line": {"dtype": "i4", "bdata": text}}]
+
+
+def space_figure(chart: SpaceChart) -> Figure:
+    """Return the path in space."""
+    x, y, z = (packed(column) for column in chart.asked.T)
+    style = {"color": INK, "width": 2}
+    named: Figure = {"type": "scatter3d", "mode": "lines"}
+    path = {**named, "name": "programmed path", "x": x, "y": y, "z": z, "line": style, "hoverinfo": "none"}
+    data, curves, numbered = [path], [], _numbered(0, chart.asked_at)
+    tops = [float(size.max(initial=0.0)) for size in chart.sizes]
+    worst = int(np.argmax(tops))
+    for i, (run, size) in enumerate(zip(chart.runs, chart.sizes, strict=True)):
+        colour = {"color": packed(size), "coloraxis": "coloraxis", "width": 5}
+        # All runs at once would hide each other: the one with the largest error is shown, the legend shows the others.
+        shown = True if i == worst else "legendonly"
+        numbered += _numbered(len(data), run.lines)
+        curves.append({"trace": len(data), **_columns(run)})
+        hover = {"customdata": packed(size), "hovertemplate": "%{customdata:.3g} um<extra></extra>"}
+        group: Figure = {**named, "name": plain(run.name), "legendgroup": str(i), "visible": shown}
+        # A legend cannot draw a line of many colours.
+        data.append({**group, "line": colour, "showlegend": False, **hover})
+        data.append({**group, "line": {"color": run.colour, "width": 5}, "x": [None], "y": [None], "z": [None]})
+    data.append({**PICKED, "type": "scatter3d", "x": [], "y": [], "z": [], "line": {"color": "#f0a202", "width": 10}})
+    ranges = _box(chart.asked)
+    size = np.ptp(ranges, axis=1) / np.ptp(ranges, axis=1).max()
+    named_spans = zip("xyz", chart.labels, ranges, strict=True)
+    axes: Figure = {f"{name}axis": {"title": {"text": plain(label)}, "range": span.tolist()} for name, label, span in named_spans}
+    if not np.any(chart.asked[:, 2]):
+        axes["zaxis"] |= {"showticklabels": False}
+    bar = {"title": {"text": "error [um]"}, "thickness": 12, "len": 0.7}
+    camera = {"eye": {"x": 0.8, "y": -1.3, "z": 0.8}, "center": {"x": 0, "y": 0, "z": -0.1}}
+    scene = {**axes, "aspectmode": "manual", "aspectratio": dict(zip("xyz", size.tolist(), strict=True)), "camera": camera}
+    colours = {"colorscale": "Viridis", "cmin": 0.0, "cmax": max(tops), "colorbar": bar}
+    layout = layout_look(560, hovermode="closest", scene=scene, coloraxis=colours)
+    layout["margin"] = {"l": 0, "r": 0, "t": 30, "b": 0}
+    del layout["dragmode"]
+    magnify = {"start": chart.magnification, "curves": curves, "bar": _bar(chart.asked)}
+    return {"data": data, "layout": layout, "magnify": magnify, "numbered": numbered}
+
+
+def _columns(run: Magnified) -> Figure:
+    """Return foot points [mm] and errors [um] for the page."""
+    return {key: [packed(column) for column in part.T] for key, part in (("foot", run.foot), ("error", run.error))}
+
+
+def _box(points: Array) -> Array:
+    """Return the range (3, 2) [mm] of each axis in space: the path with room for errors, above a flat path the height of a third."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    room = 0.12 * float((high - low).max())
+    below, above = (np.array([1.0, 1.0, 0.0]), np.array([1.0, 1.0, 3.0])) if low[2] == high[2] else (np.ones(3), np.ones(3))
+    return np.column_stack([low - room * below, high + room * above])
+
+
+def _bar(points: Array) -> float:
+    """Return the length of the scale bar [mm] for a path (n, n_axis) [mm]: a round number, at most an eighth of the drawing."""
+    extent = float(np.ptp(points, axis=0).max())
+    return round_down(extent / 8.0) if extent > 0.0 else 1.0
+
+
+def packed(values: Array) -> dict[str, str]:
+    """Pack numbers for plotly.js, as float32 if that is precise enough for a picture.
+
+    >>> packed(np.array([1.0, 2.0]))
+    {'dtype': 'f4', 'bdata': 'AACAPwAAAEA='}
+    """
+    values = np.asarray(values, dtype=np.float64)
+    kind = "f4" if _fits_single(values) else "f8"
+    return {"dtype": kind, "bdata": base64.b64encode(values.astype("<" + kind).tobytes()).decode("ascii")}
+
+
+def _fits_single(values: Array) -> bool:
+    """Return whether rounding to float32 is invisible, even at a hundredfold zoom."""
+    good = values[np.isfinite(values)]
+    if good.size == 0:
+        return True
+    largest, spread = float(np.max(np.abs(good))), float(np.ptp(good))
+    return largest < 1e37 and (spread == 0.0 or largest <= SINGLE * spread)
+
+
+def axis_look(title: str, **more: Any) -> Figure:
+    """Return the style shared by all axes."""
+    return {
+        "title": {"text": plain(title), "font": {"size": 12, "color": MUTED}, "standoff": 8},
+        "gridcolor": GRID,
+        "zeroline": False,
+        "linecolor": "#b9c1c9",
+        "showline": True,
+        "ticks": "outside",
+        "ticklen": 4,
+        "tickcolor": "#b9c1c9",
+        "tickfont": {"size": 11, "color": MUTED},
+        "automargin": True,
+        **more,
+    }
+
+
+def layout_look(height: int, **more: Any) -> Figure:
+    """Return the style shared by all figures."""
+    return {
+        "height": height,
+        "margin": {"l": 74, "r": 22, "t": TOP, "b": BOTTOM},
+        "paper_bgcolor": "rgba(0,0,0,0)",
+        "plot_bgcolor": "#ffffff",
+        "font": {"family": FONT, "size": 12, "color": INK},
+        "legend": {"orientation": "h", "x": 0, "y": 1, "yanchor": "bottom", "xanchor": "left", "font": {"size": 12}},
+        "hoverlabel": {"font": {"family": FONT, "size": 12}},
+        "modebar": {"bgcolor": "rgba(255,255,255,0.8)", "color": "#9aa5b0", "activecolor": INK},
+        "hovermode": "x unified",
+        "dragmode": "zoom",
+        **more,
+    }
+
+
+def plain(text: str) -> str:
+    """Escape text for plotly.js, which interprets tags and links."""
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+
+
+def line_look(curve: Curve | Magnified, **more: Any) -> Figure:
+    """Return the style of one line."""
+    width = curve.width if isinstance(curve, Curve) else 1.4
+    style = {"color": curve.colour, "dash": curve.dash, "width": width}
+    name = plain(curve.name)
+    return {"type": "scatter", "mode": "lines", "name": name, "line": style, "legendgroup": name, **more}

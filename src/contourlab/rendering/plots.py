@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from contourlab.errors import ParameterError
 from contourlab.rendering.axis_pictures import axis_charts, bode_charts, feed_charts, hysteresis_charts
-from contourlab.rendering.charts import Bars, Chart, Matrix, Multiples, PathChart, PolarChart
+from contourlab.rendering.charts import Bars, Chart, Matrix, Multiples, PathChart, PolarChart, SpaceChart
 from contourlab.rendering.data import ReportData
 from contourlab.rendering.error_pictures import error_charts, polar_charts
 from contourlab.rendering.learning_pictures import trial_charts
@@ -57,12 +57,21 @@ def write_plots(data: ReportData, folder: str | Path, formats: Sequence[str] = (
 
 
 def charts_of(data: ReportData) -> Iterator[Chart | PolarChart | PathChart]:
-    """Yield all charts, one at a time."""
-    yield from (chart for chart in path_charts(data, POINTS) if isinstance(chart, PathChart))
-    yield from polar_charts(data, POINTS)
-    for make in (error_charts, axis_charts, hysteresis_charts, bode_charts):
-        yield from make(data, POINTS)
-    yield from (*trial_charts(data), *feed_charts(data.feed), *strip_charts(data))
+    """Yield all charts for papers and slides, one at a time."""
+    for _, charts in sections(data, POINTS):
+        yield from (chart for chart in charts if not isinstance(chart, SpaceChart))
+
+
+def sections(data: ReportData, points: int) -> Iterator[tuple[str, Sequence[Chart | PolarChart | PathChart | SpaceChart]]]:
+    """Yield each section of a report with its charts; curves have at most `points` points."""
+    yield "path", path_charts(data, points)
+    yield "circles", polar_charts(data, points)
+    yield "errors", error_charts(data, points)
+    yield "axes", (*feed_charts(data.feed), *axis_charts(data, points))
+    yield "backlash", hysteresis_charts(data, points)
+    yield "switches", strip_charts(data)
+    yield "trials", trial_charts(data)
+    yield "bode", bode_charts(data, points)
 
 
 def write_charts(

@@ -6,7 +6,6 @@ import numpy as np
 
 from contourlab.arrays import Array, Index
 from contourlab.errors import ResultError
-from contourlab.rendering.data import ReportData
 from contourlab.result import Result
 from contourlab.thinning import KEPT
 
@@ -28,11 +27,6 @@ def signal(result: Result, name: str) -> Array:
 def axis_column(result: Result, name: str, axis: int) -> Array:
     """Return one axis of a signal as a contiguous vector (n_sample,)."""
     return np.ascontiguousarray(signal(result, name)[:, axis])
-
-
-def error_signal(data: ReportData) -> str:
-    """Return the signal that the tolerance applies to; without blending the two errors are equal."""
-    return "part_error" if data.is_blended else "contour_error"
 
 
 def times(result: Result, samples: Index) -> Array:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import groupby
+from operator import attrgetter
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from contourlab.arrays import Array
 from contourlab.figures import figure
 from contourlab.loop.switches import Switches, SwitchKind
 from contourlab.rendering.charts import Chart, Curve, Panel
-from contourlab.rendering.data import ReportData, SchemeReport
+from contourlab.rendering.data import JudgedRun, ReportData
 from contourlab.rendering.samples import signal
 from contourlab.rendering.style import REFERENCE, scheme_style
 
@@ -64,17 +65,14 @@ def _in_words(counts: dict[SwitchKind, int], first: str) -> str:
     total = sum(counts.values())
     if not total:
         return f"no switch, {first} is always active"
-    shown = list(counts.items())[:KINDS]
+    change = attrgetter("before", "after")
+    shown = sorted(list(counts)[:KINDS], key=change)
     parts = [
-        f"{before} -> {after} " + ", ".join(f"{count} ({kind.reason})" for kind, count in group)
-        for (before, after), group in groupby(sorted(shown, key=_pair), key=_pair)
+        f"{before} -> {after} " + ", ".join(f"{counts[kind]} ({kind.reason})" for kind in group)
+        for (before, after), group in groupby(shown, key=change)
     ]
-    rest = total - sum(count for _, count in shown)
+    rest = total - sum(counts[kind] for kind in shown)
     return f"{total} switch{'es' if total > 1 else ''}: {'; '.join(parts)}" + (f"; others {rest}" if rest else "")
-
-
-def _pair(item: tuple[SwitchKind, int]) -> tuple[str, str]:
-    return item[0].before, item[0].after
 
 
 def switch_tables(data: ReportData) -> tuple[SwitchTable, ...]:
@@ -88,22 +86,15 @@ def _table(name: str, switches: Switches) -> SwitchTable:
     for kind, count in sorted(switches.counts().items(), key=lambda item: (switches.axes.index(item[0].axis), -item[1])):
         held = switches.active[kind.axis]
         share = f"{100.0 * held.get(kind.after, 0) / max(sum(held.values()), 1):.1f} %"
-        row = _moment(switches, first[kind])
-        rows.append((kind.axis, f"{kind.before} → {kind.after}", kind.reason, str(count), share, row[0], row[-1]))
+        time, line = figure(float(switches.time[first[kind]]), "s", 6), int(switches.line[first[kind]])
+        rows.append((kind.axis, f"{kind.before} → {kind.after}", kind.reason, str(count), share, time, str(line or "")))
     rows += [(axis, f"{switches.first[axis]} always", "", "0", "100.0 %", "", "") for axis in switches.axes if not switches.of(axis).size]
     listed = []
-    for i in range(min(len(switches), LISTED)):
-        kind, (time, place, line) = switches.kinds[switches.kind[i]], _moment(switches, i)
-        change = f"{kind.before} → {kind.after}"
-        listed.append((time, str(switches.sample[i]), kind.axis, change, kind.reason, place, line))
+    for one in switches.rows(LISTED):
+        place = figure(one.arc_length, "mm", 6) if np.isfinite(one.arc_length) else ""
+        change = f"{one.before} → {one.after}"
+        listed.append((figure(one.time, "s", 6), str(one.sample), one.axis, change, one.reason, place, str(one.line or "")))
     return SwitchTable(name, len(switches), tuple(rows), tuple(listed))
-
-
-def _moment(switches: Switches, i: int) -> tuple[str, str, str]:
-    """Return time, arc length and line of a switch in print; empty if unknown."""
-    along, line = float(switches.arc_length[i]), int(switches.line[i])
-    place = figure(along, "mm", 6) if np.isfinite(along) else ""
-    return figure(float(switches.time[i]), "s", 6), place, str(line) if line else ""
 
 
 def strip_charts(data: ReportData) -> tuple[Chart, ...]:
@@ -123,14 +114,14 @@ def strip_charts(data: ReportData) -> tuple[Chart, ...]:
     return tuple(charts)
 
 
-def _names(scheme: SchemeReport) -> list[str]:
+def _names(scheme: JudgedRun) -> list[str]:
     """Return the names of a scheme's controllers, the initially active one first."""
     assert scheme.switches is not None
     held = [name for axis in scheme.switches.axes for name in scheme.switches.active[axis]]
     return list(dict.fromkeys([*scheme.switches.first.values(), *held, *(kind.after for kind in scheme.switches.kinds)]))
 
 
-def _panel(scheme: SchemeReport, looks: dict[str, str], label: str) -> Panel:
+def _panel(scheme: JudgedRun, looks: dict[str, str], label: str) -> Panel:
     """Return the strip of one scheme: a row for each axis with a lane for each controller."""
     switches, result = scheme.switches, scheme.result
     assert switches is not None

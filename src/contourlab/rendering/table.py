@@ -7,10 +7,6 @@ import shutil
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from rich.table import Table as RichTable
 
 PIPE_WIDTH = 80
 """Columns of output that goes to a file or a pipe, unless ``COLUMNS`` states others."""
@@ -106,27 +102,22 @@ class Table:
         return widths
 
     def _panel(self, which: Sequence[int], width: int) -> str:
-        from rich.console import Console
+        from textwrap import wrap
 
-        widths = self._widths(which, width)
-        page = sum(widths) + _GAP * len(widths)
-        console = Console(width=page, color_system=None, force_terminal=False, legacy_windows=False)
-        with console.capture() as captured:
-            console.print(self._rich(which, widths))
-        return "\n".join(line.rstrip() for line in captured.get().rstrip().splitlines())
-
-    def _rich(self, which: Sequence[int], widths: Sequence[int]) -> RichTable:
-        from rich.table import Table as RichTable
-        from rich.text import Text
-
-        table = RichTable(box=None, padding=(0, _GAP, 0, 0), pad_edge=False, show_header=False)
-        for number, width in zip(which, widths, strict=True):
-            column = self.columns[number]
-            justify = "left" if column.left or column.prose else "right"
-            table.add_column(justify=justify, no_wrap=not column.prose, width=width, overflow="fold")  # type: ignore[arg-type]
+        widths, lines = self._widths(which, width), []
         for row in self._with_heads(which, widths):
-            table.add_row(*(Text(row[number]) for number in range(len(which))))
-        return table
+            parts = []
+            for number, own, cell in zip(which, widths, row, strict=True):
+                column = self.columns[number]
+                broken = [
+                    part for line in cell.split("\n") for part in (wrap(line, own, break_on_hyphens=False) if len(line) > own else [line])
+                ]
+                parts.append([part.ljust(own) if column.left or column.prose else part.rjust(own) for part in broken])
+            blank = [" " * own for own in widths]
+            for i in range(max(map(len, parts))):
+                cells = (part[i] if i < len(part) else space for part, space in zip(parts, blank, strict=True))
+                lines.append((" " * _GAP).join(cells).rstrip())
+        return "\n".join(lines).rstrip()
 
     def _with_heads(self, which: Sequence[int], widths: Sequence[int]) -> Iterator[list[str]]:
         heads = [_head_lines(self.columns[number].head) for number in which]

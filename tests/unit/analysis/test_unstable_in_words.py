@@ -10,9 +10,9 @@ import pytest
 
 import contourlab as cl
 from contourlab.analysis.linear.margins import Margins
-from contourlab.features.run.outcome import Outcome, bode_of, run_case
-from contourlab.features.run.page import report_data
-from contourlab.features.run.summary import summary_of
+from contourlab.features.run.outcome import bode_of, run_case
+from contourlab.features.run.report import report_data
+from contourlab.features.run.summary import Outcome, summary_of
 from contourlab.rendering.comparison import compare
 
 

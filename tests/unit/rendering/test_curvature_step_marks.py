@@ -10,12 +10,12 @@ import synthetic
 
 from contourlab.feed import AxisLimits, limit_report, plan, route_from_path
 from contourlab.geometry import Arc, Line, Path
+from contourlab.loop.axis_parts import Limits
 from contourlab.rendering.axis_pictures import axis_charts
 from contourlab.rendering.charts import Panel
 from contourlab.rendering.data import ReportData
 from contourlab.rendering.html import render_html
 from contourlab.rendering.page_tables import limit_tables
-from contourlab.rendering.run_data import AxisBounds
 
 FEED, RADIUS, PERIOD, JERK = 0.05, 0.01, 1e-3, 40.0  # a step of v^2/R = 0.25 m/s^2, 250 m/s^3 over a servo period
 LIMITS = AxisLimits([0.25, 0.25], [3.0, 3.0], [JERK, JERK])
@@ -27,9 +27,9 @@ def report(single: ReportData, jerk: float = JERK) -> ReportData:
     limits = replace(LIMITS, jerk=np.full(2, jerk))
     reference = plan(route_from_path(path, FEED), limits, PERIOD)
     data = synthetic.around(single, path, reference)
-    bounds = AxisBounds(limits.velocity, limits.acceleration, limits.jerk, np.full(2, np.inf))
+    machine = synthetic.machine(("x", "y"), Limits(velocity=0.25, acceleration=3.0, jerk=jerk))
     (scheme,) = data.schemes
-    return replace(data, schemes=(replace(scheme, bounds=bounds, limits=limit_report(reference, limits)),))
+    return replace(data, schemes=(replace(scheme, machine=machine, limits=limit_report(reference, limits)),))
 
 
 def jerk_panel(data: ReportData, axis: int) -> Panel:

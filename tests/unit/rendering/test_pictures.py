@@ -160,8 +160,8 @@ def test_a_distant_limit_is_written_and_not_drawn(circle):
 
 def test_a_peak_far_beyond_its_limit_is_written(circle):
     scheme = circle.schemes[0]
-    tight = replace(scheme.bounds, jerk=np.full(2, 0.05))
-    chart = axis_charts(replace(circle, schemes=(replace(scheme, bounds=tight),)), POINTS)[0]
+    tight = synthetic.machine(("x", "y"), replace(scheme.machine.axes[0].limits, jerk=0.05))
+    chart = axis_charts(replace(circle, schemes=(replace(scheme, machine=tight),)), POINTS)[0]
     assert "Jerk" in chart.caption and "outside" in chart.caption
 
 

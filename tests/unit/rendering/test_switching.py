@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from contourlab.analysis.linear.margins import Margins
 from contourlab.loop.switches import Switches, SwitchKind
 from contourlab.metrics import Spike
 from contourlab.rendering.axis_pictures import bode_charts, hysteresis_charts
@@ -193,18 +194,21 @@ def test_without_reversals_there_is_no_table(circle: ReportData) -> None:
 def test_spikes_are_ringed_on_the_polar_picture(circle: ReportData) -> None:
     run = circle.schemes[0].circles[0]
     top = int(np.argmax(run.deviation))
-    data = replace(circle, schemes=(replace(circle.schemes[0], circle_spikes=((top,),)), circle.schemes[1]))
-    (chart,) = polar_charts(data, 100)
+    first, second = (replace(scheme, spikes=()) for scheme in circle.schemes)
+    at = PERIOD * float(run.samples[top])
+    spike = Spike("x", at, run.samples[top], 0, 1e-6, at, 0.02, 1, float(run.angle[top]))
+    (chart,) = polar_charts(replace(circle, schemes=(replace(first, spikes=(spike,)), second)), 100)
     (mark,) = chart.marks
     assert mark.y[0] == pytest.approx(run.deviation.max() * 1e6) and mark.x[0] == pytest.approx(math.degrees(run.angle[top]))
     assert [trace["mode"] for trace in figure_of(chart)["data"]].count("markers") == 1
-    assert polar_charts(circle, 100)[0].marks == ()
+    assert polar_charts(replace(circle, schemes=(first, second)), 100)[0].marks == ()
 
 
 def test_an_unstable_loop_of_a_supervised_axis_is_called_unstable(circle: ReportData) -> None:
     first, second = circle.schemes
     meant = "first controller, in contact"
-    shaky = {axis: replace(answer, stable=False, meant=meant) for axis, answer in second.bode.items()}
+    unstable = Margins(*[math.nan] * 4, stable=False)
+    shaky = {axis: replace(loop, margins=unstable, meant=meant) for axis, loop in second.bode.items()}
     data = replace(circle, schemes=(first, replace(second, bode=shaky)))
     (row,) = (row for row in compare(data).rows if row.label == "servo loops")
     assert [cell.text for cell in row.cells] == ["stable", f"unstable: x ({meant}), y ({meant})"]

@@ -9,11 +9,10 @@ import numpy as np
 import pytest
 
 from contourlab.rendering.comparison import compare
-from contourlab.rendering.data import ReportData
+from contourlab.rendering.data import ReportData, TrialCourse
 from contourlab.rendering.html import render_html
 from contourlab.rendering.learning_pictures import trial_charts, trial_rows
 from contourlab.rendering.plots import write_plots
-from contourlab.rendering.run_data import TrialCourse
 from contourlab.rendering.tables import trials_text
 
 

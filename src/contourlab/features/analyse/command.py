@@ -29,12 +29,12 @@ from contourlab.errors import ComponentError
 from contourlab.features.analyse.options import Analyse
 from contourlab.features.learn.foretold import learning_findings
 from contourlab.features.run.command import file_names
-from contourlab.features.run.margin_words import decibel, degrees, gain_words, phase_words
 from contourlab.features.run.outcome import coupling_findings
 from contourlab.features.run.source import Source, scenario_asked
 from contourlab.figures import NONE, listing, number
 from contourlab.findings import Finding, finding
 from contourlab.rendering.charts import Chart, Curve, Level, Panel
+from contourlab.rendering.margin_words import decibel, degrees, gain_words, phase_words
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields, replace
 from functools import partial
 from typing import ClassVar, Literal
 
@@ -27,6 +27,7 @@ from contourlab.findings import Finding, finding
 from contourlab.geometry.view import PathView
 from contourlab.loop import Controller, Machine
 from contourlab.loop.trials import Trial, Trials, feedforward_command
+from contourlab.rendering.data import TrialCourse
 from contourlab.scenario.build import parameters_of
 
 Part = Literal["ends", "all", "none"]
@@ -88,6 +89,12 @@ class LearningRun:
         return self.status.startswith("diverged")
 
     @property
+    def course(self) -> TrialCourse:
+        """The errors of the trials, for tables and pictures."""
+        contour, tracking = (np.array([getattr(trial, name) for trial in self.trials]) for name in ("contour_rms", "tracking_rms"))
+        return TrialCourse(contour, tracking, self.best, self.status)
+
+    @property
     def gain(self) -> float:
         """Error of the first trial divided by that of the best; NaN if the first stopped early."""
         first, best = self.trials[0].merit, self.trials[self.best].merit
@@ -96,38 +103,33 @@ class LearningRun:
 
 @dataclass(eq=False)
 class _Course:
-    """State of learning while the trials run."""
+    """State of learning while the trials run; `kept` has table, tool positions and contour errors of the first and of the best trial."""
 
     runner: Trials
     law: LearningLaw
     part: Part
     memory: Memory
     figures: list[TrialFigures] = field(default_factory=list)
-    best_table: Array | None = None
-    first: tuple[Array, Array] | None = None
-    best: tuple[Array, Array] | None = None
+    kept: dict[int, tuple[Array, Array, Array]] = field(default_factory=dict)
 
     def note(self, run: Trial, i: int, table: Array) -> None:
         """Add a trial."""
         figures = figures_of(i, run, self.runner)
         if run.status.ok and self.part == "all" and math.isnan(figures.part_max):
-            figures = figures.having(part_max=part_error(run.tool, self.runner))
+            figures = replace(figures, part_max=part_error(run.tool, self.runner))
         self.figures.append(figures)
         if i == 0 or (run.status.ok and best_of(self.figures) == i):
-            kept = (run.tool, run.contour_error)
-            self.first = self.first or kept
-            self.best, self.best_table = kept, table
+            now = (table, run.tool, run.contour_error)
+            self.kept = {0: self.kept.get(0, now), i: now}
 
     def ended(self, stop: Stop, problem: LearningProblem, began: float) -> LearningRun:
         """Return the result."""
-        assert self.first is not None
-        assert self.best is not None
-        assert self.best_table is not None
         runner, figures, best = self.runner, self.figures, best_of(self.figures)
+        (_, *first), (learned, *last) = self.kept[0], self.kept[best]
         if self.part == "ends":
-            for i, (tool, _) in ((0, self.first), (best, self.best)):
+            for i in {0, best}:
                 if not figures[i].failed and math.isnan(figures[i].part_max):
-                    figures[i] = figures[i].having(part_max=part_error(tool, runner))
+                    figures[i] = replace(figures[i], part_max=part_error(self.kept[i][1], runner))
         status, growth, findings = stop.status, None, [stop.finding]
         if figures[-1].saturated:
             findings.append(finding("CL307", samples=figures[-1].saturated))
@@ -141,9 +143,9 @@ class _Course:
             band |= {"growth": growth.factor - 1.0, "doubling": doubling(growth.factor)}
             findings.append(finding("CL309", place=f"axis {growth.axis}", **band))
         if isinstance(self.law, BasisFunctions) and self.law.target == "command":
-            findings += _feedforwards(self.law.gains(self.best_table, problem), runner.machine, runner.controller)
-        table = LearnedTable.of(self.best_table.copy(), runner.machine, runner.controller, runner.reference, self.law, _columns(figures))
-        positions, contours = zip(self.first, self.best, strict=True)
+            findings += _feedforwards(self.law.gains(learned, problem), runner.machine, runner.controller)
+        table = LearnedTable.of(learned.copy(), runner.machine, runner.controller, runner.reference, self.law, _columns(figures))
+        positions, contours = zip(first, last, strict=True)
         times = (time.perf_counter() - began, runner.engine_seconds, runner.judge_seconds)
         split = self.memory.split(self.law, problem)
         return LearningRun(status, tuple(findings), tuple(figures), best, table, split, growth, *positions, *contours, *times)
@@ -224,7 +226,7 @@ def learn(
             record = record_of(run, runner, table if law.target == "command" else nothing, beforehand)
             course.note(run, i, table)
             if run.status.ok:
-                course.figures[-1] = course.figures[-1].having(change=course.memory.change(record.tracking_error, runner.judged))
+                course.figures[-1] = replace(course.figures[-1], change=course.memory.change(record.tracking_error, runner.judged))
                 course.memory.add(record.feedback_command, record.tracking_error, run.contour_error)
             if on_trial is not None:
                 on_trial(course.figures[-1])
@@ -238,7 +240,7 @@ def learn(
     try:
         stop = run_all(nothing if start is None else start.values)
     except KeyboardInterrupt:
-        if course.best is None:
+        if not course.kept:
             raise
         stop = Stop("interrupted", finding("CL308", trial=len(course.figures) - 1))
     return course.ended(stop, problem, began)
@@ -277,5 +279,5 @@ def _check_reach(law: LearningLaw, reference: Reference) -> None:
 
 
 def _columns(figures: list[TrialFigures]) -> dict[str, Array]:
-    names = ("contour_rms", "contour_max", "contour_mean", "tracking_rms", "tracking_max", "command_peak", "saturated")
-    return {name: np.array([getattr(trial, name) for trial in figures], dtype=float) for name in (*names, "part_max", "change")}
+    names = [part.name for part in fields(TrialFigures) if part.name not in ("trial", "failed")]
+    return {name: np.array([getattr(trial, name) for trial in figures], dtype=float) for name in names}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -63,10 +63,6 @@ class TrialFigures:
     def tracking(self) -> float:
         """Tracking rms over all axes [m]."""
         return float(np.sqrt(np.sum(np.square(self.tracking_rms))))
-
-    def having(self, **figures: float) -> TrialFigures:
-        """Return a copy with changed figures."""
-        return replace(self, **figures)  # type: ignore[arg-type]
 
 
 def figures_of(trial: int, run: Trial, trials: Trials) -> TrialFigures:

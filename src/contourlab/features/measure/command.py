@@ -26,33 +26,20 @@ from contourlab.features.measure.log_choice import (
     reference_columns,
 )
 from contourlab.features.measure.options import Measure
-from contourlab.features.measure.study import Measured, gap_findings
+from contourlab.features.measure.study import gap_findings
 from contourlab.features.measure.study import measure as judged_log
-from contourlab.features.measure.summary import MeasuredScheme, MeasuredSummary
+from contourlab.features.measure.summary import MeasuredRun, MeasuredSummary
 from contourlab.features.run.command import Runs, file_names
 from contourlab.features.run.options import Compare
 from contourlab.features.run.schemes import compare_schemes
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
-from contourlab.logs import Log
 from contourlab.logs.load import about
-from contourlab.metrics import reversal_figures
-from contourlab.rendering.data import Provenance, ReportData, SchemeReport
+from contourlab.rendering.data import Provenance, ReportData
 from contourlab.units import to_si
 
 _OF_COLUMNS = ("--column", "--columns", "--format", "--period")
 """Options that say how to read a log."""
-
-
-@dataclass(frozen=True, eq=False)
-class MeasuredRun:
-    """A measured run, judged, with the name for its results."""
-
-    name: str
-    log: Log
-    measured: Measured
-    findings: tuple[Finding, ...]
-    inputs: tuple[str | Path, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +67,7 @@ class MeasuredRuns(Answer):
     def passed(self) -> bool | None:
         """Whether each run is within the tolerance; None without one."""
         limit = self.tolerance
-        return None if limit is None else all(run.measured.metrics.contour_error.max <= limit for run in self.runs)
+        return None if limit is None else all(run.metrics.contour_error.max <= limit for run in self.runs)
 
     @property
     def findings(self) -> tuple[Finding, ...]:
@@ -90,18 +77,14 @@ class MeasuredRuns(Answer):
     @property
     def json(self) -> Any:
         """The summary."""
-        schemes = {run.name: _scheme(run) for run in self.runs}
-        return MeasuredSummary(self.title, self.command, self.tolerance, self.passed, schemes)
+        return MeasuredSummary(self.title, self.command, self.tolerance, self.passed, {run.name: run for run in self.runs})
 
     @property
     def data(self) -> Any:
         """The data of the report."""
-        measured = ((run.name, run.measured) for run in self.runs)
-        schemes = [SchemeReport(name, one.result, one.metrics, circles=one.circles, spikes=one.spikes) for name, one in measured]
         notes = [str(note) if len(self.runs) == 1 else f"{run.name}: {note}" for run in self.runs for note in run.findings]
         about_runs: dict[str, Any] = {"tolerance": self.tolerance, "notes": notes, "is_measured": True, "next_steps": [self._step]}
-        path = self.runs[0].measured.reference.path
-        return ReportData(self.title, schemes, path, Provenance(self.command, self.command), **about_runs)
+        return ReportData(self.title, self.runs, Provenance(self.command, self.command), **about_runs)
 
     @property
     def text(self) -> str:
@@ -129,13 +112,13 @@ class MeasuredRuns(Answer):
     @property
     def _step(self) -> tuple[str, str]:
         """What to do next, and the command for it: judge the worst run against a tolerance, or identify its worst axis."""
-        worst = max(self.runs, key=lambda run: run.measured.metrics.contour_error.max)
+        worst = max(self.runs, key=lambda run: run.metrics.contour_error.max)
         typed = shlex.split(self.command) if len(self.runs) == 1 else ["contourlab", "measure", str(worst.log.record.file)]
         if self.tolerance is None:
-            twice = 2e6 * worst.measured.metrics.contour_error.max
+            twice = 2e6 * worst.metrics.contour_error.max
             return "Judge it against a tolerance:", as_typed([*typed, "--tolerance", f"{float(f'{twice:.1g}'):g} um"])
-        errors = [math.inf if math.isnan(one.rms) else one.rms for one in worst.measured.metrics.tracking_error]
-        axis = worst.measured.result.axes[errors.index(max(errors))]
+        errors = [math.inf if math.isnan(one.rms) else one.rms for one in worst.metrics.tracking_error]
+        axis = worst.result.axes[errors.index(max(errors))]
         model = "rigid" if "force" in worst.log.result else "first-order"
         words = ["contourlab", "identify", typed[2], "--model", model, "--axis", axis, *chosen_options(typed, *_OF_COLUMNS)]
         return "Identify the axis that strays most:", as_typed(words)
@@ -164,7 +147,7 @@ class MeasuredRuns(Answer):
         files = file_names([run.name for run in self.runs])
         with staged(folder, *_outputs(self.runs), inputs=[file for run in self.runs for file in run.inputs]) as stage:
             for run in self.runs:
-                run.measured.result.save(stage / "signals" / f"{files[run.name]}.nc")
+                run.result.save(stage / "signals" / f"{files[run.name]}.nc")
             write_json(stage / "summary.json", self.json)
             write_html(self.data, stage / "report.html")
             if plots:
@@ -230,12 +213,12 @@ def compare(*files: Any, settings: Compare, session: Session = QUIET) -> Runs | 
     judged = [_judged(LogChoice(_signals_of(Path(file)))) for file in files]
     names = _names([Path(file) for file in files])
     runs = [replace(run, name=name) for name, run in zip(names, judged, strict=True)]
-    axes, path = runs[0].measured.result.axes, runs[0].measured.reference.path
+    axes, path = runs[0].result.axes, runs[0].reference.path
     for i, run in enumerate(runs[1:], 1):
-        if run.measured.result.axes != axes:
-            message = f"has axes {', '.join(run.measured.result.axes)}, but {runs[0].name} has {', '.join(axes)}"
+        if run.result.axes != axes:
+            message = f"has axes {', '.join(run.result.axes)}, but {runs[0].name} has {', '.join(axes)}"
             raise LogError(message, file=run.log.record.file)
-        if run.measured.reference.path.digest != path.digest:
+        if run.reference.path.digest != path.digest:
             runs[i] = replace(run, findings=(*run.findings, finding("CL413", first=runs[0].name)))
     session.will_write([file for run in runs for file in run.inputs], *_outputs(runs))
     return MeasuredRuns(" and ".join(names), tuple(runs), None, session.command)
@@ -253,7 +236,8 @@ def _judged(choice: LogChoice, reference: str | None = None, shift: str | None =
         except ResultError as error:
             raise ResultError("; ".join([str(error), *(doubt.text for doubt in log.doubtful)])) from error
     findings = (*log.findings, *measured.findings, *gap_findings(log, measured, of_samples=path is None))
-    return MeasuredRun(log.result.scheme, log, measured, findings, (*choice.files, *([program] if program else [])))
+    given: dict[str, Any] = vars(measured) | {"name": log.result.scheme, "findings": findings}
+    return MeasuredRun(**given, log=log, inputs=(*choice.files, *([program] if program else [])))
 
 
 def _shift(text: str | None, axes: tuple[str, ...]) -> Array | Literal["fit"] | None:
@@ -289,32 +273,11 @@ def _names(files: Sequence[Path]) -> list[str]:
     raise LogError("is given twice: give two different runs", file=files[0])
 
 
-def _scheme(run: MeasuredRun) -> MeasuredScheme:
-    log, measured = run.log, run.measured
-    return MeasuredScheme(
-        file=log.record.file,
-        format=log.record.format,
-        axes=measured.result.axes,
-        servo_period=measured.result.servo_period,
-        n_sample=measured.result.n_sample,
-        shift=measured.shift,
-        metrics=measured.metrics,
-        circles=measured.circles,
-        reversals=measured.spikes,
-        reversal_figures=reversal_figures(measured.spikes),
-        clock=log.clocks,
-        columns=log.columns,
-        notes=tuple(note.text for note in run.findings),
-        findings=run.findings,
-    )
-
-
 def _lines(run: MeasuredRun, limit: float | None) -> list[str]:
-    measured = run.measured
-    result, error = measured.result, measured.metrics.contour_error
+    result, error = run.result, run.metrics.contour_error
     lines = [f"{run.name}: read as {run.log.record.format}, {result.n_sample} samples every {figure(result.servo_period, 'us', 6)}"]
-    if measured.shift is not None:
-        shifts = (f"{axis} {figure(value, 'mm', 6)}" for axis, value in measured.shift.items())
+    if run.shift is not None:
+        shifts = (f"{axis} {figure(value, 'mm', 6)}" for axis, value in run.shift.items())
         lines.append(f"path shifted by {', '.join(shifts)}")
     if limit is not None:
         verdict = "PASS" if error.max <= limit else "FAIL"

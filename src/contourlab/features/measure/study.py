@@ -17,7 +17,8 @@ from contourlab.findings import Finding, finding
 from contourlab.geometry import Path
 from contourlab.logs import Log
 from contourlab.logs.clock import EVEN
-from contourlab.metrics import AxisFigures, CircleFigures, Metrics, Spike, circles_of, judge, reversal_spikes, summarise
+from contourlab.metrics import AxisFigures, Metrics, circles_of, judge, reversal_spikes, summarise
+from contourlab.rendering.data import JudgedRun
 from contourlab.result import Result, Signal
 from contourlab.scenario.placing import placed
 
@@ -32,29 +33,15 @@ FOLLOWS = 0.5
 
 
 @dataclass(frozen=True, eq=False)
-class Measured:
+class Measured(JudgedRun):
     """A measured run, judged.
 
     Attributes
     ----------
-    result : Result
-        With the signals that judging adds.
-    metrics : Metrics
-        Over the moving part; tracking errors are nan without a reference.
-    spikes : tuple of Spike
-        Spikes of the contour error at reversals.
-    circles : tuple of CircleFigures
-        Full circles of a given path.
     shift : dict of str to float [m], or None
-        Shift of the path, by axis.
+        Shift of the path in the coordinates of the log, by axis.
     """
 
-    result: Result
-    reference: Reference
-    metrics: Metrics
-    spikes: tuple[Spike, ...]
-    circles: tuple[CircleFigures, ...]
-    findings: tuple[Finding, ...]
     shift: dict[str, float] | None = None
 
 
@@ -123,7 +110,7 @@ def measure(
     if stated is not None:
         counts = stated.mask(run.n_sample)
         spikes = tuple(spike for spike in spikes if counts[spike.sample])
-    return Measured(judged, motion, metrics, spikes, circles, tuple(findings), shifts)
+    return Measured(run.scheme, motion, judged, metrics, None, circles, spikes, tuple(findings), shift=shifts)
 
 
 def gap_findings(log: Log, measured: Measured, *, of_samples: bool) -> list[Finding]:

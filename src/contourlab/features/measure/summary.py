@@ -5,18 +5,19 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import ClassVar
 
 from contourlab import __version__
+from contourlab.features.measure.study import Measured
 from contourlab.features.run.summary import SCHEMA
-from contourlab.findings import Finding
-from contourlab.logs.clock import ClockReport
-from contourlab.logs.mapping import Column
-from contourlab.metrics import CircleFigures, Metrics, ReversalFigures, Spike
+from contourlab.logs import Log
 
 
-@dataclass(frozen=True)
-class MeasuredScheme:
+@dataclass(frozen=True, eq=False, kw_only=True)
+class MeasuredRun(Measured):
     """One measured run.
+
+    Listed are the keys of its JSON, see `json_form`; its Python attributes are those of `JudgedRun`.
 
     Attributes
     ----------
@@ -37,20 +38,30 @@ class MeasuredScheme:
         Texts of the findings.
     """
 
-    file: Path
-    format: str
-    axes: tuple[str, ...]
-    servo_period: float
-    n_sample: int
-    shift: Mapping[str, float] | None
-    metrics: Metrics
-    circles: tuple[CircleFigures, ...]
-    reversals: tuple[Spike, ...]
-    reversal_figures: tuple[ReversalFigures, ...]
-    clock: Mapping[str, ClockReport]
-    columns: tuple[Column, ...]
-    notes: tuple[str, ...]
-    findings: tuple[Finding, ...]
+    json_form: ClassVar = {
+        "file": "log.record.file",
+        "format": "log.record.format",
+        "axes": "result.axes",
+        "servo_period": "result.servo_period",
+        "n_sample": "result.n_sample",
+        "shift": "shift",
+        "metrics": "metrics",
+        "circles": "circles",
+        "reversals": "spikes",
+        "reversal_figures": "reversal_figures",
+        "clock": "log.clocks",
+        "columns": "log.columns",
+        "notes": "notes",
+        "findings": "findings",
+    }
+
+    log: Log
+    inputs: tuple[str | Path, ...]
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Texts of the findings."""
+        return tuple(finding.text for finding in self.findings)
 
 
 @dataclass(frozen=True)
@@ -64,7 +75,7 @@ class MeasuredSummary:
     tolerance : float or None [m]
     passed : bool or None
         Whether the largest contour error of each run is within the tolerance; null without one.
-    schemes : mapping of str to MeasuredScheme
+    schemes : mapping of str to MeasuredRun
         Runs by name.
     version : str
         Version of contourlab.
@@ -74,6 +85,6 @@ class MeasuredSummary:
     command: str
     tolerance: float | None
     passed: bool | None
-    schemes: Mapping[str, MeasuredScheme]
+    schemes: Mapping[str, MeasuredRun]
     schema: str = SCHEMA
     version: str = __version__

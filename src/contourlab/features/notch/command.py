@@ -14,13 +14,13 @@ from contourlab.app.results import proposed
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.errors import ParameterError
 from contourlab.features.notch.options import Notch
-from contourlab.features.run.margin_words import decibel, degrees
 from contourlab.features.run.source import Source, case_asked
 from contourlab.features.tune.objective import Evaluation, evaluate
 from contourlab.figures import figure, number
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine
 from contourlab.metrics.run_figures import FIGURES
+from contourlab.rendering.margin_words import decibel, degrees
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.study import Setting

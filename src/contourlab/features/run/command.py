@@ -15,10 +15,10 @@ from contourlab.components.friction.laws import NoFriction
 from contourlab.errors import DivergenceError
 from contourlab.features.run.next_step import next_steps
 from contourlab.features.run.options import Run
-from contourlab.features.run.outcome import Outcome, run_case
+from contourlab.features.run.outcome import run_case
 from contourlab.features.run.record import switch_file
 from contourlab.features.run.source import Source, scenario_asked
-from contourlab.features.run.summary import summary_of
+from contourlab.features.run.summary import Outcome, summary_of
 from contourlab.features.run.trust.provenance import numbers_of
 from contourlab.figures import figure
 from contourlab.findings import Finding
@@ -100,7 +100,7 @@ class Runs(Answer):
     @cached_property
     def data(self) -> Any:
         """The data of the report."""
-        from contourlab.features.run.page import report_data
+        from contourlab.features.run.report import report_data
         from contourlab.scenario.dump import dump
 
         from_file = getattr(self.scenario.base, "given", None) is None  # a planned reference has no text

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from contourlab.app.command_line import as_typed, chosen_options
-from contourlab.features.run.outcome import Outcome
+from contourlab.features.run.summary import Outcome
 
 
 def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: Sequence[str]) -> list[tuple[str, str]]:

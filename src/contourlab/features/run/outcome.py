@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass
 from functools import partial
 from time import perf_counter
 
@@ -13,15 +12,16 @@ import numpy as np
 
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis, learning_analysis
 from contourlab.analysis.linear.contour_transfer import InternalStability, internal_stability
-from contourlab.analysis.linear.margins import Margins, doubling
-from contourlab.analysis.linear.sampled_loop import AxisResponse, sampled_loop
-from contourlab.arrays import free_memory
+from contourlab.analysis.linear.margins import doubling
+from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.arrays import Array, free_memory
 from contourlab.components.supervisor.pre_routed import PreRouted
 from contourlab.engine.runner import make_group
 from contourlab.errors import ComponentError, ResultError
 from contourlab.features.check.remarks import path_mode_assumed, travel_unknown
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
 from contourlab.features.learn.foretold import learning_findings
+from contourlab.features.run.summary import Outcome
 from contourlab.features.run.trust.interval import part_interval
 from contourlab.features.run.trust.provenance import numbers_of, trust_of
 from contourlab.features.run.verdict import verdict
@@ -31,11 +31,11 @@ from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.loop.feeding import Feed
 from contourlab.loop.simulate import sampler
-from contourlab.loop.switches import Switches, switches_of
+from contourlab.loop.switches import switches_of
 from contourlab.loop.template import build
-from contourlab.metrics import CircleFigures, Metrics, Spike, circles_of, judge, judged_part, reversal_spikes, summarise
+from contourlab.metrics import Spike, circles_of, judge, judged_part, reversal_spikes, summarise
 from contourlab.metrics.judge import check_follows
-from contourlab.rendering.judgement import Trust, Verdict
+from contourlab.rendering.data import ClosedLoop
 from contourlab.result import Result
 from contourlab.scenario import Case, PartProgram
 from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
@@ -48,67 +48,8 @@ BYTES, BYTES_PER_AXIS = 80, 110
 """Memory of a sample, measured at its peak (while it is judged): in all, and for each axis."""
 TICKS, SECONDS, FEWEST = 20_000, 0.3, 7
 """For the cost of a tick: most ticks of a run, total time of the runs, fewest runs."""
-
-
-@dataclass(frozen=True, eq=False)
-class AxisBode:
-    """Closed loop and margins of one axis, sampled as it runs."""
-
-    response: AxisResponse
-    margins: Margins
-
-
-@dataclass(frozen=True, eq=False)
-class Outcome:
-    """A judged case; of a case that learns, its best trial.
-
-    Attributes
-    ----------
-    limits : LimitReport or None
-        None where the motion was not planned within limits.
-    learning : LearningRun or None
-    foretold : LearningAnalysis or None
-        What an analysis predicts of learning.
-    tick : float or None [s]
-        Time of a servo tick, where asked for.
-    switches : Switches or None
-        None where no axis has several controllers.
-    remarks : tuple of Finding
-        On the case, before it runs.
-    """
-
-    name: str
-    case: Case
-    reference: Reference
-    result: Result
-    metrics: Metrics
-    verdict: Verdict | None
-    circles: tuple[CircleFigures, ...]
-    spikes: tuple[Spike, ...]
-    bode: dict[str, AxisBode]
-    limits: LimitReport | None
-    learning: LearningRun | None
-    foretold: LearningAnalysis | None
-    tick: float | None
-    switches: Switches | None
-    trust: Trust
-    remarks: tuple[Finding, ...]
-
-    def loop_meant(self, axis: str) -> str:
-        """Return which loop of an axis the linear analysis is of; empty where it has just one."""
-        several = self.case.controller.axes[axis].supervisor is not None
-        plant = self.case.machine.axis(axis).plant
-        contact = plant.linear() != plant
-        return ", ".join(["first controller"] * several + ["in contact"] * contact)
-
-    @property
-    def findings(self) -> tuple[Finding, ...]:
-        """All findings: on the case, its loops, learning, verdict, uncertainty."""
-        unstable = [finding("CL205", place=f"axis {axis}") for axis, bode in self.bode.items() if not bode.margins.stable]
-        learning = () if self.learning is None else self.learning.findings
-        judged = () if self.verdict is None else self.verdict.findings
-        sampled = () if self.trust.interval is None else self.trust.interval.findings
-        return (*self.remarks, *unstable, *learning, *judged, *sampled)
+GAP_POINTS = 201
+"""Places at which a picture evaluates the free travel of an axis."""
 
 
 def run_case(
@@ -160,7 +101,8 @@ def run_case(
     if case.learning is not None:
         if foretell:
             begin(f"analysing how {case.name} learns")
-            foretold = _foretold(case)
+            with suppress(ComponentError):  # no linear model
+                foretold = learning_analysis(machine, controller, case.learning.law)
         begin(f"learning, {case.name}")
         learned = _learned(case, reference, report_progress)
     begin(f"simulating {case.name}" + ("" if learned is None else f", trial {learned.best}"))
@@ -187,6 +129,10 @@ def run_case(
         setting, others = Setting(machine, controller, reference, case.seed, case.moving), {"changes": case.changes, "learned": table}
         sampled = part_interval(setting, tolerance=case.tolerance, progress=progress, **others)  # type: ignore[arg-type]
     begin(f"checking limits and margins of {case.name}")
+    bode = bode_of(machine, controller)
+    findings = [*_remarks(case, reference, foretold, costs or foretell)]
+    findings += [finding("CL205", place=f"axis {axis}") for axis, loop in bode.items() if not loop.margins.stable]
+    findings += [noted for part in (learned, answer, sampled) if part is not None for noted in part.findings]
     return Outcome(
         name=case.name,
         case=case,
@@ -196,15 +142,31 @@ def run_case(
         verdict=answer,
         circles=circles_of(judged, reference),
         spikes=judged_spikes(judged, reference),
-        bode=bode_of(machine, controller),
+        findings=tuple(findings),
+        machine=machine,
+        bode=bode,
         limits=limits_of(case, reference),
         learning=learned,
+        trials=None if learned is None else learned.course,
         foretold=foretold,
         tick=tick_cost(machine, controller, reference) if costs else None,
         switches=switches_of(judged, controller, reference, case.changes),
+        gaps=_gaps(machine, judged),
         trust=trust_of(machine, controller, sampled),
-        remarks=tuple(_remarks(case, reference, foretold, costs or foretell)),
+        lines=reference.source_line(judged["arc_length"]) if case.lines else None,
     )
+
+
+def _gaps(machine: Machine, result: Result) -> dict[str, tuple[Array, Array]]:
+    """Return the free travel of each axis with a motor and a load, over the part of its travel that was used."""
+    gaps = {}
+    for i, axis in enumerate(machine.axes):
+        free_travel = getattr(axis.plant, "gap_at", None)
+        if axis.plant.two_sided and free_travel is not None and "axis_position" in result:
+            used = result["axis_position"][:, i]
+            places = np.linspace(float(used.min()), float(used.max()), GAP_POINTS)
+            gaps[axis.name] = places, np.array([free_travel(float(place)) for place in places])
+    return gaps
 
 
 def judged_spikes(judged: Result, reference: Reference) -> tuple[Spike, ...]:
@@ -283,15 +245,6 @@ def _unreached(name: str, supervisor: PreRouted, reference: Reference) -> Iterat
         yield finding("CL103", place=f"axis {name}", place_at=beyond[0], end=end)
 
 
-def _foretold(case: Case) -> LearningAnalysis | None:
-    """Analyse learning before it begins; None without a linear model."""
-    assert case.learning is not None
-    try:
-        return learning_analysis(case.machine, case.controller, case.learning.law)
-    except ComponentError:
-        return None
-
-
 def _learned(case: Case, reference: Reference, report_progress: Callable[[int], None]) -> LearningRun:
     """Run the trials of a case; the first starts with the table that the case names."""
     learning, start = case.learning, None
@@ -322,15 +275,17 @@ def limits_of(case: Case, reference: Reference) -> LimitReport | None:
     return _REPORTS[key]
 
 
-def bode_of(machine: Machine, controller: Controller) -> dict[str, AxisBode]:
+def bode_of(machine: Machine, controller: Controller) -> dict[str, ClosedLoop]:
     """Return the closed loop of each axis whose components are linear but for friction, counts and limits."""
     loops = {}
     for axis in machine.axes:
-        try:
-            loop = sampled_loop(axis, controller.axes[axis.name], machine.servo_period, machine.carried_mass(axis.name))
-        except ComponentError:
-            continue
-        loops[axis.name] = AxisBode(loop.response(loop.frequencies()), loop.margins())
+        parts = controller.axes[axis.name]
+        with suppress(ComponentError):
+            loop = sampled_loop(axis, parts, machine.servo_period, machine.carried_mass(axis.name))
+            response = loop.response(loop.frequencies())
+            contact = axis.plant.linear() != axis.plant
+            meant = ", ".join(["first controller"] * (parts.supervisor is not None) + ["in contact"] * contact)
+            loops[axis.name] = ClosedLoop(response.frequency / (2.0 * math.pi), response.closed_loop, loop.margins(), meant)
     return loops
 
 

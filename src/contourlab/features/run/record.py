@@ -118,11 +118,9 @@ class SwitchWriter:
 
     def append(self, switches: Switches) -> None:
         """Write the switches of the next block."""
-        kinds = [(kind.axis, kind.before, kind.after, kind.reason) for kind in switches.kinds]
-        columns = (switches.time, switches.sample, switches.kind, switches.arc_length, switches.line)
-        for time, sample, kind, along, line in zip(*(column.tolist() for column in columns), strict=True):
-            place = f"{along:.12g}" if math.isfinite(along) else ""
-            self._rows.writerow((f"{time:.12g}", sample, *kinds[kind], place, line or ""))
+        for one in switches.rows():
+            place = f"{one.arc_length:.12g}" if math.isfinite(one.arc_length) else ""
+            self._rows.writerow((f"{one.time:.12g}", one.sample, one.axis, one.before, one.after, one.reason, place, one.line or ""))
 
 
 @contextmanager

@@ -1,19 +1,38 @@
-"""One report on runs made in Python, as ``contourlab run`` writes it."""
+"""The data of a report: on the outcomes of a session, and on runs made in Python."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+import numpy as np
+
 from contourlab.errors import ParameterError
 from contourlab.features.run.outcome import judged_spikes
+from contourlab.features.run.summary import Outcome
 from contourlab.features.run.verdict import unexplained
 from contourlab.feed import Reference
+from contourlab.feed.planner import Binding, limiting
+from contourlab.figures import listing
 from contourlab.metrics import circles_of, judge, summarise
 from contourlab.program import Program
-from contourlab.rendering.data import Provenance, ReportData, SchemeReport
+from contourlab.rendering.data import FeedRun, JudgedRun, Provenance, ReportData
 from contourlab.rendering.html import write_html
 from contourlab.result import Result
+
+FEED_POINTS = 4000
+PER_SPAN = 3
+MOST_POINTS = 200_000
+"""Above, only the start of each span is evaluated."""
+_HELD_BY = {
+    Binding.REST: "at rest",
+    Binding.FEEDRATE: "programmed feed",
+    Binding.VELOCITY: "axis velocity",
+    Binding.ACCELERATION: "axis acceleration",
+    Binding.JERK: "axis jerk",
+    Binding.CURVATURE_STEP: "curvature step",
+    Binding.PLANNER: "near a slow section",
+}
 
 
 def report(
@@ -71,9 +90,7 @@ def report(
         if other.programmed.digest != motion.programmed.digest:
             raise ParameterError(f"path of {name!r}", "another one", f"that of {first!r}")
     schemes = [_scheme(name, result, motions[name], tolerance, program) for name, result in named.items()]
-    programmed = None if motion.programmed is motion.path else motion.programmed
-    lines = () if program is None else program.lines
-    data = ReportData(title or ", ".join(named), schemes, motion.path, Provenance(), programmed, lines, tolerance)
+    data = ReportData(title or ", ".join(named), schemes, Provenance(), () if program is None else program.lines, tolerance)
     if Path(file).suffix.lower() == ".pdf":
         from contourlab.rendering.one_page import write_page
 
@@ -112,18 +129,46 @@ def _references(named: Mapping[str, Result], reference: Reference | Sequence[Ref
     return motions
 
 
-def _scheme(name: str, result: Result, reference: Reference, tolerance: float | None, program: Program | None) -> SchemeReport:
+def _scheme(name: str, result: Result, reference: Reference, tolerance: float | None, program: Program | None) -> JudgedRun:
     """Judge a run where necessary, and sum it up."""
     judged = result if {"part_error", "tracking_error"} <= set(result.signals) else judge(result, reference)
-    circles = circles_of(judged, reference)
     verdict = None if tolerance is None else unexplained(reference, judged, tolerance, () if program is None else program.lines)
-    return SchemeReport(
+    return JudgedRun(
         name=name,
+        reference=reference,
         result=judged,
         metrics=summarise(judged, reference),
         verdict=verdict,
-        circles=circles,
+        circles=circles_of(judged, reference),
         spikes=judged_spikes(judged, reference),
         findings=() if verdict is None else verdict.findings,
         lines=None if program is None else reference.source_line(judged["arc_length"]),
     )
+
+
+def report_data(title: str, outcomes: Sequence[Outcome], *, scenario: str, command: str) -> ReportData:
+    """Return the data of a report on outcomes (at least one) along one path; `scenario` is TOML, `command` as typed."""
+    first = outcomes[0]
+    again = "save the scenario below as scenario.toml, then: contourlab run scenario.toml"
+    provenance = Provenance(command, again, scenario, first.case.seed)
+    notes = [*first.case.notes]
+    others = [outcome.name for outcome in outcomes if outcome.reference.digest != first.reference.digest]
+    if others:
+        notes.append(f"The planned feed shown is that of {first.name}. {listing(others)}: planned differently.")
+    return ReportData(title, outcomes, provenance, first.case.lines, first.case.tolerance, notes, _feed(first))
+
+
+def _feed(outcome: Outcome) -> FeedRun | None:
+    """Return the planned motion at even times and within each of its spans; None where it was not planned within limits."""
+    reference, profile, route = outcome.reference, outcome.reference.profile, outcome.case.route()
+    if profile is None or route is None:
+        return None
+    # Evenly over time, and within the ramps, which a rapid passes between two even places.
+    ends = np.append(profile.t0[1:], profile.duration)
+    per_span = PER_SPAN if PER_SPAN * ends.size <= MOST_POINTS else 1
+    ramps = np.linspace(profile.t0, ends, per_span, endpoint=False).ravel()
+    time = np.unique(np.concatenate([np.linspace(0.0, profile.duration, FEED_POINTS), ramps]))
+    motion = profile.motion(time)
+    codes = limiting(route, outcome.case.limits, profile, motion.arc_length, curvature_step=outcome.case.curvature_step)
+    asked = route.feedrate[reference.path.curve_index(motion.arc_length)]
+    return FeedRun(motion.arc_length, motion.speed, asked, time, codes, [_HELD_BY[code] for code in Binding])

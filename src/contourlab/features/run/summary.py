@@ -1,26 +1,24 @@
-"""The results of ``run``, ``compare``, ``learn`` and ``demo`` as summary.json: one object for each scheme, in SI."""
+"""A judged case, and the results of ``run``, ``compare``, ``learn`` and ``demo`` as summary.json: one object for each scheme, in SI."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, ClassVar
 
 from contourlab import __version__
 from contourlab.analysis.linear.margins import Margins
 from contourlab.app.json_values import json_values
 from contourlab.errors import DivergenceError
 from contourlab.features.learn import LearningRun
-from contourlab.features.run.outcome import Outcome
 from contourlab.feed import LimitReport
 from contourlab.feed.verify import Worst
-from contourlab.findings import Finding
-from contourlab.loop.switches import Switches
-from contourlab.metrics import CircleFigures, Metrics, ReversalFigures, Spike, reversal_figures
+from contourlab.loop.switches import Switch, Switches
 from contourlab.metrics.circles import Bidirectional, pairs
-from contourlab.rendering.judgement import Trust, Verdict
+from contourlab.rendering.data import JudgedRun
 from contourlab.rendering.page_tables import nearest
 from contourlab.result import Status
+from contourlab.scenario import Case
 
 SCHEMA = "contourlab-summary/1"
 LISTED = 100
@@ -59,34 +57,20 @@ class AxisSwitches:
 
 
 @dataclass(frozen=True)
-class ListedSwitch:
-    """One switch: time [s], sample, axis, controllers before and after, reason, arc length [m], program line (0 if none)."""
-
-    time: float
-    sample: int
-    axis: str
-    before: str = field(metadata={"json": "from"})
-    after: str = field(metadata={"json": "to"})
-    reason: str
-    arc_length: float
-    line: int
-
-
-@dataclass(frozen=True)
 class SwitchSummary:
     """Switches between the controllers of an axis.
 
     Attributes
     ----------
     axes : mapping of str to AxisSwitches
-    listed : tuple of ListedSwitch
+    listed : tuple of Switch
         The first 100.
     left_out : int
         Switches that are not listed; ``switches/NAME.csv`` has them all.
     """
 
     axes: Mapping[str, AxisSwitches]
-    listed: tuple[ListedSwitch, ...]
+    listed: tuple[Switch, ...]
     left_out: int
 
 
@@ -133,12 +117,15 @@ class LimitSummary:
     kink: NearestLimit | None
 
 
-@dataclass(frozen=True)
-class SchemeSummary:
-    """One scheme.
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Outcome(JudgedRun):
+    """A judged case; of a case that learns, its best trial.
+
+    Listed are the keys of its JSON, see `json_form`; its Python attributes are those of `JudgedRun`.
 
     Attributes
     ----------
+    machine : str
     servo_period : float [s]
     path_digest : str
         Hash of the planned path's geometry.
@@ -164,27 +151,57 @@ class SchemeSummary:
         Sources of the numbers, and the interval of the part error, where asked for.
     """
 
-    machine: str
-    axes: tuple[str, ...]
-    servo_period: float
-    seed: int
-    n_sample: int
-    path_digest: str
-    status: Status
-    metrics: Metrics
-    verdict: Verdict | None
-    circles: tuple[CircleFigures, ...]
-    circles_both_ways: Mapping[str, Bidirectional]
-    reversals: tuple[Spike, ...]
-    reversal_figures: tuple[ReversalFigures, ...]
-    switches: SwitchSummary | None
-    margins: Mapping[str, Margins]
-    limits: LimitSummary | None
+    json_form: ClassVar = {
+        "machine": "case.machine.name",
+        "axes": "result.axes",
+        "servo_period": "result.servo_period",
+        "seed": "case.seed",
+        "n_sample": "result.n_sample",
+        "path_digest": "path_digest",
+        "status": "result.status",
+        "metrics": "metrics",
+        "verdict": "verdict",
+        "circles": "circles",
+        "circles_both_ways": "circles_both_ways",
+        "reversals": "spikes",
+        "reversal_figures": "reversal_figures",
+        "switches": "switch_summary",
+        "margins": "margins",
+        "limits": "limit_summary",
+        "learning": "learning",
+        "warnings": "warnings",
+        "findings": "findings",
+        "tick": "tick",
+        "trust": "trust",
+    }
+
+    case: Case
     learning: LearningRun | None
-    warnings: tuple[str, ...]
-    findings: tuple[Finding, ...]
-    tick: float | None
-    trust: Trust | None
+
+    @property
+    def circles_both_ways(self) -> dict[str, Bidirectional]:
+        """Circles that run in both directions."""
+        return pairs(self.circles)
+
+    @property
+    def margins(self) -> dict[str, Margins]:
+        """Margins of the sampled loop of each axis."""
+        return {axis: loop.margins for axis, loop in self.bode.items()}
+
+    @property
+    def switch_summary(self) -> SwitchSummary | None:
+        """How often and why controllers were switched."""
+        return None if self.switches is None else _switches(self.switches)
+
+    @property
+    def limit_summary(self) -> LimitSummary | None:
+        """The axis nearest to each kind of limit."""
+        return None if self.limits is None else _limits(self.limits, self.result.axes)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Texts of the findings of severity "warning"."""
+        return tuple(finding.text for finding in self.findings if finding.entry.severity == "warning")
 
 
 @dataclass(frozen=True)
@@ -206,7 +223,7 @@ class Summary:
         What was run.
     passed : bool or None
         Whether all verdicts passed; null without a tolerance.
-    schemes : mapping of str to SchemeSummary or DivergedScheme
+    schemes : mapping of str to Outcome or DivergedScheme
     notes : tuple of str
         On the motion: leniency of the program's reader, scaling, contours from files.
     version : str
@@ -217,7 +234,7 @@ class Summary:
     command: str
     notes: tuple[str, ...]
     passed: bool | None
-    schemes: Mapping[str, SchemeSummary | DivergedScheme]
+    schemes: Mapping[str, Outcome | DivergedScheme]
     schema: str = SCHEMA
     version: str = __version__
 
@@ -240,60 +257,22 @@ def summary_of(
     lost = diverged or {}
     verdicts = [outcome.verdict for outcome in outcomes if outcome.verdict is not None]
     passed = False if lost else all(verdict.passed for verdict in verdicts) if verdicts else None
-    schemes: dict[str, Any] = {outcome.name: _scheme(outcome) for outcome in outcomes}
+    schemes: dict[str, Outcome | DivergedScheme] = {outcome.name: outcome for outcome in outcomes}
     schemes |= {name: DivergedScheme(Status(False, error.sample, error.axis, str(error))) for name, error in lost.items()}
     values: dict[str, Any] = json_values(Summary(name, command, outcomes[0].case.notes if outcomes else (), passed, schemes))
     return values
 
 
-def _scheme(outcome: Outcome) -> SchemeSummary:
-    result, case = outcome.result, outcome.case
-    return SchemeSummary(
-        machine=case.machine.name,
-        axes=result.axes,
-        servo_period=result.servo_period,
-        seed=case.seed,
-        n_sample=result.n_sample,
-        path_digest=outcome.reference.path.digest,
-        status=result.status,
-        metrics=outcome.metrics,
-        verdict=outcome.verdict,
-        circles=outcome.circles,
-        circles_both_ways=pairs(outcome.circles),
-        reversals=outcome.spikes,
-        reversal_figures=reversal_figures(outcome.spikes),
-        switches=None if outcome.switches is None else _switches(outcome.switches),
-        margins={axis: bode.margins for axis, bode in outcome.bode.items()},
-        limits=_limits(outcome.limits, result.axes) if outcome.limits else None,
-        learning=outcome.learning,
-        warnings=tuple(finding.text for finding in outcome.findings if finding.entry.severity == "warning"),
-        findings=tuple(outcome.findings),
-        tick=outcome.tick,
-        trust=outcome.trust,
-    )
-
-
 def _switches(switches: Switches) -> SwitchSummary:
     """Return how often and why controllers were switched, and the first switches one by one."""
-    counts: dict[str, list[SwitchCount]] = {axis: [] for axis in switches.axes}
+    kinds: dict[str, list[SwitchCount]] = {axis: [] for axis in switches.axes}
     for kind, count in switches.counts().items():
-        counts[kind.axis].append(SwitchCount(kind.before, kind.after, kind.reason, count))
-    columns = (switches.kind, switches.time, switches.sample, switches.arc_length, switches.line)
-    numbers = zip(*(column[:LISTED].tolist() for column in columns), strict=True)
-    axes = {
-        axis: AxisSwitches(
-            sum(kind.count for kind in counts[axis]),
-            switches.first[axis],
-            {name: held * switches.servo_period for name, held in switches.active[axis].items()},
-            tuple(counts[axis]),
-        )
-        for axis in switches.axes
-    }
-    listed = []
-    for number, time, sample, arc_length, line in numbers:
-        kind = switches.kinds[number]
-        listed.append(ListedSwitch(time, sample, kind.axis, kind.before, kind.after, kind.reason, arc_length, line))
-    return SwitchSummary(axes, tuple(listed), max(len(switches) - LISTED, 0))
+        kinds[kind.axis].append(SwitchCount(kind.before, kind.after, kind.reason, count))
+    axes = {}
+    for axis, counts in kinds.items():
+        active = {name: held * switches.servo_period for name, held in switches.active[axis].items()}
+        axes[axis] = AxisSwitches(sum(kind.count for kind in counts), switches.first[axis], active, tuple(counts))
+    return SwitchSummary(axes, tuple(switches.rows(LISTED)), max(len(switches) - LISTED, 0))
 
 
 def _limits(report: LimitReport, axes: Sequence[str]) -> LimitSummary:

@@ -17,7 +17,6 @@ from contourlab.app.results import staged
 from contourlab.app.session import Answer, Asked
 from contourlab.arrays import Array, Flags
 from contourlab.features.link.result import largest_held
-from contourlab.features.run.margin_words import decibel, degrees
 from contourlab.features.swap.beyond import Coverage, NetworkCost
 from contourlab.features.swap.linear import LinearSwap
 from contourlab.features.swap.search import Optimum, SwapSettings
@@ -25,6 +24,7 @@ from contourlab.features.swap.study import Choice, SwapStudy
 from contourlab.features.swap.variants import Variants
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
+from contourlab.rendering.margin_words import decibel, degrees
 from contourlab.rendering.stages import begin_stage
 from contourlab.rendering.style import INK, MUTED
 from contourlab.rendering.table import Column, Table, paragraphs

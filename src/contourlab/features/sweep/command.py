@@ -265,7 +265,7 @@ def rerun(folder: str | Path, number: int, settings: Worst, session: Session) ->
         for one in findings:
             error.add_note(str(one))
         raise
-    return replace(runs, outcomes=tuple(replace(each, remarks=(*findings, *each.remarks)) for each in runs.outcomes))
+    return replace(runs, outcomes=tuple(replace(each, findings=(*findings, *each.findings)) for each in runs.outcomes))
 
 
 def _differences(store: Store, row: Mapping[str, Any], case: Case, values: Mapping[str, float]) -> Iterator[Finding]:

@@ -22,7 +22,7 @@ from contourlab.features.sweep.summary import display, title_of
 from contourlab.figures import figure, listing, number
 from contourlab.rendering.charts import Chart, Curve, Panel
 from contourlab.rendering.html import embedded, entry_of, page_template
-from contourlab.rendering.plotly_parts import axis_look, layout_look, packed, plain
+from contourlab.rendering.plotly_view import axis_look, layout_look, packed, plain
 from contourlab.rendering.style import REFERENCE, scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic

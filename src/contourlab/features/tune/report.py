@@ -9,13 +9,13 @@ import numpy as np
 
 from contourlab.analysis.linear.margins import Margins
 from contourlab.arrays import Array
-from contourlab.features.run.margin_words import decibel, degrees
 from contourlab.features.tune.objective import Goal
 from contourlab.features.tune.search import Step
 from contourlab.features.tune.study import Tuned
 from contourlab.figures import figure, listing
 from contourlab.metrics.run_figures import FIGURES
 from contourlab.rendering.charts import Chart, Curve, Panel
+from contourlab.rendering.margin_words import decibel, degrees
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
 

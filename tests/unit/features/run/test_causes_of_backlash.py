@@ -12,10 +12,10 @@ from contourlab.components.compensation.backlash_offset import BacklashOffset
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.two_inertia import TwoInertia
-from contourlab.features.run.causes.advice import Trial, advice
 from contourlab.features.run.causes.causes import causes
 from contourlab.features.run.causes.idealise import without_backlash
 from contourlab.features.run.causes.remedies import remedies
+from contourlab.features.run.verdict import Trial, advice
 
 PERIOD = 1e-3
 DRIVE = TwoInertia(motor_inertia=5.2e-3, load_inertia=4.4e-3, lead=0.016, stiffness=9500.0, shaft_damping=0.5, backlash_gap=60e-6)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
 
 from contourlab.components.compensation.quadrant_pulses import QuadrantPulses
 from contourlab.components.contract import Component
@@ -26,21 +26,18 @@ def perfect_geometry(machine: Machine) -> Machine:
 
 def perfect_sensing(machine: Machine) -> Machine:
     """Return the machine with ideal encoders."""
-    return _with_parts(machine, sensor=IdealSensor(), motor_sensor=IdealSensor())
+    return _with_axes(machine, lambda axis: replace(axis, sensor=IdealSensor(), motor_sensor=IdealSensor()))
 
 
 def undisturbed(machine: Machine) -> Machine:
     """Return the machine without external loads."""
-    return _with_parts(machine, disturbance=None)
+    return _with_axes(machine, lambda axis: replace(axis, disturbance=None))
 
 
 def without_friction(machine: Machine, controller: Controller) -> tuple[Machine, Controller]:
     """Return the machine without friction, under a controller that compensates none."""
-    smooth = _with_parts(machine, friction=NoFriction(), motor_friction=NoFriction())
-    if smooth is machine:
-        return machine, controller
-    axes = {name: _uncompensated(mine) for name, mine in controller.axes.items()}
-    return smooth, controller if axes == controller.axes else replace(controller, axes=axes)
+    smooth = _with_axes(machine, lambda axis: replace(axis, friction=NoFriction(), motor_friction=NoFriction()))
+    return smooth, controller if smooth is machine else _with_loops(controller, _uncompensated)
 
 
 def _uncompensated(loop: AxisController) -> AxisController:
@@ -50,18 +47,10 @@ def _uncompensated(loop: AxisController) -> AxisController:
     return replace(loop, feedforward=feedforward, compensation=compensation)
 
 
-def _with_parts(machine: Machine, **parts: Any) -> Machine:
-    if all(getattr(axis, slot) == part for axis in machine.axes for slot, part in parts.items()):
-        return machine
-    return replace(machine, axes=tuple(replace(axis, **parts) for axis in machine.axes))
-
-
 def without_backlash(machine: Machine, controller: Controller) -> tuple[Machine, Controller]:
     """Return the machine without free travel between motors and loads, under a controller that assumes none."""
-    if all(a.plant.linear() == a.plant for a in machine.axes):
-        return machine, controller
-    tight = replace(machine, axes=tuple(replace(a, plant=a.plant.linear()) for a in machine.axes))
-    return tight, replace(controller, axes={name: _unaware(mine) for name, mine in controller.axes.items()})
+    tight = _with_axes(machine, lambda axis: replace(axis, plant=axis.plant.linear()))
+    return tight, controller if tight is machine else _with_loops(controller, _unaware)
 
 
 def _unaware(loop: AxisController) -> AxisController:
@@ -77,11 +66,8 @@ def _unaware(loop: AxisController) -> AxisController:
 
 def without_compliance(machine: Machine, controller: Controller) -> tuple[Machine, Controller]:
     """Return the machine with shafts that resonate at half of the servo frequency or above, under a controller without notch filters."""
-    axes = tuple(_stiff(axis, machine.servo_period) for axis in machine.axes)
-    if axes == machine.axes:
-        return machine, controller
-    stiff = replace(machine, axes=axes)
-    return stiff, replace(controller, axes={name: _without_notches(mine) for name, mine in controller.axes.items()})
+    stiff = _with_axes(machine, lambda axis: _stiff(axis, machine.servo_period))
+    return stiff, controller if stiff is machine else _with_loops(controller, _without_notches)
 
 
 def _stiff(axis: Axis, period: float) -> Axis:
@@ -97,16 +83,12 @@ def _without_notches(loop: AxisController) -> AxisController:
 
 def without_links(machine: Machine, controller: Controller) -> tuple[Machine, Controller]:
     """Return the controller in one piece: base and axes without a network between."""
-    if all(mine.link is None for mine in controller.axes.values()):
-        return machine, controller
-    return machine, replace(controller, axes={name: replace(mine, link=None) for name, mine in controller.axes.items()})
+    return machine, _with_loops(controller, lambda loop: replace(loop, link=None))
 
 
 def unlimited(machine: Machine) -> Machine:
     """Return the machine with drives that have no limit."""
-    if all(getattr(a.drive, "limit", math.inf) == math.inf for a in machine.axes):
-        return machine
-    return replace(machine, axes=tuple(replace(a, drive=_without_limit(a.drive)) for a in machine.axes))
+    return _with_axes(machine, lambda axis: replace(axis, drive=_without_limit(axis.drive)))
 
 
 def _without_limit(drive: Component) -> Component:
@@ -116,6 +98,16 @@ def _without_limit(drive: Component) -> Component:
     # Infinity is a value only where it is the default.
     free: Component = drive.replace(limit=math.inf if known.default == math.inf else min(known.maximum, 1e300))
     return free
+
+
+def _with_axes(machine: Machine, change: Callable[[Axis], Axis]) -> Machine:
+    axes = tuple(map(change, machine.axes))
+    return machine if axes == machine.axes else replace(machine, axes=axes)
+
+
+def _with_loops(controller: Controller, change: Callable[[AxisController], AxisController]) -> Controller:
+    axes = {name: change(loop) for name, loop in controller.axes.items()}
+    return controller if axes == controller.axes else replace(controller, axes=axes)
 
 
 def same_axes(machine: Machine, controller: Controller, name: str) -> tuple[Machine, Controller]:
