@@ -67,7 +67,7 @@ class PlannedMotion:
     Parameters
     ----------
     machine : str or Path, optional
-        As for `check_program`.
+        As for `contourlab.check`.
     """
 
     def __init__(self, machine: str | Path | None) -> None:

@@ -18,14 +18,14 @@ class Interval(Options):
 
 
 @options
-class Run(Interval, Motion):
+class Run(Motion, Interval):
     """Simulate a scenario or a part program, judge the contour, write a report."""
 
     check: bool = option(False, "Read and check everything, simulate nothing.")
 
 
 @options
-class Trials(Interval, Judged, Schemes):
+class Trials(Schemes, Judged, Interval):
     """Schemes, and how many trials those that learn run."""
 
     trials: int | None = option(None, "Largest number of trials after the first; by default as in the scenario.", least=1)
