@@ -114,7 +114,7 @@ IN_A_CLASS = [
     (gives('return "full"'), "@staticmethod", "'full'"),
     (gives("return [], [par.gain * error]"), "return", "a list: use a tuple"),
     (gives("return (), (par.gain / (error - error),)"), "return", "ZeroDivisionError"),
-    (gives("return (), (par.gain * sqrt(error),)"), "return", "ValueError"),
+    (gives("return (), (par.gain * sqrt(error),)"), CLASS, "not finite"),
     (gives('return (), (par.gain * error * float("nan"),)'), CLASS, "not finite"),
     # the language of steps
     (gives("return (), (max(par.gain * error, 0.0),)"), "return", "maximum"),
