@@ -77,11 +77,14 @@ def test_the_drawing_of_the_manual_makes_a_scenario(folder: Path) -> None:
     assert reference.duration == pytest.approx(2.0)
 
 
+@pytest.mark.slow
 def test_the_scenario_of_the_readme_and_its_python(folder: Path) -> None:
     (folder / "scenario.toml").write_text(blocks("README.md", "toml")[0], encoding="utf-8")
-    (text,) = blocks("README.md", "python")
+    text = "\n".join(blocks("README.md", "python"))
+    assert "budget=2000" in text
     scope: dict[str, object] = {}
-    exec(compile(text, "README.md", "exec"), scope)
+    exec(compile(text.replace("budget=2000", "budget=64"), "README.md", "exec"), scope)
+    assert (folder / "results" / "tuned.toml").exists()
     batch = scope["batch"]
     assert isinstance(batch, cl.BatchResult)
     assert (batch.figures["contour_error_rms"] > 0.0).all()

@@ -13,8 +13,9 @@ import sys
 import traceback
 from functools import cache
 from importlib.abc import Loader
+from importlib.machinery import SourceFileLoader
 from pathlib import Path
-from types import ModuleType
+from types import CodeType, ModuleType
 
 from contourlab.components.contract import FAMILIES, Component
 from contourlab.components.declaration import check_class
@@ -114,6 +115,14 @@ def _import_fault(file: str, error: BaseException) -> str:
     return f"{place}: {error}" if isinstance(error, ContourlabError) else f"{place}: cannot be imported: {error_text(error)}"
 
 
+class _FreshLoader(SourceFileLoader):
+    """Compiles a file anew: Python's byte code is that of an older text if a file of the same size was written within the same second."""
+
+    def get_code(self, fullname: str) -> CodeType:
+        """Return the code of the file."""
+        return self.source_to_code(self.get_data(self.path), self.path)
+
+
 def load_plugin(file: str | Path) -> list[type[Component]]:
     """Load and return the components of a loose Python file. Loading a file again replaces its components.
 
@@ -135,15 +144,16 @@ def load_plugin(file: str | Path) -> list[type[Component]]:
     """
     path = Path(file).resolve()
     name = str(path).replace(".", "_")  # shows the file; pickle takes what stands before a dot for a package
-    spec = importlib.util.spec_from_file_location(name, path)
-    if spec is None or spec.loader is None or not path.is_file():
+    loader = _FreshLoader(name, str(path))
+    spec = importlib.util.spec_from_file_location(name, path, loader=loader)
+    if spec is None or path.suffix != ".py" or not path.is_file():
         raise ComponentError(f"{file}: not a Python file: name one that defines components")
     module = importlib.util.module_from_spec(spec)
     setattr(module, TYPED, str(file))
     before = sys.modules.get(name)
     sys.modules[name] = module
     try:
-        kinds = _imported(module, spec.loader)
+        kinds = _imported(module, loader)
     except BaseException:
         # The components of an earlier version stay.
         sys.modules.pop(name) if before is None else sys.modules.update({name: before})
