@@ -14,6 +14,7 @@ from contourlab.loop import batch
 from contourlab.loop.feeding import Feed
 from contourlab.loop.tool import ToolPosition
 from contourlab.program import reader, state
+from contourlab.scenario import tables
 
 TOOL = Path(__file__).parents[2] / "tools" / "fuzz"
 sys.path.insert(0, str(TOOL))
@@ -59,9 +60,8 @@ def stretched_axis(patch: Patch) -> None:
 
 def rounded_file(patch: Patch) -> None:
     """A scenario is written with four digits."""
-    dump = sys.modules["contourlab.scenario.dump"]  # the function of this name hides the module
-    given = dump.quantity
-    patch.setattr(dump, "quantity", lambda value, unit, shown="": given(float(f"{value:.4g}"), unit, shown))
+    given = tables.quantity
+    patch.setattr(tables, "quantity", lambda value, unit, shown="": given(float(f"{value:.4g}"), unit, shown))
 
 
 def late_block(patch: Patch) -> None:
