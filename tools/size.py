@@ -14,7 +14,7 @@ BUDGETS = {
     "analysis": 4457,
     "app": 814,
     "cli": 507,
-    "components": 5418,
+    "components": 5423,
     "contours": 1609,
     "engine": 3373,
     "features": 19249,
@@ -31,7 +31,7 @@ BUDGETS = {
     "result": 353,
     "scenario": 1937,
     "study": 1526,
-    "without papers": 54137,
+    "without papers": 54142,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 
