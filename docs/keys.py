@@ -62,7 +62,7 @@ def keys_page() -> str:
 
 
 def _form(forms: tuple[Any, ...], about: Setting) -> str:
-    """Return in words what a key may be."""
+    """Describe the values that a key may have."""
     choices = about.choices or (get_args(forms[0]) if get_origin(forms[0]) is Literal else ())
     if choices or bool in forms:
         words = " or ".join(map(json.dumps, choices or (True, False)))

@@ -1,4 +1,4 @@
-"""``contourlab sweep report``: the answers of a store in words, for the terminal and for one HTML page that needs no network."""
+"""``contourlab sweep report``: what a store answers, as text for the terminal and as one HTML page that needs no network."""
 
 from __future__ import annotations
 
