@@ -36,6 +36,9 @@ _HOMES = {
         "uniform",
     ),
     "contourlab.geometry": ("Path", "contour", "contour_names"),
+    "contourlab.geometry.line_and_arc": ("Arc", "Line"),
+    "contourlab.geometry.nurbs": ("Nurbs",),
+    "contourlab.logs": ("load_log",),
     "contourlab.loop": (
         "Axis",
         "AxisController",
@@ -50,6 +53,7 @@ _HOMES = {
         "parameter_names",
         "simulate",
         "simulate_batch",
+        "with_values",
     ),
     "contourlab.components.plant.reflected": ("reflected_inertia", "reflected_mass"),
     "contourlab.metrics": (
@@ -64,7 +68,7 @@ _HOMES = {
     ),
     "contourlab.program": ("Program", "Reading", "parse_program", "read_program"),
     "contourlab.result": ("Result", "Signal", "Status"),
-    "contourlab.scenario": ("Scenario", "load_scenario"),
+    "contourlab.scenario": ("Scenario", "load_scenario", "save"),
     "contourlab.features.analyse.command": ("analyse",),
     "contourlab.features.backlash.command": ("backlash",),
     "contourlab.features.check.program_check": ("check",),

@@ -62,7 +62,12 @@ from contourlab.feed.route import route_from_program as route_from_program
 from contourlab.feed.verify import limit_report as limit_report
 from contourlab.geometry.library import contour as contour
 from contourlab.geometry.library import contour_names as contour_names
+from contourlab.geometry.line_and_arc import Arc as Arc
+from contourlab.geometry.line_and_arc import Line as Line
+from contourlab.geometry.nurbs import Nurbs as Nurbs
 from contourlab.geometry.path import Path as Path
+from contourlab.logs.load import Log as Log
+from contourlab.logs.load import load_log as load_log
 from contourlab.loop.axis_parts import AxisError as AxisError
 from contourlab.loop.axis_parts import Division as Division
 from contourlab.loop.axis_parts import Limits as Limits
@@ -74,6 +79,7 @@ from contourlab.loop.machine import AxisController as AxisController
 from contourlab.loop.machine import Controller as Controller
 from contourlab.loop.machine import Machine as Machine
 from contourlab.loop.parameters import parameter_names as parameter_names
+from contourlab.loop.parameters import with_values as with_values
 from contourlab.loop.reconfigure import Change as Change
 from contourlab.loop.simulate import simulate as simulate
 from contourlab.metrics.circles import backlash_from_circle as backlash_from_circle
@@ -92,6 +98,7 @@ from contourlab.program.reader import read_program as read_program
 from contourlab.result.result import Result as Result
 from contourlab.result.signals import Signal as Signal
 from contourlab.result.signals import Status as Status
+from contourlab.scenario.dump import save as save
 from contourlab.scenario.load import load_scenario as load_scenario
 from contourlab.scenario.values import Scenario as Scenario
 from pathlib import Path as File
@@ -101,6 +108,7 @@ __version__: str
 
 __all__ = [
     "__version__",
+    "Arc",
     "Axis",
     "AxisController",
     "AxisError",
@@ -115,8 +123,10 @@ __all__ = [
     "Learned",
     "LearnedTable",
     "Limits",
+    "Line",
     "Machine",
     "Metrics",
+    "Nurbs",
     "Path",
     "Port",
     "Program",
@@ -153,6 +163,7 @@ __all__ = [
     "limit_report",
     "limits",
     "link",
+    "load_log",
     "load_plugin",
     "load_scenario",
     "lost_motion_from_pair",
@@ -175,6 +186,7 @@ __all__ = [
     "route_from_path",
     "route_from_program",
     "run",
+    "save",
     "sensitivity",
     "simulate",
     "simulate_batch",
@@ -187,6 +199,7 @@ __all__ = [
     "tune",
     "uniform",
     "verdict",
+    "with_values",
 ]
 
 def analyse(*source: Source, whole: bool = ..., schemes: str | Sequence[str] = ..., plugin: str | File | Sequence[str | File] = ...) -> Analysis: ...
@@ -195,23 +208,23 @@ def backlash(*source: Source, quick: bool = ..., schemes: str | Sequence[str] = 
 
 def check(file: str | File, *, machine: str | None = ..., dialect: str = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ...) -> Checked: ...
 
-def circle(*logs: str | File, tolerance: str | None = ..., radius: str | None = ..., feed: str | None = ..., pitch: str | None = ..., axes: str | Sequence[str] = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> CircleTest: ...
+def circle(*logs: str | File | Log, tolerance: str | None = ..., radius: str | None = ..., feed: str | None = ..., pitch: str | None = ..., axes: str | Sequence[str] = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> CircleTest: ...
 
 def commission(ini: str | File, hal: str | File, *, control: str = ..., log: str | File | Sequence[str | File] = ..., program: str | File | None = ..., for_: str | None = ..., seed: int = ..., gain_margin: float = ..., phase_margin: float = ...) -> Commissioned: ...
 
 def export(file: str | File, *, to: str, machine: str | None = ..., scheme: str | None = ..., axis: str | Sequence[str] = ..., plugin: str | File | Sequence[str | File] = ...) -> Exported: ...
 
-def identify(*logs: str | File, model: str = ..., axis: str | None = ..., gain: str | None = ..., full_scale: str | None = ..., cutoff: str = ..., slowest: str | None = ..., decimation: int = ..., validation: str | File | None = ..., position_gain: str | None = ..., velocity_gain: str | None = ..., lead: str | None = ..., motor_inertia: str | None = ..., side: str = ..., excitation: str = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> Identification: ...
+def identify(*logs: str | File | Log, model: str = ..., axis: str | None = ..., gain: str | None = ..., full_scale: str | None = ..., cutoff: str = ..., slowest: str | None = ..., decimation: int = ..., validation: str | File | None = ..., position_gain: str | None = ..., velocity_gain: str | None = ..., lead: str | None = ..., motor_inertia: str | None = ..., side: str = ..., excitation: str = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> Identification: ...
 
 def interpolate(file: str | File, *, pitch: str = ..., resolution: str = ..., columns: str | None = ..., reference: str | None = ..., forgetting: float | None = ...) -> Counts: ...
 
-def limits(file: str | File, *, machine: str | None = ..., velocity: str | None = ..., acceleration: str | None = ..., jerk: str | None = ..., tolerance: str | None = ..., program: str | File | None = ..., line_column: str | None = ..., dialect: str = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ..., axes: str | Sequence[str] = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> LimitTest: ...
+def limits(file: str | File | Log, *, machine: str | None = ..., velocity: str | None = ..., acceleration: str | None = ..., jerk: str | None = ..., tolerance: str | None = ..., program: str | File | None = ..., line_column: str | None = ..., dialect: str = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ..., axes: str | Sequence[str] = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> LimitTest: ...
 
 def link(*source: Source, vary: str | Sequence[str] = ..., axes: str | Sequence[str] = ..., figure: str = ..., tolerance: str | None = ..., extrapolate: bool = ..., seeds: int | None = ..., quick: bool = ..., division: str | Sequence[str] = ..., ways: str | Sequence[str] = ..., within: str | None = ..., message_period: str | None = ..., delay: str | None = ..., jitter: str | None = ..., loss: str | None = ..., longest: str | None = ..., schemes: str | Sequence[str] = ..., plugin: str | File | Sequence[str | File] = ...) -> LinkResult: ...
 
 def compare(*files: Any, trials: int | None = ..., schemes: str | Sequence[str] = ..., judge: str | None = ..., plugin: str | File | Sequence[str | File] = ..., interval: bool | None = ...) -> Runs | MeasuredRuns: ...
 
-def measure(log: str | File, *, reference: str | None = ..., shift: str | None = ..., axes: str | Sequence[str] = ..., tolerance: str | None = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> MeasuredRuns: ...
+def measure(log: str | File | Log, *, reference: str | None = ..., shift: str | None = ..., axes: str | Sequence[str] = ..., tolerance: str | None = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> MeasuredRuns: ...
 
 def notch(*source: Source, scheme: str | None = ..., axes: str | Sequence[str] = ..., gain_margin: float = ..., phase_margin: float = ..., plugin: str | File | Sequence[str | File] = ...) -> Notched: ...
 

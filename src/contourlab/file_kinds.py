@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import tomllib
 from collections.abc import Mapping
@@ -45,7 +46,7 @@ _MADE_OF = {
 }
 
 
-def kind_of(file: str | Path) -> str:
+def kind_of(file: str | os.PathLike[str]) -> str:
     """Return what a file is, with its article, from its content; an empty text if it is not recognised or cannot be read.
 
     >>> kind_of("nowhere.ngc")

@@ -89,12 +89,16 @@ def _flag(value: object) -> bool:
     return value
 
 
+def _file(value: Any) -> os.PathLike[str]:
+    return value if isinstance(value, os.PathLike) else Path(value)  # a log that is read already stays what it is
+
+
 KINDS: dict[type, tuple[Callable[[Any], Any], str]] = {
     str: (os.fspath, "a text"),
     int: (operator.index, "a whole number"),
     float: (float, "a number"),
     bool: (_flag, "True or False"),
-    Path: (Path, "a file"),
+    Path: (_file, "a file"),
 }
 """Types of values: how each is read, and what it is."""
 

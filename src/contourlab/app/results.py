@@ -47,7 +47,7 @@ def proposed(head: str, text: str) -> str:
     return f"# {' '.join(head.split())}\n# {SAFETY}\n\n{text}"
 
 
-def check_file(file: str | Path, inputs: Iterable[str | Path] = (), option: str = "--write") -> None:
+def check_file(file: str | Path, inputs: Iterable[str | os.PathLike[str]] = (), option: str = "--write") -> None:
     """Check before the work that a file can be written, and leave nothing behind.
 
     Parameters
@@ -74,7 +74,7 @@ def check_file(file: str | Path, inputs: Iterable[str | Path] = (), option: str 
         pass
 
 
-def spared(file: str | Path, inputs: Iterable[str | Path], option: str = "--out") -> None:
+def spared(file: str | Path, inputs: Iterable[str | os.PathLike[str]], option: str = "--out") -> None:
     """Refuse to write a file that the command reads, also under another name, such as a link.
 
     Names in `inputs` that are not files, such as built-in scenarios, are ignored.
@@ -89,14 +89,14 @@ def spared(file: str | Path, inputs: Iterable[str | Path], option: str = "--out"
             raise ParameterError(option, repr(str(file)), f"a different file: the command reads {given}")
 
 
-def _is_same(one: str | Path, other: str | Path) -> bool:
+def _is_same(one: str | os.PathLike[str], other: str | os.PathLike[str]) -> bool:
     try:
         return Path(one).samefile(other)
     except (OSError, ValueError):  # one of them does not exist, or is not a file name
         return False
 
 
-def check_folder(out: str | Path, *names: str, inputs: Iterable[str | Path] = (), option: str = "--out") -> None:
+def check_folder(out: str | Path, *names: str, inputs: Iterable[str | os.PathLike[str]] = (), option: str = "--out") -> None:
     """Check before the work that results can be written into a folder, and leave nothing behind; see `staged`."""
     folder = Path(out)
     _check(folder, names[0] if names else "", names, tuple(inputs), option)
@@ -105,7 +105,7 @@ def check_folder(out: str | Path, *names: str, inputs: Iterable[str | Path] = ()
 
 
 @contextmanager
-def staged(out: str | Path, *names: str, inputs: Iterable[str | Path] = (), option: str = "--out") -> Iterator[Path]:
+def staged(out: str | Path, *names: str, inputs: Iterable[str | os.PathLike[str]] = (), option: str = "--out") -> Iterator[Path]:
     """Yield a temporary folder for results; if the block succeeds, they replace the previous results in `out`.
 
     Files that contourlab wrote into `out` with the same summary are replaced. All other files stay. If the block fails, is interrupted or
@@ -140,7 +140,7 @@ def staged(out: str | Path, *names: str, inputs: Iterable[str | Path] = (), opti
             _exchange(stage, folder, summary, new)
 
 
-def _check(folder: Path, summary: str, names: Iterable[str], inputs: Iterable[str | Path], option: str) -> None:
+def _check(folder: Path, summary: str, names: Iterable[str], inputs: Iterable[str | os.PathLike[str]], option: str) -> None:
     """Refuse to replace input files, and files that contourlab did not write."""
     listed = _listed(folder)
     for name in (*names, *_written_with(summary, listed)):

@@ -65,7 +65,7 @@ class Session:
         """Keep a context until the answer is saved."""
         self._held.enter_context(context)
 
-    def will_write(self, inputs: Iterable[str | Path], *names: str, pictures_only: bool = False) -> None:
+    def will_write(self, inputs: Iterable[str | os.PathLike[str]], *names: str, pictures_only: bool = False) -> None:
         """Refuse, before the work, to replace inputs or foreign files, and what cannot be written.
 
         Parameters

@@ -80,8 +80,8 @@ def format_of(file: str | Path) -> Format:
     raise LogError(mistaken(path, "a log") or f"has no known format: name it with --format, one of {', '.join(FORMATS)}", file=path)
 
 
-def read_record(file: str | Path, format: str | None = None) -> Record:  # noqa: A002
-    """Read a log without interpretation.
+def read_record(file: str | os.PathLike[str], format: str | None = None) -> Record:  # noqa: A002
+    """Read a log without interpretation; one that is read already stays what it is.
 
     Parameters
     ----------
@@ -95,6 +95,9 @@ def read_record(file: str | Path, format: str | None = None) -> Record:  # noqa:
     ParameterError
         If the format is unknown.
     """
+    known = getattr(file, "record", file)
+    if isinstance(known, Record):
+        return known
     path = Path(file)
     if format is None:
         kind = format_of(path)

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import os
 import re
-from collections.abc import Container, Iterator, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, true_spans
 from contourlab.errors import FeedError, GeometryError, LogError, ParameterError, ResultError, UnitError
@@ -26,7 +28,8 @@ from contourlab.logs.clock import (
 )
 from contourlab.logs.delimited import CURE
 from contourlab.logs.formats import read_record
-from contourlab.logs.mapping import SIGNALS, TIME, USUAL, Column, Columns, guessed
+from contourlab.logs.mapping import SIGNALS, TIME, USUAL, Column, Columns, guessed, parse_columns
+from contourlab.logs.reading import name_and_unit
 from contourlab.logs.record import AXIS_LETTERS, Channel, Record, quoted
 from contourlab.result import Result, Signal
 from contourlab.units import from_si, show, si_unit, to_si
@@ -40,7 +43,7 @@ LONG_GAP = 10
 
 @dataclass(frozen=True, eq=False)
 class Log:
-    """A measured run.
+    """A measured run; it may stand wherever the name of a log does.
 
     Attributes
     ----------
@@ -56,6 +59,8 @@ class Log:
         Time of the first sample in the file.
     doubtful : tuple of Finding
         Findings on signals with several candidate columns, which are not used.
+    given : Columns
+        The columns and the period as given, without those that were identified by name.
     """
 
     result: Result
@@ -65,6 +70,12 @@ class Log:
     findings: tuple[Finding, ...] = ()
     start: float = 0.0
     doubtful: tuple[Finding, ...] = ()
+    given: Columns = Columns()
+
+    def __fspath__(self) -> str:
+        return str(self.record.file)
+
+    __str__ = __fspath__
 
     def clock_findings(self) -> list[Finding]:
         """Return the findings on uneven sample times; they name the channels unless all are alike."""
@@ -106,22 +117,32 @@ class Log:
 
 
 def load_log(
-    file: str | Path,
+    file: str | Path | Mapping[str, ArrayLike],
     *,
     format: str | None = None,  # noqa: A002
-    columns: Sequence[Column] = (),
+    columns: Sequence[Column | str] = (),
     period: float | None = None,
+    name: str = "arrays",
 ) -> Log:
-    """Read a measured log.
+    """Read a measured log from a file, or from arrays.
 
     Parameters
     ----------
+    file : str, Path or mapping of str to array_like (n,)
+        A file; or arrays by the names that their columns would have in a file, with units, as ``x [mm]``; a DataFrame is such a mapping.
     format : str, optional
         One of `contourlab.logs.formats.FORMATS`; by default recognised.
-    columns : sequence of Column
-        Columns of signals; others are identified by unambiguous names.
+    columns : sequence of Column or str
+        Columns of signals, as text such as ``position.x=NAME [mm]``; others are identified by unambiguous names.
     period : float [s], > 0, optional
-        Sample period, if the file does not state it.
+        Sample period, if the log has no times.
+    name : str
+        Name of a log from arrays.
+
+    Returns
+    -------
+    Log
+        It may stand wherever a question asks for the file of a log.
 
     Raises
     ------
@@ -129,10 +150,34 @@ def load_log(
         If the file cannot be read, a column is missing or has no unit, sampling is uneven, or values are implausible.
     ParameterError
         If the period is out of range or the format is unknown.
+
+    >>> log = load_log({"time [s]": [0.0, 0.001, 0.002], "x [mm]": [0.0, 1.0, 2.0]})
+    >>> log.result["position"].tolist()
+    [[0.0], [0.001], [0.002]]
     """
     if period is not None and not (0.0 < period < 1e3):
         raise ParameterError("period", f"{period:g}", "> 0 and < 1000", "s")
-    return result_of(read_record(file, format), Columns(tuple(columns), period))
+    record = read_record(file, format) if isinstance(file, str | Path) else record_of(file, name)
+    texts = [column for column in columns if isinstance(column, str)]
+    given = (*(column for column in columns if isinstance(column, Column)), *parse_columns(texts, "columns"))
+    return result_of(record, Columns(given, period))
+
+
+def record_of(arrays: Mapping[str, ArrayLike], name: str) -> Record:
+    """Return arrays as a log; see `load_log`."""
+    channels, source = [], Path(name)
+    for head, values in arrays.items():
+        title, unit = name_and_unit(str(head))
+        try:
+            column = np.asarray(values, dtype=float)
+        except (TypeError, ValueError):
+            column = np.empty((0, 0))
+        if column.ndim != 1:
+            raise LogError(f"column {title!r} must be numbers of shape (n,)", file=source)
+        channels.append(Channel(title, column, unit))
+    if len({channel.values.size for channel in channels}) > 1:
+        raise LogError(f"columns of different length: {', '.join(f'{c.name} {c.values.size}' for c in channels)}", file=source)
+    return Record(source, "arrays", tuple(channels))
 
 
 def result_of(record: Record, given: Columns) -> Log:
@@ -157,7 +202,7 @@ def result_of(record: Record, given: Columns) -> Log:
     by_name = [f"{column.target} = {column.column}" for column in guesses if column.signal != TIME and column.column != column.target]
     named = [finding("CL430", columns=by_name)] if by_name else []
     clocks = {channel.channel.name: channel.report for channel in timed.values()}
-    log = Log(result, record, columns, clocks, start=clock[1], doubtful=tuple(doubtful))
+    log = Log(result, record, columns, clocks, start=clock[1], doubtful=tuple(doubtful), given=given)
     findings = (*record.findings, *named, *doubtful, *time_findings, *unit_findings, *log.clock_findings(), *uneven)
     return replace(log, findings=findings)
 
@@ -332,7 +377,7 @@ def _stacked(values: dict[str, dict[str, tuple[Array, str]]], axes: tuple[str, .
 
 
 @contextmanager
-def about(*files: str | Path, options: Container[str] = ()) -> Iterator[None]:
+def about(*files: str | os.PathLike[str], options: Container[str] = ()) -> Iterator[None]:
     """Raise errors about samples as `LogError` with the names of the logs.
 
     Errors that already name a log, or concern an option, pass unchanged.

@@ -65,7 +65,7 @@ class Channel:
 
 @dataclass(frozen=True, eq=False)
 class Record:
-    """A log as read.
+    """A log as read; it may stand wherever the name of a log does.
 
     Attributes
     ----------
@@ -103,6 +103,11 @@ class Record:
         faults = [channel.fault for channel in self.channels]
         if faults[0] is not None and all(faults):
             raise faults[0]
+
+    def __fspath__(self) -> str:
+        return str(self.file)
+
+    __str__ = __fspath__
 
     @property
     def names(self) -> list[str]:

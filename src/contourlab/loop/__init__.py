@@ -5,7 +5,7 @@ from contourlab.loop.batch import simulate_batch
 from contourlab.loop.batch_result import BatchResult
 from contourlab.loop.feeding import Learned
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
-from contourlab.loop.parameters import parameter_names, parameters_of
+from contourlab.loop.parameters import parameter_names, parameters_of, with_values
 from contourlab.loop.reconfigure import Change
 from contourlab.loop.simulate import result_of, simulate, simulate_blocks
 
@@ -27,4 +27,5 @@ __all__ = [
     "simulate",
     "simulate_batch",
     "simulate_blocks",
+    "with_values",
 ]

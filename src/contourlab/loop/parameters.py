@@ -1,9 +1,10 @@
-"""The parameters of a machine and its controller by dotted name."""
+"""The parameters of a machine and its controller by dotted name: list them, find them, set them."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from difflib import SequenceMatcher, get_close_matches
 from typing import Any, TypeAlias
 
@@ -107,3 +108,60 @@ def _near(wanted: str, known: Iterable[str]) -> list[str]:
     alike = [word, *get_close_matches(word, dict.fromkeys(ends.values()), n=3)]
     found = [name for name in names if ends[name] in alike] or [name for name in names if word and word in ends[name]]
     return sorted(found, key=lambda name: SequenceMatcher(None, wanted, name).ratio(), reverse=True)[:MOST_NAMES] or names[:MOST_NAMES]
+
+
+def with_values(machine: Machine, controller: Controller, values: Mapping[str, float]) -> tuple[Machine, Controller]:
+    """Set parameters of a machine and its controller.
+
+    Parameters
+    ----------
+    machine : Machine
+    controller : Controller
+    values : mapping of str to float
+        Values [SI] by the names of `contourlab.loop.simulate_batch`. Parameters of one component are set together, so that its checks see
+        all of them. A parameter whose value does not change keeps its source.
+
+    Returns
+    -------
+    machine : Machine
+    controller : Controller
+
+    Raises
+    ------
+    ParameterError
+        If a name is unknown, or a value out of range.
+
+    >>> from contourlab import load_scenario
+    >>> case = load_scenario("builtin:demo-part").base
+    >>> machine, controller = with_values(case.machine, case.controller, {"axes.*.plant.mass": 90.0})
+    >>> [axis.plant.mass for axis in machine.axes]
+    [90.0, 90.0]
+    """
+    known = parameters_of(machine, controller)
+    changes: dict[str, dict[str, float]] = {}
+    for wanted, value in values.items():
+        for name in matching(wanted, known, "parameter"):
+            part, word = known[name]
+            if getattr(part, word) != value:
+                changes.setdefault(name.removesuffix(f".{word}"), {})[word] = value
+    for place, new in changes.items():
+        part = known[f"{place}.{next(iter(new))}"][0].replace(**new)
+        if place.startswith("axes."):
+            machine = _put(machine, place.split("."), part)
+        else:
+            controller = _put(controller, place.split(".")[1:], part)
+    return machine, controller
+
+
+def _put(owner: Any, place: Sequence[str], part: Component) -> Any:
+    """Return a copy of a value with a component put in its place in it."""
+    if not place:
+        return part
+    word, *rest = place
+    if isinstance(owner, Mapping):
+        return {**owner, word: _put(owner[word], rest, part)}
+    if isinstance(owner, tuple) and isinstance(owner[0], tuple):  # components by label
+        return tuple((dict(owner) | {word: part}).items())
+    if isinstance(owner, tuple):  # axes by name
+        return tuple(_put(axis, rest, part) if axis.name == word else axis for axis in owner)
+    return replace(owner, **{word: _put(getattr(owner, word), rest, part)})

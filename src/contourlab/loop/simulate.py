@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, Literal
 
@@ -18,6 +18,7 @@ from contourlab.geometry.view import PathView, check_view
 from contourlab.loop.feeding import Feed, Learned
 from contourlab.loop.judging import watched
 from contourlab.loop.machine import Controller, Machine
+from contourlab.loop.parameters import with_values
 from contourlab.loop.reconfigure import Change, prepared, taken_over
 from contourlab.loop.template import Loop, build
 from contourlab.loop.tool import ToolPosition
@@ -64,6 +65,7 @@ def simulate(
     machine: Machine,
     controller: Controller,
     reference: Reference,
+    values: Mapping[str, float] | None = None,
     *,
     scheme: str = "base",
     seed: int = 0,
@@ -85,6 +87,8 @@ def simulate(
     controller : Controller
     reference : Reference
         Sampled at the machine's servo period.
+    values : mapping of str to float, optional
+        Parameters to set first [SI], by dotted name; see `contourlab.with_values`.
     scheme : str
         Name of the result.
     seed : int
@@ -121,6 +125,8 @@ def simulate(
         If an argument is out of its range, or the view is that of another path.
     """
     check_kinds(machine, controller, reference)
+    if values:
+        machine, controller = with_values(machine, controller, values)
     if on_failure not in ("raise", "return"):
         raise ParameterError("on_failure", repr(on_failure), "'raise' or 'return'")
     kept: dict[str, Array] = {}

@@ -5,7 +5,7 @@ of a class as a table), `provenance` (sources and correlations), `build` (machin
 `load` (motion, scenario; entry points), `dump` and `toml_text` (writers).
 """
 
-from contourlab.scenario.dump import dump
+from contourlab.scenario.dump import dump, save
 from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names, shipped_hint
 from contourlab.scenario.load import load_axis, load_controller, load_machine, load_scenario, parse_scenario, scenario_from_parts
 from contourlab.scenario.values import Case, Contour, FeedSettings, LearningSettings, Motion, PartProgram, RunSettings, Scenario, chosen
@@ -29,6 +29,7 @@ __all__ = [
     "load_machine",
     "load_scenario",
     "parse_scenario",
+    "save",
     "scenario_from_parts",
     "shipped_hint",
 ]

@@ -10,8 +10,10 @@ from typing import Any
 
 from contourlab.components.contract import Component
 from contourlab.contours.reader import ContourOptions
+from contourlab.errors import ParameterError
 from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS, NAMED_SLOTS
+from contourlab.result.atomic import write_text_atomic
 from contourlab.scenario.build import SQUARENESS, parameters_of, units_of
 from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names
 from contourlab.scenario.provenance import origin_table, with_origins
@@ -45,18 +47,45 @@ def dump(value: Machine | Controller | Axis | Scenario, machine: Machine | None 
     """
     if isinstance(value, Controller):
         if machine is None:
-            raise TypeError("dump(controller, machine): the machine sets the units of the gains")
+            raise TypeError("a controller with its machine, save(controller, file, machine): the machine sets the units of the gains")
         return toml({"controller": controller_table(value, machine)})
     if isinstance(value, Axis):
         return toml(axis_table(value))
     if isinstance(value, Machine):
         return toml(machine_tables(value))
     if not isinstance(value, Scenario):
-        raise TypeError(f"{type(value).__name__} has no file of its own")
+        raise TypeError("a Machine, Controller, Axis or Scenario")
     base = case_tables(value.base)
     content: dict[str, Any] = {"name": value.name, **motion_table(value.motion), **base}
     schemes = {case.name: difference(base, case_tables(case)) for case in value.all_cases}
     return toml(content | ({"schemes": schemes} if schemes else {}))
+
+
+def save(value: Machine | Controller | Axis | Scenario, file: str | File, machine: Machine | None = None) -> None:
+    """Write a machine, a controller, an axis or a scenario that Python built as a file that the commands read.
+
+    Parameters
+    ----------
+    value : Machine, Controller, Axis or Scenario
+    file : str or Path
+        A file that ends in ``.toml``; replaced if it exists.
+    machine : Machine, optional
+        Required with a controller: its commands set the units of the gains.
+
+    Raises
+    ------
+    ParameterError
+        If the value has no file of its own, a controller comes without its machine, or the file has another ending.
+    OutputError
+        If the file cannot be written.
+    """
+    if File(file).suffix.lower() != ".toml":
+        raise ParameterError("file", repr(str(file)), "a file that ends in .toml")
+    try:
+        text = dump(value, machine)
+    except TypeError as error:
+        raise ParameterError("value", f"a {type(value).__name__}", str(error)) from error
+    write_text_atomic(file, text)
 
 
 # --- tables --------------------------------------------------------------------------------------------------------------------------

@@ -22,8 +22,9 @@ from contourlab.analysis.linear.sampled_loop import (
 from contourlab.arrays import Array
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop import Controller, Machine
+from contourlab.loop.parameters import with_values
 from contourlab.study.space import ROUNDING
-from contourlab.study.values import axes_of, with_values
+from contourlab.study.values import axes_of
 
 SLACK = (0.02, 0.05)
 """Additional margin [dB, degrees] required in a search, where margins come from a grid."""

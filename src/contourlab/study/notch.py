@@ -23,8 +23,8 @@ from contourlab.components.filter.biquad import Notch
 from contourlab.components.plant.plant import Plant
 from contourlab.errors import ParameterError
 from contourlab.loop import AxisController, Controller, Machine
+from contourlab.loop.parameters import with_values
 from contourlab.study.guards import SLACK, Bounds
-from contourlab.study.values import controller_with, machine_with
 
 NAME = "resonance"
 """Name of the filter."""
@@ -164,7 +164,10 @@ def _work(machine: Machine, name: str, bounds: Bounds | None) -> tuple[_Axis, tu
 
 def with_velocity_gain(controller: Controller, name: str, factor: float) -> Controller:
     """Return the controller with the velocity gain of an axis times a factor, and its integral time divided by it."""
-    return controller_with(controller, _scaled(controller, name, factor))
+    scaled = {dotted.rpartition(".")[2]: value for dotted, value in _scaled(controller, name, factor).items()}
+    mine = controller.axes[name]
+    made: AxisController = replace(mine, controller=mine.controller.replace(**scaled))
+    return replace(controller, axes={**controller.axes, name: made})
 
 
 def _scaled(controller: Controller, name: str, factor: Any) -> dict[str, Any]:
@@ -202,7 +205,7 @@ class _Axis:
         """Return the exact margins, with the resonance moved by a factor."""
         machine = self.machine
         if move != 1.0:
-            machine = machine_with(machine, {self.moved: self.own_resonance * move})
+            machine, _ = with_values(machine, controller, {self.moved: self.own_resonance * move})
         carried = machine.carried_mass(self.name)
         return sampled_loop(machine.axis(self.name), controller.axes[self.name], machine.servo_period, carried).margins()
 

@@ -10,10 +10,10 @@ import pytest
 
 from contourlab.analysis.linear.sampled_loop import lane_loops, margin_factors, sampled_loop, unstable_by
 from contourlab.components.drive.saturation import DelayedSaturation
+from contourlab.loop.parameters import with_values
 from contourlab.papers.ghaffari.setup import TABLE_3, Reading, controller, machine
 from contourlab.study import Space
 from contourlab.study.guards import Bounds, Guards
-from contourlab.study.values import controller_with
 
 N = 40
 GAIN = 20.0 * math.log10(1.5)
@@ -39,7 +39,7 @@ def test_lanes_agree_with_the_margins_of_each_loop(delay: float) -> None:
     kept = unstable_by(loops, margin_factors(1.5, math.radians(25.0))) < 0.0
     radius = loops.radius(1.0)
     for i in range(N):
-        one = controller_with(made, {name: float(values[i]) for name, values in mine.items()})
+        _, one = with_values(stage, made, {name: float(values[i]) for name, values in mine.items()})
         exact = sampled_loop(stage.axis("2"), one.axes["2"], stage.servo_period)
         assert radius[i] == pytest.approx(np.abs(exact.poles).max(), abs=1e-6)
         assert kept[i] == (not bounds.broken(exact.margins()))
@@ -54,6 +54,6 @@ def test_a_guard_checks_all_axes_and_caches_the_result() -> None:
     assert np.array_equal(guard.excess(columns, known), excess)
     assert np.array_equal(guard.excess({name: values[5:6] for name, values in columns.items()}), excess[5:6])
     for i in range(0, N, 8):
-        one = controller_with(made, {name: float(values[i]) for name, values in columns.items()})
+        _, one = with_values(stage, made, {name: float(values[i]) for name, values in columns.items()})
         met = [not guard.bounds.broken(sampled_loop(axis, one.axes[axis.name], stage.servo_period).margins()) for axis in stage.axes]
         assert all(met) == (excess[i] < 0.0)

@@ -12,10 +12,10 @@ from contourlab.analysis.linear.sampled_loop import rough_margins, sampled_loop,
 from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.errors import ComponentError
 from contourlab.loop import Controller, Machine
+from contourlab.loop.parameters import with_values
 from contourlab.papers.ghaffari.setup import TABLE_2, Reading, controller, machine
 from contourlab.scenario import load_controller, load_machine
 from contourlab.study import Space
-from contourlab.study.values import with_values
 
 READING = Reading()
 

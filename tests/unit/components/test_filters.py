@@ -18,7 +18,6 @@ from contourlab.analysis.linear.sampled_loop import sampled_loop, sampled_loops
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.loop.trials import Trials
 from contourlab.scenario import dump, parse_scenario
-from contourlab.study.values import controller_with
 
 F, D = 140.0, 0.4
 W = 2.0 * math.pi * F
@@ -116,7 +115,7 @@ def test_batches_and_single_runs_agree(circle: cl.Reference) -> None:
     assert name in cl.parameter_names(machine, made)
     batch = cl.simulate_batch(machine, made, circle, {name: values})
     for i, value in enumerate(values):
-        alone = cl.judge(cl.simulate(machine, controller_with(made, {name: float(value)}), circle), circle)
+        alone = cl.judge(cl.simulate(machine, made, circle, {name: float(value)}), circle)
         assert batch.figures["contour_error_rms"][i] == pytest.approx(np.sqrt(np.mean(alone["contour_error"] ** 2)), rel=1e-6)
 
 

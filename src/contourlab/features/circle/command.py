@@ -52,12 +52,12 @@ class _Read:
 
 
 @question(Circle)
-def circle(*logs: str | Path, settings: Circle, session: Session = QUIET) -> CircleTest:
+def circle(*logs: str | Path | Log, settings: Circle, session: Session = QUIET) -> CircleTest:
     """Find the causes that shape measured circles.
 
     Parameters
     ----------
-    *logs : str or Path
+    *logs : str, Path or Log
         Logs, or text files of angle and radius: one with all runs, or one for each sense.
 
     Returns

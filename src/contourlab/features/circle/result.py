@@ -6,6 +6,7 @@ import base64
 import hashlib
 import json
 import math
+import os
 import shlex
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
@@ -167,7 +168,7 @@ class CircleTest(Answer):
     findings: tuple[Finding, ...]
     report: str = field(default="", metadata=HIDDEN)
     fit: CircleFit | None = field(default=None, metadata=HIDDEN, repr=False)
-    inputs: tuple[str | Path, ...] = field(default=(), metadata=HIDDEN, repr=False)
+    inputs: tuple[str | os.PathLike[str], ...] = field(default=(), metadata=HIDDEN, repr=False)
 
     @property
     def circular_deviation(self) -> float:

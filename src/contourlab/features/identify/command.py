@@ -17,6 +17,7 @@ from contourlab.features.identify.request import Request
 from contourlab.features.identify.result import Identified, Picture, join_names
 from contourlab.features.measure.log_choice import LogChoice
 from contourlab.findings import Finding
+from contourlab.logs import Log
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.scenario.provenance import origin_table
@@ -123,12 +124,12 @@ class Identification(Answer):
 
 
 @question(Identify)
-def identify(*logs: str | Path, settings: Identify, session: Session = QUIET) -> Identification:
+def identify(*logs: str | Path | Log, settings: Identify, session: Session = QUIET) -> Identification:
     """Identify a model of an axis from logs.
 
     Parameters
     ----------
-    *logs : str or Path
+    *logs : str, Path or Log
         Logs of runs that excite the axis.
 
     Returns

@@ -45,12 +45,12 @@ BLOCK = 65536
 
 
 @question(Limits)
-def limits(file: str | Path, *, settings: Limits, session: Session = QUIET) -> LimitTest:
+def limits(file: str | Path | Log, *, settings: Limits, session: Session = QUIET) -> LimitTest:
     """Compare what a control commanded, or our planner would, with the limits of a machine.
 
     Parameters
     ----------
-    file : str or Path
+    file : str, Path or Log
         A log, or a part program by its suffix.
 
     Returns
@@ -75,7 +75,7 @@ def limits(file: str | Path, *, settings: Limits, session: Session = QUIET) -> L
     if annotate is not None:
         if program is None:
             raise ParameterError("--annotate", repr(str(annotate)), "with the program of the log: add --program PART.ngc")
-        check_file(annotate, [file, program], "--annotate")
+        check_file(annotate, [Path(file), program], "--annotate")
     test = _planned(Path(file), settings, tolerance, reading) if planned else _logged(choice, settings, tolerance, reading)
     return replace(test, program=program, reading=reading)
 

@@ -34,7 +34,7 @@ from contourlab.features.run.options import Compare
 from contourlab.features.run.schemes import compare_schemes
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
-from contourlab.logs.load import about
+from contourlab.logs.load import Log, about
 from contourlab.rendering.data import Provenance, ReportData
 from contourlab.units import to_si
 
@@ -164,12 +164,12 @@ def _outputs(runs: Sequence[MeasuredRun]) -> list[str]:
 
 
 @question(Measure)
-def measure(log: str | Path, *, settings: Measure, session: Session = QUIET) -> MeasuredRuns:
+def measure(log: str | Path | Log, *, settings: Measure, session: Session = QUIET) -> MeasuredRuns:
     """Judge a measured run with the figures of a simulated one.
 
     Parameters
     ----------
-    log : str or Path
+    log : str, Path or Log
         A log of a machine, or a result.
 
     Returns
@@ -210,7 +210,7 @@ def compare(*files: Any, settings: Compare, session: Session = QUIET) -> Runs | 
     for name, part in Compare.PARTS.items():
         if getattr(settings, name) != part.default:
             raise ParameterError(part.typed, "given", "omitted when you compare runs from files: it applies to a scenario only")
-    judged = [_judged(LogChoice(_signals_of(Path(file)))) for file in files]
+    judged = [_judged(LogChoice(_signals_of(file))) for file in files]
     names = _names([Path(file) for file in files])
     runs = [replace(run, name=name) for name, run in zip(names, judged, strict=True)]
     axes, path = runs[0].result.axes, runs[0].reference.path
@@ -253,10 +253,11 @@ def _shift(text: str | None, axes: tuple[str, ...]) -> Array | Literal["fit"] | 
         raise ParameterError("--shift", repr(text), wanted) from error
 
 
-def _signals_of(path: Path) -> Path:
-    """Return the file of signals in a folder of results, or the file itself."""
+def _signals_of(source: str | Path) -> str | Path:
+    """Return the file of signals in a folder of results, or the source itself."""
+    path = Path(source)
     if not path.is_dir():
-        return path
+        return source
     files = sorted((path / "signals").glob("*.nc"))
     if len(files) != 1:
         names = f": give one of {', '.join(str(file) for file in files)}" if files else ": it has no signals/*.nc"

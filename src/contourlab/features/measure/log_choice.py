@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from contourlab.app.shared_options import LogColumns
 from contourlab.errors import LogError, ParameterError, UnitError
@@ -26,6 +26,8 @@ class LogChoice:
 
     Attributes
     ----------
+    file : str or Path
+        Or a `Log`, which stands for its name.
     columns : sequence of str
         As ``position.x=NAME [mm]``.
     mapping : str or Path, optional
@@ -44,9 +46,9 @@ class LogChoice:
     axes: Sequence[str] = ()
 
     @classmethod
-    def of(cls, file: str | Path, options: LogColumns) -> LogChoice:
+    def of(cls, file: str | Path | Log, options: LogColumns) -> LogChoice:
         """Return a log, to be read as the options say."""
-        return cls(file, options.column, options.columns, options.format, options.period, getattr(options, "axes", ()))
+        return cls(cast("Path", file), options.column, options.columns, options.format, options.period, getattr(options, "axes", ()))
 
     @property
     def files(self) -> tuple[str | Path, ...]:
@@ -67,7 +69,9 @@ def open_log(choice: LogChoice, more: Sequence[Column] = ()) -> Log:
     LogError, ParameterError
         See `contourlab.logs.load_log`.
     """
-    mapping = read_columns(choice.mapping) if choice.mapping is not None else Columns()
+    mapping = choice.file.given if isinstance(choice.file, Log) else Columns()
+    if choice.mapping is not None:
+        mapping = read_columns(choice.mapping)
     typed = once((*parse_columns(choice.columns), *more), "--column and --reference")
     overridden = {(column.signal, column.axis) for column in typed}
     columns = (*typed, *(c for c in mapping.columns if (c.signal, c.axis) not in overridden))

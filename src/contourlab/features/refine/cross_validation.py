@@ -11,7 +11,7 @@ import numpy as np
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.refine.study import Refined, RefinedParameter, RefineSettings, Sought, refine_sought
 from contourlab.findings import finding
-from contourlab.study.values import with_values
+from contourlab.loop.parameters import with_values
 
 LEAST = 1e-12
 """Smallest contour error [m] that counts, so that an exact run has a logarithm."""

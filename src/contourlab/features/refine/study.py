@@ -16,8 +16,8 @@ from contourlab.features.refine.log_run import Agreement, LogRun
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.loop import parameters_of
+from contourlab.loop.parameters import with_values
 from contourlab.study.space import DesignVariable, Space
-from contourlab.study.values import with_values
 
 SPAN = 10.0
 """Factor by which a parameter without a range may become smaller or larger."""

@@ -16,10 +16,10 @@ from contourlab.features.link.cost import WAYS, allowed_error, divided, division
 from contourlab.features.link.sweep import SEEDS, LinkSetting, LinkSweep
 from contourlab.features.swap.variants import Variant, Variants, losses
 from contourlab.loop import DIVISIONS, Division
+from contourlab.loop.parameters import with_values
 from contourlab.study import Space
 from contourlab.study.search import restarted
 from contourlab.study.statistics import wilson
-from contourlab.study.values import machine_with
 
 PERIOD = "message_period"
 
@@ -272,7 +272,7 @@ def coverage(
     points = np.asarray(qmc.Sobol(len(region.names), seed=variants.setting.seed).random(size))
     values, best = np.empty(size), np.empty(0 if tolerance is not None else size)
     for k, plant in enumerate(points):
-        machine = machine_with(variants.members[0].machine, region.values(plant))
+        machine, _ = with_values(variants.members[0].machine, variants.setting.controller, region.values(plant))
         there = replace(variants, members=(Variant("", machine),), progress=None)
         found, broken = there.values(point[None, None])
         values[k] = math.inf if broken[0, 0] > 0.0 else found[0, 0]

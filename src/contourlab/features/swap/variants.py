@@ -15,11 +15,11 @@ from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError
 from contourlab.loop import Axis, Controller, Machine
 from contourlab.loop.machine import AXIS_SLOTS
+from contourlab.loop.parameters import with_values
 from contourlab.metrics.run_figures import GOALS, goal_named
 from contourlab.study import Runner, Setting, Space
 from contourlab.study.executors import Workers
 from contourlab.study.guards import Bounds, Guards
-from contourlab.study.values import controller_with
 from contourlab.threads import in_threads
 
 BROKEN = 1e6
@@ -150,7 +150,7 @@ class Variants:
 
     def controller_at(self, point: Array, local: Sequence[str] = ()) -> Controller:
         """Return the controller of a point; `local` are the parameters, by dotted name, that move with their axis."""
-        controller = controller_with(self.setting.controller, self.space.values(point))
+        _, controller = with_values(self.setting.machine, self.setting.controller, self.space.values(point))
         axes = {}
         for name, axis in controller.axes.items():
             head = f"controller.axes.{name}."

@@ -39,12 +39,12 @@ from contourlab.features.sweep.study import Study, study_of
 from contourlab.features.sweep.summary import SweepSummary, display, remarks, rows_text, summary
 from contourlab.figures import number as number_text
 from contourlab.findings import Finding, finding
+from contourlab.loop.parameters import with_values
 from contourlab.result import write_text_atomic
 from contourlab.scenario import Case, Scenario, dump, parse_scenario
 from contourlab.study.design import Design
 from contourlab.study.executors import Executor, Workers
 from contourlab.study.space import Distribution
-from contourlab.study.values import with_values
 
 SAME = 1e-6
 """Largest relative difference between the stored figure of a variant and a new run; on the same processor they are equal."""

@@ -24,11 +24,11 @@ from contourlab.features.tune.search import (
 )
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine, parameters_of
+from contourlab.loop.parameters import with_values
 from contourlab.metrics.run_figures import FIGURES
 from contourlab.study import Runner, Setting, Space, calibration_order
 from contourlab.study.executors import Executor, Workers
 from contourlab.study.guards import Bounds, Guards
-from contourlab.study.values import with_values
 
 METHODS = ("sequential", "global", "both")
 STARTS = ("scenario", "placed")

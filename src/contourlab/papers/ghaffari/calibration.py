@@ -22,11 +22,11 @@ from contourlab.features.tune.objective import Evaluation, Goal, Objective, eval
 from contourlab.features.tune.search import LineRule, SearchPath, sequential
 from contourlab.features.tune.study import TuneSettings, tune
 from contourlab.loop import Controller
+from contourlab.loop.parameters import with_values
 from contourlab.papers.ghaffari.setup import FITTED, TABLE_2, TABLE_3, Gains, Reading, axis_controller, circle, controller, machine
 from contourlab.papers.rows import COMPUTED, INPUT, Row, derived, ours, printed
 from contourlab.study import Runner, Setting, Space
 from contourlab.study.guards import Bounds, Guards
-from contourlab.study.values import with_values
 
 NEAR = 0.2
 """Relative difference within which a number agrees with Table III; if Table II does too, agreement says nothing about the calibration."""

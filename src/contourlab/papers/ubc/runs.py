@@ -15,8 +15,8 @@ from contourlab.features.refine.log_run import Agreement, LogRun, log_run
 from contourlab.features.refine.study import RefineSettings, Window, refine
 from contourlab.logs import load_log
 from contourlab.loop import Machine
+from contourlab.loop.parameters import with_values
 from contourlab.scenario import load_scenario
-from contourlab.study.values import with_values
 
 FILES = {"lead-lag": "line_circle_lli.mat", "pole-placement": "line_circle_pp.mat"}
 WANTED = (

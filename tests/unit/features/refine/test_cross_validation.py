@@ -17,8 +17,8 @@ from contourlab.features.refine.log_run import LogRun, log_run
 from contourlab.features.refine.study import RefineSettings, refine
 from contourlab.feed import Reference
 from contourlab.loop import Axis, AxisController, Controller, Machine, simulate
+from contourlab.loop.parameters import with_values
 from contourlab.result import Result, Signal
-from contourlab.study.values import with_values
 
 PERIOD = 1e-3
 SETTINGS = RefineSettings(starts=1, rounds=1)

@@ -16,8 +16,8 @@ from contourlab.features.refine.study import RefineSettings, refine, seek
 from contourlab.feed import Reference
 from contourlab.geometry import Line, Path
 from contourlab.loop import Axis, AxisController, Controller, Machine, simulate
+from contourlab.loop.parameters import with_values
 from contourlab.result import Result, Signal
-from contourlab.study.values import with_values
 
 PERIOD = 1e-3
 TRUE = {"axes.x.plant.damping": 400.0, "axes.x.friction.coulomb": 60.0, "axes.x.disturbance.sine": 8.0}

@@ -11,9 +11,9 @@ import pytest
 import contourlab as cl
 from contourlab.features.tune.search import LineRule
 from contourlab.features.tune.study import TuneSettings, tune
+from contourlab.loop.parameters import with_values
 from contourlab.scenario import Scenario, scenario_from_parts
 from contourlab.study import Setting
-from contourlab.study.values import with_values
 
 PART = "G21 G17 G90 F2400\nG64 P0.05\nG0 X5 Y5 Z5\nG1 Z0\nG1 X15\nY12\nG3 X10 Y17 I-5 J0\nG1 X5 Y12\nG0 Z5\nM2\n"
 
