@@ -41,8 +41,8 @@ GROUPS = {
         ),
     ),
     "Read": (
-        "Scenarios, part programs and drawings.",
-        ("load_scenario", "Scenario", "read_program", "parse_program", "Program", "Reading", "read_contour"),
+        "Scenarios, part programs, drawings and logs; and a file of what a script built.",
+        ("load_scenario", "Scenario", "read_program", "parse_program", "Program", "Reading", "read_contour", "load_log", "save"),
     ),
     "Machine and controller": (
         "What a scenario contains, or a script builds.",
@@ -52,6 +52,9 @@ GROUPS = {
         "The path, and the plan along it.",
         (
             "Path",
+            "Line",
+            "Arc",
+            "Nurbs",
             "contour",
             "contour_names",
             "Route",
@@ -67,7 +70,7 @@ GROUPS = {
     ),
     "Simulate": (
         "One run, many variants at once, or a run larger than memory.",
-        ("simulate", "simulate_batch", "BatchResult", "parameter_names", "simulate_to_file", "Change"),
+        ("simulate", "simulate_batch", "BatchResult", "parameter_names", "with_values", "simulate_to_file", "Change"),
     ),
     "Judge": (
         "Contour error, part error, verdict, circles, reversals and backlash.",
@@ -113,9 +116,12 @@ API = """\
 
 
 def members(kind: type) -> Iterator[tuple[str, Any]]:
-    """Yield the public methods and properties of a class itself."""
+    """Yield the public methods and properties of a class itself, without those that a base class describes."""
     for name, member in vars(kind).items():
-        if name[0] != "_" and name not in getattr(kind, "__dataclass_fields__", ()) and function_of(member) is not None:
+        function = function_of(member)
+        if name[0] == "_" or name in getattr(kind, "__dataclass_fields__", ()) or function is None:
+            continue
+        if function.__doc__ or not any(hasattr(base, name) for base in kind.__mro__[1:]):
             yield name, member
 
 

@@ -6,10 +6,12 @@ all public names, for type checkers and completion.
 
 from __future__ import annotations
 
+import collections.abc
 import importlib
 import inspect
 import re
 import sys
+import typing
 from pathlib import Path
 from typing import Any
 
@@ -35,7 +37,10 @@ def stub() -> str:
     for home, names in contourlab._HOMES.items():
         for name in names:
             target = getattr(contourlab, name)
-            if hasattr(target, "ask"):
+            if forms := getattr(target, "forms", ()):
+                imports.add("from typing import overload")
+                questions += [f"@overload\ndef {name}({signature(form, imports)}: ...\n" for form in forms]
+            elif hasattr(target, "ask"):
                 questions.append(question(name, target, imports))
             else:
                 own = getattr(target, "__module__", home)
@@ -56,8 +61,8 @@ def question(name: str, target: Any, imports: set[str]) -> str:
 
 
 def signature(target: Any, imports: set[str]) -> str:
-    """Return parameters and result of a question."""
-    made, scope = inspect.signature(target), vars(sys.modules[target.ask.__module__])
+    """Return parameters and result of a function."""
+    made, home = inspect.signature(target), sys.modules[getattr(target, "ask", target).__module__]
     parameters: list[str] = []
     for each in made.parameters.values():
         first = each.kind is each.KEYWORD_ONLY and not any(one.startswith("*") for one in parameters)
@@ -66,13 +71,13 @@ def signature(target: Any, imports: set[str]) -> str:
         parameters += [*(["*"] if first else []), f"{star}{each.name}: {each.annotation}{default}"]
     text = f"{', '.join(parameters)}) -> {made.return_annotation}"
     for word in sorted(set(re.findall(r"[A-Z]\w+", text)) - {"Path", "Sequence", "None"}):
-        kind = scope[word]
-        if word == "Any":
-            imports.add("from typing import Any")
-        elif inspect.isclass(kind):
+        kind = getattr(home, word)
+        if inspect.isclass(kind) and kind.__module__.startswith("contourlab."):
             imports.add(f"from {kind.__module__} import {kind.__name__} as {word}")
-        else:
-            imports.add(f"from contourlab.features.run.source import {word} as {word}")
+        else:  # of Python, or the name of a type
+            place = next((module for module in (typing, collections.abc) if getattr(module, word, None) is kind), home)
+            where = "contourlab.features.run.source" if word == "Source" else place.__name__
+            imports.add(f"from {where} import {word} as {word}")
     return re.sub(r"\bPath\b", "File", text)
 
 

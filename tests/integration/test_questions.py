@@ -7,11 +7,14 @@ from pathlib import Path
 
 import made_circles
 import matplotlib as mpl
+import numpy as np
+import pandas as pd
 import pytest
 from typed_commands import CIRCLE, PART, AsJson, write
 
 import contourlab as cl
 from contourlab.app.json_values import json_values
+from contourlab.scenario import dump
 
 mpl.use("agg")
 
@@ -51,6 +54,63 @@ def test_files_and_objects_give_the_same_answer(folder: Path) -> None:
     assert first.result.after.violations or (kept is not None and kept.exists())
     ran = cl.run(case.machine, case.controller, case.reference(), interval=False)
     assert ran.outcomes[0].metrics == cl.run("circle.toml", interval=False).outcomes[0].metrics
+
+
+def test_a_log_may_come_from_arrays(folder: Path) -> None:
+    write(folder, CIRCLE, "circle.toml")
+    case = cl.load_scenario("circle.toml").base
+    result = cl.simulate(case.machine, case.controller, case.reference())
+    cells = {"time [s]": result.time}
+    for j, axis in enumerate(result.axes):
+        cells |= {f"position.{axis} [mm]": 1e3 * result["position"][:, j], f"reference.{axis} [m]": result["reference"][:, j]}
+        cells |= {f"command.{axis} [N]": result["command"][:, j]}
+    np.savetxt("log.csv", np.column_stack(list(cells.values())), delimiter=",", header=",".join(cells), comments="", fmt="%.17g")
+    log = cl.load_log(pd.DataFrame(cells), name="log.csv")
+    before = names(folder)
+    for ask in (
+        lambda log: cl.measure(log, tolerance="40 um"),
+        lambda log: cl.limits(log, velocity="1 m/s"),
+        lambda log: cl.circle(log),
+        lambda log: cl.identify(log, model="rigid", axis=result.axes[0]),
+    ):
+        of_arrays, of_file = (ask(given).to_pandas().drop(columns="format", errors="ignore") for given in (log, "log.csv"))
+        pd.testing.assert_frame_equal(of_arrays, of_file, rtol=1e-9)
+    other = cl.load_log(cells, name="other", columns=["position.3=-position.3"])
+    assert cl.compare(log, other).runs[1].log is other
+    assert names(folder) == before
+
+
+@pytest.mark.parametrize(
+    "arrays", [{"x [mm]": [[1.0]]}, {"x [mm]": ["a"]}, {"x [mm]": [1.0, 2.0], "t [s]": [0.0]}, {}, {"x": [0.0, 1.0], "t [s]": [0.0, 1.0]}]
+)
+def test_arrays_that_are_no_log_are_refused(arrays: dict[str, list[float]]) -> None:
+    with pytest.raises(cl.ContourlabError):
+        cl.load_log(arrays)
+
+
+def test_what_python_built_is_saved_for_the_shell(folder: Path, as_json: AsJson) -> None:
+    write(folder, CIRCLE, "circle.toml")
+    case = cl.load_scenario("circle.toml").base
+    machine, controller = cl.with_values(case.machine, case.controller, {"1.position_gain": 3.0, "axes.*.plant.damping": 4.0})
+    assert [axis.plant.values()["damping"] for axis in machine.axes] == [4.0, 4.0]
+    cl.save(machine, "m.toml")
+    cl.save(controller, "c.toml", machine)
+    (folder / "again.toml").write_text(
+        'name = "again"\nmachine = "m.toml"\ncontroller = "c.toml"\n[contour]\nname = "circle"\nradius = "1 mm"\n[feed]\nfeedrate = "600 mm/min"\n'
+    )
+    again = cl.load_scenario("again.toml").base
+    assert dump(again.machine) == dump(machine) and dump(again.controller, again.machine) == dump(controller, machine)
+    values = {"axes.1.plant.damping": 4.0}
+    alone = cl.simulate(case.machine, case.controller, case.reference(), values)
+    lanes = cl.simulate_batch(
+        case.machine, case.controller, case.reference(), {name: [value] for name, value in values.items()}, keep=["position"]
+    )
+    assert np.abs(alone["position"] - lanes.signals["position"][:, :, 0]).max() < 1e-9
+    for bad in ((controller, "c.toml"), (machine, "m.csv"), (case.reference(), "r.toml")):
+        with pytest.raises(cl.ContourlabError):
+            cl.save(*bad)
+    with pytest.raises(cl.ContourlabError):
+        cl.with_values(machine, controller, {"1.postion_gain": 3.0})
 
 
 def test_a_failed_verdict_is_an_answer_and_bad_input_an_error(folder: Path) -> None:

@@ -16,6 +16,7 @@ from importlib.abc import Loader
 from importlib.machinery import SourceFileLoader
 from pathlib import Path
 from types import CodeType, ModuleType
+from typing import Any
 
 from contourlab.components.contract import FAMILIES, Component
 from contourlab.components.declaration import check_class
@@ -182,7 +183,7 @@ def components(family: str | None = None) -> list[type[Component]]:
     return sorted(chosen, key=lambda kind: (FAMILIES.index(kind.family), kind.kind))
 
 
-def component(family: str, kind: str) -> type[Component]:
+def component(family: str, kind: str) -> type[Any]:
     """Return one component by family and kind.
 
     Parameters

@@ -83,7 +83,12 @@ class Line(Curve):
 
 
 class Lines(CurveBatch):
-    """Many lines at once."""
+    """Many lines at once.
+
+    Parameters
+    ----------
+    curves : sequence of Line
+    """
 
     def __init__(self, curves: Sequence[Line]) -> None:
         super().__init__(curves)
@@ -117,7 +122,7 @@ class Arc(Curve):
         a0, from u towards v.
     sweep : float [rad], not 0
         Signed angle; may be more than a turn.
-    u, v : array_like (n_axis,), optional
+    u, v : array_like (n_axis,) [1], optional
         Orthonormal axes of the plane; the first two coordinates by default.
     rise : array_like (n_axis,) [m], optional
         Travel at right angles to u and v over the whole sweep.
@@ -250,7 +255,12 @@ class Arc(Curve):
 
 
 class Arcs(CurveBatch):
-    """Many arcs and helices at once."""
+    """Many arcs and helices at once.
+
+    Parameters
+    ----------
+    curves : sequence of Arc
+    """
 
     def __init__(self, curves: Sequence[Arc]) -> None:
         super().__init__(curves)

@@ -100,8 +100,14 @@ class Nurbs(_Knotted):
     ----------
     degree : int, >= 1
     points : array_like (n, n_axis) [m]
-    knots : array_like (n + degree + 1,)
-    weights : array_like (n,), > 0
+    knots : array_like (n + degree + 1,) [1]
+        Non-decreasing.
+    weights : array_like (n,) [1], > 0
+
+    Raises
+    ------
+    GeometryError
+        If the numbers of points, knots and weights do not fit, or one is out of range.
 
     References
     ----------

@@ -37,7 +37,15 @@ PHASES = np.arange(16) / 16
 
 @dataclass(frozen=True)
 class Gap:
-    """Missing samples: time of the sample before [s], and count."""
+    """Missing samples.
+
+    Attributes
+    ----------
+    time : float [s]
+        Of the sample before.
+    missing : int
+        How many.
+    """
 
     time: float
     missing: int
@@ -51,8 +59,10 @@ class ClockReport:
     ----------
     period : float [s]
         Sample period.
+    n_sample : int
     jitter_rms, jitter_peak : float [s]
         Deviation from an even clock between gaps.
+    gaps : tuple of Gap
     repeated : int
         Omitted samples, which repeat the time before.
     resampled : bool

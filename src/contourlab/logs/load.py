@@ -6,7 +6,7 @@ import os
 import re
 from collections.abc import Container, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -47,6 +47,8 @@ class Log:
 
     Attributes
     ----------
+    result : Result
+        The signals in SI on one clock.
     record : Record
         The file as read.
     columns : tuple of Column
@@ -70,7 +72,7 @@ class Log:
     findings: tuple[Finding, ...] = ()
     start: float = 0.0
     doubtful: tuple[Finding, ...] = ()
-    given: Columns = Columns()
+    given: Columns = field(default_factory=Columns)
 
     def __fspath__(self) -> str:
         return str(self.record.file)

@@ -69,7 +69,14 @@ class Column:
 
 @dataclass(frozen=True)
 class Columns:
-    """The user's mapping of a log: columns, period and format."""
+    """The user's mapping of a log.
+
+    Attributes
+    ----------
+    columns : tuple of Column
+    period : float or None [s]
+    format : str or None
+    """
 
     columns: tuple[Column, ...] = ()
     period: float | None = None

@@ -37,8 +37,8 @@ class Channel:
     ----------
     name : str
         Name in the file.
-    values : ndarray (n,)
-        In `unit`; NaN for missing values.
+    values : ndarray (n,) [`unit`]
+        NaN for missing values.
     unit : str
         Unit stated in the file; empty for none.
     time : ndarray (n,) [s] or None
@@ -69,6 +69,7 @@ class Record:
 
     Attributes
     ----------
+    file : Path
     format : str
         Name of the reader.
     channels : tuple of Channel
@@ -81,6 +82,11 @@ class Record:
         What was skipped.
     attributes : mapping of str to str, int or float
         Attributes of a result that contourlab wrote.
+
+    Raises
+    ------
+    LogError
+        If it holds no samples, too many columns, or none that can be read.
     """
 
     file: Path
@@ -125,7 +131,13 @@ class Record:
         return self.channels_of([name])[0]
 
     def channels_of(self, names: Iterable[str]) -> list[Channel]:
-        """Return channels by their names, as `channel` does; an error names all columns that are missing."""
+        """Return channels by their names, as `channel` does.
+
+        Raises
+        ------
+        LogError
+            If one is missing, with all that are, or several match.
+        """
         matches = {}
         for name in names:
             folded = name.casefold()
