@@ -8,79 +8,31 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from contourlab.app.json_values import HIDDEN, write_json
 from contourlab.app.quick import affordable
 from contourlab.app.results import staged
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.errors import ParameterError
 from contourlab.features.run.source import Source, case_asked
-from contourlab.features.sensitivity.options import SensitivityOptions
+from contourlab.features.sensitivity.options import Plan, SensitivityOptions
 from contourlab.features.sensitivity.report import charts_of, tables
-from contourlab.features.sensitivity.study import (
-    PARTS,
-    Drawn,
-    Plan,
-    Study,
-    distributions,
-    holds,
-    present_values,
-    sensitivity_study,
-)
+from contourlab.features.sensitivity.study import Study, distributions, present_values, sensitivity_study
 from contourlab.features.sensitivity.verdict import Ranking, ranking, verdict
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
-from contourlab.loop import parameters_of
 from contourlab.loop.batch import LANES
 from contourlab.metrics.run_figures import CONTOUR
-from contourlab.rendering.stages import Stages
 from contourlab.rendering.table import paragraphs
 from contourlab.study import Runner, Setting, Space
 from contourlab.study.checkpoint import Checkpoint, resumable, run_identity
-from contourlab.study.executors import Executor, Workers
 
 if TYPE_CHECKING:
     from contourlab.scenario import Case
 
 KEPT = "runs"
 """Folder of stored runs, inside the folder of the results."""
-
-
-@dataclass(frozen=True)
-class Request:
-    """Options of the command.
-
-    Attributes
-    ----------
-    plan : Plan
-    scheme : str
-        Scheme of the scenario; empty for the scenario without schemes.
-    parameters : sequence of str
-        See `contourlab.study.Space.chosen`; by default all calibrated parameters.
-    width : float
-        Factor by which a parameter without bounds may become smaller or larger.
-    distribution : str
-        One of `contourlab.features.sensitivity.study.KINDS`.
-    deviations : sequence of str
-        See `contourlab.features.sensitivity.study.distributions`.
-    servo_period : str
-        Replaces that of the machine, with its unit; empty to keep it.
-    executor : Executor
-    judge : str, optional
-        Moves to judge; by default as in the scenario.
-    quick : bool
-        Whether to run only as much of the plan as fits into a minute.
-    """
-
-    plan: Plan = field(default_factory=Plan)
-    scheme: str = ""
-    parameters: Sequence[str] = ()
-    width: float = 2.0
-    distribution: str = "uniform"
-    deviations: Sequence[str] = ()
-    servo_period: str = ""
-    executor: Executor = field(default_factory=Executor)
-    judge: str | None = None
-    quick: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,7 +43,8 @@ class Sensitivity(Answer):
     ----------
     scenario : str
         The file as given.
-    request : Request
+    request : SensitivityOptions
+        As they were done.
     scheme, machine : str
     servo_period : float [s]
     runs_made, runs_reused : int
@@ -101,7 +54,7 @@ class Sensitivity(Answer):
     """
 
     scenario: str
-    request: Request
+    request: SensitivityOptions
     scheme: str
     machine: str
     servo_period: float
@@ -175,69 +128,41 @@ def sensitivity(*source: Source, settings: SensitivityOptions, session: Session 
     ContourlabError
         If the scenario or an option is invalid, or the scenario's own run fails.
     """
-    request = request_of(settings)
     scenario, case = case_asked(source, settings)
     if settings.servo_period is not None:
         case = replace(case, machine=replace(case.machine, servo_period=settings.si("servo_period")))
     if case.changes:
         raise ParameterError("scenario", "one that changes its controller", "a scheme with the same controller throughout")
-    space = Space.chosen(case.machine, case.controller, request.parameters, request.width)
-    drawn = distributions(space, request.distribution, request.deviations)
-    request.plan.check(len(drawn))
-    left_out = () if request.scheme else tuple(repr(other.name) for other in scenario.all_cases)
+    space = Space.chosen(case.machine, case.controller, settings.parameter, settings.width)
+    drawn = distributions(space, settings.distribution, settings.deviation)
+    settings.work(len(drawn))
+    left_out = () if settings.scheme else tuple(repr(other.name) for other in scenario.all_cases)
     session.will_write(scenario.inputs, "summary.json")
     session.hold(resumable(session.folder / KEPT, "runs"))
-    stages = session.stages()
-    with request.executor.started(settings.plugin) as pool:
-        study, runs = _studied(case, request, (space, drawn), session.folder / KEPT if session.saving else None, stages, pool)
-    kept = () if runs.store is None else runs.store.findings("runs", runs.reused)
-    findings = (*_on_case(case, left_out), *kept, *_on_quick(request, study), *verdict(study))
-    request = replace(request, plan=study.plan)
-    name, period = case.machine.name, case.machine.servo_period
+    stages, executor, plan = session.stages(), settings.pool, settings
+    with executor.started(settings.plugin) as pool:
+        stages.begin("planning the motion")
+        setting = Setting.of(case)
+        kept = Checkpoint(session.folder / KEPT, run_identity([setting])) if session.saving else None
+        # Contour and tracking error are stored in any case.
+        figures = (settings.judged.name,) if settings.judged.source != CONTOUR else ()
+        runs = Runner(setting, figures, executor.workers, executor.gpu, pool, kept, stages.advance)
+        present = present_values(space)
+        if not all(np.isfinite(values[0]) for values in runs(present).values()):
+            setting.single()
+        if settings.quick:
+            stages.begin("timing a run")
+            batches = affordable(
+                lambda motion: replace(setting, reference=motion).batch(present, figures), setting.reference, executor.workers
+            )
+            plan = settings.quickly(len(drawn), LANES * batches)
+        stages.expect(plan.work(len(drawn)))
+        study = sensitivity_study(space, runs, plan, drawn, _failure_level(setting, plan), stages.begin)
+    reused = () if kept is None else kept.findings("runs", runs.reused)
+    findings = (*_on_case(case, left_out), *reused, *_on_quick(settings, plan), *verdict(study))
     of = str(source[0]) if isinstance(source[0], str | Path) else scenario.name
-    ended = (runs.runs, runs.reused, study, ranking(study), findings)
-    return Sensitivity(of, request, case.name, name, period, *ended, scenario.inputs)
-
-
-def request_of(settings: SensitivityOptions) -> Request:
-    """Return the options as they stand in the answer."""
-    plan = Plan(
-        settings.parts or PARTS,
-        settings.figure,
-        settings.values,
-        settings.base,
-        settings.second_order,
-        settings.trajectories,
-        settings.transform,
-        settings.seed,
-    )
-    chosen = (settings.parameter, settings.width, settings.distribution, settings.deviation, settings.servo_period or "")
-    return Request(plan, settings.scheme, *chosen, settings.pool, settings.judge, settings.quick)
-
-
-def _studied(
-    case: Case, request: Request, varied: tuple[Space, tuple[Drawn, ...]], folder: Path | None, stages: Stages, pool: Workers | None
-) -> tuple[Study, Runner]:
-    plan, (space, drawn) = request.plan, varied
-    stages.begin("planning the motion")
-    setting, executor = Setting.of(case), request.executor
-    kept = None if folder is None else Checkpoint(folder, run_identity([setting]))
-    # Contour and tracking error are stored in any case.
-    figures = (plan.judged.name,) if plan.judged.source != CONTOUR else ()
-    runs = Runner(setting, figures, executor.workers, executor.gpu, pool, kept, stages.advance)
-    if not holds(space, runs):
-        setting.single()
-    if request.quick:
-        stages.begin("timing a run")
-        one = present_values(space)
-        fits = affordable(lambda motion: replace(setting, reference=motion).batch(one, figures), setting.reference, executor.workers)
-        plan = plan.quick(len(space.numbers), LANES * fits)
-    stages.expect(plan.work(len(space.numbers)))
-    known = parameters_of(setting.machine, setting.controller)
-    accepted = {name: known[name][0].parameters[known[name][1]] for name in space.names}
-    limits = {name: (parameter.minimum, parameter.maximum) for name, parameter in accepted.items()}
-    level = _failure_level(setting, plan)
-    return sensitivity_study(space, runs, plan, drawn, level, limits=limits, stage=stages.begin), runs
+    about = (of, plan, case.name, case.machine.name, case.machine.servo_period)
+    return Sensitivity(*about, runs.runs, runs.reused, study, ranking(study), findings, scenario.inputs)
 
 
 def _failure_level(setting: Setting, plan: Plan) -> float:
@@ -247,12 +172,11 @@ def _failure_level(setting: Setting, plan: Plan) -> float:
     return {"m": limit, "m s": float(limit * time)}.get(plan.judged.unit, math.inf)
 
 
-def _on_quick(request: Request, study: Study) -> Iterator[Finding]:
-    plan = study.plan
-    if request.quick and plan != request.plan:
-        wider = round(math.sqrt(request.plan.base / plan.base), 1)
-        yield finding("CL653", values=plan.values, base=plan.base, trajectories=plan.trajectories, wider=wider)
-        if plan.parts != tuple(request.plan.parts):
+def _on_quick(asked: Plan, done: Plan) -> Iterator[Finding]:
+    if done != asked:
+        wider = round(math.sqrt(asked.base / done.base), 1)
+        yield finding("CL653", values=done.values, base=done.base, trajectories=done.trajectories, wider=wider)
+        if done.chosen != asked.chosen:
             yield finding("CL654")
 
 

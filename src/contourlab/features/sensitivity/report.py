@@ -8,7 +8,8 @@ import numpy as np
 
 from contourlab.arrays import Array, Flags
 from contourlab.features.sensitivity.curves import CHANGE, Curve, Interval
-from contourlab.features.sensitivity.study import PARTS, Drawn, Sample, Study
+from contourlab.features.sensitivity.options import PARTS
+from contourlab.features.sensitivity.study import Drawn, Sample, Study
 from contourlab.figures import figure
 from contourlab.rendering.charts import Bars, Matrix, Multiples, Series, Tile
 from contourlab.rendering.charts import Curve as Line
@@ -24,7 +25,7 @@ ESTIMATE = ("+- (95 %)",)
 
 def tables(study: Study) -> Iterator[str]:
     """Yield one table of all parameters for a study with all its parts, else every table of its parts."""
-    if study.plan.parts == PARTS:
+    if study.plan.chosen == PARTS:
         yield _overview(study).text()
         yield paragraphs([f"Details: the same command with --parts {', '.join(PARTS[:-1])} or {PARTS[-1]} prints them from the kept runs."])
         return

@@ -97,18 +97,18 @@ def answers_of(rows: Rows) -> Answers:
     store, values, tolerance = rows.store, rows.values, rows.tolerance
     n, members = len(values), rows.clusters
     found = estimate(values, tolerance, members)
-    design = store.manifest["design"]
+    design = store.manifest.design
     drawn, is_search = design in DRAWN, design == "search"
     names, front = _front(rows)
     thinned = front[np.unique(np.linspace(0, len(front) - 1, SHOWN_FRONT).astype(int))] if len(front) else front
     return Answers(
-        store=str(store.folder),
-        question=_question(store.manifest["study"]),
+        store=str(store.home),
+        question=_question(store.manifest.study),
         figure=rows.figure,
-        unit=store.figures[rows.figure],
+        unit=store.manifest.figures[rows.figure],
         tolerance=tolerance,
         design=design,
-        variants=store.variants,
+        variants=store.manifest.variants,
         judged=n,
         passed=None if tolerance is None else int(np.count_nonzero(values <= tolerance)),
         share=found.share,
@@ -163,4 +163,4 @@ def _front(rows: Rows) -> tuple[dict[str, str], Any]:
     if len(columns) < 2:
         return {}, np.zeros(0, dtype=np.int64)
     front = pareto_front(np.column_stack(list(columns.values())))
-    return {name: rows.store.figures[name] for name in columns}, ended[front]
+    return {name: rows.store.manifest.figures[name] for name in columns}, ended[front]

@@ -140,9 +140,9 @@ def worst(store: str | Path, count: int = 10, *, settings: Worst, session: Sessi
     if settings.rerun is not None:
         return rerun(store, settings.rerun, settings, session)
     opened = read_store(store)
-    names = ("variant", *opened.modules, settings.figure, *opened.columns, "status")
+    names = ("variant", *opened.manifest.modules, settings.figure, *opened.manifest.columns, "status")
     found = worst_of(opened, count, settings.figure)
-    units = {**opened.columns, **opened.figures}
+    units = {**opened.manifest.columns, **opened.manifest.figures}
     return Rows(names, tuple(tuple(row[name] for name in names) for row in found), units, remarks(opened, {}), tuple(found), str(store))
 
 
@@ -245,14 +245,14 @@ def rerun(folder: str | Path, number: int, settings: Worst, session: Session) ->
     """
     store = read_store(folder)
     row = variant(store, number)
-    fits = (one for one in store.manifest["structures"] if all(row.get(key) == label for key, label in one["choices"].items()))
+    fits = (one for one in store.manifest.structures if all(row.get(key) == label for key, label in one.choices.items()))
     if (structure := next(fits, None)) is None:
-        raise ResultError(f"{store.folder}: has no scenario for variant {number}: restore its manifest.json")
-    base = parse_scenario(structure["scenario"], f"{folder}: variant {number}", settings.plugin).base
-    values = {name: row[name] for name in store.columns if name not in structure["choices"] and row[name] is not None}
+        raise ResultError(f"{store.home}: has no scenario for variant {number}: restore its manifest.json")
+    base = parse_scenario(structure.scenario, f"{folder}: variant {number}", settings.plugin).base
+    values = {name: row[name] for name in store.manifest.columns if name not in structure.choices and row[name] is not None}
     findings = (*remarks(store, {}), *_differences(store, row, base, values))
     machine, controller = with_values(base.machine, base.controller, values)
-    run = base.run if store.manifest["tolerance"] is None else replace(base.run, tolerance=store.manifest["tolerance"])
+    run = base.run if store.manifest.tolerance is None else replace(base.run, tolerance=store.manifest.tolerance)
     case = replace(base, machine=machine, controller=controller, run=run)
     scenario = Scenario(f"variant {number}", Path(f"variant-{number}.toml"), case)
     file = session.folder / f"variant-{number}.toml" if session.saving else scenario.file
@@ -273,8 +273,8 @@ def _differences(store: Store, row: Mapping[str, Any], case: Case, values: Mappi
     numbers = tuple((name, i, Distribution("values", (value,))) for i, (name, value) in enumerate(values.items()))
     structure = Structure(case.machine, case.controller, case.reference(), case.seed, case.moving, numbers)
     design = Design("list", 1, 1, (1,) * len(numbers))
-    (chunk,) = run_chunks(Study("", "", design, (), {(): structure}, dict.fromkeys(values, ""), tuple(store.figures)), [0])
-    for name, unit in store.figures.items():
+    (chunk,) = run_chunks(Study("", "", design, (), {(): structure}, dict.fromkeys(values, ""), tuple(store.manifest.figures)), [0])
+    for name, unit in store.manifest.figures.items():
         stored, now = math.nan if row[name] is None else row[name], float(chunk.columns[name][0])
         if not np.isclose(now, stored, rtol=SAME, atol=0.0, equal_nan=True):
             unit, factor = display(unit)

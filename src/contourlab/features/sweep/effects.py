@@ -100,12 +100,12 @@ def finite(value: float) -> float | None:
 def subsets(rows: Rows) -> tuple[Subset, ...]:
     """Return the subsets of each column with few values; columns that vary together count once."""
     found: list[tuple[bytes, list[Subset], str]] = []
-    for name, unit in {**dict.fromkeys(rows.store.modules, ""), **rows.store.columns}.items():
+    for name, unit in {**dict.fromkeys(rows.store.manifest.modules, ""), **rows.store.manifest.columns}.items():
         codes, labels = rows.column(name)
         if len(np.unique(codes[: 1 << 12])) > FEW:
             continue
         kept, place = np.unique(codes, return_inverse=True)
-        is_own = (kind := rows.kind(name)) is not None and len(kept) == rows.store.modules[kind]  # each module has its own value
+        is_own = (kind := rows.kind(name)) is not None and len(kept) == rows.store.manifest.modules[kind]  # each module has its own value
         if not 1 < len(kept) <= FEW or is_own:
             continue
         names = [labels[int(code)] if labels else float(code) for code in kept]
@@ -169,8 +169,8 @@ def means_of(member: Index, values: Array) -> Means:
 def effects(rows: Rows) -> tuple[Effect, ...]:
     """Return the effects of all columns that vary; those that vary together are one."""
     order = ranks(rows.values)
-    found = (one for one in in_threads(lambda name: _effect(rows, name, order), rows.store.columns) if one is not None)
-    totals = _totals(rows) if rows.store.manifest["group"] > 1 else {}
+    found = (one for one in in_threads(lambda name: _effect(rows, name, order), rows.store.manifest.columns) if one is not None)
+    totals = _totals(rows) if rows.store.manifest.group > 1 else {}
     made = []
     for effect, name in _together(found):
         total, low, high = totals.get(effect.column, (None, None, None))
@@ -205,7 +205,7 @@ def _effect(rows: Rows, name: str, order: Array) -> tuple[bytes, Effect, str] | 
     bins = binned(rank)
     there = first_order(bins[ended], y[ended], None if inner is None else inner[ended], [unit[ended] for unit in units])
     index = [share * rows.share_of_variance(known) for share in there]
-    found = Effect(name, rows.store.columns[name], None, None, None, *index)
+    found = Effect(name, rows.store.manifest.columns[name], None, None, None, *index)
     independent = min([len(x), *(len(np.unique(unit)) for unit in units)])
     if not labels:
         middle, low, high = rank_correlation(rank, rank_y, independent)
@@ -219,7 +219,7 @@ def _effect(rows: Rows, name: str, order: Array) -> tuple[bytes, Effect, str] | 
 
 def _totals(rows: Rows) -> dict[str, tuple[float, float, float]]:
     """Return the total index of each column, from the groups of a Saltelli design that ended as a whole."""
-    size = rows.store.manifest["group"]
+    size = rows.store.manifest.group
     group, which = np.divmod(rows.table["variant"].to_numpy(), size)
 
     def grouped(values: Array) -> Array:
@@ -233,7 +233,7 @@ def _totals(rows: Rows) -> dict[str, tuple[float, float, float]]:
     if np.count_nonzero(whole) < 2:
         return found
     indices = total_indices(figure[whole])
-    for name in rows.store.columns:
+    for name in rows.store.manifest.columns:
         x = grouped(rows.column(name)[0])[whole]
         changes = np.any(np.abs(x[:, 2:] - x[:, :1]) > 0.0, axis=0)  # nan, where a column is empty, is no change
         if changes.any():
@@ -334,7 +334,7 @@ class Pairings:
 
 def best_choice(rows: Rows) -> tuple[dict[str, Any], Rows]:
     """Return the combination of all that belongs to no module with the highest yield or else the lowest mean, and its rows."""
-    names = [name for name in rows.store.columns if rows.kind(name) is None]
+    names = [name for name in rows.store.manifest.columns if rows.kind(name) is None]
     if not names:
         return {}, rows
     columns = [rows.column(name) for name in names]

@@ -23,7 +23,7 @@ from contourlab.extras import extra_module
 from contourlab.features.sweep.chunk import Chunk, chunk_elsewhere, joined, run_chunks
 from contourlab.features.sweep.options import Optimise
 from contourlab.features.sweep.query import counts, rows
-from contourlab.features.sweep.store import Store, check_folder, writing
+from contourlab.features.sweep.store import SavedStructure, Store, check_folder, writing
 from contourlab.features.sweep.structures import Structured
 from contourlab.features.sweep.study import Study, study_of
 from contourlab.features.sweep.summary import remarks, rows_text, title_of
@@ -51,17 +51,17 @@ AGAIN = "Repeat the command with --resume to continue"
 def kept_note(store: Store) -> AbstractContextManager[None]:
     """If the block is interrupted, add to the interrupt what is kept."""
     return noted(
-        lambda: f"{len(store.parts)} of {store.chunks} chunks are kept in {store.folder}. Repeat the command with --resume to continue."
+        lambda: f"{len(store.parts)} of {store.chunks} chunks are kept in {store.home}. Repeat the command with --resume to continue."
     )
 
 
-def structures_of(made: Structured) -> list[dict[str, Any]]:
+def structures_of(made: Structured) -> list[SavedStructure]:
     """Return choices and scenario of each structure, for the manifest."""
     found = []
     for combo, case in made.cases.items():
         choices = {choice.key: choice.labels[code] for choice, code in zip(made.choices, combo, strict=True)}
         text = dump(Scenario(case.name, Path(), replace(case, learning=None)))
-        found.append({"choices": choices, "scenario": text})
+        found.append(SavedStructure(choices, text))
     return found
 
 
@@ -139,7 +139,7 @@ def optimise(file: str | Path, options: Optimise, stages: Stages) -> Search:
         run = _simulated(study, executor, pool)
         for number in range(store.chunks):
             _batch(study, levels, store, journal, options, number, run)
-            stages.advance(store.done, store.variants)
+            stages.advance(store.done, store.manifest.variants)
     return _result(store, options, study)
 
 
@@ -172,7 +172,7 @@ def _journal(store: Store, options: Optimise) -> Iterator[Any]:
     import optuna
     from optuna.storages.journal import JournalFileBackend
 
-    file = store.folder / JOURNAL
+    file = store.home / JOURNAL
     for name in (JOURNAL, JOURNAL + ".lock"):
         file.with_name(name).unlink(missing_ok=True)
     verbosity = optuna.logging.get_verbosity()
@@ -262,6 +262,6 @@ def _result(store: Store, options: Optimise, study: Study) -> Search:
     front = [] if not found else pareto_front(values).tolist() if len(options.minimise) > 1 else [int(np.argmin(values[:, 0]))]
     shown_rows = sorted({round(place) for place in np.linspace(0, len(front) - 1, SHOWN)}) if front else []
     best = tuple(dict(zip(names, found[front[i]], strict=True)) for i in shown_rows)
-    figures = {name: store.figures[name] for name in options.minimise}
-    findings = (*study.findings, *remarks(store, counts(store)))
-    return Search(str(store.folder), options.chosen, store.variants, store.done, figures, store.columns, len(front), best, findings)
+    about, findings = store.manifest, (*study.findings, *remarks(store, counts(store)))
+    figures = {name: about.figures[name] for name in options.minimise}
+    return Search(str(store.home), options.chosen, about.variants, store.done, figures, about.columns, len(front), best, findings)

@@ -146,7 +146,7 @@ def _limit(option: str, text: str, unit: str, example: str) -> float:
 def spreads(store: Store) -> dict[str, Spread]:
     """Return the distribution of each figure; equal rows give equal bits, which sums of DuckDB's threads do not."""
     figures = {}
-    for name, unit in store.figures.items():
+    for name, unit in store.manifest.figures.items():
         values = np.sort(store.dataset.to_table(columns=[name])[name].drop_null().to_numpy())
         places = np.quantile(values, [*QUANTILES.values()]).tolist() if len(values) else [None] * len(QUANTILES)
         figures[name] = Spread(unit, float(values.mean()) if len(values) else None, **dict(zip(QUANTILES, places, strict=True)))
@@ -163,9 +163,9 @@ def counts(store: Store) -> dict[str, int]:
 def yield_of(store: Store) -> Yield | None:
     """Return the share of variants within the tolerance; None without a tolerance or its figure, and of a search."""
     tolerance = store.tolerance
-    if tolerance is None or JUDGED not in store.figures:
+    if tolerance is None or JUDGED not in store.manifest.figures:
         return None
-    rows = _judged(store, JUDGED, ["variant", *store.modules, JUDGED])
+    rows = _judged(store, JUDGED, ["variant", *store.manifest.modules, JUDGED])
     if not rows.table.num_rows:
         return Yield(JUDGED, tolerance, 0, 0, math.nan, *wilson(0, 0))
     passed, *share = share_of(rows.values <= tolerance, rows.clusters)
@@ -174,8 +174,8 @@ def yield_of(store: Store) -> Yield | None:
 
 def check_figure(store: Store, figure: str) -> None:
     """Raise `ParameterError` if a store has no such figure."""
-    if figure not in store.figures:
-        raise ParameterError("--figure", repr(figure), f"one of {', '.join(store.figures)}")
+    if figure not in store.manifest.figures:
+        raise ParameterError("--figure", repr(figure), f"one of {', '.join(store.manifest.figures)}")
 
 
 def worst(store: Store, count: int, figure: str) -> list[dict[str, Any]]:
@@ -257,7 +257,7 @@ def export(store: Store, file: Path) -> Export:
     with replacing(file) as temporary, opened(temporary) as writer:
         for number in sorted(store.parts):
             writer.write_table(parquet.read_table(store.parts[number], schema=store.schema).rename_columns(schema.names))
-    return Export(file, store.done, store.variants)
+    return Export(file, store.done, store.manifest.variants)
 
 
 def _unit(field: Any) -> str:
@@ -295,12 +295,12 @@ class Rows:
     @cached_property
     def members(self) -> dict[str, Index]:
         """For each kind of modules, by its column, which one is in each row (n,), counted from 0 without gaps."""
-        return {name: np.unique(self.table[name].to_numpy(), return_inverse=True)[1] for name in self.store.modules}
+        return {name: np.unique(self.table[name].to_numpy(), return_inverse=True)[1] for name in self.store.manifest.modules}
 
     @cached_property
     def clusters(self) -> list[Index]:
         """Which rows share a module or a draw, for each kind of modules (n,); empty if all rows are independent."""
-        group = self.store.manifest["group"]
+        group = self.store.manifest.group
         shared = [np.unique(self.table["variant"].to_numpy() // group, return_inverse=True)[1]] if group > 1 else []
         return [*self.members.values(), *shared]
 
@@ -315,7 +315,7 @@ class Rows:
 
     def kind(self, name: str) -> str | None:
         """Return the column of the modules that a column belongs to."""
-        return next((kind for kind in self.store.modules if belongs(name, kind.removesuffix(".module"))), None)
+        return next((kind for kind in self.store.manifest.modules if belongs(name, kind.removesuffix(".module"))), None)
 
     def where(self, chosen: Flags) -> Rows:
         """Return some of the rows."""
@@ -323,7 +323,8 @@ class Rows:
 
     def first(self, shared: str) -> str:
         """Return the first column that an effect or subset is about."""
-        return next(name for name in self.store.columns if name == shared or fnmatchcase(name, shared) or name in shared.split(", "))
+        columns = self.store.manifest.columns
+        return next(name for name in columns if name == shared or fnmatchcase(name, shared) or name in shared.split(", "))
 
     def column(self, name: str) -> tuple[Array, list[str]]:
         """Return a column (n,), nan where it is empty; of texts, their places in the list that comes with it."""
@@ -336,7 +337,7 @@ class Rows:
     @cached_property
     def _texts(self) -> set[str]:
         arrow = extra_module("pyarrow")
-        return {name for name in self.store.columns if self.store.schema.field(name).type == arrow.string()}
+        return {name for name in self.store.manifest.columns if self.store.schema.field(name).type == arrow.string()}
 
 
 def read_rows(store: Store, figure: str | None = None) -> Rows:
@@ -353,11 +354,12 @@ def read_rows(store: Store, figure: str | None = None) -> Rows:
     ParameterError
         If the store has no such figure, or no variant that was judged.
     """
-    chosen = figure or (JUDGED if JUDGED in store.figures else next(iter(store.figures)))
+    chosen = figure or (JUDGED if JUDGED in store.manifest.figures else next(iter(store.manifest.figures)))
     check_figure(store, chosen)
-    rows = _judged(store, chosen, ["variant", *store.modules, *store.columns, *dict.fromkeys([chosen, *objectives(store)])])
+    about = store.manifest
+    rows = _judged(store, chosen, ["variant", *about.modules, *about.columns, *dict.fromkeys([chosen, *objectives(store)])])
     if not rows.table.num_rows:
-        raise ParameterError("STORE", str(store.folder), "a store with variants that were judged")
+        raise ParameterError("STORE", str(store.home), "a store with variants that were judged")
     return rows
 
 
@@ -370,4 +372,4 @@ def _judged(store: Store, figure: str, names: Sequence[str]) -> Rows:
 
 def objectives(store: Store) -> list[str]:
     """Return the figures that a compromise weighs against the main one."""
-    return [name for name in ("cycle_time", "command_energy") if name in store.figures]
+    return [name for name in ("cycle_time", "command_energy") if name in store.manifest.figures]

@@ -230,7 +230,7 @@ def matrices(answers: Answers, rows: Rows) -> Iterator[dict[str, Any]]:
     if answers.pairings is None:
         return
     best = best_choice(rows)[1]
-    kinds = list(rows.store.modules)
+    kinds = list(rows.store.manifest.modules)
     choices = [name for name in answers.pairings.choices if len(np.unique(rows.column(name)[0])) <= FEW]
     pairs = [(best, *pair) for pair in combinations(kinds, 2)] + [(rows, kind, name) for kind in kinds for name in choices]
     for some, first, second in pairs[:MOST]:
@@ -274,10 +274,10 @@ def _matrix(answers: Answers, rows: Rows, first: str, second: str) -> dict[str, 
 
 def _order(rows: Rows, name: str) -> tuple[Index, list[str]]:
     """Return the place of each row along an axis, -1 if it is not drawn, and the labels; modules in the order of their mean figure."""
-    if name not in rows.store.modules:
+    if name not in rows.store.manifest.modules:
         codes, labels = rows.column(name)
         kept, place = np.unique(codes, return_inverse=True)
-        unit = rows.store.columns[name]
+        unit = rows.store.manifest.columns[name]
         return place, [labels[int(code)] if labels else shown(float(code), unit, 4) for code in kept]
     member, numbers = rows.members[name], np.unique(rows.table[name].to_numpy())
     order = np.lexsort((means_of(member, rows.values).mean, np.bincount(member, np.isinf(rows.values))))
@@ -305,7 +305,7 @@ def _caption(answers: Answers, rows: Rows, is_mean: bool, names: tuple[str, str]
     parts.append("Modules are in the order of their mean, the best first; the ticks are their numbers.")
     if np.isinf(rows.values).any():
         parts.append("Dark: diverged.")
-    if any(rows.store.modules.get(name, 0) > CELLS for name in names):
+    if any(rows.store.manifest.modules.get(name, 0) > CELLS for name in names):
         parts.append(f"Of more than {CELLS} modules, {CELLS} are drawn, evenly along this order.")
     return " ".join(parts)
 
@@ -345,7 +345,7 @@ def write_page(answers: Answers, rows: Rows, words: Words, file: Path) -> None:
         titles=[title_of(name) for name in answers.objectives],
         next=as_typed(["contourlab", "sweep", "worst", answers.store]),
         version=__version__,
-        study=rows.store.manifest["study"],
+        study=rows.store.manifest.study,
         figure_title=title_of(answers.figure),
         share=share_text,
         between=range_text,
@@ -526,7 +526,7 @@ def report(folder: str | Path, file: str | Path | None = None, figure: str | Non
     store = read_store(folder)
     rows = read_rows(store, figure)
     answers = answers_of(rows)
-    page = Path(file) if file is not None else store.folder / "report.html"
+    page = Path(file) if file is not None else store.home / "report.html"
     write_page(answers, rows, said(answers), page)
     return SweepReport(page, answers)
 

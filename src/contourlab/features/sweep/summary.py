@@ -80,14 +80,14 @@ def summary(store: Store, made: int = 0, findings: Sequence[Finding] = ()) -> Sw
     statuses = counts(store) if has_rows else {}
     times = store.times()
     return SweepSummary(
-        store=str(store.folder),
-        design=store.manifest["design"],
-        variants=store.variants,
+        store=str(store.home),
+        design=store.manifest.design,
+        variants=store.manifest.variants,
         done=store.done,
         chunks=store.chunks,
         chunks_done=len(store.parts),
         chunks_made=made,
-        columns=store.columns,
+        columns=store.manifest.columns,
         statuses=statuses,
         within=yield_of(store) if has_rows else None,
         figures=spreads(store) if has_rows else {},
@@ -100,8 +100,8 @@ def summary(store: Store, made: int = 0, findings: Sequence[Finding] = ()) -> Sw
 
 def remarks(store: Store, statuses: Mapping[str, int]) -> tuple[Finding, ...]:
     """Return what to know about the variants of a store: missing, refused, unsure."""
-    found = [finding("CL935", store=str(store.folder))] if store.manifest["schema"] != SCHEMA else []
-    found += [finding("CL931", done=store.done, variants=store.variants)] if store.done < store.variants else []
+    found = [finding("CL935", store=str(store.home))] if store.manifest.schema != SCHEMA else []
+    found += [finding("CL931", done=store.done, variants=store.manifest.variants)] if store.done < store.manifest.variants else []
     found += [finding("CL932", count=statuses["refused"])] if statuses.get("refused") else []
     found += [finding("CL933", count=statuses["unsure"])] if statuses.get("unsure") else []
     return tuple(found)
