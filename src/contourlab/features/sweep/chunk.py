@@ -10,10 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.arrays import Array, Flags, Index
+from contourlab.arrays import Array, Flags
 from contourlab.errors import ContourlabError, EngineError, ParameterError
-from contourlab.features.sweep.structures import Structure
-from contourlab.features.sweep.study import Study
+from contourlab.features.sweep.study import Structure, Study
 from contourlab.loop.batch import checked_variants
 from contourlab.study.space import chosen
 
@@ -72,11 +71,11 @@ def run_chunks(
     places = np.concatenate(parts)
     n = len(places)
     codes = [np.asarray(choice.codes)[chosen(places[:, choice.dimension], len(choice.codes), choice.weights)] for choice in study.choices]
-    names = [name for name in study.columns if name not in {choice.key for choice in study.choices}]
-    columns: dict[str, Any] = {name: np.full(n, np.nan) for name in (*names, *study.figures, "failed_at", "unsure")}
+    columns: dict[str, Any] = {name: np.full(n, np.nan) for name in (*study.columns, *study.figures, "failed_at", "unsure")}
     members = [study.design.members(number) for number in numbers]
     columns |= {name: np.concatenate([of_chunk[name] for of_chunk in members]) for name in members[0]}
     columns["status"] = np.full(n, STATUSES.index(REFUSED))
+    longest = max(structure.reference.n_sample for structure in study.structures.values())
     signals: dict[str, Array] = {}
     done = 0
     for combo, structure in study.structures.items():
@@ -87,18 +86,37 @@ def run_chunks(
         for name, values in given.items():
             columns[name][rows] = values
         accepted = _accepted(structure, given, len(rows))
-        if accepted.any():
-            first, share = done, len(rows) / n
-            tell = None if progress is None else (lambda part, first=first, share=share: progress(first / n + share * part))
-            _simulate(study, structure, given, rows, accepted, columns, signals, threads, tell, gpu)
+        first, samples = done, n * structure.reference.n_sample / len(rows)
         done += len(rows)
+        rows = rows[accepted]
+        if not rows.size:
+            continue
+        batch = structure.batch(
+            {name: values[accepted] for name, values in given.items()} or structure.as_it_is(len(rows)),
+            study.figures,
+            keep=study.signals,
+            threads=threads,
+            progress=None if progress is None else (lambda sample, first=first, samples=samples: progress(first / n + sample / samples)),
+            gpu=gpu,
+        )
+        for name in study.figures:
+            columns[name][rows] = structure.reference.duration if name == "cycle_time" else batch.figures[name]
+        failed = batch.failed_at >= 0
+        columns["status"][rows] = np.where(failed, STATUSES.index(DIVERGED), STATUSES.index(OK))
+        columns["failed_at"][rows] = np.where(failed, batch.failed_at * structure.machine.servo_period, np.nan)
+        columns["unsure"][rows] = batch.unsure
+        for name, values in batch.signals.items():
+            if failed.any():  # processors write nan differently
+                values = np.where(np.isnan(values), np.nan, values)
+            whole = signals.setdefault(name, np.full((n, longest, values.shape[1]), np.nan))
+            whole[rows, : values.shape[0]] = np.moveaxis(values, 2, 0)
     for choice, code in zip(study.choices, codes, strict=True):
         columns[choice.key] = np.array(choice.labels, dtype=object if isinstance(choice.labels[0], str) else float)[code]
-    seconds, cpu_seconds = perf_counter() - began, process_time() - cpu
+    share = (perf_counter() - began) / n, (process_time() - cpu) / n
     chunks = []
     for number, size, end in zip(numbers, map(len, parts), accumulate(map(len, parts)), strict=True):
         figures, kept = ({name: values[end - size : end] for name, values in table.items()} for table in (columns, signals))
-        chunks.append(Chunk(number, figures, kept, seconds * size / n, cpu_seconds * size / n))
+        chunks.append(Chunk(number, figures, kept, *(size * time for time in share)))
     return chunks
 
 
@@ -112,18 +130,14 @@ def chunk_elsewhere(study: Study, number: int, asked: Array | None = None) -> Ch
 
 def joined(parts: Sequence[Chunk]) -> Chunk:
     """Return one chunk of parts of its variants, in order."""
-    names = {name: values.shape[1:] for part in parts for name, values in part.signals.items()}
-    empty = [len(part.columns["status"]) for part in parts]
-    return Chunk(
-        parts[0].number,
-        {name: np.concatenate([part.columns[name] for part in parts]) for name in parts[0].columns},
-        {
-            name: np.concatenate([part.signals.get(name, np.full((n, *shape), np.nan)) for part, n in zip(parts, empty, strict=True)])
-            for name, shape in names.items()
-        },
-        sum(part.seconds for part in parts),
-        sum(part.cpu_seconds for part in parts),
-    )
+    sizes = [len(part.columns["status"]) for part in parts]
+    shapes = {name: values.shape[1:] for part in parts for name, values in part.signals.items()}
+    columns = {name: np.concatenate([part.columns[name] for part in parts]) for name in parts[0].columns}
+    signals = {
+        name: np.concatenate([part.signals.get(name, np.full((n, *shape), np.nan)) for part, n in zip(parts, sizes, strict=True)])
+        for name, shape in shapes.items()
+    }
+    return Chunk(parts[0].number, columns, signals, sum(part.seconds for part in parts), sum(part.cpu_seconds for part in parts))
 
 
 def _accepted(structure: Structure, given: Mapping[str, Array], n: int) -> Flags:
@@ -145,39 +159,3 @@ def _accepted(structure: Structure, given: Mapping[str, Array], n: int) -> Flags
 
     check(0, n)
     return accepted
-
-
-def _simulate(
-    study: Study,
-    structure: Structure,
-    given: Mapping[str, Array],
-    rows: Index,
-    accepted: Flags,
-    columns: dict[str, Any],
-    signals: dict[str, Array],
-    threads: int | None,
-    progress: Callable[[float], None] | None,
-    gpu: bool,
-) -> None:
-    """Simulate the accepted variants of a structure, and write their rows of the columns and signals."""
-    rows, reference = rows[accepted], structure.reference
-    batch = structure.batch(
-        {name: values[accepted] for name, values in given.items()} or structure.as_it_is(len(rows)),
-        study.figures,
-        keep=study.signals,
-        threads=threads,
-        progress=None if progress is None else (lambda sample: progress(sample / reference.n_sample)),
-        gpu=gpu,
-    )
-    for name in study.figures:
-        columns[name][rows] = reference.duration if name == "cycle_time" else batch.figures[name]
-    failed = batch.failed_at >= 0
-    columns["status"][rows] = np.where(failed, STATUSES.index(DIVERGED), STATUSES.index(OK))
-    columns["failed_at"][rows] = np.where(failed, batch.failed_at * structure.machine.servo_period, np.nan)
-    columns["unsure"][rows] = batch.unsure
-    longest = max(other.reference.n_sample for other in study.structures.values())
-    for name, values in batch.signals.items():
-        if failed.any():  # processors write nan differently
-            values = np.where(np.isnan(values), np.nan, values)
-        whole = signals.setdefault(name, np.full((len(columns["status"]), longest, values.shape[1]), np.nan))
-        whole[rows, : values.shape[0]] = np.moveaxis(values, 2, 0)

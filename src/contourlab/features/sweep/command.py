@@ -22,7 +22,7 @@ from contourlab.extras import extra_module
 from contourlab.features.run.command import Runs, run_schemes
 from contourlab.features.sweep.chunk import Chunk, chunk_elsewhere, run_chunks
 from contourlab.features.sweep.cost import agree, cost_of
-from contourlab.features.sweep.optimise import AGAIN, Search, kept_note, structures_of
+from contourlab.features.sweep.optimise import AGAIN, Search, kept_note
 from contourlab.features.sweep.optimise import optimise as optimised
 from contourlab.features.sweep.options import Export, Merge, Optimise, Query, Report, Show, Sweep, Worst
 from contourlab.features.sweep.query import Export as ExportedRows
@@ -34,8 +34,7 @@ from contourlab.features.sweep.report import report as reported
 from contourlab.features.sweep.store import Store, numbers_in, read_store, writing
 from contourlab.features.sweep.store import check_folder as check_store
 from contourlab.features.sweep.store import merge as merged
-from contourlab.features.sweep.structures import Structure
-from contourlab.features.sweep.study import Study, study_of
+from contourlab.features.sweep.study import Structure, Study, load_study
 from contourlab.features.sweep.summary import SweepSummary, display, remarks, rows_text, summary
 from contourlab.figures import number as number_text
 from contourlab.findings import Finding, finding
@@ -75,14 +74,14 @@ def sweep(study: str | Path, *, settings: Sweep, session: Session = QUIET) -> Sw
     with ExitStack() as stack:
         stages = session.stages()
         stages.begin("planning the motions")
-        planned, structured = study_of(study, settings.plugin, stages.advance)
+        planned = load_study(study, settings.plugin, stages.advance)
         wanted = settings.chosen(planned.design.chunks)
         pool = stack.enter_context(executor.started(planned.plugins, AGAIN))
         cost = cost_of(planned, wanted, numbers_in(settings.out), executor, pool)
         session.close()  # a bar would hide the question
         agree(cost, yes=settings.yes or settings.resume)
         stages = session.stages()
-        with writing(settings.out, planned, lambda: structures_of(structured), resume=settings.resume) as store, kept_note(store):
+        with writing(settings.out, planned, resume=settings.resume) as store, kept_note(store):
             todo = [number for number in wanted if number not in store.parts]
             total = sum(len(planned.design.numbers(number)) for number in todo)
             done, last = 0, perf_counter()
@@ -225,7 +224,7 @@ class Rows(Answer):
 def _chunks(study: Study, numbers: Sequence[int], pool: Workers | None, executor: Executor, tell: Callable[[int], None]) -> Iterator[Chunk]:
     """Yield finished chunks, in any order. They do not depend on the executor; only threads and a GPU tell the variants done in between."""
     if pool is not None:
-        yield from (chunk for _, chunk in pool.run(chunk_elsewhere, pool.shared(study), numbers))
+        yield from (chunk for _, chunk in pool.run(chunk_elsewhere, pool.shared(replace(study, cases={})), numbers))
         return
     together = max(GPU_LANES // study.design.chunk, 1) if executor.gpu and not study.signals else 1
     for first in range(0, len(numbers), together):
@@ -273,7 +272,7 @@ def _differences(store: Store, row: Mapping[str, Any], case: Case, values: Mappi
     numbers = tuple((name, i, Distribution("values", (value,))) for i, (name, value) in enumerate(values.items()))
     structure = Structure(case.machine, case.controller, case.reference(), case.seed, case.moving, numbers)
     design = Design("list", 1, 1, (1,) * len(numbers))
-    (chunk,) = run_chunks(Study("", "", design, (), {(): structure}, dict.fromkeys(values, ""), tuple(store.manifest.figures)), [0])
+    (chunk,) = run_chunks(Study({(): structure}, dict.fromkeys(values, ""), design=design, figures=tuple(store.manifest.figures)), [0])
     for name, unit in store.manifest.figures.items():
         stored, now = math.nan if row[name] is None else row[name], float(chunk.columns[name][0])
         if not np.isclose(now, stored, rtol=SAME, atol=0.0, equal_nan=True):

@@ -23,16 +23,14 @@ from contourlab.extras import extra_module
 from contourlab.features.sweep.chunk import Chunk, chunk_elsewhere, joined, run_chunks
 from contourlab.features.sweep.options import Optimise
 from contourlab.features.sweep.query import counts, rows
-from contourlab.features.sweep.store import SavedStructure, Store, check_folder, writing
-from contourlab.features.sweep.structures import Structured
-from contourlab.features.sweep.study import Study, study_of
+from contourlab.features.sweep.store import Store, check_folder, writing
+from contourlab.features.sweep.study import Study, load_study
 from contourlab.features.sweep.summary import remarks, rows_text, title_of
 from contourlab.figures import listing
 from contourlab.findings import Finding
 from contourlab.loop.batch import lanes_each
 from contourlab.rendering.stages import Stages
 from contourlab.rendering.table import paragraphs
-from contourlab.scenario import Scenario, dump
 from contourlab.study.checkpoint import noted
 from contourlab.study.design import Design
 from contourlab.study.executors import Executor, Workers
@@ -53,16 +51,6 @@ def kept_note(store: Store) -> AbstractContextManager[None]:
     return noted(
         lambda: f"{len(store.parts)} of {store.chunks} chunks are kept in {store.home}. Repeat the command with --resume to continue."
     )
-
-
-def structures_of(made: Structured) -> list[SavedStructure]:
-    """Return choices and scenario of each structure, for the manifest."""
-    found = []
-    for combo, case in made.cases.items():
-        choices = {choice.key: choice.labels[code] for choice, code in zip(made.choices, combo, strict=True)}
-        text = dump(Scenario(case.name, Path(), replace(case, learning=None)))
-        found.append(SavedStructure(choices, text))
-    return found
 
 
 @dataclass(frozen=True)
@@ -126,12 +114,11 @@ def optimise(file: str | Path, options: Optimise, stages: Stages) -> Search:
         extra_module("cmaes")
     check_folder(options.out, resume=options.resume)
     stages.begin("planning the motions")
-    planned, structured = study_of(file, options.plugin, stages.advance, variants=1)
-    study, levels = _space(planned, structured, options)
+    study, levels = _space(load_study(file, options.plugin, stages.advance, variants=1), options)
     executor = options.pool
     with (
         executor.started(study.plugins, AGAIN) as pool,
-        writing(options.out, study, lambda: structures_of(structured), resume=options.resume) as store,
+        writing(options.out, study, resume=options.resume) as store,
         kept_note(store),
         _journal(store, options) as journal,
     ):
@@ -143,7 +130,7 @@ def optimise(file: str | Path, options: Optimise, stages: Stages) -> Search:
     return _result(store, options, study)
 
 
-def _space(study: Study, made: Structured, options: Optimise) -> tuple[Study, list[Array]]:
+def _space(study: Study, options: Optimise) -> tuple[Study, list[Array]]:
     """Return the study with the design of the search, and the places of the values of each dimension; empty for a continuous one."""
     for name in options.minimise:
         if name not in study.figures:
@@ -153,7 +140,7 @@ def _space(study: Study, made: Structured, options: Optimise) -> tuple[Study, li
     weights: dict[int, Sequence[float]] = {choice.dimension: choice.weights for choice in study.choices}
     weights |= {i: drawn.weights for one in study.structures.values() for _, i, drawn in one.numbers}
     levels = []
-    for i, (_, count) in enumerate(made.dimensions):
+    for i, (_, count) in enumerate(study.dimensions):
         ends = np.concatenate([[0.0], np.cumsum(weights.get(i) or [1.0] * count)]) if count else np.zeros(1)
         middles = (ends[1:] + ends[:-1]) / 2.0 / max(ends[-1], 1e-300)
         levels.append(middles[np.diff(ends) > 0.0])
@@ -203,7 +190,7 @@ def _simulated(study: Study, executor: Executor, pool: Workers | None) -> Callab
     """Return the function that simulates the places of a batch, given its number."""
     if pool is None:
         return lambda places, number: run_chunks(study, [number], executor.workers, gpu=executor.gpu, asked=places)[0]
-    key = pool.shared(study)
+    key = pool.shared(replace(study, cases={}))
 
     def run(places: Array, number: int) -> Chunk:
         size = lanes_each(len(places), pool.count)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import io
 import json
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -298,7 +298,7 @@ def _fault(store: Store, file: Path) -> str:
 
 
 @contextmanager
-def writing(folder: str | Path, study: Study, structures: Callable[[], list[SavedStructure]], *, resume: bool) -> Iterator[Store]:
+def writing(folder: str | Path, study: Study, *, resume: bool) -> Iterator[Store]:
     """Open or create a store, for one writer at a time.
 
     Parameters
@@ -306,8 +306,6 @@ def writing(folder: str | Path, study: Study, structures: Callable[[], list[Save
     folder : str or Path
         Created if missing.
     study : Study
-    structures : callable
-        Returns what the manifest says of each structure.
     resume : bool
         Whether a store that is there goes on.
 
@@ -328,7 +326,7 @@ def writing(folder: str | Path, study: Study, structures: Callable[[], list[Save
             store = read_store(path, repair=True)
             what, cure = f"{path}: is the store of another study", "Name another folder with --out."
             same_study(store.manifest.identity, study.identity, what, cure)
-        manifest = manifest_of(study, structures())  # comments and the tolerance may have changed
+        manifest = manifest_of(study)  # comments and the tolerance may have changed
         write_record(path / MANIFEST, manifest)
         yield Store(path, manifest) if store is None else replace(store, manifest=manifest)
 
@@ -353,12 +351,13 @@ def numbers_in(folder: str | Path) -> set[int]:
     return {_number(file) for file in Path(folder).glob("part-*")}
 
 
-def manifest_of(study: Study, structures: list[SavedStructure]) -> Manifest:
+def manifest_of(study: Study) -> Manifest:
     """Return the manifest of a new store."""
     design, figures = study.design, {name: UNITS[name] for name in study.figures}
     modules = {one.column: one.count for one in design.modules}
     sizes = (design.variants, design.chunk, study.tolerance, design.group, modules)
     names = (dict(study.columns), figures, list(study.signals), study.text)
+    structures = [SavedStructure(study.labels(combo), study.scenario(combo)) for combo in study.structures]
     return Manifest(SCHEMA, dict(study.identity), design.seed, design.kind, *sizes, *names, structures)
 
 
