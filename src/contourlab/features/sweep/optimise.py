@@ -25,10 +25,11 @@ from contourlab.features.sweep.options import Optimise
 from contourlab.features.sweep.query import counts, rows
 from contourlab.features.sweep.store import Store, check_folder, writing
 from contourlab.features.sweep.study import Study, load_study
-from contourlab.features.sweep.summary import remarks, rows_text, title_of
+from contourlab.features.sweep.summary import remarks, rows_text
 from contourlab.figures import listing
 from contourlab.findings import Finding
 from contourlab.loop.batch import lanes_each
+from contourlab.metrics.run_figures import title_of
 from contourlab.rendering.stages import Stages
 from contourlab.rendering.table import paragraphs
 from contourlab.study.checkpoint import noted

@@ -18,8 +18,6 @@ from contourlab.study.design import DRAWN
 WORKSHOP = {"m": ("um", 1e6), "m s": ("um s", 1e6)}
 """Display unit of the figures of errors, and the factor from SI."""
 
-KINDS = {"max": "largest", "rms": "rms", "mean": "mean"}
-
 
 @dataclass(frozen=True)
 class SweepSummary(Answer):
@@ -156,13 +154,3 @@ def _cell(value: Any, factor: float) -> str:
     if value is None:
         return "-"
     return number(value * factor, 5) if isinstance(value, float) else str(value)
-
-
-def title_of(name: str) -> str:
-    """Return a figure in words.
-
-    >>> title_of("part_error_max"), title_of("cycle_time")
-    ('largest part error', 'cycle time')
-    """
-    base, _, kind = name.rpartition("_")
-    return f"{KINDS[kind]} {title_of(base)}" if kind in KINDS else name.replace("_", " ")
