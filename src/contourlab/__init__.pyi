@@ -46,10 +46,10 @@ from contourlab.features.run.verdict import verdict as verdict
 from contourlab.features.sensitivity.command import Sensitivity as Sensitivity
 from contourlab.features.swap.report import SwapResult as SwapResult
 from contourlab.features.sweep.command import Rows as Rows
-from contourlab.features.sweep.optimise import Search as Search
+from contourlab.features.sweep.command import Search as Search
 from contourlab.features.sweep.query import Export as ExportedRows
+from contourlab.features.sweep.query import SweepSummary as SweepSummary
 from contourlab.features.sweep.report import SweepReport as SweepReport
-from contourlab.features.sweep.summary import SweepSummary as SweepSummary
 from contourlab.features.tune.command import Calibration as Calibration
 from contourlab.feed.blending import blended as blended
 from contourlab.feed.limits import AxisLimits as AxisLimits
@@ -221,7 +221,7 @@ def refine(scenario: str | File, *, log: str | File | Sequence[str | File], para
 
 def run(*source: Source, check: bool = ..., machine: str | None = ..., controller: str | None = ..., tolerance: str | None = ..., fit: bool = ..., no_require_end: bool = ..., dialect: str | None = ..., judge: str | None = ..., plugin: str | File | Sequence[str | File] = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ..., interval: bool | None = ...) -> Runs | Planned: ...
 
-def sensitivity(*source: Source, width: float = ..., scheme: str = ..., figure: str = ..., parts: str | Sequence[str] = ..., values: int = ..., base: int = ..., second_order: bool = ..., trajectories: int = ..., distribution: str = ..., deviation: str | Sequence[str] = ..., transform: str = ..., servo_period: str | None = ..., quick: bool = ..., executor: str = ..., workers: int | None = ..., seed: int = ..., parameter: str | Sequence[str] = ..., judge: str | None = ..., plugin: str | File | Sequence[str | File] = ...) -> Sensitivity: ...
+def sensitivity(*source: Source, width: float = ..., scheme: str = ..., distribution: str = ..., deviation: str | Sequence[str] = ..., servo_period: str | None = ..., quick: bool = ..., figure: str = ..., parts: str | Sequence[str] = ..., values: int = ..., base: int = ..., second_order: bool = ..., trajectories: int = ..., transform: str = ..., seed: int = ..., executor: str = ..., workers: int | None = ..., parameter: str | Sequence[str] = ..., judge: str | None = ..., plugin: str | File | Sequence[str | File] = ...) -> Sensitivity: ...
 
 def swap(*source: Source, within: str = ..., longest: str = ..., axis: str | Sequence[str], with_: str | Sequence[str], scheme: str | None = ..., objective: str = ..., floor: str | None = ..., local: str | Sequence[str] = ..., exhaustive: bool = ..., from_: str | Sequence[str] = ..., budget: int = ..., quick: bool = ..., region: str | Sequence[str] = ..., tolerance: str | None = ..., places: int | None = ..., linear: str | Sequence[str] = ..., division: str | Sequence[str] = ..., ways: str | Sequence[str] = ..., message_period: str | None = ..., delay: str | None = ..., jitter: str | None = ..., loss: str | None = ..., executor: str = ..., workers: int | None = ..., seed: int = ..., parameter: str | Sequence[str] = ..., width: float = ..., gain_margin: float = ..., phase_margin: float = ..., plugin: str | File | Sequence[str | File] = ...) -> SwapResult: ...
 

@@ -12,7 +12,7 @@ from typed_commands import CIRCLE, SCHEMES, Run, drag
 from contourlab.cli.main import main
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.options import Plan
-from contourlab.study import cases
+from contourlab.study import runner
 
 TWO = ["--parameter", "3.model_gain", "--parameter", "3.velocity_gain=0.05 full_scale*s/mm..0.2 full_scale*s/mm"]
 SMALL = [*TWO, "--values", "9", "--base", "16", "--trajectories", "4"]
@@ -96,7 +96,7 @@ def test_the_text_has_one_table_and_the_parts_have_theirs(circle: Path, capsys: 
 
 def test_an_interrupted_study_continues(circle: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     words = ["sensitivity", str(circle), *SMALL, "--json"]
-    whole, calls = cases.simulate_batch, 0
+    whole, calls = runner.simulate_batch, 0
 
     def stopped(*given: Any, **options: Any) -> Any:
         nonlocal calls
@@ -106,7 +106,7 @@ def test_an_interrupted_study_continues(circle: Path, capsys: pytest.CaptureFixt
         return whole(*given, **options)
 
     with monkeypatch.context() as patch:
-        patch.setattr(cases, "simulate_batch", stopped)
+        patch.setattr(runner, "simulate_batch", stopped)
         assert main([*words, "--out", "out"]) == 130
     assert "Traceback" not in capsys.readouterr().err
     assert not Path("out/summary.json").exists()

@@ -6,16 +6,15 @@ import hashlib
 import io
 import json
 import re
-import sys
 import zipfile
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, suppress
 from dataclasses import asdict, dataclass, field, is_dataclass
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
 from types import UnionType
-from typing import TYPE_CHECKING, Any, TypeVar, get_args, get_origin, get_type_hints
+from typing import Any, TypeVar, get_args, get_origin, get_type_hints
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -23,10 +22,6 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.errors import ResultError, error_text
 from contourlab.findings import Finding, finding
 from contourlab.result.atomic import write_bytes_atomic, write_text_atomic
-
-if TYPE_CHECKING:
-    from contourlab.loop import Controller, Machine
-    from contourlab.study.cases import Setting
 
 RecordT = TypeVar("RecordT")
 _ROOMS = ("native", "primitives", "geometry", "feed", "engine", "components", "metrics", "loop")
@@ -247,40 +242,6 @@ def resumable(folder: Path, pieces: str) -> AbstractContextManager[None]:
     """If the block is interrupted and `folder` has pieces, add a note to the interrupt: the same command continues."""
     kept = f"The finished {pieces} are kept in {folder}. Run the same command again to continue."
     return noted(lambda: kept if any(folder.glob("*/*.npz")) else "")
-
-
-def run_identity(settings: Sequence[Setting], rooms: Iterable[str] = ()) -> str:
-    """Return as text everything that affects runs, except the parameters that a study varies.
-
-    This includes machines, controller, motion, noise, plugins, and the version and source of the program.
-
-    Parameters
-    ----------
-    settings : sequence of Setting
-        They differ in their machines only.
-    rooms : iterable of str
-        Further rooms of the program that affect the result, such as ``"features/swap"``.
-    """
-    from contourlab.scenario.dump import dump
-
-    first, machines = settings[0], [setting.machine for setting in settings]
-    texts = [dump(machine) for machine in machines]
-    texts += [dump(first.controller, first.machine), first.reference.digest, f"seed {first.seed}, moving {first.moving}"]
-    return "\n".join([*texts, *_plugins(machines, first.controller), *program_identity(tuple(rooms))])
-
-
-def _plugins(machines: Iterable[Machine], controller: Controller) -> list[str]:
-    """Return name and digest of the file of each plugin component in use; files that it imports are ignored."""
-    from contourlab.loop.machine import AXIS_SLOTS
-
-    parts = [getattr(axis, slot) for machine in machines for axis in machine.axes for slot in AXIS_SLOTS]
-    for axis in controller.axes.values():
-        parts += axis.parts.values()
-        parts += [] if axis.link is None else [axis.link.down, axis.link.up]
-    parts += [controller.estimator, controller.coupling]
-    modules = {type(part).__module__ for part in parts if part is not None}
-    files = [sys.modules[name].__file__ for name in sorted(modules) if name.partition(".")[0] != "contourlab"]
-    return [f"{Path(file).name} {hashlib.sha256(Path(file).read_bytes()).hexdigest()}" for file in files if file is not None]
 
 
 def program_text(*rooms: str) -> str:

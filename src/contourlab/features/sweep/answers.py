@@ -11,8 +11,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.features.sweep.query import Rows, counts, objectives
-from contourlab.features.sweep.summary import display, remarks
+from contourlab.features.sweep.query import Rows, counts, display, objectives, remarks
 from contourlab.findings import Finding
 from contourlab.metrics.run_figures import title_of
 from contourlab.study.design import DRAWN

@@ -16,9 +16,8 @@ from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array, Index
 from contourlab.features.sweep.answers import FEW, GOAL, Answers, Effect, Pairings, Subset, answers_of, best_choice, means_of
 from contourlab.features.sweep.options import Report
-from contourlab.features.sweep.query import Rows, read_rows
+from contourlab.features.sweep.query import Rows, display, read_rows
 from contourlab.features.sweep.store import read_store
-from contourlab.features.sweep.summary import display
 from contourlab.figures import figure, listing, number
 from contourlab.metrics.run_figures import title_of
 from contourlab.rendering.charts import Chart, Curve, Panel

@@ -34,8 +34,9 @@ from contourlab.scenario.tables import read_values
 from contourlab.scenario.tree import Leaf, Table, from_mapping, merge, read_tree
 from contourlab.scenario.values import DISTANCE
 from contourlab.study import Setting
-from contourlab.study.checkpoint import program_text, run_identity
+from contourlab.study.checkpoint import program_text
 from contourlab.study.design import FIXED, INDEPENDENT, Design, Modules
+from contourlab.study.runner import run_identity
 from contourlab.study.space import Distribution
 from contourlab.units import setting, si_unit, split, to_si
 

@@ -15,8 +15,7 @@ from contourlab.components.ideal import IdealSensor
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.curves import curves, local
 from contourlab.features.sensitivity.options import Plan
-from contourlab.features.sensitivity.study import distributions, sensitivity_study
-from contourlab.features.sensitivity.verdict import ranking, verdict
+from contourlab.features.sensitivity.study import distributions, ranking, sensitivity_study, verdict
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import AxisController, Controller, Machine, simulate

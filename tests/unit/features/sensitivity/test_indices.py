@@ -10,8 +10,7 @@ from tests.helpers.modelled import Modelled
 
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.options import Plan
-from contourlab.features.sensitivity.study import Drawn, Study, distributions, sample, sensitivity_study
-from contourlab.features.sensitivity.verdict import verdict
+from contourlab.features.sensitivity.study import Drawn, Study, distributions, sample, sensitivity_study, verdict
 from contourlab.study import DesignVariable, Space
 from contourlab.study.design import morris_points, saltelli_points
 from contourlab.study.runner import Columns
