@@ -17,7 +17,7 @@ from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError
 from contourlab.features.run.source import Source, case_asked
-from contourlab.features.sensitivity.curves import CHANGE, Curve, Interval
+from contourlab.features.sensitivity.curves import CHANGE, Curve, Interval, Local
 from contourlab.features.sensitivity.options import PARTS, Plan, SensitivityOptions
 from contourlab.features.sensitivity.study import (
     Drawn,
@@ -41,6 +41,7 @@ from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.study import DesignVariable, Runner, Setting, Space
 from contourlab.study.checkpoint import Checkpoint, resumable
 from contourlab.study.runner import run_identity
+from contourlab.study.statistics import MorrisIndices, SobolIndices
 
 if TYPE_CHECKING:
     from contourlab.scenario import Case
@@ -57,8 +58,16 @@ def tables(study: Study) -> Iterator[str]:
         yield _overview(study).text()
         yield paragraphs([f"Details: the same command with --parts {', '.join(PARTS[:-1])} or {PARTS[-1]} prints them from the kept runs."])
         return
-    for part in (_curves, _local, _interactions, _morris, _sobol):
-        yield from (table.text() for table in part(study))
+    if study.curves is not None:
+        yield _curves(study, study.curves).text()
+    if study.local is not None:
+        yield _local(study.local).text()
+        if 1 < len(study.space.numbers) <= FEW:
+            yield _interactions(study.space, study.local).text()
+    if study.morris is not None:
+        yield _morris(study, study.morris).text()
+    if study.sobol is not None:
+        yield from (table.text() for table in _sobol(study, study.sobol))
 
 
 def _overview(study: Study) -> Table:
@@ -82,59 +91,46 @@ def _shown(variable: DesignVariable, *values: float) -> Iterator[str]:
     return (figure(variable.display_value(value), digits=4) for value in values)
 
 
-def _curves(study: Study) -> Iterator[Table]:
-    if study.curves is None:
-        return
+def _curves(study: Study, curves: Sequence[Curve]) -> Table:
     unit = study.plan.judged.display
     title = f"One parameter at a time, {study.plan.values} values each, the others at their present values:"
     flat = f"changes by less than {100.0 * CHANGE:.0f} %"
     heads = ("present", "from", "to", "unit", "minimum at", "+-", "figure at minimum", "bound", flat, "runs fail")
     table = _table(title, heads, left=("unit", "bound", flat, "runs fail"))
-    for curve in study.curves:
+    for curve in curves:
         variable, lowest = curve.variable, curve.minimum
         minimum = ["-"] * 3 + [""]
         if lowest is not None:
             within = figure(variable.display_value(lowest.within), digits=1)
             minimum = [*_shown(variable, lowest.value), within, figure(lowest.figure, unit, 4), lowest.bound]
+        present = (*_shown(variable, variable.value, variable.low, variable.high), variable.display_unit)
         failed = ", ".join(_range(variable, interval) for interval in curve.failed)
-        table.add(
-            variable.short,
-            *_shown(variable, variable.value, variable.low, variable.high),
-            variable.display_unit,
-            *minimum,
-            "" if curve.flat is None else _range(variable, curve.flat),
-            failed,
-        )
-    yield table
+        table.add(variable.short, *present, *minimum, "" if curve.flat is None else _range(variable, curve.flat), failed)
+    return table
 
 
 def _range(variable: DesignVariable, interval: Interval) -> str:
     return f"{figure(variable.display_value(interval.low))} to {figure(variable.display_value(interval.high))}"
 
 
-def _local(study: Study) -> Iterator[Table]:
-    if study.local is None:
-        return
+def _local(near: Local) -> Table:
     heads = ("sensitivity [%/%]", "step", "change with twice the step", "below", "above", "doubt")
     table = _table("Small changes: percent of the figure per percent of the parameter:", heads, left=("doubt",))
-    for slope in study.local.slopes:
+    for slope in near.slopes:
         slopes = (figure(value) for value in (slope.difference, slope.below, slope.above))
         doubt = slope.doubt.entry.name if slope.doubt else ""
         table.add(slope.variable.short, figure(slope.sensitivity), figure(slope.step, "%"), *slopes, doubt)
-    yield table
+    return table
 
 
-def _interactions(study: Study) -> Iterator[Table]:
-    if study.local is None or not 1 < len(study.space.numbers) <= FEW:
-        return
-    matrix, doubtful = study.local.interactions, study.local.doubtful
-    step = figure(float(study.local.interaction_steps.max()), "%", 2)
+def _interactions(space: Space, near: Local) -> Table:
+    step = figure(float(near.interaction_steps.max()), "%", 2)
     title = f"Interactions: second differences relative to the figure (step {step}); ?: changes by half or more with half the step:"
-    table = _table(title, [str(j + 1) for j in range(len(matrix))])
-    for j, (variable, values) in enumerate(zip(study.space.numbers, matrix, strict=True)):
-        cells = (figure(value, digits=2) + "?" * int(doubtful[j, k]) for k, value in enumerate(values))
-        table.add(f"{j + 1} {variable.short}", *cells)
-    yield table
+    table = _table(title, [str(j + 1) for j in range(len(near.interactions))])
+    for j, (variable, values, doubtful) in enumerate(zip(space.numbers, near.interactions, near.doubtful, strict=True), 1):
+        cells = (figure(value, digits=2) + "?" * int(doubt) for value, doubt in zip(values, doubtful, strict=True))
+        table.add(f"{j} {variable.short}", *cells)
+    return table
 
 
 def _sampled(sample: Sample | None) -> str:
@@ -158,43 +154,48 @@ def _estimates(study: Study, title: str, heads: Sequence[str], columns: Sequence
     return table
 
 
-def _morris(study: Study) -> Iterator[Table]:
-    if study.morris is None:
-        return
-    indices, plan = study.morris, study.plan
-    scale, unit = (1.0, "decades") if plan.transform == "log" else (plan.judged.factor, plan.judged.display)
+def _morris(study: Study, indices: MorrisIndices) -> Table:
+    scale, unit = _effect_unit(study)
     title = f"Elementary effects (Morris) over the whole range [{unit}] {_sampled(study.morris_sample)}:"
     columns = [scale * values for values in (indices.mu_star, indices.mu_star_interval, indices.mu, indices.sigma)]
-    yield _estimates(study, title, ("mu*", *ESTIMATE, "mu", "sigma"), columns, indices.mu_star)
+    return _estimates(study, title, ("mu*", *ESTIMATE, "mu", "sigma"), columns, indices.mu_star)
 
 
-def _sobol(study: Study) -> Iterator[Table]:
-    if study.sobol is None:
-        return
-    indices, names = study.sobol, [variable.short for variable in study.space.numbers]
+def _effect_unit(study: Study) -> tuple[float, str]:
+    """Return factor and unit of elementary effects."""
+    return (1.0, "decades") if study.plan.transform == "log" else (study.plan.judged.factor, study.plan.judged.display)
+
+
+def _sobol(study: Study, indices: SobolIndices) -> Iterator[Table]:
+    names = [variable.short for variable in study.space.numbers]
     title = f"Shares of the variance (Sobol, Saltelli N = {study.plan.base}) {_sampled(study.sobol_sample)}:"
     columns = (indices.first, indices.first_interval, indices.total, indices.total_interval)
     yield _estimates(study, title, ("first", *ESTIMATE, "total", *ESTIMATE), columns, indices.total)
-    if indices.second is not None and indices.second_interval is not None:
+    if (second := indices.second) is not None and indices.second_interval is not None:
         table = Table([Column("pair", left=True), Column("share of the interaction"), *map(Column, ESTIMATE)])
-        pairs = sorted(np.argwhere(np.isfinite(indices.second)).tolist(), key=lambda pair: -indices.second[tuple(pair)])  # type: ignore[index]
-        for j, k in pairs[:MOST_PAIRS]:
-            table.add(f"{names[j]} with {names[k]}", figure(indices.second[j, k]), figure(indices.second_interval[j, k]))
+        for j, k in sorted(np.argwhere(np.isfinite(second)).tolist(), key=lambda pair: -second[tuple(pair)])[:MOST_PAIRS]:
+            table.add(f"{names[j]} with {names[k]}", figure(second[j, k]), figure(indices.second_interval[j, k]))
         yield table
 
 
-def charts_of(study: Study) -> list[Multiples | Bars | Matrix]:
-    """Return a chart for each part of a study: curves, Morris and Sobol indices, interactions."""
+def charts_of(study: Study) -> Iterator[Multiples | Bars | Matrix]:
+    """Yield a chart for each part of a study: curves, Sobol and Morris indices, interactions."""
     figure, names = study.plan.judged, [variable.short for variable in study.space.numbers]
-    charts: list[Multiples | Bars | Matrix] = []
     if study.curves is not None:
         tiles = tuple(curve_tile(curve, figure.factor) for curve in study.curves)
-        charts.append(Multiples("curves", f"One parameter at a time: {figure.label}", "", f"{figure.label} [{figure.display}]", tiles))
-    charts += _indices(study, names)
+        yield Multiples("curves", f"One parameter at a time: {figure.label}", "", f"{figure.label} [{figure.display}]", tiles)
+    if (s := study.sobol) is not None:
+        shares = (("first order", s.first, s.first_interval), ("total", s.total, s.total_interval))
+        title = f"Sobol indices of {'log10 of the' if study.plan.transform == 'log' else 'the'} {figure.label}"
+        yield indices_chart("sobol", title, "share of the variance, with 95 % intervals", names, shares)
+    if (m := study.morris) is not None:
+        scale, unit = _effect_unit(study)
+        effects = (("sigma", m.sigma * scale, 0.0 * m.sigma), ("mu*", m.mu_star * scale, m.mu_star_interval * scale))
+        label = f"mean magnitude of the elementary effects [{unit}]"
+        yield indices_chart("morris", f"Elementary effects (Morris) on the {figure.label}", label, names, effects)
     if study.local is not None and len(names) > 1:
         title = f"Interactions near the present values: {figure.label}"
-        charts.append(interactions_chart(title, names, study.local.interactions, study.local.doubtful))
-    return charts
+        yield interactions_chart(title, names, study.local.interactions, study.local.doubtful)
 
 
 def curve_tile(curve: Curve, factor: float) -> Tile:
@@ -211,21 +212,6 @@ def curve_tile(curve: Curve, factor: float) -> Tile:
         tuple((variable.display_value(interval.low), variable.display_value(interval.high)) for interval in curve.failed),
         variable.logarithmic,
     )
-
-
-def _indices(study: Study, names: list[str]) -> Iterator[Bars]:
-    figure, logarithmic = study.plan.judged, study.plan.transform == "log"
-    if study.sobol is not None:
-        s = study.sobol
-        shares = (("first order", s.first, s.first_interval), ("total", s.total, s.total_interval))
-        title = f"Sobol indices of {'log10 of the' if logarithmic else 'the'} {figure.label}"
-        yield indices_chart("sobol", title, "share of the variance, with 95 % intervals", names, shares)
-    if study.morris is not None:
-        scale, unit = (1.0, "decades") if logarithmic else (figure.factor, figure.display)
-        m = study.morris
-        effects = (("sigma", m.sigma * scale, 0.0 * m.sigma), ("mu*", m.mu_star * scale, m.mu_star_interval * scale))
-        label = f"mean magnitude of the elementary effects [{unit}]"
-        yield indices_chart("morris", f"Elementary effects (Morris) on the {figure.label}", label, names, effects)
 
 
 def indices_chart(key: str, title: str, x_label: str, names: Sequence[str], series: Sequence[tuple[str, Array, Array]]) -> Bars:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 from typing import Any
@@ -98,16 +98,16 @@ def distributions(space: Space, kind: str = UNIFORM, deviations: Sequence[str] =
 
 def _deviation(variable: DesignVariable, text: str) -> float:
     unit = variable.display_unit
-    wanted = f"a deviation of {variable.short} above 0, such as 5 %{f' or 2 {unit}' if unit else ''}"
     try:
         if text.endswith("%"):
             deviation = abs(variable.value) * float(text[:-1]) / 100.0
         else:
-            deviation = float(read_number(text if variable.unit else float(text), variable.unit, variable.display))
+            deviation = read_number(text if variable.unit else float(text), variable.unit, variable.display)
+        if not 0.0 < deviation < math.inf:
+            raise ValueError
     except (UnitError, ValueError) as error:
+        wanted = f"a deviation of {variable.short} above 0, such as 5 %{f' or 2 {unit}' if unit else ''}"
         raise ParameterError("--deviation", repr(text), wanted) from error
-    if not 0.0 < deviation < math.inf:
-        raise ParameterError("--deviation", repr(text), wanted)
     return deviation
 
 
@@ -155,18 +155,15 @@ def sample(figures: Array, level: float, logarithmic: bool, space: Space, points
     share = float(bad.mean())
     if share > REFUSED:
         right = f"at most {100.0 * REFUSED:.0f} %: the indices would show what makes the loop fail, not what makes it accurate"
-        raise ParameterError(
-            "runs", f"{100.0 * share:.0f} % failed", f"{right}. Narrow the bounds, beginning with {_strayed(space, points[bad])}"
-        )
+        cure = f"{right}. Narrow the bounds, beginning with {_strayed(space, points[bad])}"
+        raise ParameterError("runs", f"{100.0 * share:.0f} % failed", cure)
     cap = level if math.isfinite(level) else BEYOND * float(figures[~bad].max())
     values = np.minimum(np.where(bad, cap, figures), cap)
-    if logarithmic:
-        flat = values <= 0.0
-        if flat.any():
-            where = f"a figure of {values.min():g} in {int(flat.sum())} of {flat.size} runs, mainly {_strayed(space, points[flat])}"
-            raise ParameterError("--transform log", where, "above 0 in all runs; use --transform none, which reuses these runs")
-        values = np.log10(values)
-    return Sample(values, logarithmic, values.size, int(bad.sum()), cap)
+    flat = values <= 0.0
+    if logarithmic and flat.any():
+        where = f"a figure of {values.min():g} in {int(flat.sum())} of {flat.size} runs, mainly {_strayed(space, points[flat])}"
+        raise ParameterError("--transform log", where, "above 0 in all runs; use --transform none, which reuses these runs")
+    return Sample(np.log10(values) if logarithmic else values, logarithmic, values.size, int(bad.sum()), cap)
 
 
 def _strayed(space: Space, points: Array) -> str:
@@ -311,7 +308,8 @@ def ranking(study: Study) -> Ranking:
         slopes = np.array([abs(slope.sensitivity) for slope in study.local.slopes])
         differences = np.array([slope.difference for slope in study.local.slopes])
         return _ranking(study, LOCAL, np.nan_to_num(slopes), np.nan_to_num(differences, nan=np.inf), SMALL)
-    decades = np.array([_decades(curve) for curve in study.curves or ()])
+    good = [curve.figures[np.isfinite(curve.figures)] for curve in study.curves or ()]
+    decades = np.array([float(np.log10(v.max() / v.min())) if v.size and v.min() > 0.0 else 0.0 for v in good])
     return _ranking(study, "change over its curve", decades, np.zeros(len(decades)), float(np.log10(1.0 + CHANGE)))
 
 
@@ -327,11 +325,6 @@ def _ranking(study: Study, measure: str, strength: Array, interval: Array, bound
     return Ranking(measure, named(matter), named(~matter & ~negligible), named(negligible))
 
 
-def _decades(curve: Curve) -> float:
-    good = curve.figures[np.isfinite(curve.figures)]
-    return float(np.log10(good.max() / good.min())) if good.size and good.min() > 0.0 else 0.0
-
-
 def verdict(study: Study) -> tuple[Finding, ...]:
     """Return the conclusions of a study."""
     return (*_groups(ranking(study)), *_interactions(study), *_first(study), *_doubts(study))
@@ -339,56 +332,41 @@ def verdict(study: Study) -> tuple[Finding, ...]:
 
 def _groups(ranked: Ranking) -> Iterator[Finding]:
     measure = ranked.measure
-    if ranked.matter:
-        yield finding("CL656", measure=measure, **_listed(ranked.matter))
-    else:
-        yield finding("CL657", measure=measure)
+    yield finding("CL656", measure=measure, **_listed(ranked.matter)) if ranked.matter else finding("CL657", measure=measure)
     if ranked.undecided:
         yield finding("CL658", measure=measure, **_listed(ranked.undecided))
-    if ranked.negligible and measure == LOCAL:
-        yield finding("CL660", **_listed(ranked.negligible))
-    elif ranked.negligible:
-        yield finding("CL659", **_listed(ranked.negligible))
+    if ranked.negligible:
+        yield finding("CL660" if measure == LOCAL else "CL659", **_listed(ranked.negligible))
 
 
 def _listed(group: dict[str, float]) -> dict[str, Any]:
     return {"parameters": tuple(group), "strengths": tuple(group.values())}
 
 
-def _interactions(study: Study) -> Iterator[Finding]:
+def _interactions(study: Study) -> list[Finding]:
+    """Return which parameters explain more of the variance together than alone, and which interact near the present values."""
     names = [variable.short for variable in study.space.numbers]
     pairs = list(combinations(range(len(names)), 2))
-    findings = [*_shared(study, names), *_local_interactions(study, names, pairs)]
-    yield from findings
-    if not findings and pairs and (study.sobol is not None or study.local is not None):
-        yield finding("CL665")
-
-
-def _shared(study: Study, names: list[str]) -> Iterator[Finding]:
-    """Yield the parameters that explain more of the variance together than alone."""
-    sobol = study.sobol
-    if sobol is None:
-        return
-    beyond = sobol.total - sobol.first
-    clear = np.flatnonzero(beyond - np.hypot(sobol.total_interval, sobol.first_interval) > TOGETHER)
-    if clear.size:
-        yield finding("CL661", **_listed({names[j]: float(beyond[j]) for j in clear}))
-    if sobol.second is not None and sobol.second_interval is not None:
-        for j, k in np.argwhere(np.nan_to_num(sobol.second - sobol.second_interval) > SMALL / 2.0):
-            yield finding("CL662", f"{names[j]} and {names[k]}", share=float(sobol.second[j, k]))
-
-
-def _local_interactions(study: Study, names: list[str], pairs: Iterable[tuple[int, int]]) -> Iterator[Finding]:
-    if study.local is None:
-        return
-    matrix, difference = study.local.interactions, study.local.interaction_differences
-    strong = [pair for pair in pairs if abs(matrix[pair]) > TOGETHER + 2.0 * difference[pair]]
-    strong.sort(key=lambda pair: -abs(matrix[pair]))
-    if strong:
+    findings: list[Finding] = []
+    if (sobol := study.sobol) is not None:
+        beyond = sobol.total - sobol.first
+        clear = np.flatnonzero(beyond - np.hypot(sobol.total_interval, sobol.first_interval) > TOGETHER)
+        findings += [finding("CL661", **_listed({names[j]: float(beyond[j]) for j in clear}))] if clear.size else []
+        if sobol.second is not None and sobol.second_interval is not None:
+            sure = np.argwhere(np.nan_to_num(sobol.second - sobol.second_interval) > SMALL / 2.0)
+            findings += [finding("CL662", f"{names[j]} and {names[k]}", share=float(sobol.second[j, k])) for j, k in sure]
+    if study.local is not None:
+        matrix, difference = study.local.interactions, study.local.interaction_differences
+        strong = [pair for pair in pairs if abs(matrix[pair]) > TOGETHER + 2.0 * difference[pair]]
+        strong.sort(key=lambda pair: -abs(matrix[pair]))
         shown = {f"{names[j]} with {names[k]}": float(matrix[j, k]) for j, k in strong[:MOST_PAIRS]}
-        yield finding("CL663", pairs=tuple(shown), strengths=tuple(shown.values()), count=len(strong))
-    elif any(difference[pair] > TOGETHER for pair in pairs):
-        yield finding("CL664")
+        if strong:
+            findings.append(finding("CL663", pairs=tuple(shown), strengths=tuple(shown.values()), count=len(strong)))
+        elif any(difference[pair] > TOGETHER for pair in pairs):
+            findings.append(finding("CL664"))
+    if not findings and pairs and (study.sobol is not None or study.local is not None):
+        findings.append(finding("CL665"))
+    return findings
 
 
 def _first(study: Study) -> Iterator[Finding]:
@@ -407,7 +385,7 @@ def _first(study: Study) -> Iterator[Finding]:
 def _worthwhile(study: Study) -> list[tuple[float, Curve]]:
     """Return the curves whose minimum lies below the present figure by `WORTHWHILE`, lowest first, each with that ratio."""
     minima = [(curve.minimum.figure / study.present, curve) for curve in study.curves or () if curve.minimum is not None]
-    return sorted((one for one in minima if one[0] < 1.0 - WORTHWHILE), key=lambda one: one[0])
+    return sorted(((ratio, curve) for ratio, curve in minima if ratio < 1.0 - WORTHWHILE), key=lambda pair: pair[0])
 
 
 def _doubts(study: Study) -> Iterator[Finding]:
