@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,8 @@ import pytest
 from typed_commands import SCHEMES
 
 from contourlab.cli.main import main
-from contourlab.features.sweep.store import read_manifest, write_manifest
+from contourlab.features.sweep.store import MANIFEST, read_manifest
+from contourlab.study.checkpoint import write_record
 
 SCENARIO = (
     """\
@@ -67,10 +69,9 @@ def as_older(store: Path) -> None:
 
 def forged(store: Path, change: Callable[[str], str]) -> None:
     """Change the scenario in the manifest of a store, as one who knows its digest."""
-    fields = read_manifest(store)
-    for one in fields["structures"]:
-        one["scenario"] = change(one["scenario"])
-    write_manifest(store, fields)
+    manifest = read_manifest(store)
+    structures = [replace(one, scenario=change(one.scenario)) for one in manifest.structures]
+    write_record(store / MANIFEST, replace(manifest, structures=structures))
 
 
 def exported(store: Path) -> bytes:

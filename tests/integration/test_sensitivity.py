@@ -11,8 +11,8 @@ from typed_commands import CIRCLE, SCHEMES, Run, drag
 
 from contourlab.cli.main import main
 from contourlab.errors import ParameterError
-from contourlab.features.sensitivity.study import Plan
-from contourlab.study import cases
+from contourlab.features.sensitivity.options import Plan
+from contourlab.study import runner
 
 TWO = ["--parameter", "3.model_gain", "--parameter", "3.velocity_gain=0.05 full_scale*s/mm..0.2 full_scale*s/mm"]
 SMALL = [*TWO, "--values", "9", "--base", "16", "--trajectories", "4"]
@@ -44,15 +44,19 @@ def test_a_quick_study_agrees_with_the_full_one_within_its_intervals(
 
 def test_a_quick_study_takes_what_fits_and_refuses_what_does_not() -> None:
     plan, n = Plan(), 21
-    assert plan.quick(n, 1e9) == plan
-    least = plan.quick(n, plan.runs(n) - 1.0)
+
+    def runs(plan: Plan) -> int:
+        return sum(count for _, count in plan.work(n))
+
+    assert plan.quickly(n, 1e9) == plan
+    least = plan.quickly(n, runs(plan) - 1.0)
     assert (least.base, least.values, least.trajectories) == (128, 11, 16)
     for fits in (6000.0, 4000.0, 2000.0):
-        taken = plan.quick(n, fits)
-        assert taken.runs(n) <= fits
-    assert plan.quick(n, 4000.0).parts == plan.parts and "local" not in plan.quick(n, 2000.0).parts
+        taken = plan.quickly(n, fits)
+        assert runs(taken) <= fits
+    assert plan.quickly(n, 4000.0).chosen == plan.chosen and "local" not in plan.quickly(n, 2000.0).chosen
     with pytest.raises(ParameterError):
-        plan.quick(n, 1000.0)
+        plan.quickly(n, 1000.0)
 
 
 def test_a_study_says_what_matters_and_keeps_its_runs(circle: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -92,7 +96,7 @@ def test_the_text_has_one_table_and_the_parts_have_theirs(circle: Path, capsys: 
 
 def test_an_interrupted_study_continues(circle: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     words = ["sensitivity", str(circle), *SMALL, "--json"]
-    whole, calls = cases.simulate_batch, 0
+    whole, calls = runner.simulate_batch, 0
 
     def stopped(*given: Any, **options: Any) -> Any:
         nonlocal calls
@@ -102,7 +106,7 @@ def test_an_interrupted_study_continues(circle: Path, capsys: pytest.CaptureFixt
         return whole(*given, **options)
 
     with monkeypatch.context() as patch:
-        patch.setattr(cases, "simulate_batch", stopped)
+        patch.setattr(runner, "simulate_batch", stopped)
         assert main([*words, "--out", "out"]) == 130
     assert "Traceback" not in capsys.readouterr().err
     assert not Path("out/summary.json").exists()

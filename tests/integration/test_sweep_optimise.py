@@ -9,7 +9,7 @@ import pytest
 from made_studies import asked, exported, made_study
 
 from contourlab.cli.main import main
-from contourlab.features.sweep import optimise
+from contourlab.features.sweep import command as optimise
 from contourlab.features.sweep.store import Store
 
 STUDY = """\

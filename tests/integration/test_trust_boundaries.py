@@ -25,7 +25,6 @@ from contourlab.cli.main import main
 from contourlab.components.registry import components
 from contourlab.errors import EngineError
 from contourlab.features.sweep.store import Store, read_manifest
-from contourlab.result.digest import append_digest
 from contourlab.study.checkpoint import Checkpoint
 from contourlab.study.executors import Executor
 
@@ -171,7 +170,7 @@ def test_a_chunk_of_a_strangers_store_runs_no_code(store: Path, trap: Trap, caps
     (part,) = store.glob("part-000001-*")
     part.unlink()
     data = pickle.dumps(trap)
-    (store / f"part-000001-{Store(store, read_manifest(store)).digest(1, data)}.parquet").write_bytes(data)
+    (store / f"part-000001-{Store(store, read_manifest(store)).seal('000001', data)}.parquet").write_bytes(data)
     for words in (["show"], ["report"], ["worst"], ["worst", "--rerun", "40"], ["query", "SELECT 1"], ["export", "--to", "a.csv"]):
         assert main(["sweep", words[0], "store", *words[1:]]) == 2
     assert main(["sweep", "study.toml", "--out", "store", "--resume"]) == 0
@@ -202,12 +201,10 @@ def test_the_journal_of_a_strangers_search_runs_no_code(store: Path, trap: Trap,
 
 def test_a_strangers_checkpoint_runs_no_code(tmp_path: Path, trap: Trap) -> None:
     checkpoint = Checkpoint(tmp_path, "study")
-    file, buffer = checkpoint.path(b"piece"), io.BytesIO()
+    path, buffer = checkpoint.path(b"piece"), io.BytesIO()
     np.savez(buffer, values=np.array([trap], dtype=object))
-    append_digest(buffer, file.name.encode())
-    file.parent.mkdir()
-    file.write_bytes(buffer.getvalue())
-    assert checkpoint.load(file) is None and checkpoint.damaged == 1
+    checkpoint.put(path.name.partition("-")[2], buffer.getvalue(), "npz")
+    assert checkpoint.load(path) is None and checkpoint.damaged == 1
 
 
 @pytest.mark.skipif(not hasattr(os, "geteuid"), reason="no owners on this system")

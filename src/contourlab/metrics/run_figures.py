@@ -74,6 +74,12 @@ class RunFigure:
         return FORMS[self.unit][1]
 
     @property
+    def title(self) -> str:
+        """The label within a sentence: ``largest part error``."""
+        what, _, kind = self.label.partition(", ")
+        return f"{kind} {what}" if kind in ("largest", "rms", "mean", "signed mean") else f"{what} {kind}".strip()
+
+    @property
     def quantity(self) -> str:
         """The SI unit as `contourlab.units` reads it."""
         return self.unit.replace(" ", "*")
@@ -125,6 +131,15 @@ def goal_named(text: str, option: str, others: str = "") -> RunFigure:
             return figure
     words = ", ".join(filter(None, (figure.word for figure in GOALS.values())))
     raise ParameterError(option, repr(text), f"one of {words}, or the name of a figure, such as contour_error_rms{others}")
+
+
+def title_of(name: str) -> str:
+    """Return a figure of a run, or its ``cycle_time``, in words.
+
+    >>> title_of("part_error_max"), title_of("cycle_time")
+    ('largest part error', 'cycle time')
+    """
+    return FIGURES[name].title if name in FIGURES else name.replace("_", " ")
 
 
 def needs(names: Iterable[str]) -> dict[str, bool]:

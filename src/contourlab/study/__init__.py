@@ -1,7 +1,6 @@
 """One core for all studies: variables, evaluation of candidates, guards, search, executors and checkpoints."""
 
-from contourlab.study.cases import Setting
-from contourlab.study.runner import Runner
+from contourlab.study.runner import Runner, Setting
 from contourlab.study.search import Found, search
 from contourlab.study.space import DesignVariable, Space
 from contourlab.study.values import calibration_order

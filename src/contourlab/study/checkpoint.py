@@ -1,42 +1,96 @@
-"""Interrupted work: finished pieces stay on disk, and the same command continues; or they are printed."""
+"""Finished work stays: the contract of stores, checkpoints by which the same command continues, and records that are read back."""
 
 from __future__ import annotations
 
 import hashlib
 import io
-import sys
+import json
+import re
 import zipfile
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, contextmanager
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import AbstractContextManager, contextmanager, suppress
+from dataclasses import asdict, dataclass, field, is_dataclass
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from types import UnionType
+from typing import Any, TypeVar, get_args, get_origin, get_type_hints
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from contourlab.errors import ResultError, error_text
 from contourlab.findings import Finding, finding
-from contourlab.result.atomic import write_bytes_atomic
-from contourlab.result.digest import DIGEST_SIZE, append_digest, is_intact
+from contourlab.result.atomic import write_bytes_atomic, write_text_atomic
 
-if TYPE_CHECKING:
-    from contourlab.loop import Controller, Machine
-    from contourlab.study.cases import Setting
-
+RecordT = TypeVar("RecordT")
 _ROOMS = ("native", "primitives", "geometry", "feed", "engine", "components", "metrics", "loop")
 """Rooms whose source affects the figures of a run."""
 
 
+def digest(*parts: bytes) -> str:
+    """Return a digest; only the last part may have line ends."""
+    return hashlib.sha256(b"\n".join(parts)).hexdigest()[:16]
+
+
+class Parts:
+    """Finished work in a folder, in parts that are written once: what every store promises.
+
+    A part appears whole or not at all, and its file is the only record of it. The name of the file holds the key of the part, and a
+    digest of the study, the key and the bytes. So a damaged file, a part of another study and one under another key are found without an
+    index, and stores merge by copying.
+
+    Attributes
+    ----------
+    home : Path
+        The folder; created with the first part.
+    """
+
+    home: Path
+
+    def seal(self, key: str, data: bytes) -> str:
+        """Return the digest of study, key and bytes in the name of a file; by default the folder is named by its study."""
+        return digest(self.home.name.encode(), key.encode(), data)
+
+    def files(self, kind: str = "*", key: str = "*") -> list[Path]:
+        """Return the files of a kind and of a key; by default all."""
+        return sorted(file for file in self.home.glob(f"{kind}-{key}-*") if _NAME.fullmatch(file.name))
+
+    def content(self, file: Path) -> bytes | None:
+        """Return the bytes of a part; None if they are damaged, or those of another study or key."""
+        _, key, seal = file.stem.split("-")
+        try:
+            data = file.read_bytes()
+        except OSError:
+            return None
+        return data if self.seal(key, data) == seal else None
+
+    def put(self, key: str, data: bytes, ending: str, kind: str = "part") -> Path:
+        """Write a part, whole or not at all, in place of damaged ones; return its file.
+
+        Raises
+        ------
+        OutputError
+            If the folder cannot be written, or the disk is full.
+        """
+        file = self.home / f"{kind}-{key}-{self.seal(key, data)}.{ending}"
+        write_bytes_atomic(file, data, durable=True)
+        for other in self.files(kind, key):
+            if other != file:
+                other.unlink()
+        return file
+
+
+_NAME = re.compile(r"[a-z]+-[0-9a-f]{6,32}-[0-9a-f]{16}\.[a-z]+")
+
+
 @dataclass(eq=False)
-class Checkpoint:
-    """Arrays of finished pieces in a folder, one file each, in one sub-folder per study.
+class Checkpoint(Parts):
+    """Arrays of finished pieces, in one sub-folder per study.
 
     Parameters
     ----------
     folder : Path
-        Created with the first piece.
     study : str
         Everything that affects the pieces, except the key of each piece. Pieces of another study are never used.
     reused, damaged : int
@@ -48,49 +102,45 @@ class Checkpoint:
     reused: int = field(default=0, init=False)
     damaged: int = field(default=0, init=False)
 
-    @property
-    def home(self) -> Path:
-        """The sub-folder of this study."""
-        return self.folder / hashlib.sha256(self.study.encode()).hexdigest()[:16]
+    def __post_init__(self) -> None:
+        self.home = self.folder / hashlib.sha256(self.study.encode()).hexdigest()[:16]
 
     @property
     def others(self) -> int:
         """Number of other studies with pieces in the folder."""
         return sum(path != self.home and path.is_dir() for path in self.folder.glob("?" * 16))
 
+    def once(self, key: Iterable[bytes], make: Callable[[], Mapping[str, ArrayLike]]) -> tuple[dict[str, NDArray[Any]], bool]:
+        """Return the arrays of a piece, made and stored if they are not there yet, and whether they were there."""
+        path = self.path(*key)
+        if (arrays := self.load(path)) is not None:
+            return arrays, True
+        arrays = {name: np.asarray(values) for name, values in make().items()}
+        self.store(path, arrays)
+        return arrays, False
+
     def path(self, *key: bytes) -> Path:
-        """Return the file of a piece, named by a digest of the study and of the key of the piece."""
-        digest = hashlib.sha256(self.study.encode())
-        for part in key:
-            digest.update(part)
-        return self.home / f"{digest.hexdigest()[:32]}.npz"
+        """Return the path of a piece, without the digest of its bytes."""
+        return self.home / f"part-{hashlib.sha256(b''.join(key)).hexdigest()[:32]}"
 
-    def load(self, file: Path) -> dict[str, NDArray[Any]] | None:
+    def load(self, path: Path) -> dict[str, NDArray[Any]] | None:
         """Return the arrays of a piece; None if there is no file, or it is damaged or another piece."""
-        if not file.exists():
-            return None
-        try:
-            stream = io.BytesIO(file.read_bytes())
-        except OSError:
-            stream = io.BytesIO()
-        # From a damaged file NumPy may return wrong values: it does not check all that it reads.
-        try:
-            if not is_intact(stream, file.name.encode()):
-                raise ValueError
-            with np.load(io.BytesIO(stream.getvalue()[:-DIGEST_SIZE]), allow_pickle=False) as data:
-                arrays = dict(data)
-        except (ValueError, OSError, EOFError, zipfile.BadZipFile):  # the last ones: not written by us, with a digest nonetheless
+        for file in self.files(*path.name.split("-")):
+            # From a damaged file NumPy may return wrong values: it does not check all that it reads.
+            if (data := self.content(file)) is not None:
+                with suppress(ValueError, OSError, EOFError, zipfile.BadZipFile):  # not written by us, with a digest nonetheless
+                    with np.load(io.BytesIO(data), allow_pickle=False) as held:
+                        arrays = dict(held)
+                    self.reused += 1
+                    return arrays
             self.damaged += 1
-            return None
-        self.reused += 1
-        return arrays
+        return None
 
-    def store(self, file: Path, arrays: Mapping[str, ArrayLike]) -> None:
-        """Write the arrays of a piece, completely or not at all, and a digest of them and of the name of the file."""
+    def store(self, path: Path, arrays: Mapping[str, ArrayLike]) -> Path:
+        """Write the arrays of a piece, completely or not at all; return their file."""
         buffer = io.BytesIO()
         np.savez(buffer, allow_pickle=False, **{name: np.asarray(values) for name, values in arrays.items()})
-        append_digest(buffer, file.name.encode())
-        write_bytes_atomic(file, buffer.getvalue())
+        return self.put(path.name.partition("-")[2], buffer.getvalue(), "npz")
 
     def findings(self, pieces: str, reused: int | None = None) -> tuple[Finding, ...]:
         """Return the findings on reused, damaged and other studies' pieces; `reused` replaces the number of files read."""
@@ -99,6 +149,77 @@ class Checkpoint:
         found += [finding("CL901", pieces=pieces, folder=str(self.folder))] if self.others else []
         found += [finding("CL902", pieces=pieces, count=self.damaged)] if self.damaged else []
         return tuple(found)
+
+
+# --- records: JSON files that are read back ---------------------------------------------------------------------------------------------
+
+
+def covered(fields: Mapping[str, Any]) -> bytes:
+    """Return the bytes that the digest of a record covers."""
+    return json.dumps(fields, sort_keys=True).encode()
+
+
+def write_record(file: Path, record: Any) -> None:
+    """Write the fields of a dataclass and a digest of them; its field ``schema`` holds form and version.
+
+    Raises
+    ------
+    OutputError
+        If the file cannot be written.
+    """
+    fields = asdict(record)
+    write_text_atomic(file, json.dumps({**fields, "digest": digest(covered(fields))}, indent=1, allow_nan=False) + "\n")
+
+
+def read_record(file: Path, kind: type[RecordT], cure: str, older: str = "") -> RecordT:
+    """Read what `write_record` wrote; check the digest and the type of each value. The form `older` has no digest.
+
+    Raises
+    ------
+    ResultError
+        If the file is not there, damaged or edited; gives file and key.
+    """
+    try:
+        fields = json.loads(file.read_bytes(), parse_constant=_refused)
+        seal = fields.pop("digest", None) if isinstance(fields, dict) else None
+        record: RecordT = typed(fields, kind)
+        if fields["schema"] != older and seal != digest(covered(fields)):
+            raise ValueError("was edited or is damaged")
+    except (OSError, ValueError, ArithmeticError, RecursionError) as error:
+        raise ResultError(f"{file}: {error_text(error)}: {cure}") from error
+    return record
+
+
+def _refused(word: str) -> None:
+    raise ValueError(f"{word} is not a number of JSON")
+
+
+def typed(value: Any, kind: Any, place: str = "") -> Any:
+    """Return a value of JSON as one of a type: a dataclass, a dict, a list, or plain types.
+
+    Raises
+    ------
+    ValueError
+        If it is not of this type; gives the key.
+    """
+    origin, inner = get_origin(kind), get_args(kind)
+    plain = inner if origin is UnionType else (kind,)
+    if isinstance(kind, type) and is_dataclass(kind):
+        hints = get_type_hints(kind)
+        if type(value) is dict and value.keys() == hints.keys():
+            return kind(**{name: typed(value[name], hint, f"{place}{name}: ") for name, hint in hints.items()})
+    elif origin is dict and type(value) is dict:
+        return {key: typed(item, inner[1], f"{place}{key}: ") for key, item in value.items()}
+    elif origin is list and type(value) is list:
+        return [typed(item, inner[0], place) for item in value]
+    elif type(value) in plain:
+        return value
+    elif type(value) is int and float in plain:
+        return float(value)
+    raise ValueError(f"{place}is not what was written")
+
+
+# --- interrupts ------------------------------------------------------------------------------------------------------------------------
 
 
 @contextmanager
@@ -121,40 +242,6 @@ def resumable(folder: Path, pieces: str) -> AbstractContextManager[None]:
     """If the block is interrupted and `folder` has pieces, add a note to the interrupt: the same command continues."""
     kept = f"The finished {pieces} are kept in {folder}. Run the same command again to continue."
     return noted(lambda: kept if any(folder.glob("*/*.npz")) else "")
-
-
-def run_identity(settings: Sequence[Setting], rooms: Iterable[str] = ()) -> str:
-    """Return as text everything that affects runs, except the parameters that a study varies.
-
-    This includes machines, controller, motion, noise, plugins, and the version and source of the program.
-
-    Parameters
-    ----------
-    settings : sequence of Setting
-        They differ in their machines only.
-    rooms : iterable of str
-        Further rooms of the program that affect the result, such as ``"features/swap"``.
-    """
-    from contourlab.scenario.dump import dump
-
-    first, machines = settings[0], [setting.machine for setting in settings]
-    texts = [dump(machine) for machine in machines]
-    texts += [dump(first.controller, first.machine), first.reference.digest, f"seed {first.seed}, moving {first.moving}"]
-    return "\n".join([*texts, *_plugins(machines, first.controller), *program_identity(tuple(rooms))])
-
-
-def _plugins(machines: Iterable[Machine], controller: Controller) -> list[str]:
-    """Return name and digest of the file of each plugin component in use; files that it imports are ignored."""
-    from contourlab.loop.machine import AXIS_SLOTS
-
-    parts = [getattr(axis, slot) for machine in machines for axis in machine.axes for slot in AXIS_SLOTS]
-    for axis in controller.axes.values():
-        parts += axis.parts.values()
-        parts += [] if axis.link is None else [axis.link.down, axis.link.up]
-    parts += [controller.estimator, controller.coupling]
-    modules = {type(part).__module__ for part in parts if part is not None}
-    files = [sys.modules[name].__file__ for name in sorted(modules) if name.partition(".")[0] != "contourlab"]
-    return [f"{Path(file).name} {hashlib.sha256(Path(file).read_bytes()).hexdigest()}" for file in files if file is not None]
 
 
 def program_text(*rooms: str) -> str:

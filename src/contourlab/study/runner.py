@@ -1,22 +1,88 @@
-"""Columns in, figures out: many candidates in chunks, in threads, on a GPU or in workers; finished chunks may be stored."""
+"""What runs, and columns in, figures out: many candidates in chunks, in threads, on a GPU or in workers; finished chunks may be stored."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import hashlib
+import sys
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array
 from contourlab.engine.gpu import LANES as GPU_LANES
+from contourlab.feed import Reference
+from contourlab.geometry.view import PathView, view_of
+from contourlab.loop import BatchResult, Controller, Machine, parameters_of, simulate, simulate_batch
 from contourlab.loop.batch import checked_variants, lanes_each
-from contourlab.study.cases import Setting
-from contourlab.study.checkpoint import Checkpoint
+from contourlab.metrics.run_figures import needs
+from contourlab.result import Result
+from contourlab.study.checkpoint import Checkpoint, program_identity
 
 if TYPE_CHECKING:
+    from contourlab.scenario import Case
     from contourlab.study.executors import Workers
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A machine under its controller along a motion.
+
+    Attributes
+    ----------
+    machine : Machine
+    controller : Controller
+    reference : Reference
+    seed : int
+        Of all noise.
+    moving : bool
+        Whether the axes start with the velocity of the reference.
+    """
+
+    machine: Machine
+    controller: Controller
+    reference: Reference
+    seed: int = 0
+    moving: bool = False
+
+    @staticmethod
+    def of(case: Case) -> Setting:
+        """Plan the motion of a case of a scenario, and return what runs."""
+        return Setting(case.machine, case.controller, case.reference(), case.seed, case.moving)
+
+    @cached_property
+    def view(self) -> PathView:
+        """View of the path for estimator and judge."""
+        return view_of(self.reference.path)
+
+    def single(self) -> Result:
+        """Run once; raise `DivergenceError`, with the place and time of the failure, if the run fails."""
+        return simulate(self.machine, self.controller, self.reference, seed=self.seed, moving=self.moving)
+
+    def batch(self, columns: Mapping[str, ArrayLike], figures: Iterable[str] = (), **options: Any) -> BatchResult:
+        """Run many candidates.
+
+        Parameters
+        ----------
+        columns : mapping of str to array_like (n,)
+            Values [SI] by dotted names.
+        figures : iterable of str
+            Names of figures that are needed besides those of contour error and tracking error.
+        **options : Any
+            See `contourlab.loop.simulate_batch`; `seed` replaces that of the setting.
+        """
+        given = {"seed": self.seed, "moving": self.moving, "view": self.view, **needs(figures), **options}
+        return simulate_batch(self.machine, self.controller, self.reference, columns, **given)
+
+    def as_it_is(self, n: int = 1) -> dict[str, Array]:
+        """Return the columns of n candidates without a change: one parameter at its own value."""
+        name, (part, parameter) = next(iter(parameters_of(self.machine, self.controller).items()))
+        return {name: np.full(n, float(getattr(part, parameter)))}
+
 
 Columns: TypeAlias = Mapping[str, Array]
 """Values [SI] by parameter name, each (n,)."""
@@ -132,3 +198,40 @@ def _run(setting: Setting, columns: Columns, figures: tuple[str, ...], **options
 
 def _run_elsewhere(setting: Setting, item: tuple[Columns, tuple[str, ...]]) -> dict[str, Array]:
     return _run(setting, *item, threads=1)
+
+
+# --- what figures depend on ---
+
+
+def run_identity(settings: Sequence[Setting], rooms: Iterable[str] = ()) -> str:
+    """Return as text everything that affects runs, except the parameters that a study varies.
+
+    This includes machines, controller, motion, noise, plugins, and the version and source of the program.
+
+    Parameters
+    ----------
+    settings : sequence of Setting
+        They differ in their machines only.
+    rooms : iterable of str
+        Further rooms of the program that affect the result, such as ``"features/swap"``.
+    """
+    from contourlab.scenario.dump import dump
+
+    first, machines = settings[0], [setting.machine for setting in settings]
+    texts = [dump(machine) for machine in machines]
+    texts += [dump(first.controller, first.machine), first.reference.digest, f"seed {first.seed}, moving {first.moving}"]
+    return "\n".join([*texts, *_plugins(machines, first.controller), *program_identity(tuple(rooms))])
+
+
+def _plugins(machines: Iterable[Machine], controller: Controller) -> list[str]:
+    """Return name and digest of the file of each plugin component in use; files that it imports are ignored."""
+    from contourlab.loop.machine import AXIS_SLOTS
+
+    parts = [getattr(axis, slot) for machine in machines for axis in machine.axes for slot in AXIS_SLOTS]
+    for axis in controller.axes.values():
+        parts += axis.parts.values()
+        parts += [] if axis.link is None else [axis.link.down, axis.link.up]
+    parts += [controller.estimator, controller.coupling]
+    modules = {type(part).__module__ for part in parts if part is not None}
+    files = [sys.modules[name].__file__ for name in sorted(modules) if name.partition(".")[0] != "contourlab"]
+    return [f"{Path(file).name} {hashlib.sha256(Path(file).read_bytes()).hexdigest()}" for file in files if file is not None]

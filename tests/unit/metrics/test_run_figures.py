@@ -10,7 +10,7 @@ import pytest
 import contourlab as cl
 from contourlab.errors import ParameterError
 from contourlab.features.link.sweep import LinkSetting
-from contourlab.features.sensitivity.study import Plan
+from contourlab.features.sensitivity.options import Plan
 from contourlab.features.swap.variants import Variants, variants_of
 from contourlab.features.tune.objective import Goal, Objective, evaluate
 from contourlab.metrics.run_figures import FIGURES, GOALS, RunFigure, figures_of_run, goal_named

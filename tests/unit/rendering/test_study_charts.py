@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from contourlab.features.sensitivity.command import curve_tile, indices_chart, interactions_chart
 from contourlab.features.sensitivity.curves import Curve, Interval, Minimum
-from contourlab.features.sensitivity.report import curve_tile, indices_chart, interactions_chart
 from contourlab.rendering.charts import Multiples, traces_chart
 from contourlab.rendering.matplotlib_view import drawing
 from contourlab.rendering.plotly_view import figure_of

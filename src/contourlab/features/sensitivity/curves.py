@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
@@ -10,6 +9,7 @@ from itertools import combinations
 import numpy as np
 
 from contourlab.arrays import Array, Flags, true_spans
+from contourlab.features.sensitivity.options import FINE, STEPS
 from contourlab.findings import Finding, finding
 from contourlab.study import DesignVariable, Space
 from contourlab.study.runner import Columns, Judge
@@ -18,8 +18,6 @@ CHANGE = 0.05
 """Largest relative change of the figure over a flat interval."""
 SHARE = 0.25
 """Smallest share of the values in a flat interval."""
-FINE = 16
-"""Subdivisions of each of the two steps around the smallest figure."""
 
 
 @dataclass(frozen=True)
@@ -154,8 +152,8 @@ def _interval(values: Array, a: int, b: int) -> Interval:
     return Interval(float(values[a]), float(values[b]), a == 0, b == len(values) - 1)
 
 
-LARGEST, STEPS = 0.04, 5
-"""Largest step relative to the value, and the number of steps tried; each is half the one before."""
+LARGEST = 0.04
+"""Largest step relative to the value; each of `STEPS` is half the one before."""
 AGREE, AGREE_SHARE = 0.02, 0.05
 """Two steps agree if their sensitivities differ by at most `AGREE` + `AGREE_SHARE` times the sensitivity."""
 NOTICED = 0.1
@@ -219,22 +217,20 @@ class Local:
         return (self.interaction_differences >= 0.5 * size) & (size > NOTICED)
 
 
-def local(space: Space, judge: Judge, limits: Mapping[str, tuple[float, float]] | None = None) -> Local:
+def local(space: Space, judge: Judge) -> Local:
     """Return sensitivities and interactions at the present values of a space.
 
     Parameters
     ----------
     space : Space
     judge : callable
-    limits : mapping of str to (float, float) [SI]
-        Ranges that the components accept, independent of the bounds of the study; no limit by default.
 
     Notes
     -----
     The step is chosen for each parameter from 4, 2, 1, 0.5 and 0.25 percent: the smaller of the two neighbours whose sensitivities agree
     best. A larger step suffers from curvature, a smaller one from encoder counts.
     """
-    tops = np.array([_top(variable, (limits or {}).get(variable.name, (-math.inf, math.inf))) for variable in space.numbers])
+    tops = np.array([_top(variable) for variable in space.numbers])
     figure, ladder = _ladder(space, judge, tops)
     slopes = tuple(_slope(variable, top, rows, figure) for variable, top, rows in zip(space.numbers, tops, ladder, strict=True))
     full, half = _second(space, judge, np.stack([tops, tops / 2.0]), figure)
@@ -246,9 +242,9 @@ def _scale(variable: DesignVariable) -> float:
     return abs(variable.value) or variable.high - variable.low
 
 
-def _top(variable: DesignVariable, limits: tuple[float, float]) -> float:
+def _top(variable: DesignVariable) -> float:
     """Return the largest relative step, reduced to what the component accepts; 0 if it accepts none."""
-    room = min(variable.value - limits[0], limits[1] - variable.value) / _scale(variable)
+    room = min(variable.value - variable.least, variable.most - variable.value) / _scale(variable)
     return min(LARGEST, room) if room > 1e-6 else 0.0
 
 

@@ -1,20 +1,23 @@
-"""The study: curves, small changes and global indices for one machine, one controller and one motion."""
+"""The study: curves, small changes and global indices for one machine, one controller and one motion; and its conclusions."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import combinations
+from typing import Any
 
 import numpy as np
 
 from contourlab.app.json_values import HIDDEN
-from contourlab.app.quick import too_slow
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError, UnitError
-from contourlab.features.sensitivity.curves import FINE, STEPS, Curve, Local, curves, local
+from contourlab.features.sensitivity.curves import CHANGE, Curve, Local, curves, local
+from contourlab.features.sensitivity.options import STAGES, Plan
+from contourlab.figures import figure, listing
+from contourlab.findings import Finding, finding
 from contourlab.loop.parameters import fits
-from contourlab.metrics.run_figures import RunFigure, goal_named
 from contourlab.scenario.quantities import read_number
 from contourlab.study import DesignVariable, Runner, Space
 from contourlab.study.design import morris_points, saltelli_points
@@ -95,16 +98,16 @@ def distributions(space: Space, kind: str = UNIFORM, deviations: Sequence[str] =
 
 def _deviation(variable: DesignVariable, text: str) -> float:
     unit = variable.display_unit
-    wanted = f"a deviation of {variable.short} above 0, such as 5 %{f' or 2 {unit}' if unit else ''}"
     try:
         if text.endswith("%"):
             deviation = abs(variable.value) * float(text[:-1]) / 100.0
         else:
-            deviation = float(read_number(text if variable.unit else float(text), variable.unit, variable.display))
+            deviation = read_number(text if variable.unit else float(text), variable.unit, variable.display)
+        if not 0.0 < deviation < math.inf:
+            raise ValueError
     except (UnitError, ValueError) as error:
+        wanted = f"a deviation of {variable.short} above 0, such as 5 %{f' or 2 {unit}' if unit else ''}"
         raise ParameterError("--deviation", repr(text), wanted) from error
-    if not 0.0 < deviation < math.inf:
-        raise ParameterError("--deviation", repr(text), wanted)
     return deviation
 
 
@@ -152,18 +155,15 @@ def sample(figures: Array, level: float, logarithmic: bool, space: Space, points
     share = float(bad.mean())
     if share > REFUSED:
         right = f"at most {100.0 * REFUSED:.0f} %: the indices would show what makes the loop fail, not what makes it accurate"
-        raise ParameterError(
-            "runs", f"{100.0 * share:.0f} % failed", f"{right}. Narrow the bounds, beginning with {_strayed(space, points[bad])}"
-        )
+        cure = f"{right}. Narrow the bounds, beginning with {_strayed(space, points[bad])}"
+        raise ParameterError("runs", f"{100.0 * share:.0f} % failed", cure)
     cap = level if math.isfinite(level) else BEYOND * float(figures[~bad].max())
     values = np.minimum(np.where(bad, cap, figures), cap)
-    if logarithmic:
-        flat = values <= 0.0
-        if flat.any():
-            where = f"a figure of {values.min():g} in {int(flat.sum())} of {flat.size} runs, mainly {_strayed(space, points[flat])}"
-            raise ParameterError("--transform log", where, "above 0 in all runs; use --transform none, which reuses these runs")
-        values = np.log10(values)
-    return Sample(values, logarithmic, values.size, int(bad.sum()), cap)
+    flat = values <= 0.0
+    if logarithmic and flat.any():
+        where = f"a figure of {values.min():g} in {int(flat.sum())} of {flat.size} runs, mainly {_strayed(space, points[flat])}"
+        raise ParameterError("--transform log", where, "above 0 in all runs; use --transform none, which reuses these runs")
+    return Sample(np.log10(values) if logarithmic else values, logarithmic, values.size, int(bad.sum()), cap)
 
 
 def _strayed(space: Space, points: Array) -> str:
@@ -171,113 +171,6 @@ def _strayed(space: Space, points: Array) -> str:
     off = points.mean(axis=0) - 0.5
     at = int(np.argmax(np.abs(off)))
     return f"{space.numbers[at].short} at the {'upper' if off[at] > 0.0 else 'lower'} end"
-
-
-STAGES = {
-    "curves": "curves, one parameter at a time",
-    "local": "small changes and interactions",
-    "morris": "elementary effects (Morris)",
-    "sobol": "variance shares (Sobol)",
-}
-PARTS = tuple(STAGES)
-TRANSFORMS = ("log", "none")
-QUICK = (128, 64, 32, 16)
-"""N of Saltelli's sampling in a quick study: the largest that fits; the smallest is the least that the indices permit."""
-QUICK_VALUES = 11
-"""Values of a curve in a quick study."""
-
-
-@dataclass(frozen=True)
-class Plan:
-    """Settings of a study.
-
-    Attributes
-    ----------
-    parts : sequence of str
-        From `PARTS`.
-    figure : str
-        One of `contourlab.metrics.run_figures.GOALS`, by word or name.
-    values : int, >= 5
-        Number of values of each curve.
-    base : int
-        N of Saltelli's sampling, a power of two, >= 16.
-    second : bool
-        Whether to compute second-order Sobol indices.
-    trajectories : int, >= 4
-        Number of trajectories of Morris' design.
-    transform : str
-        One of `TRANSFORMS`: whether global indices use the decimal logarithm of the figure, or the figure itself.
-    seed : int, >= 0
-        Seed of both samplings.
-    """
-
-    parts: Sequence[str] = PARTS
-    figure: str = "integral"
-    values: int = 41
-    base: int = 512
-    second: bool = False
-    trajectories: int = 32
-    transform: str = "log"
-    seed: int = 0
-
-    def __post_init__(self) -> None:
-        for part in self.parts:
-            if part not in PARTS:
-                raise ParameterError("--parts", repr(part), f"one of {', '.join(PARTS)}")
-        if not self.parts:
-            raise ParameterError("--parts", "none", f"at least one of {', '.join(PARTS)}")
-        goal_named(self.figure, "--figure")
-        if self.transform not in TRANSFORMS:
-            raise ParameterError("--transform", repr(self.transform), " or ".join(TRANSFORMS))
-        for name, least, part in (("values", 5, "curves"), ("trajectories", 4, "morris"), ("seed", 0, "")):
-            if getattr(self, name) < least and (not part or part in self.parts):
-                raise ParameterError(f"--{name}", f"{getattr(self, name)}", f"{least} or more")
-        if "sobol" in self.parts and (self.base < 16 or self.base & (self.base - 1)):
-            near = [2**k for k in range(4, 25) if 2**k <= max(2 * self.base, 16)][-2:]
-            raise ParameterError("--base", f"{self.base}", f"a power of two, 16 or more, such as {' or '.join(map(str, near))}")
-
-    def check(self, n: int) -> None:
-        """Raise `ParameterError` if the study is not possible with `n` parameters."""
-        if "sobol" in self.parts and n < 2:
-            raise ParameterError("--parameter", f"{n}", "two or more for Sobol indices; with one, use --parts curves,local")
-
-    def runs(self, n: int) -> int:
-        """Return the largest number of runs that the study takes with `n` parameters."""
-        return sum(runs for _, runs in self.work(n))
-
-    def work(self, n: int) -> list[tuple[str, int]]:
-        """Return first word and largest number of runs of each stage of the study with `n` parameters."""
-        runs = {
-            "curves": n * (self.values + 2 * FINE + 1),
-            "local": 2 * STEPS * n + 1 + 4 * n**2,
-            "morris": self.trajectories * (n + 1),
-            "sobol": self.base * ((2 if self.second else 1) * n + 2),
-        }
-        return [(STAGES[part], runs[part]) for part in PARTS if part in self.parts]
-
-    def quick(self, n: int, fits: float) -> Plan:
-        """Return the largest quick study of `n` parameters whose runs fit, or the full one; if need be without the small changes.
-
-        Raises
-        ------
-        ParameterError
-            If no quick study fits.
-        """
-        for plan in (self, *self._quick_plans()):
-            if plan.runs(n) <= fits:
-                return plan
-        raise too_slow(plan.runs(n), fits)
-
-    def _quick_plans(self) -> Iterator[Plan]:
-        fewer = tuple(part for part in self.parts if part != "local")
-        for parts in dict.fromkeys((tuple(self.parts), fewer or ("local",))):
-            for base in QUICK:
-                yield replace(self, parts=parts, values=QUICK_VALUES, base=base, trajectories=max(base // 8, 4))
-
-    @property
-    def judged(self) -> RunFigure:
-        """The figure."""
-        return goal_named(self.figure, "--figure")
 
 
 @dataclass(frozen=True, eq=False)
@@ -316,8 +209,6 @@ def sensitivity_study(
     plan: Plan,
     drawn: Sequence[Drawn],
     level: float,
-    *,
-    limits: dict[str, tuple[float, float]] | None = None,
     stage: Callable[[str], None] = lambda name: None,
 ) -> Study:
     """Run the study.
@@ -331,8 +222,6 @@ def sensitivity_study(
         Distribution of each parameter, for the global indices.
     level : float [SI]
         Figure of a run whose following error is always at its limit.
-    limits : dict of str to (float, float) [SI], optional
-        Ranges that the components accept.
     stage : callable
         Called with the name of each stage.
 
@@ -342,7 +231,12 @@ def sensitivity_study(
         If an option is out of range, too many runs fail, or the run fails with all parameters at their present values.
     """
     n, judge = len(space.numbers), runs.judge(plan.judged.name)
-    plan.check(n)
+    plan.work(n)
+
+    def begins(part: str) -> bool:
+        if part in plan.chosen:
+            stage(STAGES[part])
+        return part in plan.chosen
 
     def sampled(points: Array) -> Sample:
         columns = {one.variable.name: one.values(points[:, j]) for j, one in enumerate(drawn)}
@@ -352,30 +246,157 @@ def sensitivity_study(
     present = float(judge(present_values(space))[0])
     if math.isnan(present):
         raise ParameterError("run at the present values", "failed", "successful: start from other values")
-    parts: dict[str, object] = {}
-    if "curves" in plan.parts:
-        stage(STAGES["curves"])
-        parts["curves"] = curves(space, judge, plan.values)
-    if "local" in plan.parts:
-        stage(STAGES["local"])
-        parts["local"] = local(space, judge, limits)
-    if "morris" in plan.parts:
-        stage(STAGES["morris"])
+    study = Study(plan, space, tuple(drawn), present)
+    if begins("curves"):
+        study = replace(study, curves=curves(space, judge, plan.values))
+    if begins("local"):
+        study = replace(study, local=local(space, judge))
+    if begins("morris"):
         points = morris_points(n, plan.trajectories, plan.seed)
         effects = sampled(points)
-        parts |= {"morris_sample": effects, "morris": morris_indices(points, effects.values, plan.seed)}
-    if "sobol" in plan.parts:
-        stage(STAGES["sobol"])
-        shares = sampled(saltelli_points(n, plan.base, plan.second, plan.seed))
-        parts |= {"sobol_sample": shares, "sobol": sobol_indices(shares.values, n, plan.second, plan.seed)}
-    return Study(plan, space, tuple(drawn), present, **parts)  # type: ignore[arg-type]
-
-
-def holds(space: Space, runs: Runner) -> bool:
-    """Return whether the run with all parameters at their present values succeeds."""
-    return all(bool(np.isfinite(values[0])) for values in runs(present_values(space)).values())
+        study = replace(study, morris_sample=effects, morris=morris_indices(points, effects.values, plan.seed))
+    if begins("sobol"):
+        shares = sampled(saltelli_points(n, plan.base, plan.second_order, plan.seed))
+        study = replace(study, sobol_sample=shares, sobol=sobol_indices(shares.values, n, plan.second_order, plan.seed))
+    return study
 
 
 def present_values(space: Space) -> dict[str, Array]:
     """Return the present values [SI] of all parameters, as one run."""
     return {variable.name: np.array([variable.value]) for variable in space.numbers}
+
+
+LOCAL = "local sensitivity"
+SMALL = 0.05
+"""Share of the variance, or of the largest effect, below which a parameter does not matter."""
+WIDE = 0.1
+"""If half an interval is wider than this, the order of parameters is uncertain."""
+TOGETHER = 0.1
+"""Share of the variance, and relative second difference, above which two parameters interact."""
+WORTHWHILE = 0.05
+"""A parameter is worth calibrating if its minimum lies below the present figure by more than this share."""
+MOST_PAIRS, MOST_FIRST = 4, 3
+
+
+@dataclass(frozen=True)
+class Ranking:
+    """Parameters in three groups, each with its strength, largest first.
+
+    Attributes
+    ----------
+    measure : str
+        The measure of strength.
+    matter, undecided, negligible : dict of str to float
+        Short names and strengths; undecided where the interval includes the threshold. A parameter that alone lowers the figure by
+        `WORTHWHILE` matters, whatever its strength over the whole range.
+    """
+
+    measure: str
+    matter: dict[str, float]
+    undecided: dict[str, float]
+    negligible: dict[str, float]
+
+
+def ranking(study: Study) -> Ranking:
+    """Rank by the best measure available: total Sobol indices, Morris' mu*, local sensitivities, or the change over the curves."""
+    if study.sobol is not None:
+        return _ranking(study, "total index", study.sobol.total, study.sobol.total_interval, SMALL)
+    if study.morris is not None:
+        top = float(study.morris.mu_star.max())
+        return _ranking(study, "mu*", study.morris.mu_star, study.morris.mu_star_interval, SMALL * top)
+    if study.local is not None:
+        slopes = np.array([abs(slope.sensitivity) for slope in study.local.slopes])
+        differences = np.array([slope.difference for slope in study.local.slopes])
+        return _ranking(study, LOCAL, np.nan_to_num(slopes), np.nan_to_num(differences, nan=np.inf), SMALL)
+    good = [curve.figures[np.isfinite(curve.figures)] for curve in study.curves or ()]
+    decades = np.array([float(np.log10(v.max() / v.min())) if v.size and v.min() > 0.0 else 0.0 for v in good])
+    return _ranking(study, "change over its curve", decades, np.zeros(len(decades)), float(np.log10(1.0 + CHANGE)))
+
+
+def _ranking(study: Study, measure: str, strength: Array, interval: Array, bound: float) -> Ranking:
+    order = np.argsort(-strength, kind="stable")
+
+    def named(which: Flags) -> dict[str, float]:
+        return {study.space.numbers[j].short: float(strength[j]) for j in order if which[j]}
+
+    alone = {curve.variable.short for _, curve in _worthwhile(study)}
+    matter = (strength - interval > bound) | np.array([variable.short in alone for variable in study.space.numbers])
+    negligible = ~matter & (strength + interval < bound)
+    return Ranking(measure, named(matter), named(~matter & ~negligible), named(negligible))
+
+
+def verdict(study: Study) -> tuple[Finding, ...]:
+    """Return the conclusions of a study."""
+    return (*_groups(ranking(study)), *_interactions(study), *_first(study), *_doubts(study))
+
+
+def _groups(ranked: Ranking) -> Iterator[Finding]:
+    measure = ranked.measure
+    yield finding("CL656", measure=measure, **_listed(ranked.matter)) if ranked.matter else finding("CL657", measure=measure)
+    if ranked.undecided:
+        yield finding("CL658", measure=measure, **_listed(ranked.undecided))
+    if ranked.negligible:
+        yield finding("CL660" if measure == LOCAL else "CL659", **_listed(ranked.negligible))
+
+
+def _listed(group: dict[str, float]) -> dict[str, Any]:
+    return {"parameters": tuple(group), "strengths": tuple(group.values())}
+
+
+def _interactions(study: Study) -> list[Finding]:
+    """Return which parameters explain more of the variance together than alone, and which interact near the present values."""
+    names = [variable.short for variable in study.space.numbers]
+    pairs = list(combinations(range(len(names)), 2))
+    findings: list[Finding] = []
+    if (sobol := study.sobol) is not None:
+        beyond = sobol.total - sobol.first
+        clear = np.flatnonzero(beyond - np.hypot(sobol.total_interval, sobol.first_interval) > TOGETHER)
+        findings += [finding("CL661", **_listed({names[j]: float(beyond[j]) for j in clear}))] if clear.size else []
+        if sobol.second is not None and sobol.second_interval is not None:
+            sure = np.argwhere(np.nan_to_num(sobol.second - sobol.second_interval) > SMALL / 2.0)
+            findings += [finding("CL662", f"{names[j]} and {names[k]}", share=float(sobol.second[j, k])) for j, k in sure]
+    if study.local is not None:
+        matrix, difference = study.local.interactions, study.local.interaction_differences
+        strong = [pair for pair in pairs if abs(matrix[pair]) > TOGETHER + 2.0 * difference[pair]]
+        strong.sort(key=lambda pair: -abs(matrix[pair]))
+        shown = {f"{names[j]} with {names[k]}": float(matrix[j, k]) for j, k in strong[:MOST_PAIRS]}
+        if strong:
+            findings.append(finding("CL663", pairs=tuple(shown), strengths=tuple(shown.values()), count=len(strong)))
+        elif any(difference[pair] > TOGETHER for pair in pairs):
+            findings.append(finding("CL664"))
+    if not findings and pairs and (study.sobol is not None or study.local is not None):
+        findings.append(finding("CL665"))
+    return findings
+
+
+def _first(study: Study) -> Iterator[Finding]:
+    """Yield the parameters that alone lower the figure most."""
+    first = _worthwhile(study)[:MOST_FIRST]
+    if first:
+        shown = [f"{curve.variable.short} to {figure(ratio, '%')}" for ratio, curve in first]
+        yield finding("CL667", shown=shown, parameters=[curve.variable.short for _, curve in first], ratios=[ratio for ratio, _ in first])
+    elif study.curves is not None:
+        yield finding("CL666", least=WORTHWHILE)
+    bounds = [curve.variable.short for _, curve in first if curve.minimum is not None and curve.minimum.bound]
+    if bounds:
+        yield finding("CL668", parameters=bounds)
+
+
+def _worthwhile(study: Study) -> list[tuple[float, Curve]]:
+    """Return the curves whose minimum lies below the present figure by `WORTHWHILE`, lowest first, each with that ratio."""
+    minima = [(curve.minimum.figure / study.present, curve) for curve in study.curves or () if curve.minimum is not None]
+    return sorted(((ratio, curve) for ratio, curve in minima if ratio < 1.0 - WORTHWHILE), key=lambda pair: pair[0])
+
+
+def _doubts(study: Study) -> Iterator[Finding]:
+    if study.sobol is not None and study.sobol.total_interval.max() > WIDE:
+        yield finding("CL669", interval=float(study.sobol.total_interval.max()))
+    for name, sampled in (("Morris", study.morris_sample), ("Sobol", study.sobol_sample)):
+        if sampled is not None and sampled.failed:
+            yield finding("CL674", name, failed=sampled.failed, runs=sampled.runs, share=sampled.failed / sampled.runs)
+    doubtful: dict[str, list[str]] = {}
+    for slope in study.local.slopes if study.local is not None else ():
+        if slope.doubt is not None:
+            doubtful.setdefault(slope.doubt.code, []).append(slope.variable.short)
+    for code, names in doubtful.items():
+        yield finding(code, listing(names), parameters=names)

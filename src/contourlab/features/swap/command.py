@@ -31,7 +31,8 @@ from contourlab.metrics.run_figures import goal_named
 from contourlab.rendering.stages import Stages
 from contourlab.result import write_text_atomic
 from contourlab.study import Setting, Space
-from contourlab.study.checkpoint import Checkpoint, resumable, run_identity
+from contourlab.study.checkpoint import Checkpoint, resumable
+from contourlab.study.runner import run_identity
 
 if TYPE_CHECKING:
     from contourlab.loop import Axis, Controller, Machine

@@ -1,20 +1,24 @@
-"""The variants of one chunk, simulated: the unit of work of every executor."""
+"""The variants of one chunk, simulated: the unit of work of every executor; and what a study will cost, measured on a few of them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from itertools import accumulate
+import os
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import accumulate, cycle
 from time import perf_counter, process_time
 from typing import Any
 
 import numpy as np
 
-from contourlab.arrays import Array, Flags, Index
+from contourlab.arrays import Array, Flags
+from contourlab.engine.gpu import LANES as GPU_LANES
 from contourlab.errors import ContourlabError, EngineError, ParameterError
-from contourlab.features.sweep.structures import Structure
-from contourlab.features.sweep.study import Study
-from contourlab.loop.batch import checked_variants
+from contourlab.features.sweep.study import Structure, Study
+from contourlab.figures import number
+from contourlab.loop.batch import LANES, checked_variants
+from contourlab.rendering.stages import asked, told
+from contourlab.study.executors import Executor, Workers
 from contourlab.study.space import chosen
 
 OK, DIVERGED, REFUSED = STATUSES = ("ok", "diverged", "refused")
@@ -72,11 +76,11 @@ def run_chunks(
     places = np.concatenate(parts)
     n = len(places)
     codes = [np.asarray(choice.codes)[chosen(places[:, choice.dimension], len(choice.codes), choice.weights)] for choice in study.choices]
-    names = [name for name in study.columns if name not in {choice.key for choice in study.choices}]
-    columns: dict[str, Any] = {name: np.full(n, np.nan) for name in (*names, *study.figures, "failed_at", "unsure")}
+    columns: dict[str, Any] = {name: np.full(n, np.nan) for name in (*study.columns, *study.figures, "failed_at", "unsure")}
     members = [study.design.members(number) for number in numbers]
     columns |= {name: np.concatenate([of_chunk[name] for of_chunk in members]) for name in members[0]}
     columns["status"] = np.full(n, STATUSES.index(REFUSED))
+    longest = max(structure.reference.n_sample for structure in study.structures.values())
     signals: dict[str, Array] = {}
     done = 0
     for combo, structure in study.structures.items():
@@ -87,18 +91,37 @@ def run_chunks(
         for name, values in given.items():
             columns[name][rows] = values
         accepted = _accepted(structure, given, len(rows))
-        if accepted.any():
-            first, share = done, len(rows) / n
-            tell = None if progress is None else (lambda part, first=first, share=share: progress(first / n + share * part))
-            _simulate(study, structure, given, rows, accepted, columns, signals, threads, tell, gpu)
+        first, samples = done, n * structure.reference.n_sample / len(rows)
         done += len(rows)
+        rows = rows[accepted]
+        if not rows.size:
+            continue
+        batch = structure.batch(
+            {name: values[accepted] for name, values in given.items()} or structure.as_it_is(len(rows)),
+            study.figures,
+            keep=study.signals,
+            threads=threads,
+            progress=None if progress is None else (lambda sample, first=first, samples=samples: progress(first / n + sample / samples)),
+            gpu=gpu,
+        )
+        for name in study.figures:
+            columns[name][rows] = structure.reference.duration if name == "cycle_time" else batch.figures[name]
+        failed = batch.failed_at >= 0
+        columns["status"][rows] = np.where(failed, STATUSES.index(DIVERGED), STATUSES.index(OK))
+        columns["failed_at"][rows] = np.where(failed, batch.failed_at * structure.machine.servo_period, np.nan)
+        columns["unsure"][rows] = batch.unsure
+        for name, values in batch.signals.items():
+            if failed.any():  # processors write nan differently
+                values = np.where(np.isnan(values), np.nan, values)
+            whole = signals.setdefault(name, np.full((n, longest, values.shape[1]), np.nan))
+            whole[rows, : values.shape[0]] = np.moveaxis(values, 2, 0)
     for choice, code in zip(study.choices, codes, strict=True):
         columns[choice.key] = np.array(choice.labels, dtype=object if isinstance(choice.labels[0], str) else float)[code]
-    seconds, cpu_seconds = perf_counter() - began, process_time() - cpu
+    share = (perf_counter() - began) / n, (process_time() - cpu) / n
     chunks = []
-    for number, size, end in zip(numbers, map(len, parts), accumulate(map(len, parts)), strict=True):
+    for chunk, size, end in zip(numbers, map(len, parts), accumulate(map(len, parts)), strict=True):
         figures, kept = ({name: values[end - size : end] for name, values in table.items()} for table in (columns, signals))
-        chunks.append(Chunk(number, figures, kept, seconds * size / n, cpu_seconds * size / n))
+        chunks.append(Chunk(chunk, figures, kept, *(size * time for time in share)))
     return chunks
 
 
@@ -112,18 +135,14 @@ def chunk_elsewhere(study: Study, number: int, asked: Array | None = None) -> Ch
 
 def joined(parts: Sequence[Chunk]) -> Chunk:
     """Return one chunk of parts of its variants, in order."""
-    names = {name: values.shape[1:] for part in parts for name, values in part.signals.items()}
-    empty = [len(part.columns["status"]) for part in parts]
-    return Chunk(
-        parts[0].number,
-        {name: np.concatenate([part.columns[name] for part in parts]) for name in parts[0].columns},
-        {
-            name: np.concatenate([part.signals.get(name, np.full((n, *shape), np.nan)) for part, n in zip(parts, empty, strict=True)])
-            for name, shape in names.items()
-        },
-        sum(part.seconds for part in parts),
-        sum(part.cpu_seconds for part in parts),
-    )
+    sizes = [len(part.columns["status"]) for part in parts]
+    shapes = {name: values.shape[1:] for part in parts for name, values in part.signals.items()}
+    columns = {name: np.concatenate([part.columns[name] for part in parts]) for name in parts[0].columns}
+    signals = {
+        name: np.concatenate([part.signals.get(name, np.full((n, *shape), np.nan)) for part, n in zip(parts, sizes, strict=True)])
+        for name, shape in shapes.items()
+    }
+    return Chunk(parts[0].number, columns, signals, sum(part.seconds for part in parts), sum(part.cpu_seconds for part in parts))
 
 
 def _accepted(structure: Structure, given: Mapping[str, Array], n: int) -> Flags:
@@ -147,37 +166,85 @@ def _accepted(structure: Structure, given: Mapping[str, Array], n: int) -> Flags
     return accepted
 
 
-def _simulate(
-    study: Study,
-    structure: Structure,
-    given: Mapping[str, Array],
-    rows: Index,
-    accepted: Flags,
-    columns: dict[str, Any],
-    signals: dict[str, Array],
-    threads: int | None,
-    progress: Callable[[float], None] | None,
-    gpu: bool,
-) -> None:
-    """Simulate the accepted variants of a structure, and write their rows of the columns and signals."""
-    rows, reference = rows[accepted], structure.reference
-    batch = structure.batch(
-        {name: values[accepted] for name, values in given.items()} or structure.as_it_is(len(rows)),
-        study.figures,
-        keep=study.signals,
-        threads=threads,
-        progress=None if progress is None else (lambda sample: progress(sample / reference.n_sample)),
-        gpu=gpu,
-    )
-    for name in study.figures:
-        columns[name][rows] = reference.duration if name == "cycle_time" else batch.figures[name]
-    failed = batch.failed_at >= 0
-    columns["status"][rows] = np.where(failed, STATUSES.index(DIVERGED), STATUSES.index(OK))
-    columns["failed_at"][rows] = np.where(failed, batch.failed_at * structure.machine.servo_period, np.nan)
-    columns["unsure"][rows] = batch.unsure
-    longest = max(other.reference.n_sample for other in study.structures.values())
-    for name, values in batch.signals.items():
-        if failed.any():  # processors write nan differently
-            values = np.where(np.isnan(values), np.nan, values)
-        whole = signals.setdefault(name, np.full((len(columns["status"]), longest, values.shape[1]), np.nan))
-        whole[rows, : values.shape[0]] = np.moveaxis(values, 2, 0)
+LONGEST, LARGEST = 3600.0, 10e9
+"""Time [s] and disk [B] beyond which a study asks."""
+PROBE = 0.3
+"""Time of a measurement that is long beside the start of a batch [s]."""
+
+
+@dataclass(frozen=True)
+class Cost:
+    """What variants will cost.
+
+    Attributes
+    ----------
+    variants : int
+    seconds : float [s]
+    workers : str
+    disk : float [B]
+        At most: compression is not counted.
+    """
+
+    variants: int
+    seconds: float
+    workers: str
+    disk: float
+
+    @property
+    def text(self) -> str:
+        """One line for the terminal."""
+        size, unit = (3600.0, "h") if self.seconds >= LONGEST else (60.0, "min") if self.seconds >= 120.0 else (1.0, "s")
+        time, disk = f"{number(self.seconds / size, 2)} {unit}", f"{number(self.disk / 1e6, 2)} MB"
+        return f"{self.variants} variants: about {time} on {self.workers}, up to {disk} of disk"
+
+
+def cost_of(study: Study, chunks: range, made: Collection[int], executor: Executor, pool: Workers | None) -> Cost:
+    """Return what chunks of a study will cost, without those made; workers elsewhere count as fast as this machine."""
+    size, every = study.design.chunk, study.design.variants
+    variants = min(chunks.stop * size, every) - chunks.start * size - sum(len(study.design.numbers(n)) for n in made if n in chunks)
+    count = 1 if executor.gpu else pool.count if pool is not None else executor.workers or os.cpu_count() or 1
+    name = "a GPU" if executor.gpu else f"{count} {'threads' if pool is None else 'workers'}"
+    structures = list(study.structures.values())
+    samples = [one.reference.n_sample for one in structures]
+    mean, longest = sum(samples) / len(samples), samples.index(max(samples))
+    probe = replace(study, choices=(), structures={(): structures[longest]}, signals=())
+    threads = 1 if pool is not None else count
+    each = _seconds_each(probe, GPU_LANES if executor.gpu else LANES * threads, threads, executor.gpu) if variants else 0.0
+    row = len(study.columns) + len(study.figures) + len(study.signals) * mean * structures[0].reference.n_axis
+    return Cost(variants, each * variants * mean / max(samples) * threads / count, name, 8.0 * row * variants)
+
+
+def agree(cost: Cost, *, yes: bool) -> None:
+    """Tell what a study will cost; if that is much, ask at a terminal.
+
+    Raises
+    ------
+    ParameterError
+        If it is much, and nobody says yes.
+    """
+    told(cost.text)
+    if (cost.seconds > LONGEST or cost.disk > LARGEST) and not yes and not asked(f"{cost.text}. Begin?"):
+        raise ParameterError("study", cost.text, "an hour and 10 GB at most: add --yes, or make the study smaller")
+
+
+def _seconds_each(study: Study, count: int, threads: int, gpu: bool) -> float:
+    """Return the time of a variant [s], where `count` or more run together; the first measurement compiles."""
+    first = True
+    while True:
+        count = min(count, study.design.variants)
+        some = replace(study, design=replace(study.design, variants=count, chunk=max(count, 1)))
+        began, groups = perf_counter(), 1 if gpu else -(-count // LANES)
+        left = cycle(range(groups - 1, -1, -1))
+
+        def stop(share: float, began: float = began, left: Iterator[int] = left) -> None:
+            if next(left) == 0 and perf_counter() - began > PROBE:  # groups run side by side: the share is true after the last one
+                raise TimeoutError((perf_counter() - began) / share)  # the time that all of it would take
+
+        try:
+            run_chunks(some, [0], threads, stop, gpu=gpu)
+            seconds = perf_counter() - began
+        except TimeoutError as enough:
+            (seconds,) = enough.args
+        if not first and (gpu or seconds > PROBE or count >= min(study.design.variants, study.design.chunk)):
+            return float(seconds) / count
+        count, first = count if first else min(4 * count, study.design.chunk), False

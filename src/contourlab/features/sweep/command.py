@@ -1,11 +1,15 @@
-"""``contourlab sweep``: run a study into a store; show, merge and export stores; rerun single variants."""
+"""``contourlab sweep``: run a study into a store, or search its space for the smallest figures; ask, merge and export stores."""
 
 from __future__ import annotations
 
+import hashlib
+import json
 import math
+import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import ExitStack
+from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import dataclass, replace
+from importlib.metadata import version
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -16,35 +20,231 @@ from contourlab.app.command_line import as_typed
 from contourlab.app.results import proposed
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.app.shared_options import Plugins
+from contourlab.arrays import Array
 from contourlab.engine.gpu import LANES as GPU_LANES
-from contourlab.errors import DivergenceError, ResultError
+from contourlab.errors import DivergenceError, ParameterError, ResultError
 from contourlab.extras import extra_module
 from contourlab.features.run.command import Runs, run_schemes
-from contourlab.features.sweep.chunk import Chunk, chunk_elsewhere, run_chunks
-from contourlab.features.sweep.cost import agree, cost_of
-from contourlab.features.sweep.optimise import AGAIN, Search, kept_note, structures_of
-from contourlab.features.sweep.optimise import optimise as optimised
-from contourlab.features.sweep.options import Export, Merge, Optimise, Query, Report, Show, Sweep, Worst
+from contourlab.features.sweep.chunk import Chunk, agree, chunk_elsewhere, cost_of, joined, run_chunks
+from contourlab.features.sweep.options import Export, Merge, Optimise, Query, Show, Sweep, Worst
 from contourlab.features.sweep.query import Export as ExportedRows
+from contourlab.features.sweep.query import SweepSummary, counts, display, remarks, rows, rows_text, summary, variant
 from contourlab.features.sweep.query import export as exported
-from contourlab.features.sweep.query import rows, variant
 from contourlab.features.sweep.query import worst as worst_of
-from contourlab.features.sweep.report import SweepReport
-from contourlab.features.sweep.report import report as reported
+from contourlab.features.sweep.report import report
 from contourlab.features.sweep.store import Store, numbers_in, read_store, writing
 from contourlab.features.sweep.store import check_folder as check_store
 from contourlab.features.sweep.store import merge as merged
-from contourlab.features.sweep.structures import Structure
-from contourlab.features.sweep.study import Study, study_of
-from contourlab.features.sweep.summary import SweepSummary, display, remarks, rows_text, summary
+from contourlab.features.sweep.study import Structure, Study, load_study
+from contourlab.figures import listing
 from contourlab.figures import number as number_text
 from contourlab.findings import Finding, finding
+from contourlab.loop.batch import lanes_each
 from contourlab.loop.parameters import with_values
+from contourlab.metrics.run_figures import title_of
+from contourlab.rendering.table import paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.scenario import Case, Scenario, dump, parse_scenario
+from contourlab.study.checkpoint import noted
 from contourlab.study.design import Design
 from contourlab.study.executors import Executor, Workers
 from contourlab.study.space import Distribution
+from contourlab.study.statistics import pareto_front
+from contourlab.study.values import with_values
+
+JOURNAL = "optuna.log"
+EDGE = 1e-6
+"""Least distance of a cumulative probability from 0 and 1."""
+SHOWN = 20
+"""Most variants in the result."""
+
+
+AGAIN = "Repeat the command with --resume to continue"
+
+
+def kept_note(store: Store) -> AbstractContextManager[None]:
+    """If the block is interrupted, add to the interrupt what is kept."""
+    return noted(
+        lambda: f"{len(store.parts)} of {store.chunks} chunks are kept in {store.home}. Repeat the command with --resume to continue."
+    )
+
+
+@dataclass(frozen=True)
+class Search(Answer):
+    """The result of a search.
+
+    Attributes
+    ----------
+    store : str
+    sampler : str
+    trials, done : int
+        Variants of the search, and in the store.
+    minimise : dict of str to str
+        Figures, with SI units.
+    columns : dict of str to str
+        What varies, with SI units.
+    front_size : int
+    best : tuple of dict
+        The best variant, or members of the Pareto front, by the first figure; at most 20, evenly spaced.
+    findings : tuple of Finding
+    """
+
+    store: str
+    sampler: str
+    trials: int
+    done: int
+    minimise: dict[str, str]
+    columns: dict[str, str]
+    front_size: int
+    best: tuple[dict[str, Any], ...]
+    findings: tuple[Finding, ...]
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The best variants, one a row [SI]."""
+        return list(self.best)
+
+    def _next(self, asked: Asked) -> Sequence[object] | None:
+        """Run the best variant again."""
+        if not self.best:
+            return None
+        number = self.best[0]["variant"]
+        return ["sweep", "worst", self.store, "--rerun", number, "--out", f"variant-{number}"]
+
+    @property
+    def text(self) -> str:
+        """Text for the terminal."""
+        figures = listing([title_of(name) for name in self.minimise])
+        what = "the smallest" if len(self.minimise) == 1 else f"{self.front_size} best compromises of"
+        head = f"{self.done} of {self.trials} variants in {self.store}, sampler {self.sampler}: {what} {figures}"
+        names = ["variant", *self.minimise, *self.columns]
+        table = rows_text(names, [[row[name] for name in names] for row in self.best], {**self.columns, **self.minimise})
+        return "\n\n".join(filter(None, (head, table, paragraphs(map(str, self.findings)))))
+
+
+def _space(study: Study, options: Optimise) -> tuple[Study, list[Array]]:
+    """Return the study with the design of the search, and the places of the values of each dimension; empty for a continuous one."""
+    for name in options.minimise:
+        if name not in study.figures:
+            raise ParameterError("--minimise", repr(name), f"one of the figures of the study: {', '.join(study.figures)}")
+    if study.design.kind == "list":
+        raise ParameterError("design", "'list'", "a design whose entries vary independently")
+    weights: dict[int, Sequence[float]] = {choice.dimension: choice.weights for choice in study.choices}
+    weights |= {i: drawn.weights for one in study.structures.values() for _, i, drawn in one.numbers}
+    levels = []
+    for i, (_, count) in enumerate(study.dimensions):
+        ends = np.concatenate([[0.0], np.cumsum(weights.get(i) or [1.0] * count)]) if count else np.zeros(1)
+        middles = (ends[1:] + ends[:-1]) / 2.0 / max(ends[-1], 1e-300)
+        levels.append(middles[np.diff(ends) > 0.0])
+    if options.chosen == "cma-es" and any(len(places) for places in levels):
+        raise ParameterError("--sampler", "'cma-es'", "tpe or nsga2 for a study with values = [...]")
+    design = Design("search", options.trials, options.batch, study.design.levels, study.design.seed)
+    samplers = [version(name) for name in ("optuna", *(["cmaes"] if options.chosen == "cma-es" else []))]  # another may ask for others
+    said = json.dumps([study.identity["study"], options.minimise, options.chosen, options.trials, options.batch, samplers])
+    identity = {**study.identity, "study": hashlib.sha256(said.encode()).hexdigest()}
+    return replace(study, design=design, identity=identity), levels
+
+
+@contextmanager
+def _journal(store: Store, options: Optimise) -> Iterator[Any]:
+    """Yield an Optuna study with a new journal in a store, whose writer we are; one that is there is not read, as Optuna unpickles it."""
+    import optuna
+    from optuna.storages.journal import JournalFileBackend
+
+    file = store.home / JOURNAL
+    for name in (JOURNAL, JOURNAL + ".lock"):
+        file.with_name(name).unlink(missing_ok=True)
+    verbosity = optuna.logging.get_verbosity()
+    optuna.logging.set_verbosity(optuna.logging.ERROR)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", optuna.exceptions.ExperimentalWarning)
+            yield optuna.create_study(
+                storage=optuna.storages.JournalStorage(JournalFileBackend(str(file))),
+                study_name="contourlab",
+                directions=["minimize"] * len(options.minimise),
+            )
+    finally:
+        optuna.logging.set_verbosity(verbosity)
+
+
+def _sampler(options: Optimise, seed: int) -> Any:
+    from optuna.samplers import CmaEsSampler, NSGAIISampler, TPESampler
+
+    if options.chosen == "tpe":
+        return TPESampler(seed=seed, n_startup_trials=options.batch, constant_liar=True)
+    if options.chosen == "nsga2":
+        return NSGAIISampler(seed=seed, population_size=options.batch)
+    return CmaEsSampler(seed=seed, popsize=options.batch)
+
+
+def _simulated(study: Study, executor: Executor, pool: Workers | None) -> Callable[[Array, int], Chunk]:
+    """Return the function that simulates the places of a batch, given its number."""
+    if pool is None:
+        return lambda places, number: run_chunks(study, [number], executor.workers, gpu=executor.gpu, asked=places)[0]
+    key = pool.shared(replace(study, cases={}))
+
+    def run(places: Array, number: int) -> Chunk:
+        size = lanes_each(len(places), pool.count)
+        return joined(pool.map(_run_elsewhere, key, [(number, places[first : first + size]) for first in range(0, len(places), size)]))
+
+    return run
+
+
+def _run_elsewhere(study: Study, item: tuple[int, Array]) -> Chunk:
+    return chunk_elsewhere(study, *item)
+
+
+def _batch(
+    study: Study,
+    levels: Sequence[Array],
+    store: Store,
+    journal: Any,
+    options: Optimise,
+    number: int,
+    run: Callable[[Array, int], Chunk],
+) -> None:
+    """Ask for a batch, simulate and store it, and tell its figures; a batch in the store is not simulated again.
+
+    The number of a trial is that of its variant. Each batch has a sampler of its own seed, so that a search that goes on asks for the same.
+    """
+    first = number * options.batch
+    numbers = range(first, min(first + options.batch, options.trials))
+    journal.sampler = _sampler(options, (study.design.seed + number) % 2**32)
+    asked = [journal.ask() for _ in numbers]
+    places = np.array([_places(trial, levels) for trial in asked])
+    if number not in store.parts:
+        began = perf_counter()
+        chunk = run(places, number)
+        store.write(chunk)
+        store.log(chunk, perf_counter() - began)
+    names = ", ".join(f'"{name}"' for name in options.minimise)
+    sql = f"SELECT {names} FROM results WHERE variant BETWEEN {numbers[0]} AND {numbers[-1]} ORDER BY variant"
+    for trial, figures in zip(asked, rows(store, sql)[1], strict=True):
+        journal.tell(trial, [math.inf if value is None else value for value in figures])
+
+
+def _places(trial: Any, levels: Sequence[Array]) -> list[float]:
+    """Return the cumulative probabilities of a trial, for each dimension of the study; a finished trial has its own."""
+    found = []
+    for i, places in enumerate(levels):
+        if len(places):
+            found.append(float(places[trial.suggest_categorical(f"u{i}", range(len(places)))]))
+        else:
+            found.append(float(trial.suggest_float(f"u{i}", EDGE, 1.0 - EDGE)))
+    return found
+
+
+def _result(store: Store, options: Optimise, study: Study) -> Search:
+    names, found = rows(store, "SELECT * FROM results WHERE status = 'ok' ORDER BY variant")
+    values = np.array([[row[names.index(name)] for name in options.minimise] for row in found], dtype=float)
+    front = [] if not found else pareto_front(values).tolist() if len(options.minimise) > 1 else [int(np.argmin(values[:, 0]))]
+    shown_rows = sorted({round(place) for place in np.linspace(0, len(front) - 1, SHOWN)}) if front else []
+    best = tuple(dict(zip(names, found[front[i]], strict=True)) for i in shown_rows)
+    about, findings = store.manifest, (*study.findings, *remarks(store, counts(store)))
+    figures = {name: about.figures[name] for name in options.minimise}
+    return Search(str(store.home), options.chosen, about.variants, store.done, figures, about.columns, len(front), best, findings)
+
 
 SAME = 1e-6
 """Largest relative difference between the stored figure of a variant and a new run; on the same processor they are equal."""
@@ -75,14 +275,14 @@ def sweep(study: str | Path, *, settings: Sweep, session: Session = QUIET) -> Sw
     with ExitStack() as stack:
         stages = session.stages()
         stages.begin("planning the motions")
-        planned, structured = study_of(study, settings.plugin, stages.advance)
+        planned = load_study(study, settings.plugin, stages.advance)
         wanted = settings.chosen(planned.design.chunks)
         pool = stack.enter_context(executor.started(planned.plugins, AGAIN))
         cost = cost_of(planned, wanted, numbers_in(settings.out), executor, pool)
         session.close()  # a bar would hide the question
         agree(cost, yes=settings.yes or settings.resume)
         stages = session.stages()
-        with writing(settings.out, planned, lambda: structures_of(structured), resume=settings.resume) as store, kept_note(store):
+        with writing(settings.out, planned, resume=settings.resume) as store, kept_note(store):
             todo = [number for number in wanted if number not in store.parts]
             total = sum(len(planned.design.numbers(number)) for number in todo)
             done, last = 0, perf_counter()
@@ -117,7 +317,24 @@ def optimise(study: str | Path, *, settings: Optimise, session: Session = QUIET)
     ContourlabError
         If the study, an option or the folder is invalid, or the disk is full. Finished batches stay.
     """
-    return optimised(study, settings, session.stages())
+    for package in ("duckdb", "pyarrow.parquet", "optuna", *(["cmaes"] if settings.chosen == "cma-es" else [])):
+        extra_module(package)
+    check_store(settings.out, resume=settings.resume)
+    stages, executor = session.stages(), settings.pool
+    stages.begin("planning the motions")
+    planned, levels = _space(load_study(study, settings.plugin, stages.advance, variants=1), settings)
+    with (
+        executor.started(planned.plugins, AGAIN) as pool,
+        writing(settings.out, planned, resume=settings.resume) as store,
+        kept_note(store),
+        _journal(store, settings) as journal,
+    ):
+        stages.begin("searching")
+        run = _simulated(planned, executor, pool)
+        for number in range(store.chunks):
+            _batch(planned, levels, store, journal, settings, number, run)
+            stages.advance(store.done, store.manifest.variants)
+    return _result(store, settings, planned)
 
 
 @question(Show)
@@ -140,16 +357,10 @@ def worst(store: str | Path, count: int = 10, *, settings: Worst, session: Sessi
     if settings.rerun is not None:
         return rerun(store, settings.rerun, settings, session)
     opened = read_store(store)
-    names = ("variant", *opened.modules, settings.figure, *opened.columns, "status")
+    names = ("variant", *opened.manifest.modules, settings.figure, *opened.manifest.columns, "status")
     found = worst_of(opened, count, settings.figure)
-    units = {**opened.columns, **opened.figures}
+    units = {**opened.manifest.columns, **opened.manifest.figures}
     return Rows(names, tuple(tuple(row[name] for name in names) for row in found), units, remarks(opened, {}), tuple(found), str(store))
-
-
-@question(Report)
-def report(store: str | Path, *, settings: Report, session: Session = QUIET) -> SweepReport:
-    """Answer in one page: yield, distribution, what decides it, best compromises, when to stop."""
-    return reported(store, settings.out, settings.figure)
 
 
 @question(Merge)
@@ -225,7 +436,7 @@ class Rows(Answer):
 def _chunks(study: Study, numbers: Sequence[int], pool: Workers | None, executor: Executor, tell: Callable[[int], None]) -> Iterator[Chunk]:
     """Yield finished chunks, in any order. They do not depend on the executor; only threads and a GPU tell the variants done in between."""
     if pool is not None:
-        yield from (chunk for _, chunk in pool.run(chunk_elsewhere, pool.shared(study), numbers))
+        yield from (chunk for _, chunk in pool.run(chunk_elsewhere, pool.shared(replace(study, cases={})), numbers))
         return
     together = max(GPU_LANES // study.design.chunk, 1) if executor.gpu and not study.signals else 1
     for first in range(0, len(numbers), together):
@@ -245,14 +456,14 @@ def rerun(folder: str | Path, number: int, settings: Worst, session: Session) ->
     """
     store = read_store(folder)
     row = variant(store, number)
-    fits = (one for one in store.manifest["structures"] if all(row.get(key) == label for key, label in one["choices"].items()))
+    fits = (one for one in store.manifest.structures if all(row.get(key) == label for key, label in one.choices.items()))
     if (structure := next(fits, None)) is None:
-        raise ResultError(f"{store.folder}: has no scenario for variant {number}: restore its manifest.json")
-    base = parse_scenario(structure["scenario"], f"{folder}: variant {number}", settings.plugin).base
-    values = {name: row[name] for name in store.columns if name not in structure["choices"] and row[name] is not None}
+        raise ResultError(f"{store.home}: has no scenario for variant {number}: restore its manifest.json")
+    base = parse_scenario(structure.scenario, f"{folder}: variant {number}", settings.plugin).base
+    values = {name: row[name] for name in store.manifest.columns if name not in structure.choices and row[name] is not None}
     findings = (*remarks(store, {}), *_differences(store, row, base, values))
     machine, controller = with_values(base.machine, base.controller, values)
-    run = base.run if store.manifest["tolerance"] is None else replace(base.run, tolerance=store.manifest["tolerance"])
+    run = base.run if store.manifest.tolerance is None else replace(base.run, tolerance=store.manifest.tolerance)
     case = replace(base, machine=machine, controller=controller, run=run)
     scenario = Scenario(f"variant {number}", Path(f"variant-{number}.toml"), case)
     file = session.folder / f"variant-{number}.toml" if session.saving else scenario.file
@@ -273,8 +484,8 @@ def _differences(store: Store, row: Mapping[str, Any], case: Case, values: Mappi
     numbers = tuple((name, i, Distribution("values", (value,))) for i, (name, value) in enumerate(values.items()))
     structure = Structure(case.machine, case.controller, case.reference(), case.seed, case.moving, numbers)
     design = Design("list", 1, 1, (1,) * len(numbers))
-    (chunk,) = run_chunks(Study("", "", design, (), {(): structure}, dict.fromkeys(values, ""), tuple(store.figures)), [0])
-    for name, unit in store.figures.items():
+    (chunk,) = run_chunks(Study({(): structure}, dict.fromkeys(values, ""), design=design, figures=tuple(store.manifest.figures)), [0])
+    for name, unit in store.manifest.figures.items():
         stored, now = math.nan if row[name] is None else row[name], float(chunk.columns[name][0])
         if not np.isclose(now, stored, rtol=SAME, atol=0.0, equal_nan=True):
             unit, factor = display(unit)

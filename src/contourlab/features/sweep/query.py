@@ -1,4 +1,4 @@
-"""Questions to a store: summary, SQL, worst variants, export, and the rows that answers are about."""
+"""Questions to a store: what it holds, SQL, worst variants, export, and the rows that answers are about."""
 
 from __future__ import annotations
 
@@ -16,13 +16,18 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.app.session import Answer
+from contourlab.app.json_values import HIDDEN
+from contourlab.app.session import Answer, Asked
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import ParameterError, UnitError, error_text
 from contourlab.extras import extra_module
-from contourlab.features.sweep.store import Store
+from contourlab.features.sweep.store import SCHEMA, Store
 from contourlab.features.sweep.vary import belongs
+from contourlab.figures import figure, number, shown_unit
+from contourlab.findings import Finding, finding
+from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result.atomic import replacing
+from contourlab.study.design import DRAWN
 from contourlab.study.statistics import share_of, wilson
 from contourlab.units import to_si
 
@@ -146,7 +151,7 @@ def _limit(option: str, text: str, unit: str, example: str) -> float:
 def spreads(store: Store) -> dict[str, Spread]:
     """Return the distribution of each figure; equal rows give equal bits, which sums of DuckDB's threads do not."""
     figures = {}
-    for name, unit in store.figures.items():
+    for name, unit in store.manifest.figures.items():
         values = np.sort(store.dataset.to_table(columns=[name])[name].drop_null().to_numpy())
         places = np.quantile(values, [*QUANTILES.values()]).tolist() if len(values) else [None] * len(QUANTILES)
         figures[name] = Spread(unit, float(values.mean()) if len(values) else None, **dict(zip(QUANTILES, places, strict=True)))
@@ -163,9 +168,9 @@ def counts(store: Store) -> dict[str, int]:
 def yield_of(store: Store) -> Yield | None:
     """Return the share of variants within the tolerance; None without a tolerance or its figure, and of a search."""
     tolerance = store.tolerance
-    if tolerance is None or JUDGED not in store.figures:
+    if tolerance is None or JUDGED not in store.manifest.figures:
         return None
-    rows = _judged(store, JUDGED, ["variant", *store.modules, JUDGED])
+    rows = _judged(store, JUDGED, ["variant", *store.manifest.modules, JUDGED])
     if not rows.table.num_rows:
         return Yield(JUDGED, tolerance, 0, 0, math.nan, *wilson(0, 0))
     passed, *share = share_of(rows.values <= tolerance, rows.clusters)
@@ -174,8 +179,8 @@ def yield_of(store: Store) -> Yield | None:
 
 def check_figure(store: Store, figure: str) -> None:
     """Raise `ParameterError` if a store has no such figure."""
-    if figure not in store.figures:
-        raise ParameterError("--figure", repr(figure), f"one of {', '.join(store.figures)}")
+    if figure not in store.manifest.figures:
+        raise ParameterError("--figure", repr(figure), f"one of {', '.join(store.manifest.figures)}")
 
 
 def worst(store: Store, count: int, figure: str) -> list[dict[str, Any]]:
@@ -257,7 +262,7 @@ def export(store: Store, file: Path) -> Export:
     with replacing(file) as temporary, opened(temporary) as writer:
         for number in sorted(store.parts):
             writer.write_table(parquet.read_table(store.parts[number], schema=store.schema).rename_columns(schema.names))
-    return Export(file, store.done, store.variants)
+    return Export(file, store.done, store.manifest.variants)
 
 
 def _unit(field: Any) -> str:
@@ -295,12 +300,12 @@ class Rows:
     @cached_property
     def members(self) -> dict[str, Index]:
         """For each kind of modules, by its column, which one is in each row (n,), counted from 0 without gaps."""
-        return {name: np.unique(self.table[name].to_numpy(), return_inverse=True)[1] for name in self.store.modules}
+        return {name: np.unique(self.table[name].to_numpy(), return_inverse=True)[1] for name in self.store.manifest.modules}
 
     @cached_property
     def clusters(self) -> list[Index]:
         """Which rows share a module or a draw, for each kind of modules (n,); empty if all rows are independent."""
-        group = self.store.manifest["group"]
+        group = self.store.manifest.group
         shared = [np.unique(self.table["variant"].to_numpy() // group, return_inverse=True)[1]] if group > 1 else []
         return [*self.members.values(), *shared]
 
@@ -315,7 +320,7 @@ class Rows:
 
     def kind(self, name: str) -> str | None:
         """Return the column of the modules that a column belongs to."""
-        return next((kind for kind in self.store.modules if belongs(name, kind.removesuffix(".module"))), None)
+        return next((kind for kind in self.store.manifest.modules if belongs(name, kind.removesuffix(".module"))), None)
 
     def where(self, chosen: Flags) -> Rows:
         """Return some of the rows."""
@@ -323,7 +328,8 @@ class Rows:
 
     def first(self, shared: str) -> str:
         """Return the first column that an effect or subset is about."""
-        return next(name for name in self.store.columns if name == shared or fnmatchcase(name, shared) or name in shared.split(", "))
+        columns = self.store.manifest.columns
+        return next(name for name in columns if name == shared or fnmatchcase(name, shared) or name in shared.split(", "))
 
     def column(self, name: str) -> tuple[Array, list[str]]:
         """Return a column (n,), nan where it is empty; of texts, their places in the list that comes with it."""
@@ -336,7 +342,7 @@ class Rows:
     @cached_property
     def _texts(self) -> set[str]:
         arrow = extra_module("pyarrow")
-        return {name for name in self.store.columns if self.store.schema.field(name).type == arrow.string()}
+        return {name for name in self.store.manifest.columns if self.store.schema.field(name).type == arrow.string()}
 
 
 def read_rows(store: Store, figure: str | None = None) -> Rows:
@@ -353,11 +359,12 @@ def read_rows(store: Store, figure: str | None = None) -> Rows:
     ParameterError
         If the store has no such figure, or no variant that was judged.
     """
-    chosen = figure or (JUDGED if JUDGED in store.figures else next(iter(store.figures)))
+    chosen = figure or (JUDGED if JUDGED in store.manifest.figures else next(iter(store.manifest.figures)))
     check_figure(store, chosen)
-    rows = _judged(store, chosen, ["variant", *store.modules, *store.columns, *dict.fromkeys([chosen, *objectives(store)])])
+    about = store.manifest
+    rows = _judged(store, chosen, ["variant", *about.modules, *about.columns, *dict.fromkeys([chosen, *objectives(store)])])
     if not rows.table.num_rows:
-        raise ParameterError("STORE", str(store.folder), "a store with variants that were judged")
+        raise ParameterError("STORE", str(store.home), "a store with variants that were judged")
     return rows
 
 
@@ -370,4 +377,145 @@ def _judged(store: Store, figure: str, names: Sequence[str]) -> Rows:
 
 def objectives(store: Store) -> list[str]:
     """Return the figures that a compromise weighs against the main one."""
-    return [name for name in ("cycle_time", "command_energy") if name in store.figures]
+    return [name for name in ("cycle_time", "command_energy") if name in store.manifest.figures]
+
+
+WORKSHOP = {"m": ("um", 1e6), "m s": ("um s", 1e6)}
+"""Display unit of the figures of errors, and the factor from SI."""
+
+
+@dataclass(frozen=True)
+class SweepSummary(Answer):
+    """What a store holds.
+
+    Attributes
+    ----------
+    store : str
+    design : str
+    variants, done : int
+        Variants of the study, and in the store.
+    chunks, chunks_done, chunks_made : int
+        Chunks of the study, in the store, and of this call.
+    columns : mapping of str to str
+        What varies, with SI units.
+    statuses : mapping of str to int
+        Number of variants that ended ``ok``, ``diverged`` or were ``refused``; ``unsure`` counts those whose error is an upper bound.
+    within : Yield or None
+        The yield.
+    figures : mapping of str to Spread
+    elapsed, cpu_seconds : float [s]
+        Time of all calls that wrote into the store, and processor time of its workers.
+    rate : float [1/s]
+        Variants per elapsed second.
+    findings : tuple of Finding
+    """
+
+    store: str
+    design: str
+    variants: int
+    done: int
+    chunks: int
+    chunks_done: int
+    chunks_made: int
+    columns: Mapping[str, str]
+    statuses: Mapping[str, int]
+    within: Yield | None = field(metadata={"json": "yield"})
+    figures: Mapping[str, Spread]
+    elapsed: float
+    cpu_seconds: float
+    rate: float
+    findings: tuple[Finding, ...]
+    fresh: bool = field(default=False, metadata=HIDDEN)
+
+    def _next(self, asked: Asked) -> Sequence[object] | None:
+        """Read the report of a study that was run."""
+        return ["sweep", "report", self.store] if self.fresh else None
+
+    @property
+    def text(self) -> str:
+        """Text for the terminal."""
+        return _text(self)
+
+
+def summary(store: Store, made: int = 0, findings: Sequence[Finding] = ()) -> SweepSummary:
+    """Return what a store holds, after `made` new chunks."""
+    has_rows = bool(store.parts)
+    statuses = counts(store) if has_rows else {}
+    times = store.times()
+    return SweepSummary(
+        store=str(store.home),
+        design=store.manifest.design,
+        variants=store.manifest.variants,
+        done=store.done,
+        chunks=store.chunks,
+        chunks_done=len(store.parts),
+        chunks_made=made,
+        columns=store.manifest.columns,
+        statuses=statuses,
+        within=yield_of(store) if has_rows else None,
+        figures=spreads(store) if has_rows else {},
+        elapsed=times["elapsed"],
+        cpu_seconds=times["cpu_seconds"],
+        rate=times["variants"] / times["elapsed"] if times["elapsed"] else 0.0,
+        findings=(*findings, *remarks(store, statuses)),
+    )
+
+
+def remarks(store: Store, statuses: Mapping[str, int]) -> tuple[Finding, ...]:
+    """Return what to know about the variants of a store: missing, refused, unsure."""
+    found = [finding("CL935", store=str(store.home))] if store.manifest.schema != SCHEMA else []
+    found += [finding("CL931", done=store.done, variants=store.manifest.variants)] if store.done < store.manifest.variants else []
+    found += [finding("CL932", count=statuses["refused"])] if statuses.get("refused") else []
+    found += [finding("CL933", count=statuses["unsure"])] if statuses.get("unsure") else []
+    return tuple(found)
+
+
+def _text(result: SweepSummary) -> str:
+    head = f"{result.done} of {result.variants} variants in {result.store}"
+    if result.chunks_made:
+        head += f"; {result.chunks_made} of {result.chunks} chunks new"
+    if result.rate:
+        head += f"; {number(result.rate)} variants per second, {figure(result.elapsed, 's')} in all"
+    ended = ", ".join(f"{count} {status}" for status, count in result.statuses.items() if status != "unsure" or count)
+    lines = [paragraphs([head, f"status: {ended or 'no variant yet'}"])]
+    within = result.within
+    if within is not None:
+        ends = f" ({figure(within.low, '%', 4)} to {figure(within.high, '%', 4)} with 95 % confidence)"
+        ends = ends if result.design in DRAWN else ""  # a grid or list is no sample
+        what = f"{within.figure} within {figure(within.tolerance, 'um')}"
+        share = f"yield: {figure(within.share, '%', 4)}{ends}"
+        lines.append(paragraphs([f"{share}: {within.passed} of {within.judged} have {what}"]))
+    if result.figures:
+        names = ("mean", "minimum", "p5", "median", "p95", "p99", "maximum")
+        table = Table([Column("figure", left=True), Column("unit", left=True), *map(Column, names)])
+        for name, spread in result.figures.items():
+            unit, factor = display(spread.unit)
+            values = (getattr(spread, word) for word in names)
+            table.add(name, unit, *("-" if value is None else number(value * factor, 4) for value in values))
+        lines.append(table.text())
+    return "\n\n".join(filter(None, [*lines, paragraphs(map(str, result.findings))]))
+
+
+def display(unit: str) -> tuple[str, float]:
+    """Return the display unit of values in an SI unit, and the factor."""
+    if unit in WORKSHOP:
+        return WORKSHOP[unit]
+    factor, shown = shown_unit(unit)
+    return shown, factor
+
+
+def rows_text(names: Sequence[str], rows: Sequence[Sequence[Any]], units: Mapping[str, str] | None = None) -> str:
+    """Return rows of a query as a table; columns with a unit in its display unit."""
+    shown = {name: display(unit) for name, unit in (units or {}).items()}
+    heads = [f"{name} [{shown[name][0]}]" if shown.get(name, ("", 1.0))[0] else name for name in names]
+    texts = [any(isinstance(row[i], str) for row in rows) for i in range(len(names))]
+    table = Table([Column(head, left=left) for head, left in zip(heads, texts, strict=True)])
+    for row in rows:
+        table.add(*(_cell(value, shown.get(name, ("", 1.0))[1]) for name, value in zip(names, row, strict=True)))
+    return table.text()
+
+
+def _cell(value: Any, factor: float) -> str:
+    if value is None:
+        return "-"
+    return number(value * factor, 5) if isinstance(value, float) else str(value)

@@ -12,14 +12,14 @@ import numpy as np
 
 from contourlab import __version__
 from contourlab.app.command_line import as_typed
-from contourlab.app.session import Answer, Asked
+from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array, Index
-from contourlab.features.sweep.answers import GOAL, Answers, answers_of
-from contourlab.features.sweep.effects import FEW, Effect, Pairings, Subset, best_choice, enough, means_of
-from contourlab.features.sweep.query import Rows, read_rows
+from contourlab.features.sweep.answers import FEW, GOAL, Answers, Effect, Pairings, Subset, answers_of, best_choice, means_of
+from contourlab.features.sweep.options import Report
+from contourlab.features.sweep.query import Rows, display, read_rows
 from contourlab.features.sweep.store import read_store
-from contourlab.features.sweep.summary import display, title_of
 from contourlab.figures import figure, listing, number
+from contourlab.metrics.run_figures import title_of
 from contourlab.rendering.charts import Chart, Curve, Panel
 from contourlab.rendering.html import embedded, entry_of, page_template
 from contourlab.rendering.plotly_view import axis_look, layout_look, packed, plain
@@ -59,15 +59,21 @@ class Words:
 
 def said(answers: Answers) -> Words:
     """Return the answers in sentences."""
-    first = _best(answers) if answers.design == "search" else _yield(answers) if answers.share is not None else _spread(answers)
-    return Words(" ".join(filter(None, (first, _which(answers)))), _decides(answers), _stop(answers), _front(answers), _modules(answers))
-
-
-def kind_of(answers: Answers) -> str:
-    """Return what the variants are: pairings of modules, or machines, if only these vary."""
-    if answers.pairings is not None:
-        return "pairings"
-    return "machines" if answers.effects and all(one.column.startswith("axes.") for one in answers.effects) else "variants"
+    count, title = f"{answers.judged:,}", answers.title
+    sure = " with 95 % confidence)"
+    if answers.design == "search":
+        first = f"The best of {count} variants of a search has a {title} of {shown(answers.smallest, answers.unit)}."
+    elif answers.share is not None:
+        interval = f" ({range_text(answers.low, answers.high)}{sure}" if answers.is_sample else ""
+        passing = f"{answers.passed:,} of {count} {answers.kind} make the part within {shown(answers.tolerance, 'm', 6)}"
+        first = f"{passing}: {share_text(answers.share)}{interval}."
+    else:
+        low, high, p95, median = (shown(value, answers.unit) for value in (answers.p95_low, answers.p95_high, answers.p95, answers.median))
+        interval = f" ({low} to {high}{sure}" if answers.is_sample and answers.p95_low is not None else ""
+        first = f"95 % of {count} {answers.kind} have a {title} up to {p95}{interval}; half of them up to {median}."
+    names = listing([title_of(name) for name in answers.objectives])
+    front = f"{answers.front_size:,} of {count} {answers.kind} are best compromises of {names}: no other is better in all." if names else ""
+    return Words(" ".join(filter(None, (first, _which(answers)))), _decides(answers), _stop(answers), front, _modules(answers))
 
 
 def share_text(share: float | None, digits: int = 4) -> str:
@@ -93,28 +99,9 @@ def value_text(subset: Subset) -> str:
     return subset.value if isinstance(subset.value, str) else shown(subset.value, subset.unit, 4)
 
 
-def _yield(answers: Answers) -> str:
-    ends = range_text(answers.low, answers.high)
-    interval = f" ({ends} with 95 % confidence)" if answers.is_sample else ""
-    passing = f"{answers.passed:,} of {answers.judged:,} {kind_of(answers)} make the part within {shown(answers.tolerance, 'm', 6)}"
-    return f"{passing}: {share_text(answers.share)}{interval}."
-
-
-def _best(answers: Answers) -> str:
-    value = shown(answers.smallest, answers.unit)
-    return f"The best of {answers.judged:,} variants of a search has a {title_of(answers.figure)} of {value}."
-
-
-def _spread(answers: Answers) -> str:
-    ends = f" ({shown(answers.p95_low, answers.unit)} to {shown(answers.p95_high, answers.unit)} with 95 % confidence)"
-    interval = ends if answers.is_sample and answers.p95_low is not None else ""
-    most = f"95 % of {answers.judged:,} {kind_of(answers)} have a {title_of(answers.figure)} up to {shown(answers.p95, answers.unit)}"
-    return f"{most}{interval}; half of them up to {shown(answers.median, answers.unit)}."
-
-
 def _which(answers: Answers) -> str:
     """Return which variants pass: those on one side of the best cut."""
-    best: Effect | None = max(answers.effects, key=lambda one: one.gain, default=None)
+    best = max(answers.effects, key=lambda one: one.gain, default=None)
     if best is None or best.below is None or best.above is None or abs(best.below - best.above) < CLEAR:
         return ""
     low_is_better = best.below > best.above
@@ -125,31 +112,29 @@ def _which(answers: Answers) -> str:
 def _decides(answers: Answers) -> str:
     strong = [one for one in answers.effects if one.index_low > 0.0 and one.index >= MATTERS]
     rest = len(answers.effects) - len(strong)
-    if not answers.effects:
-        return ""
     if not strong:
-        return f"No parameter decides the {title_of(answers.figure)} alone: each explains {LITTLE}."
+        return f"No parameter decides the {answers.title} alone: each explains {LITTLE}." if rest else ""
     named = listing([f"{one.column} ({share_text(one.index, 2)})" for one in strong])
     others = "The other one explains" if rest == 1 else f"Each of the other {rest} explains"
     tail = f" {others} {LITTLE}." if rest else ""
     twice = " They add up to more than 100 %, because some of them are correlated." if sum(one.index for one in strong) > 1.0 else ""
-    what = f"What decides the {title_of(answers.figure)}, in order, with the share of its variance that each explains"
+    what = f"What decides the {answers.title}, in order, with the share of its variance that each explains"
     return f"{what}: {named}.{twice}{tail}"
 
 
 def _stop(answers: Answers) -> str:
     if not answers.is_sample:
         return f"A {answers.design} is no sample: more variants of it would not make these numbers surer."
-    said = []
+    sentences = []
     if answers.low is not None and answers.high is not None:
         half = figure((answers.high - answers.low) / 2.0, "%", 2)
-        said.append(f"The yield is known to +-{half}; {_enough(answers.needed_for_yield, answers)}.")
+        sentences.append(f"The yield is known to +-{half}; {_enough(answers.needed_for_yield, answers)}.")
     if answers.p95 is not None and answers.p95_low is not None and answers.p95_high is not None:
         error = (answers.p95_high - answers.p95_low) / 2.0
         known = f"The 95 % quantile, {shown(answers.p95, answers.unit)}, is known to +-{shown(error, answers.unit, 2)}"
         share = f" ({figure(error / answers.p95, '%', 2)})" if answers.p95 > 0.0 else ""
-        said.append(f"{known}{share}; {_enough(answers.needed_for_p95, answers)}.")
-    return " ".join(said)
+        sentences.append(f"{known}{share}; {_enough(answers.needed_for_p95, answers)}.")
+    return " ".join(sentences)
 
 
 def _enough(needed: int | None, answers: Answers) -> str:
@@ -175,45 +160,32 @@ def _about(count: float) -> str:
     return f"{float(f'{count:.2g}'):,.0f}"
 
 
-def _front(answers: Answers) -> str:
-    if not answers.objectives:
-        return ""
-    names = listing([title_of(name) for name in answers.objectives])
-    return f"{answers.front_size:,} of {answers.judged:,} {kind_of(answers)} are best compromises of {names}: no other is better in all."
-
-
 def _modules(answers: Answers) -> str:
+    """Return under which choices the modules are judged, what they explain, and how few spoil the yield."""
     found = answers.pairings
     if found is None:
         return ""
-    explained = listing([f"{kind.column.removesuffix('.module')} ({share_text(kind.index, 2)})" for kind in found.kinds])
+    names = {kind.column: kind.column.removesuffix(".module") for kind in found.kinds}
+    sentences, passing = [], share_text(found.share)
+    if found.choices:
+        choices = listing([f"{name} {value if isinstance(value, str) else number(value)}" for name, value in found.choices.items()])
+        yields = f", with which {passing} of {found.judged:,} pairings pass" if found.share is not None else ""
+        sentences.append(f"Modules are judged under the best choice, {choices}{yields}.")
+    explained = listing([f"{names[kind.column]} ({share_text(kind.index, 2)})" for kind in found.kinds])
     rest = max(1.0 - sum(kind.index for kind in found.kinds), 0.0)
-    what = f"Share of the variance of the {title_of(answers.figure)} that the module explains, whatever its partners: {explained}"
     pairing = f"; the pairing itself: {share_text(rest, 2)}" if len(found.kinds) > 1 else ""
-    return " ".join(filter(None, (_under(found), f"{what}{pairing}.", _sorting(found))))
-
-
-def _under(found: Pairings) -> str:
-    """Return under which choices the modules are judged."""
-    if not found.choices:
-        return ""
-    named = listing([f"{name} {value if isinstance(value, str) else number(value)}" for name, value in found.choices.items()])
-    yields = f", with which {share_text(found.share)} of {found.judged:,} pairings pass" if found.share is not None else ""
-    return f"Modules are judged under the best choice, {named}{yields}."
-
-
-def _sorting(found: Pairings) -> str:
-    """Return how few modules spoil the yield."""
-    if found.share is None or not found.bad:
-        return ""
-    goal = next((goal for goal in SORTED if found.share < goal), 1.0)
-    count = enough(found.bad, goal)
-    bad = found.bad[:count]
-    if bad[-1].left < goal:
-        return f"Even without the worst {count} modules the yield stays below {share_text(goal)}."
-    parts = [(kind.column.removesuffix(".module"), sum(one.column == kind.column for one in bad), kind.modules) for kind in found.kinds]
-    which = listing([f"{gone} of {modules:,} {name}" for name, gone, modules in parts if gone])
-    return f"Without the worst modules, {which}, the yield rises from {share_text(found.share)} to {share_text(bad[-1].left)}."
+    what = f"Share of the variance of the {answers.title} that the module explains, whatever its partners"
+    sentences.append(f"{what}: {explained}{pairing}.")
+    if found.share is not None and found.bad:
+        goal = next((goal for goal in SORTED if found.share < goal), 1.0)
+        bad = found.bad[: next((i for i, one in enumerate(found.bad, 1) if one.left >= goal), len(found.bad))]
+        gone = {kind: sum(one.column == kind.column for one in bad) for kind in found.kinds}
+        which = listing([f"{count} of {kind.modules:,} {names[kind.column]}" for kind, count in gone.items() if count])
+        if bad[-1].left < goal:
+            sentences.append(f"Even without the worst {len(bad)} modules the yield stays below {share_text(goal)}.")
+        else:
+            sentences.append(f"Without the worst modules, {which}, the yield rises from {passing} to {share_text(bad[-1].left)}.")
+    return " ".join(sentences)
 
 
 CELLS = 200
@@ -227,19 +199,17 @@ EVEN = ((0.0, "#0b3c6f"), (0.5, "#f2f2f2"), (1.0, "#8c1c13"))
 
 def matrices(answers: Answers, rows: Rows) -> Iterator[dict[str, Any]]:
     """Yield a picture for each two kinds of modules, under the best choice, and for each kind and choice."""
-    if answers.pairings is None:
-        return
-    best = best_choice(rows)[1]
-    kinds = list(rows.store.modules)
-    choices = [name for name in answers.pairings.choices if len(np.unique(rows.column(name)[0])) <= FEW]
-    pairs = [(best, *pair) for pair in combinations(kinds, 2)] + [(rows, kind, name) for kind in kinds for name in choices]
-    for some, first, second in pairs[:MOST]:
-        yield _matrix(answers, some, first, second)
+    if answers.pairings is not None:
+        kinds = list(rows.store.manifest.modules)
+        choices = [name for name in answers.pairings.choices if len(np.unique(rows.column(name)[0])) <= FEW]
+        best = best_choice(rows)[1]
+        pairs = [(best, *pair) for pair in combinations(kinds, 2)] + [(rows, kind, name) for kind in kinds for name in choices]
+        yield from (_matrix(answers, *pair) for pair in pairs[:MOST])
 
 
 def _matrix(answers: Answers, rows: Rows, first: str, second: str) -> dict[str, Any]:
     """Return the picture of two columns: the mean figure of the pairings in each cell; nothing where one of them diverged."""
-    unit, factor = display(answers.unit)
+    unit, factor = answers.display
     (x, x_names), (y, y_names) = (_order(rows, name) for name in (first, second))
     drawn = (x >= 0) & (y >= 0)
     size = len(x_names) * len(y_names)
@@ -274,10 +244,10 @@ def _matrix(answers: Answers, rows: Rows, first: str, second: str) -> dict[str, 
 
 def _order(rows: Rows, name: str) -> tuple[Index, list[str]]:
     """Return the place of each row along an axis, -1 if it is not drawn, and the labels; modules in the order of their mean figure."""
-    if name not in rows.store.modules:
+    if name not in rows.store.manifest.modules:
         codes, labels = rows.column(name)
         kept, place = np.unique(codes, return_inverse=True)
-        unit = rows.store.columns[name]
+        unit = rows.store.manifest.columns[name]
         return place, [labels[int(code)] if labels else shown(float(code), unit, 4) for code in kept]
     member, numbers = rows.members[name], np.unique(rows.table[name].to_numpy())
     order = np.lexsort((means_of(member, rows.values).mean, np.bincount(member, np.isinf(rows.values))))
@@ -301,11 +271,11 @@ def _colours(z: Array, tolerance: float | None) -> dict[str, Any]:
 
 def _caption(answers: Answers, rows: Rows, is_mean: bool, names: tuple[str, str]) -> str:
     bound = "" if answers.tolerance is None else f" Blue: within {shown(answers.tolerance, 'm', 6)}; red: beyond."
-    parts = [f"The {title_of(answers.figure)} of each pairing{', the mean over all else' if is_mean else ''}.{bound}"]
+    parts = [f"The {answers.title} of each pairing{', the mean over all else' if is_mean else ''}.{bound}"]
     parts.append("Modules are in the order of their mean, the best first; the ticks are their numbers.")
     if np.isinf(rows.values).any():
         parts.append("Dark: diverged.")
-    if any(rows.store.modules.get(name, 0) > CELLS for name in names):
+    if any(rows.store.manifest.modules.get(name, 0) > CELLS for name in names):
         parts.append(f"Of more than {CELLS} modules, {CELLS} are drawn, evenly along this order.")
     return " ".join(parts)
 
@@ -332,21 +302,22 @@ def write_page(answers: Answers, rows: Rows, words: Words, file: Path) -> None:
         "front": list(_fronts(answers, rows)),
         "modules": list(matrices(answers, rows)),
     }
-    unit, factor = display(answers.unit)
+    unit, factor = answers.display
+    front = answers.front[:: max(-(-len(answers.front) // TABLE_FRONT), 1)]
     text = page_template("sweep.html.j2").render(
         title=answers.question or Path(answers.store).name,
-        kind=kind_of(answers),
+        kind=answers.kind,
         answers=answers,
         words=Words(*(text.replace(" %", "\N{NO-BREAK SPACE}%") for text in astuple(words))),
         groups=groups,
         unit=unit,
         factor=factor,
-        front=_front_table(answers),
+        front=[[str(row["variant"]), *(shown(row[name], unit, 4) for name, unit in answers.objectives.items())] for row in front],
         titles=[title_of(name) for name in answers.objectives],
         next=as_typed(["contourlab", "sweep", "worst", answers.store]),
         version=__version__,
-        study=rows.store.manifest["study"],
-        figure_title=title_of(answers.figure),
+        study=rows.store.manifest.study,
+        figure_title=answers.title,
         share=share_text,
         between=range_text,
         value=value_text,
@@ -358,12 +329,13 @@ def write_page(answers: Answers, rows: Rows, words: Words, file: Path) -> None:
 
 def _distribution(answers: Answers, rows: Rows) -> Chart:
     """Return histogram and cumulative curve, divided by the column of few values that decides most."""
-    unit, factor = display(answers.unit)
+    (unit, factor), title, kind = answers.display, answers.title, answers.kind
     values = rows.values * factor
     ended = values[np.isfinite(values)]
-    tolerance = None if answers.tolerance is None else answers.tolerance * factor
     low, high = (float(ended.min()), float(np.quantile(ended, 0.999))) if ended.size else (0.0, 1.0)
-    if tolerance is not None:
+    tolerance, within = None, ""
+    if answers.tolerance is not None:
+        tolerance, within = answers.tolerance * factor, f"within {shown(answers.tolerance, 'm', 6)}"
         low, high = min(low, 0.98 * tolerance), max(high, 1.02 * tolerance)
     edges = np.linspace(low, high if high > low else low + 1.0, BARS + 1)
     heights, sums = [], []
@@ -373,25 +345,18 @@ def _distribution(answers: Answers, rows: Rows) -> Chart:
         counts, _ = np.histogram(part[np.isfinite(part)], edges)
         x, y = np.repeat(edges, 2), np.concatenate([[0.0], np.repeat(100.0 * counts / len(part), 2), [0.0]])
         below = np.count_nonzero(part < edges[0]) + np.concatenate([[0], np.cumsum(counts)])
-        look = scheme_style(i, len(parts))
-        heights.append(Curve(x, y, name, *look))
-        sums.append(Curve(edges, 100.0 * below / len(part), name, *look))
-    title = title_of(answers.figure)
+        style = scheme_style(i, len(parts))
+        heights.append(Curve(x, y, name, *style))
+        sums.append(Curve(edges, 100.0 * below / len(part), name, *style))
     label, span = f"{title} [{unit}]", None if tolerance is None else (float(edges[0]), tolerance)
-    within = "" if tolerance is None else f"within {shown(answers.tolerance, 'm', 6)}"
     beyond = np.count_nonzero(values > edges[-1])
-    kind = kind_of(answers)
     note = f" {beyond:,} {kind} lie beyond the right end." if beyond else ""
-    return Chart(
-        "distribution",
-        f"Distribution of the {title}",
-        f"Above: share of the {kind} in each of {BARS} intervals. Below: share with at most this {title}.{note}",
-        (
-            Panel(label, "share [%]", tuple(heights), span=span, span_label=within),
-            Panel(label, "up to here [%]", tuple(sums), span=span, y_range=(0.0, 103.0)),
-        ),
-        panel_height=210,
+    caption = f"Above: share of the {kind} in each of {BARS} intervals. Below: share with at most this {title}.{note}"
+    panels = (
+        Panel(label, "share [%]", tuple(heights), span=span, span_label=within),
+        Panel(label, "up to here [%]", tuple(sums), span=span, y_range=(0.0, 103.0)),
     )
+    return Chart("distribution", f"Distribution of the {title}", caption, panels, panel_height=210)
 
 
 def _parts(answers: Answers, rows: Rows) -> list[tuple[str, Any]]:
@@ -404,7 +369,7 @@ def _parts(answers: Answers, rows: Rows) -> list[tuple[str, Any]]:
             codes, labels = rows.column(rows.first(name))
             wanted = [labels.index(one.value) if isinstance(one.value, str) else one.value for one in subsets]
             return [(f"{name} {value_text(one)}", codes == code) for one, code in zip(subsets, wanted, strict=True)]
-    return [(f"all {kind_of(answers)}", None)]
+    return [(f"all {answers.kind}", None)]
 
 
 def _convergence(answers: Answers) -> Iterable[Chart]:
@@ -412,8 +377,8 @@ def _convergence(answers: Answers) -> Iterable[Chart]:
     known = [one for one in answers.convergence if one.p95 is not None and one.p95_low is not None and one.p95_high is not None]
     if len(answers.convergence) < 2 or (answers.tolerance is None and len(known) < 2):
         return
-    unit, factor = display(answers.unit)
-    panels, kind = [], kind_of(answers)
+    unit, factor = answers.display
+    panels, kind = [], answers.kind
     if answers.tolerance is not None:
         shares = [(one.share, one.share_low, one.share_high) for one in answers.convergence]
         curves = _banded([one.variants for one in answers.convergence], shares, 100.0)
@@ -436,7 +401,7 @@ def _fronts(answers: Answers, rows: Rows) -> Iterable[dict[str, Any]]:
     """Return a picture of the first objective over each other one; a point tells its variant."""
     if not answers.objectives:
         return
-    n, kind = len(rows.values), kind_of(answers)
+    n, kind = len(rows.values), answers.kind
     some = np.sort(np.random.default_rng(0).choice(n, min(n, POINTS), replace=False))
     cloud = {name: rows.column(name)[0][some] for name in ("variant", *answers.objectives)}
     front = {name: np.array([row[name] for row in answers.front], dtype=float) for name in cloud}
@@ -459,14 +424,6 @@ def _fronts(answers: Answers, rows: Rows) -> Iterable[dict[str, Any]]:
             trace["marker"]["size"] = size
             trace.pop("error_y")
         yield entry
-
-
-def _front_table(answers: Answers) -> list[list[str]]:
-    """Return rows of the front: variant and objectives."""
-    if not answers.front:
-        return []
-    chosen = answers.front[:: max(-(-len(answers.front) // TABLE_FRONT), 1)]
-    return [[str(row["variant"]), *(shown(row[name], unit, 4) for name, unit in answers.objectives.items())] for row in chosen]
 
 
 SHOWN = 12
@@ -493,26 +450,24 @@ class SweepReport(Answer):
     @property
     def text(self) -> str:
         """Text for the terminal."""
-        words = said(self.answers)
-        sentence, decides, stop, front, modules = (paragraphs([part]) if part else "" for part in astuple(words))
-        tables = _subset_text(self.answers), _effect_text(self.answers.effects)
-        remarks = paragraphs(map(str, self.answers.findings))
-        pairings = _module_text(self.answers.pairings)
-        parts = (sentence, modules, pairings, tables[0], decides, tables[1], front, stop, remarks, f"page: {self.page}")
-        return "\n\n".join(part for part in parts if part)
+        answers = self.answers
+        sentence, decides, stop, front, modules = (paragraphs([part]) if part else "" for part in astuple(said(answers)))
+        first = (sentence, modules, _module_text(answers.pairings), _subset_text(answers), decides, _effect_text(answers.effects))
+        return "\n\n".join(filter(None, (*first, front, stop, paragraphs(map(str, answers.findings)), f"page: {self.page}")))
 
 
-def report(folder: str | Path, file: str | Path | None = None, figure: str | None = None) -> SweepReport:
-    """Answer the questions to a store, and write the page.
+@question(Report)
+def report(store: str | Path, *, settings: Report, session: Session = QUIET) -> SweepReport:
+    """Answer the questions to a store in one page: yield, distribution, what decides it, best compromises, when to stop.
 
     Parameters
     ----------
-    folder : str or Path
+    store : str or Path
         A store.
-    file : str or Path, optional
-        The page; by default ``report.html`` in the store. Replaced completely or not at all.
-    figure : str, optional
-        By default the largest part error, or else the first figure of the store.
+
+    Returns
+    -------
+    SweepReport
 
     Raises
     ------
@@ -523,10 +478,10 @@ def report(folder: str | Path, file: str | Path | None = None, figure: str | Non
     OutputError
         If the page cannot be written.
     """
-    store = read_store(folder)
-    rows = read_rows(store, figure)
+    opened = read_store(store)
+    rows = read_rows(opened, settings.figure)
     answers = answers_of(rows)
-    page = Path(file) if file is not None else store.folder / "report.html"
+    page = settings.out or opened.home / "report.html"
     write_page(answers, rows, said(answers), page)
     return SweepReport(page, answers)
 
@@ -534,30 +489,23 @@ def report(folder: str | Path, file: str | Path | None = None, figure: str | Non
 def _subset_text(answers: Answers) -> str:
     if not answers.subsets:
         return ""
-    unit, factor = display(answers.unit)
-    table = Table([Column("column", left=True), Column("value"), Column(kind_of(answers)), *_yield_heads(answers)], keys=2)
-    table.columns = [*table.columns, Column(f"median [{unit}]"), Column(f"p95 [{unit}]")]
+    (unit, factor), judged = answers.display, answers.tolerance is not None
+    yields = ("yield", "95 % interval") if judged else ()
+    heads = ("value", answers.kind, *yields, f"median [{unit}]", f"p95 [{unit}]")
+    table = Table([Column("column", left=True), *map(Column, heads)], keys=2)
     for one in answers.subsets:
+        passing = [share_text(one.share), range_text(one.low, one.high)] if judged else []
         ends = [number(value * factor, 4) if value is not None else "-" for value in (one.median, one.p95)]
-        table.add(one.column, value_text(one), str(one.judged), *_yield_cells(one), *ends)
+        table.add(one.column, value_text(one), str(one.judged), *passing, *ends)
     return table.text()
-
-
-def _yield_heads(answers: Answers) -> list[Column]:
-    return [] if answers.tolerance is None else [Column("yield"), Column("95 % interval")]
-
-
-def _yield_cells(one: Subset) -> list[str]:
-    return [] if one.share is None else [share_text(one.share), range_text(one.low, one.high)]
 
 
 def _effect_text(effects: tuple[Effect, ...]) -> str:
     if not effects:
         return ""
-    heads = [Column("explains"), Column("95 % interval"), Column("rank correlation"), Column("95 % interval")]
-    has_totals = any(one.total is not None for one in effects)
-    totals = [Column("with others"), Column("95 % interval")] if has_totals else []
-    table = Table([Column("parameter", left=True), *heads[:2], *totals, *heads[2:]])
+    interval, has_totals = "95 % interval", any(one.total is not None for one in effects)
+    heads = ("explains", interval, *(("with others", interval) if has_totals else ()), "rank correlation", interval)
+    table = Table([Column("parameter", left=True), *map(Column, heads)])
     for one in effects[:SHOWN]:
         signed = ["-", "-"]
         if one.correlation is not None and one.correlation_low is not None and one.correlation_high is not None:
@@ -572,8 +520,8 @@ def _module_text(found: Pairings | None) -> str:
     """Return the modules to sort out."""
     if found is None or not found.bad:
         return ""
-    heads = [Column("pairings"), Column("yield"), Column("yield without it and those above")]
-    table = Table([Column("modules", left=True), Column("module"), *heads])
+    heads = ("module", "pairings", "yield", "yield without it and those above")
+    table = Table([Column("modules", left=True), *map(Column, heads)])
     for one in found.bad[:SHOWN]:
         table.add(one.column.removesuffix(".module"), str(one.module), str(one.judged), share_text(one.share), share_text(one.left))
     more = len(found.bad) - SHOWN

@@ -5,20 +5,22 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from contourlab.components.contract import Parameter
-from contourlab.errors import ContourlabError, ScenarioError, UnitError, error_text, hint
+from contourlab.errors import ScenarioError, UnitError, error_text
 from contourlab.extras import extra_module
 from contourlab.findings import Finding, finding
 from contourlab.scenario.load import SCHEME_KEYS
 from contourlab.scenario.quantities import read_number
-from contourlab.scenario.tree import Leaf, Node, Table
+from contourlab.scenario.tables import keys_of, read_values
+from contourlab.scenario.tree import Leaf, Table, located
 from contourlab.study.space import Distribution
+from contourlab.units import setting
 
 FORMS = {
     "normal": '["80 kg", "4 kg"], mean and standard deviation',
@@ -31,7 +33,6 @@ FORMS = {
 """Kinds of distributions, each with its form in a study file."""
 HEADS = ("scheme", "contour", "program", *(key for key in SCHEME_KEYS if key != "learning"))
 """First words of keys of the scenario file that a study can vary."""
-OPTIONS = ("within", "weights", "steps", "together")
 
 
 @dataclass(frozen=True)
@@ -54,18 +55,20 @@ class Variation:
         Number of evenly spaced values of a grid; 0 for none.
     together : bool
         Whether all parameters that a pattern matches share one draw.
-    listed : bool
-        Whether the items are a column of a file.
     """
 
     key: str
     table: Table
     kind: str
     items: tuple[Any, ...]
-    weights: tuple[float, ...] = ()
-    steps: int = 0
+    weights: tuple[float, ...] = field(default=(), metadata=setting())
+    steps: int = field(default=0, metadata=setting(minimum=2))
     together: bool = False
-    listed: bool = False
+
+    @property
+    def listed(self) -> bool:
+        """Whether the items are a column of a file."""
+        return not self.table.entries
 
 
 def read_variations(table: Table) -> tuple[Variation, ...]:
@@ -97,51 +100,28 @@ def _no_distribution(node: Leaf) -> ScenarioError:
 def _variation(key: str, table: Table) -> Variation:
     kinds = [name for name in table.entries if name in FORMS]
     for name, node in table.entries.items():
-        if name not in FORMS and name not in OPTIONS:
-            if isinstance(node, Leaf) and not isinstance(node.value, list):
-                raise _no_distribution(node)
-            raise table.error(f"unknown key: {hint(name, (*FORMS, *OPTIONS))}", name)
+        if name not in (*FORMS, "within", *keys_of(Variation)) and isinstance(node, Leaf) and not isinstance(node.value, list):
+            raise _no_distribution(node)
+    options = read_values(table, Variation, parts=(*FORMS, "within"))
     if len(kinds) != 1:
         raise table.error(f"{len(kinds)} distributions: write one of {', '.join(FORMS)}")
     kind = kinds[0]
     items, count = _list(table, kind), {"values": 0, "triangular": 3}.get(kind, 2)
     if not items or (count and len(items) != count):
         raise table.error(f"write {kind} = {FORMS[kind]}", kind)
-    weights = tuple(_weight(table, item) for item in _list(table, "weights"))
-    if weights and (kind != "values" or len(weights) != len(items) or not sum(weights) > 0.0):
-        raise table.error("write one weight for each of the values, not all 0", "weights")
-    steps = _whole(table, "steps")
-    if steps and kind not in ("uniform", "log-uniform"):
+    made = Variation(key, table, kind, items, **options)
+    if made.weights and (kind != "values" or len(made.weights) != len(items) or min(made.weights) < 0.0 or not sum(made.weights) > 0.0):
+        raise table.error("write one weight, 0 or more, for each of the values, not all 0", "weights")
+    if made.steps and kind not in ("uniform", "log-uniform"):
         raise table.error("applies to uniform and log-uniform only: leave this out", "steps")
-    together = _plain(table, "together", False)
-    if not isinstance(together, bool):
-        raise table.error("write true or false", "together")
-    return Variation(key, table, kind, items, weights, steps, together)
-
-
-def _plain(table: Table, name: str, default: Any) -> Any:
-    node = table.get(name)
-    return default if node is None else node.plain()
+    return made
 
 
 def _list(table: Table, name: str) -> tuple[Any, ...]:
-    items = _plain(table, name, [])
+    items = table.entries[name].plain()
     if not isinstance(items, list):
         raise table.error(f"write a list: {name} = {FORMS.get(name, '[...]')}", name)
     return tuple(items)
-
-
-def _weight(table: Table, item: Any) -> float:
-    if isinstance(item, bool) or not isinstance(item, int | float) or not 0.0 <= item < math.inf:
-        raise table.error(f"{item!r} is not a weight: write a number, 0 or more", "weights")
-    return float(item)
-
-
-def _whole(table: Table, name: str) -> int:
-    value = _plain(table, name, 0)
-    if isinstance(value, bool) or not isinstance(value, int) or (name in table.entries and value < 2):
-        raise table.error("write a whole number, 2 or more", name)
-    return value
 
 
 # --- distributions of one parameter ----------------------------------------------------------------------------------------------------
@@ -164,23 +144,21 @@ def distribution(variation: Variation, parameter: Parameter, present: float) -> 
         If a number cannot be read or is out of range; gives file and key.
     """
     table, kind = variation.table, variation.kind
-    try:
+    with located(table, kind):
         numbers = [_number(item, parameter, present, bare=kind == "lognormal" and i == 1) for i, item in enumerate(variation.items)]
         _check(kind, numbers)
         if kind in ("values", "uniform", "log-uniform", "triangular"):
             for number in numbers:
                 parameter.check(number)
-        if variation.steps:
-            numbers = _spaced(kind, numbers, variation.steps)
-            kind = "values"
-    except ContourlabError as error:
-        raise table.error(str(error), variation.kind) from error
-    low, high = _bounds(table, parameter, present)
+    if variation.steps:
+        spaced = np.linspace if kind == "uniform" else np.geomspace
+        return Distribution("values", tuple(spaced(numbers[0], numbers[1], variation.steps).tolist()))
     if kind == "values":
         return Distribution(kind, tuple(numbers), weights=variation.weights)
+    low, high = _bounds(table, parameter, present)
     made = Distribution(kind, tuple(numbers), low, high)
     if made.beyond > 1.0 - 1e-9 or (kind not in ("normal", "lognormal") and (numbers[0] >= high or numbers[-1] <= low)):
-        raise table.error(f"lies outside of the bounds, {parameter.bound or 'finite'} or within: move it", variation.kind)
+        raise table.error(f"lies outside of the bounds, {parameter.bound or 'finite'} or within: move it", kind)
     return made
 
 
@@ -205,21 +183,12 @@ def _check(kind: str, numbers: Sequence[float]) -> None:
         raise UnitError("write the values in order, the lowest first")
 
 
-def _spaced(kind: str, numbers: Sequence[float], steps: int) -> list[float]:
-    spaced = np.linspace if kind == "uniform" else np.geomspace
-    return [float(number) for number in spaced(numbers[0], numbers[1], steps)]
-
-
 def _bounds(table: Table, parameter: Parameter, present: float) -> tuple[float, float]:
     low = math.nextafter(parameter.minimum, math.inf) if parameter.exclusive else parameter.minimum
-    within: Node | None = table.get("within")
-    if within is None:
+    if "within" not in table.entries:
         return low, parameter.maximum
-    items = _list(table, "within")
-    try:
-        ends = [_number(item, parameter, present) for item in items]
-    except ContourlabError as error:
-        raise table.error(str(error), "within") from error
+    with located(table, "within"):
+        ends = [_number(item, parameter, present) for item in _list(table, "within")]
     if len(ends) != 2 or not ends[0] < ends[1]:
         raise table.error('write the lowest and the highest value: ["70 kg", "90 kg"]', "within")
     return max(low, ends[0]), min(parameter.maximum, ends[1])
@@ -228,7 +197,7 @@ def _bounds(table: Table, parameter: Parameter, present: float) -> tuple[float, 
 _HEAD = re.compile(r"\s*(.*?)\s*(?:\[([^\]]*)\])?\s*\Z", re.DOTALL)
 
 
-def read_list(leaf: Leaf, folder: Path) -> tuple[tuple[Variation, ...], tuple[Finding, ...]]:
+def read_list(leaf: Leaf, folder: Path, modules: str = "") -> tuple[tuple[Variation, ...], tuple[Finding, ...]]:
     """Return the columns of a list as entries of ``[vary]``, and what was left out.
 
     Parameters
@@ -237,11 +206,13 @@ def read_list(leaf: Leaf, folder: Path) -> tuple[tuple[Variation, ...], tuple[Fi
         Name of the file in the study.
     folder : Path
         Folder of the study.
+    modules : str
+        Modules that the rows are, if any.
 
     Raises
     ------
     ScenarioError
-        If the file cannot be read, has an empty cell, or no column is a parameter.
+        If the file cannot be read, has an empty cell, no column is a parameter, or one is no part of the modules.
 
     Notes
     -----
@@ -256,13 +227,15 @@ def read_list(leaf: Leaf, folder: Path) -> tuple[tuple[Variation, ...], tuple[Fi
             others.append(head)
             continue
         at = Table({}, str(leaf.value), head)
+        if modules and not belongs(name, modules):
+            raise at.error(f"is no part of the modules {modules}: its name must begin with {modules}.")
         items = column.to_pylist()
         for row, item in enumerate(items, 1):
             if item is None or item != item or item == "":
                 raise at.error(f"row {row} is empty: write a value, or delete the row")
         if unit and not any(isinstance(item, str) for item in items):
             items = [f"{item!r} {unit}" for item in items]
-        found.append(Variation(name, at, "values", tuple(items), listed=True))
+        found.append(Variation(name, at, "values", tuple(items)))
     if not found or not table.num_rows:
         raise leaf.error(f'{leaf.value}: no values: name each column as a parameter with its unit, such as "axes.x.plant.mass [kg]"')
     return tuple(found), ((finding("CL924", file=str(leaf.value), columns=tuple(others)),) if others else ())
@@ -333,24 +306,3 @@ def _leaves(table: Table, prefix: str) -> Iterator[tuple[str, Leaf]]:
             yield from _leaves(node, key)
         else:
             yield key, node
-
-
-def listed_modules(entries: dict[str, Leaf], folder: Path) -> tuple[tuple[Variation, ...], tuple[Finding, ...]]:
-    """Return what the files of modules vary; each row of a file is a module.
-
-    Raises
-    ------
-    ScenarioError
-        If a file cannot be read, or varies what is no part of its modules.
-    """
-    variations: list[Variation] = []
-    findings: list[Finding] = []
-    for name, leaf in entries.items():
-        if isinstance(leaf.value, str):
-            found, others = read_list(leaf, folder)
-            for one in found:
-                if not belongs(one.key, name):
-                    raise one.table.error(f"is no part of the modules {name}: its name must begin with {name}.")
-            variations += found
-            findings += others
-    return tuple(variations), tuple(findings)

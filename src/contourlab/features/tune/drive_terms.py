@@ -26,7 +26,7 @@ from contourlab.figures import listing
 from contourlab.findings import Finding, finding
 from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.result import Result
-from contourlab.study.placement import model_of
+from contourlab.study.guards import model_of
 
 GRID = 2000
 """Frequencies at which the velocity loop is evaluated."""

@@ -15,8 +15,7 @@ from contourlab.errors import ParameterError
 from contourlab.features.tune.objective import Goal, Objective
 from contourlab.loop import Controller, Machine, parameters_of
 from contourlab.study import DesignVariable, Found, Runner, Space, search
-from contourlab.study.guards import Bounds, Guards
-from contourlab.study.placement import designed, fastest_speed, model_of
+from contourlab.study.guards import Bounds, Guards, designed, fastest_speed, model_of
 
 FRACTIONS = np.geomspace(0.1, 1.0, 32)
 """Fractions of the fastest poles, tried for all axes together."""

@@ -14,8 +14,8 @@ from contourlab.components.friction.laws import NoFriction
 from contourlab.components.ideal import IdealSensor
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.curves import curves, local
-from contourlab.features.sensitivity.study import Plan, distributions, sensitivity_study
-from contourlab.features.sensitivity.verdict import ranking, verdict
+from contourlab.features.sensitivity.options import Plan
+from contourlab.features.sensitivity.study import distributions, ranking, sensitivity_study, verdict
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import AxisController, Controller, Machine, simulate
@@ -79,7 +79,7 @@ def test_a_quantised_figure_is_reported() -> None:
 
 def test_a_number_on_its_bound_and_a_failing_one_are_reported() -> None:
     judge = Modelled(model).judge(KEY)
-    found = local(PLANE, judge, {PLANE.names[0]: (2.0, 9.0)})
+    found = local(replace(PLANE, numbers=(replace(PLANE.numbers[0], least=2.0, most=9.0), *PLANE.numbers[1:])), judge)
     assert np.isnan(found.slopes[0].sensitivity) and found.slopes[0].doubt is not None and found.slopes[0].doubt.code == "CL670"
     assert np.isfinite(found.slopes[1].sensitivity) and np.isnan(found.interactions[0, 1])
     near = local(around(5.9), judge)
@@ -154,22 +154,8 @@ def test_saved_runs_are_reused_only_for_the_same_study(tmp_path: Path) -> None:
     assert other.runs == CHUNK + 7 and other.store is not None and other.store.others == 1
 
 
-def test_a_damaged_file_is_reported_and_computed_again(tmp_path: Path) -> None:
-    columns = {name: np.linspace(1.0, 5.0, 7) for name in PLANE.names}
-    kept = Checkpoint(tmp_path, "one")
-    figures = Modelled(model, kept)(columns)[KEY]
-    (file,) = kept.home.iterdir()
-    data = bytearray(file.read_bytes())
-    data[len(data) // 3] ^= 0xFF
-    for spoiled in (bytes(data), data[:40], b""):
-        file.write_bytes(spoiled)
-        again = Modelled(model, Checkpoint(tmp_path, "one"))
-        np.testing.assert_array_equal(again(columns)[KEY], figures)
-        assert again.runs == 7 and again.store is not None and again.store.damaged == 1
-
-
 def test_an_interrupted_study_continues_with_the_same_result(tmp_path: Path) -> None:
-    plan = Plan(("curves", "sobol"), base=512, values=11)
+    plan = Plan(parts=("curves", "sobol"), base=512, values=11)
     drawn = distributions(PLANE, "log-uniform")
     whole = sensitivity_study(PLANE, Modelled(model), plan, drawn, 1e3)
     done = 0
@@ -195,7 +181,7 @@ def test_threads_change_nothing() -> None:
     found = []
     for threads in (1, 3):
         runs = Runner(Setting(MACHINE, CONTROLLER, REFERENCE), threads=threads)
-        found.append(sensitivity_study(GAINS, runs, Plan(("local", "sobol"), base=16), distributions(GAINS), 0.1))
+        found.append(sensitivity_study(GAINS, runs, Plan(parts=("local", "sobol"), base=16), distributions(GAINS), 0.1))
     one, three = found
     assert one.local is not None and three.local is not None and one.sobol is not None and three.sobol is not None
     np.testing.assert_array_equal(one.local.interactions, three.local.interactions)
@@ -212,7 +198,7 @@ def test_conclusions_name_their_measure() -> None:
 
     grounds = {"curves": "change over its curve", "local": "local sensitivity", "morris": "mu*", "sobol": "total index"}
     for part, ground in grounds.items():
-        study = sensitivity_study(flat, Modelled(three), Plan((part,), base=64), distributions(flat), 1e3)
+        study = sensitivity_study(flat, Modelled(three), Plan(parts=(part,), base=64), distributions(flat), 1e3)
         order = ranking(study)
         assert order.measure == ground and set(order.matter) == {"x.a", "x.b"} and set(order.negligible) == {"x.c"}
         found = {one.code: one.values for one in verdict(study)}
@@ -221,7 +207,7 @@ def test_conclusions_name_their_measure() -> None:
 
 
 def test_failures_are_reported() -> None:
-    study = sensitivity_study(PLANE, Modelled(model), Plan(("curves", "sobol"), base=64), distributions(PLANE, "log-uniform"), 1e3)
+    study = sensitivity_study(PLANE, Modelled(model), Plan(parts=("curves", "sobol"), base=64), distributions(PLANE, "log-uniform"), 1e3)
     assert study.sobol_sample is not None and study.sobol_sample.failed > 0
     (failed,) = [one for one in verdict(study) if one.code == "CL674"]
     assert (failed.place, failed.values["failed"]) == ("Sobol", study.sobol_sample.failed)
@@ -230,4 +216,4 @@ def test_failures_are_reported() -> None:
 
 def test_a_failing_nominal_run_has_no_sensitivities() -> None:
     with pytest.raises(ParameterError, match="successful"):
-        sensitivity_study(around(7.0), Modelled(model), Plan(("local",)), distributions(PLANE), 1.0)
+        sensitivity_study(around(7.0), Modelled(model), Plan(parts=("local",)), distributions(PLANE), 1.0)

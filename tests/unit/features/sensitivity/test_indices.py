@@ -9,8 +9,8 @@ import pytest
 from tests.helpers.modelled import Modelled
 
 from contourlab.errors import ParameterError
-from contourlab.features.sensitivity.study import Drawn, Plan, Study, distributions, sample, sensitivity_study
-from contourlab.features.sensitivity.verdict import verdict
+from contourlab.features.sensitivity.options import Plan
+from contourlab.features.sensitivity.study import Drawn, Study, distributions, sample, sensitivity_study, verdict
 from contourlab.study import DesignVariable, Space
 from contourlab.study.design import morris_points, saltelli_points
 from contourlab.study.runner import Columns
@@ -36,7 +36,7 @@ def shares() -> tuple[np.ndarray, np.ndarray, float]:
 
 
 def studied(base: int, second: bool = False) -> Study:
-    plan = Plan(("morris", "sobol"), base=base, second=second, transform="none")
+    plan = Plan(parts=("morris", "sobol"), base=base, second_order=second, transform="none")
     return sensitivity_study(PI, Modelled(ishigami), plan, distributions(PI), math.inf)
 
 
@@ -95,11 +95,11 @@ def test_a_base_must_be_a_power_of_two(base: int, said: str) -> None:
 
 def test_too_small_a_sample_is_refused() -> None:
     with pytest.raises(ParameterError, match="two"):
-        Plan().check(1)
+        Plan().work(1)
     with pytest.raises(ParameterError, match="--trajectories"):
         Plan(trajectories=2)
     with pytest.raises(ParameterError, match="curves"):
-        Plan(("all",))
+        Plan(parts=("all",))
 
 
 NUMBER = DesignVariable("controller.axes.x.controller.gain", 3.0, 1.0, 9.0)

@@ -13,8 +13,9 @@ import pytest
 from made_studies import STUDY, made_study
 
 from contourlab.cli.main import main
-from contourlab.features.sweep import command, cost
-from contourlab.features.sweep.cost import cost_of
+from contourlab.features.sweep import chunk as cost
+from contourlab.features.sweep import command
+from contourlab.features.sweep.chunk import cost_of
 from contourlab.features.sweep.study import Study, load_study
 from contourlab.study.executors import Executor
 

@@ -12,7 +12,7 @@ from scipy import stats
 
 from contourlab.cli.main import main
 from contourlab.errors import ScenarioError
-from contourlab.features.sweep.effects import _sorted_out
+from contourlab.features.sweep.answers import _sorted_out
 from contourlab.features.sweep.study import load_study
 from contourlab.loop import simulate_batch
 from contourlab.scenario.load import load_scenario

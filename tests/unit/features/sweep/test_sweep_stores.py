@@ -27,7 +27,7 @@ from once import once
 from contourlab import load_scenario, simulate_batch
 from contourlab.cli.main import main
 from contourlab.features.sweep.query import spreads
-from contourlab.features.sweep.store import read_manifest, read_store
+from contourlab.features.sweep.store import read_store
 from contourlab.result import Result
 
 Capture = pytest.CaptureFixture[str]
@@ -183,7 +183,7 @@ def edits(fields: dict[str, object]) -> Iterator[dict[str, object]]:
 
 
 def test_an_edited_manifest_is_refused_by_every_command(whole: Path, capsys: Capture) -> None:
-    fields = read_manifest(whole)
+    fields = json.loads((whole / "manifest.json").read_text())
     texts = [json.dumps(edited) for edited in edits(fields)]
     texts += [json.dumps(fields).replace("1695", "1696"), "", "{", "[]", "null", "[" * 100_000, '{"schema": NaN}', "\x00"]
     assert len(texts) > 200
@@ -197,7 +197,7 @@ def test_an_edited_manifest_is_refused_by_every_command(whole: Path, capsys: Cap
 @pytest.mark.slow
 def test_whatever_the_manifest_of_an_older_store_says_no_command_breaks(whole: Path, capsys: Capture) -> None:
     as_older(whole)
-    fields = read_manifest(whole)
+    fields = json.loads((whole / "manifest.json").read_text())
     (one,) = fields["structures"]
     deep = [{**fields, "structures": [{**one, key: wrong}]} for key in ("choices", "scenario") for wrong in WRONG]
     read = 0
@@ -421,7 +421,7 @@ def test_equal_rows_in_another_order_have_the_same_bits() -> None:
     rows = np.random.default_rng(1).lognormal(size=1000)
     orders = (rows, rows[::-1], np.random.default_rng(2).permutation(rows))
     tables = [pyarrow.dataset.dataset(pyarrow.table({"a": [*order, None]})) for order in orders]
-    found = [spreads(SimpleNamespace(figures={"a": "m"}, dataset=table))["a"] for table in tables]  # type: ignore[arg-type]
+    found = [spreads(SimpleNamespace(manifest=SimpleNamespace(figures={"a": "m"}), dataset=table))["a"] for table in tables]  # type: ignore[arg-type]
     assert found == [found[0]] * 3
     assert found[0].mean == pytest.approx(math.fsum(rows) / len(rows), rel=1e-15)
     assert (found[0].minimum, found[0].maximum) == (min(rows), max(rows))

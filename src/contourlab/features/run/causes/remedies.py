@@ -20,8 +20,7 @@ from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.errors import ContourlabError
 from contourlab.loop import Axis, AxisController, Controller, Machine
-from contourlab.study.guards import Bounds, Guards
-from contourlab.study.placement import designed, fastest_speed, model_of
+from contourlab.study.guards import Bounds, Guards, designed, fastest_speed, model_of
 
 SHARPEST = 3.0
 """Bandwidth of a velocity filter, times the servo period, that costs a servo loop little phase."""
