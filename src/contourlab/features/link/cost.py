@@ -12,7 +12,8 @@ from contourlab.components.contract import Component
 from contourlab.components.ideal import IdealLink
 from contourlab.components.link.network import Network
 from contourlab.errors import ParameterError
-from contourlab.features.link.sweep import QUANTITIES, SEEDS, LinkSetting, LinkSweep, swept
+from contourlab.features.link.options import SEEDS
+from contourlab.features.link.sweep import QUANTITIES, LinkSetting, LinkSweep, swept
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Division, Machine

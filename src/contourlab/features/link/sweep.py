@@ -15,6 +15,7 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.components.contract import Component
 from contourlab.components.link.network import Network
 from contourlab.errors import ComponentError, ParameterError
+from contourlab.features.link.options import SEEDS
 from contourlab.features.run.causes.idealise import perfect_sensing, undisturbed, unlimited, without_friction
 from contourlab.feed.profile import Judged
 from contourlab.loop import Controller, Division, Machine
@@ -103,8 +104,6 @@ def passed_over(values: Array, bad: Flags, unknown: Flags, period: float, most: 
 
 QUANTITIES = ("message_period", "delay", "jitter", "loss")
 """Quantities to sweep."""
-SEEDS = 8
-"""Runs with jitter or loss: the worst counts."""
 CHUNK = 32
 """Values that run at once. If none of them holds, the sweep may end."""
 LARGE, LARGEST = 200, 700
