@@ -205,7 +205,7 @@ def test_an_invalid_folder_is_refused_before_anything_runs(
     circle: str, place: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "file").write_text("of the user")
-    monkeypatch.setattr("contourlab.features.link.cost.undivided_error", lambda *_, **__: pytest.fail("it ran"))
+    monkeypatch.setattr("contourlab.features.link.command.undivided_error", lambda *_, **__: pytest.fail("it ran"))
     assert "cannot be written" in output(capsys, circle, "--out", place, code=2)
     assert (tmp_path / "file").read_text() == "of the user"
 

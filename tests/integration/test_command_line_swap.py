@@ -153,7 +153,7 @@ def test_the_same_command_resumes_an_interrupted_study(
     assert "CL901" in said and reused(said) == 0
 
 
-@pytest.mark.parametrize("late", ["swap_result", "write_results", "network_cost"])
+@pytest.mark.parametrize("late", ["command.swap_result", "report.write_results", "command.network_cost"])
 @pytest.mark.slow
 def test_an_interrupt_after_the_searches_says_that_they_are_kept(
     typed: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, late: str
@@ -164,7 +164,7 @@ def test_an_interrupt_after_the_searches_says_that_they_are_kept(
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:
-        patch.setattr(f"contourlab.features.swap.command.{late}", interrupted)
+        patch.setattr(f"contourlab.features.swap.{late}", interrupted)
         assert main(words) == 130
     searches = Path("results") / "searches"
     kept = len(list(searches.glob("*/*.npz")))

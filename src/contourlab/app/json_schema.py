@@ -120,6 +120,8 @@ def _object(kind: type, definitions: _Definitions) -> dict[str, Any]:
 
 
 def _derived(kind: type, name: str) -> str:
-    """Return the first paragraph of a property's docstring."""
+    """Return the help of an option, or the first paragraph of a property's docstring."""
+    if name in getattr(kind, "PARTS", {}):
+        return str(kind.PARTS[name].option.help)  # type: ignore[attr-defined]
     value = getattr(kind, name, None)
     return " ".join((inspect.getdoc(value) or "").split("\n\n")[0].split()) if isinstance(value, property) else ""

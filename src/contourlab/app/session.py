@@ -14,6 +14,7 @@ from contextlib import AbstractContextManager, ExitStack
 from dataclasses import dataclass, field
 from functools import wraps
 from importlib import import_module
+from operator import attrgetter
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
@@ -112,6 +113,15 @@ QUIET = Session()
 
 class Answer:
     """What a question returns: figures, findings, and perhaps a verdict. Its fields are its JSON."""
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            """Return what JSON has under a key that is no attribute, as ``scheme`` of ``case.name``."""
+            path = vars(type(self)).get("json_form", {}).get(name, name)
+            if path == name:
+                raise AttributeError(f"{type(self).__name__} has no attribute {name!r}")
+            return attrgetter(path)(self)
 
     @property
     def text(self) -> str:

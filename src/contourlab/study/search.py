@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -104,26 +104,43 @@ def search(
     starts = np.clip(np.atleast_2d(np.asarray(starts, dtype=float)), 0.0, 1.0)
     if starts.size == 0 or budget < 1:
         raise ParameterError("search", f"{len(starts)} starts, {budget} points", "at least one start and one point")
-    best = _Best(starts, _finite(objective(starts)))
+    points, values, runs = starts.copy(), _finite(objective(starts)), len(starts)
+    history, course = [values.copy()], [(float(runs), float(values.min()))]
     strategies = [_strategy(start, seed + i, population, spread) for i, start in enumerate(starts)]
-    running = list(range(len(starts)))
+    running, interrupted = list(range(len(starts))), False
     try:
-        while running and best.values.min() > target and best.runs + population * len(running) <= budget:
-            asked = {i: np.clip(np.asarray(strategies[i].ask()), 0.0, 1.0) for i in running}
-            tried = {i: points[:, : starts.shape[1]] for i, points in asked.items()}
-            values = _finite(objective(np.concatenate(list(tried.values()))))
-            for i, mine in zip(running, np.split(values, len(running)), strict=True):
-                strategies[i].tell(list(asked[i]), _ranked(mine).tolist())
-                best.tell(i, tried[i], mine)
-            best.course.append((float(best.runs), float(best.values.min())))
-            running = [i for i in running if not best.settled(i, tolerance) and not strategies[i].stop()]
+        while running and values.min() > target and runs + population * len(running) <= budget:
+            asked = [np.clip(np.asarray(strategies[i].ask()), 0.0, 1.0) for i in running]
+            tried = [rows[:, : starts.shape[1]] for rows in asked]
+            reached = np.split(_finite(objective(np.concatenate(tried))), len(running))
+            for i, rows, own, mine in zip(running, asked, tried, reached, strict=True):
+                strategies[i].tell(list(rows), _ranked(mine).tolist())
+                at = int(np.argmin(mine))
+                if mine[at] < values[i]:
+                    points[i], values[i] = own[at], mine[at]
+            runs += population * len(running)
+            history.append(values.copy())
+            course.append((float(runs), float(values.min())))
+            past = history[-11] if len(history) > 20 else np.full(values.size, np.inf)
+            with np.errstate(invalid="ignore"):  # a start without a finite value is not settled
+                settled = past - values <= tolerance * np.abs(values)
+            running = [i for i in running if not settled[i] and not strategies[i].stop()]
             if progress is not None:
-                progress(best.runs)
+                progress(runs)
     except KeyboardInterrupt:
         if not stoppable:
             raise
-        return replace(best.found(), interrupted=True)
-    return best.found()
+        interrupted = True
+    at = int(np.argmin(values))
+    if not np.isfinite(values[at]):
+        raise ParameterError("search", "no run that went well", "bounds within which the loop holds")
+    return Found(points[at], float(values[at]), values, points, runs, np.array(course), interrupted)
+
+
+def drawn_starts(known: Sequence[Array], count: int, size: int, seed: int) -> Array:
+    """Return starts (count, size) of a search: the known ones, and others drawn from the middle half of the box."""
+    kept = known[:count]
+    return np.vstack([*kept, 0.25 + 0.5 * np.random.default_rng(seed).random((count - len(kept), size))])
 
 
 def restarted(
@@ -144,33 +161,6 @@ def restarted(
         course.append(more.course + np.array([runs, 0.0]))
         runs, size, turn = runs + more.runs, 2 * size, turn + 1
     return replace(reached, runs=runs, course=np.vstack(course))
-
-
-class _Best:
-    """The best point of each start so far."""
-
-    def __init__(self, starts: Array, values: Array) -> None:
-        self.points, self.values, self.runs = starts.copy(), values.copy(), len(starts)
-        self.course = [(float(self.runs), float(values.min()))]
-        self.history: list[list[float]] = [[value] for value in values.tolist()]
-
-    def tell(self, i: int, points: Array, values: Array) -> None:
-        self.runs += len(points)
-        at = int(np.argmin(values))
-        if values[at] < self.values[i]:
-            self.points[i], self.values[i] = points[at], values[at]
-        self.history[i].append(float(self.values[i]))
-
-    def settled(self, i: int, tolerance: float) -> bool:
-        """Return whether a start has not improved over ten generations."""
-        past = self.history[i]
-        return len(past) > 20 and past[-11] - past[-1] <= tolerance * abs(past[-1])
-
-    def found(self) -> Found:
-        at = int(np.argmin(self.values))
-        if not np.isfinite(self.values[at]):
-            raise ParameterError("search", "no run that went well", "bounds within which the loop holds")
-        return Found(self.points[at], float(self.values[at]), self.values, self.points, self.runs, np.array(self.course))
 
 
 def _strategy(start: Array, seed: int, population: int, spread: float) -> Any:

@@ -13,6 +13,7 @@ from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.features.commission.loop import GAINS, ROBUST, AxisModel, Law, keep_margins, run_lanes
 from contourlab.study import search
+from contourlab.study.search import drawn_starts
 
 UNSEEN = 1.0
 """Delay in periods, beyond that of the model, with which the margins must hold: a log of slow motion does not show the current loop."""
@@ -197,8 +198,7 @@ def tune_axis(task: AxisTask, *, unit: float = 1e-3, seed: int = 0) -> TunedAxis
 
     start, value = _placed(objective)
     start, value = _sequential(objective, start, value)
-    starts = np.vstack([start, 0.25 + 0.5 * np.random.default_rng(seed).random((STARTS - 1, len(BOX)))])
-    optimum = search(objective, starts, budget=BUDGET, seed=seed, population=32)
+    optimum = search(objective, drawn_starts([start], STARTS, len(BOX), seed), budget=BUDGET, seed=seed, population=32)
     point = optimum.point if optimum.value < value else start
     gains = np.array([float(f"{unit * gain:.4g}") / unit for gain in task.gains(point[None])[0]])
     spread = max(task.largest(gains, factor) for factor in ROBUST)

@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 from itertools import count
 from typing import Any
 
-from contourlab.components.contract import Component
 from contourlab.components.ideal import IdealLink
 from contourlab.components.link.network import Network
 from contourlab.errors import ParameterError
-from contourlab.features.link.sweep import QUANTITIES, SEEDS, LinkSetting, LinkSweep, swept
+from contourlab.features.link.options import SEEDS
+from contourlab.features.link.sweep import QUANTITIES, LinkSetting, LinkSweep, swept
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Division, Machine
@@ -56,14 +56,13 @@ def divided(
     """
     if ways not in WAYS:
         raise ParameterError("ways", repr(ways), "one of " + ", ".join(WAYS))
-    chosen = tuple(controller.axes) if axes is None else tuple(axes)
+    chosen = tuple(controller.axes if axes is None else axes)
     unknown = [name for name in chosen if name not in controller.axes]
     if unknown:
         raise ParameterError("axes", repr(unknown[0]), "one of " + ", ".join(controller.axes))
-    part = link or Network()
-    blind = ways == "one" and division == "controller"
-    up: Component | None = part if ways == "both" else (None if blind else IdealLink())
-    made = {name: replace(axis, link=Division(division, part, up) if name in chosen else None) for name, axis in controller.axes.items()}
+    blind, part = ways == "one" and division == "controller", link or Network()
+    network = Division(division, part, part if ways == "both" else None if blind else IdealLink())
+    made = {name: replace(axis, link=network if name in chosen else None) for name, axis in controller.axes.items()}
     contour: dict[str, Any] = {"estimator": None, "coupling": None} if blind else {}
     return replace(controller, axes=made, **contour)
 
@@ -180,11 +179,9 @@ def link_limit(
     """
     setting = Setting(machine, controller, reference, seed, moving)
     whole = undivided_error(setting, figure)
-    top = allowed_error(whole, within, allowed)
-    sweep = swept(LinkSetting(setting, figure, top, seeds), quantity, longest)
-    most = sweep.most
-    error = float(sweep.error[sweep.values == most][0]) if math.isfinite(most) else math.nan
-    return LinkLimit(quantity, most, sweep.limited, error, whole, top)
+    sweep = swept(LinkSetting(setting, figure, allowed_error(whole, within, allowed), seeds), quantity, longest)
+    error = next(iter(sweep.error[sweep.values == sweep.most].tolist()), math.nan)
+    return LinkLimit(quantity, sweep.most, sweep.limited, error, whole, sweep.allowed)
 
 
 def message_rate(
@@ -290,9 +287,6 @@ def division_cost(
     ParameterError
         If a quantity is unknown, or the longest time shorter than a servo period.
     """
-    unknown = [name for name in quantities if name not in QUANTITIES]
-    if unknown:
-        raise ParameterError("quantities", repr(unknown[0]), "one of " + ", ".join(QUANTITIES))
     error, done = setting.as_given(), count(1)  # this run compiles the components before the threads start
 
     def sweep(quantity: str) -> LinkSweep:
@@ -302,15 +296,18 @@ def division_cost(
         return found
 
     sweeps = dict(zip(quantities, in_threads(sweep, quantities), strict=True))
-    links = [axis.link for axis in setting.divided.controller.axes.values() if axis.link is not None]
-    divisions = ", ".join(dict.fromkeys(link.division for link in links))
-    ways = ", ".join(dict.fromkeys("both" if isinstance(link.up, Network) else "one" for link in links))
-    local = {name: axis.local_parameters for name, axis in setting.divided.controller.axes.items()}
-    period = next(iter(setting.networks.values())).message_period
-    unstable = setting.growth("message_period", period) >= 1.0
+    axes = setting.divided.controller.axes
+    links = [axis.link for axis in axes.values() if axis.link is not None]
     timed = {"message_period", "delay"} & set(quantities)
-    findings = [*_on_links(setting), *(_on_stability(setting) if timed and not setting.few else ())]
-    return DivisionCost(divisions, ways, local, error, unstable, sweeps, tuple(findings))
+    return DivisionCost(
+        division=", ".join(dict.fromkeys(link.division for link in links)),
+        ways=", ".join(dict.fromkeys("both" if isinstance(link.up, Network) else "one" for link in links)),
+        local_parameters={name: axis.local_parameters for name, axis in axes.items()},
+        error=error,
+        unstable=setting.growth("message_period", next(iter(setting.networks.values())).message_period) >= 1.0,
+        sweeps=sweeps,
+        findings=(*_on_links(setting), *(_on_stability(setting) if timed and not setting.few else ())),
+    )
 
 
 def _on_links(setting: LinkSetting) -> Iterator[Finding]:

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -42,18 +42,14 @@ class SchemeCost:
     undivided, allowed : float [m, or m s]
         Error of the undivided loop, and the largest allowed.
     divisions : tuple of DivisionCost
-    findings : tuple of Finding
-        Range of each sweep, sweeps that end early, and why nothing holds.
     """
 
     figure: str
     undivided: float
     allowed: float
     divisions: tuple[DivisionCost, ...]
-    findings: tuple[Finding, ...] = field(init=False)
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "findings", tuple(self._found()))
+    json_derived: ClassVar = ("findings",)
 
     @property
     def unit(self) -> str:
@@ -65,22 +61,19 @@ class SchemeCost:
         """Whether the sweeps are coarse, all alike."""
         return any(sweep.coarse for sweep in self.divisions[0].sweeps.values())
 
-    def _found(self) -> Iterator[Finding]:
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """Range of each sweep, sweeps that end early, and why nothing holds."""
         sweeps = self.divisions[0].sweeps
-        if self.coarse:
-            yield finding("CL765")
-        else:
-            yield from _ranges(sweeps)
+        found = [finding("CL765")] if self.coarse else [*_ranges(sweeps)]
         for quantity in sweeps:
             ended: dict[str, list[str]] = {}
             for cost in self.divisions:
                 if cost.sweeps[quantity].ended_early:
                     ended.setdefault(amount(quantity, float(cost.sweeps[quantity].values[-1])), []).append(cost.name)
-            yield from (finding("CL761", words(quantity), last=last, names=names) for last, names in ended.items())
-        for cost in self.divisions:
-            for quantity, sweep in cost.sweeps.items():
-                if math.isnan(sweep.most):
-                    yield self._nothing_holds(f"{cost.name}, {words(quantity)}", sweep)
+            found += [finding("CL761", words(quantity), last=last, names=names) for last, names in ended.items()]
+        failed = ((cost.name, sweep) for cost in self.divisions for sweep in cost.sweeps.values() if math.isnan(sweep.most))
+        return (*found, *(self._nothing_holds(f"{name}, {words(sweep.quantity)}", sweep) for name, sweep in failed))
 
     def _nothing_holds(self, place: str, sweep: LinkSweep) -> Finding:
         least = amount(sweep.quantity, float(sweep.values[0]))
@@ -189,18 +182,27 @@ class LinkResult(Answer):
 
 def scheme_text(name: str, costs: SchemeCost) -> str:
     """Return the cost of the divisions of a scheme as tables, followed by the findings."""
-    quantities = [quantity for quantity in QUANTITIES if any(quantity in cost.sweeps for cost in costs.divisions)]
-    limits = [figure(value, costs.unit, 4) for value in (costs.undivided, costs.allowed)]
-    what = costs.figure.replace("_", " ")
-    head = f"{name}\n{what}: {limits[0]} undivided, {limits[1]} allowed"
-    parts = [head + _slowest(costs), _largest(costs, quantities).text()]
+    divisions, unit = costs.divisions, costs.unit
+    quantities = [quantity for quantity in QUANTITIES if quantity in divisions[0].sweeps]
+    undivided, allowed = (figure(value, unit, 4) for value in (costs.undivided, costs.allowed))
+    head = f"{name}\n{costs.figure.replace('_', ' ')}: {undivided} undivided, {allowed} allowed"
+    title = "Largest value that holds, all others as given; times are for one direction"
+    left = Column("in the axis, messages", left=True)
+    largest = Table([left, Column(f"error [{unit}]"), *(Column(words(quantity)) for quantity in quantities)], title)
+    for cost in divisions:
+        error = "diverges" if math.isnan(cost.error) else figure(cost.error, unit, 4).removesuffix(f" {unit}")
+        largest.add(cost.name, error, *(largest_held(cost.sweeps[quantity]) for quantity in quantities))
+    parts = [head + _slowest(costs), largest.text()]
     timed = [quantity for quantity in ("message_period", "delay") if quantity in quantities]
     if timed and not costs.coarse:
-        parts.append(_stable_limits(costs, timed).text())
-    shared = [one for one in costs.divisions[0].findings if all(one in cost.findings for cost in costs.divisions)]
+        title = "Largest value at which the loop is stable, by linear model / by simulation without friction (-: unknown)"
+        stable = Table([left, *(Column(words(quantity)) for quantity in timed)], title)
+        for cost in divisions:
+            stable.add(cost.name, *(_stable(cost.sweeps[quantity]) for quantity in timed))
+        parts.append(stable.text())
+    shared = [one for one in divisions[0].findings if all(one in cost.findings for cost in divisions)]
     lines = [str(one) for one in (*costs.findings, *shared)]
-    for cost in costs.divisions:
-        lines += [f"{cost.name}: {one}" for one in cost.findings if one not in shared]
+    lines += [f"{cost.name}: {one}" for cost in divisions for one in cost.findings if one not in shared]
     return "\n\n".join([*parts, paragraphs(lines)])
 
 
@@ -214,16 +216,6 @@ def _slowest(costs: SchemeCost) -> str:
     return "\n" + paragraphs([f"slowest messages that hold: {largest_held(swept[best])}; in the axis: {best}"])
 
 
-def _largest(costs: SchemeCost, quantities: Sequence[str]) -> Table:
-    title = "Largest value that holds, all others as given; times are for one direction"
-    columns = [Column("in the axis, messages", left=True), Column(f"error [{costs.unit}]")]
-    table = Table([*columns, *(Column(words(quantity)) for quantity in quantities)], title)
-    for cost in costs.divisions:
-        error = "diverges" if math.isnan(cost.error) else figure(cost.error, costs.unit, 4).removesuffix(f" {costs.unit}")
-        table.add(cost.name, error, *(largest_held(cost.sweeps[quantity]) for quantity in quantities))
-    return table
-
-
 def largest_held(sweep: LinkSweep) -> str:
     """Return the largest value of a sweep that holds as text; of a coarse sweep the two values between which it lies."""
     if math.isnan(sweep.most):
@@ -234,14 +226,6 @@ def largest_held(sweep: LinkSweep) -> str:
         return f"{low[0]} to {high}" if high.endswith(low[1]) else f"{most} to {high}"
     text = most + (f" ({figure(sweep.rate, 'Hz', 4)})" if sweep.quantity == "message_period" else "")
     return text if sweep.limited else f"all up to {text}"
-
-
-def _stable_limits(costs: SchemeCost, timed: Sequence[str]) -> Table:
-    title = "Largest value at which the loop is stable, by linear model / by simulation without friction (-: unknown)"
-    table = Table([Column("in the axis, messages", left=True), *(Column(words(quantity)) for quantity in timed)], title)
-    for cost in costs.divisions:
-        table.add(cost.name, *(_stable(cost.sweeps[quantity]) for quantity in timed))
-    return table
 
 
 def _stable(sweep: LinkSweep) -> str:
@@ -273,12 +257,11 @@ def link_charts(name: str, costs: SchemeCost) -> Iterator[Chart]:
     slug = re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
     what, scale = f"{costs.figure.replace('_', ' ')} [{costs.unit}]", GOALS[costs.figure].factor
     level = Level(scale * costs.allowed, f"allowed (undivided: {scale * costs.undivided:.3g})")
+    styles = [scheme_style(i, len(costs.divisions)) for i in range(len(costs.divisions))]
     for quantity in costs.divisions[0].sweeps:
         label, factor, title = _TITLES[quantity]
-        curves = []
-        for i, cost in enumerate(costs.divisions):
-            sweep = cost.sweeps[quantity]
-            curves.append(Curve(sweep.values * factor, scale * sweep.error, cost.name, *scheme_style(i, len(costs.divisions))))
+        swept = [(cost.name, cost.sweeps[quantity], style) for cost, style in zip(costs.divisions, styles, strict=True)]
+        curves = tuple(Curve(sweep.values * factor, scale * sweep.error, division, *style) for division, sweep, style in swept)
         caption = "A curve ends early where none of its last values holds. With jitter or loss: the worst of several runs."
         key = "-".join(filter(None, ("link", slug, quantity.replace("_", "-"))))
-        yield Chart(key, title, caption, (Panel(label, what, tuple(curves), (level,), log_y=True),))
+        yield Chart(key, title, caption, (Panel(label, what, curves, (level,), log_y=True),))

@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
 import numpy as np
 
-from contourlab.analysis.linear.divided_loop import DividedLoop, LinkTiming, divided_loop, timing_of
+from contourlab.analysis.linear.divided_loop import DividedLoop, divided_loop, timing_of
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array, Flags, Index
-from contourlab.components.contract import Component
 from contourlab.components.link.network import Network
 from contourlab.errors import ComponentError, ParameterError
+from contourlab.features.link.options import SEEDS
 from contourlab.features.run.causes.idealise import perfect_sensing, undisturbed, unlimited, without_friction
 from contourlab.feed.profile import Judged
-from contourlab.loop import Controller, Division, Machine
+from contourlab.loop import Controller, Machine
 from contourlab.metrics.run_figures import goal_named
 from contourlab.study import Setting
 
@@ -28,11 +29,6 @@ FARTHER = 64
 """Values per doubling above `EACH`."""
 FEW = (4, 2, 1)
 """Values per doubling of a quick grid, and the multiple of the servo period up to which it has each one: the most that fit."""
-
-
-def losses(few: int = 0) -> Array:
-    """Return the shares of lost messages to test; `few` as in `times`, with half as many values."""
-    return LOSSES[_multiples(max(few // 2, 1), max(few // 2, 1), len(LOSSES) - 1)] if few else LOSSES
 
 
 def times(quantity: str, period: float, longest: float, few: int = 0) -> Array:
@@ -90,11 +86,9 @@ def passed_over(values: Array, bad: Flags, unknown: Flags, period: float, most: 
     >>> passed_over(values, np.array([False, False, True, False]), no, 1.0, 3).tolist()
     [10.0, 12.0, 14.0]
     """
-    if not bad.any():
-        return np.zeros(0)
     first = int(np.argmax(bad))
     good = np.flatnonzero(~unknown[:first])
-    if not good.size:
+    if not bad.any() or not good.size:
         return np.zeros(0)
     low, high = (round(value / period) for value in (values[good[-1]], values[first]))
     step = max(1, math.ceil((high - low) / (most + 1)))
@@ -103,8 +97,6 @@ def passed_over(values: Array, bad: Flags, unknown: Flags, period: float, most: 
 
 QUANTITIES = ("message_period", "delay", "jitter", "loss")
 """Quantities to sweep."""
-SEEDS = 8
-"""Runs with jitter or loss: the worst counts."""
 CHUNK = 32
 """Values that run at once. If none of them holds, the sweep may end."""
 LARGE, LARGEST = 200, 700
@@ -255,8 +247,8 @@ class LinkSetting:
     def __post_init__(self) -> None:
         self.figure = goal_named(self.figure, "figure").name
         machine, controller = self.divided.machine, self.divided.controller
-        links = {(name, way): link for name, axis in controller.axes.items() if axis.link for way, link in _ways(axis.link)}
-        self.networks = {key: link for key, link in links.items() if isinstance(link, Network)}
+        links = [(name, way, getattr(axis.link, way)) for name, axis in controller.axes.items() if axis.link for way in ("down", "up")]
+        self.networks = {(name, way): link for name, way, link in links if isinstance(link, Network)}
         if not self.networks:
             raise ParameterError("controller.axes", "without a network", 'divided, with a link of kind "network" in at least one direction')
         self.ideal = undisturbed(unlimited(perfect_sensing(without_friction(machine, controller)[0])))
@@ -273,7 +265,10 @@ class LinkSetting:
 
     def values(self, quantity: str, longest: float) -> Array:
         """Return the values of a quantity to test, up to a longest time [s]."""
-        return losses(self.few) if quantity == "loss" else times(quantity, self.divided.machine.servo_period, longest, self.few)
+        if quantity != "loss":
+            return times(quantity, self.divided.machine.servo_period, longest, self.few)
+        half = max(self.few // 2, 1)
+        return LOSSES[_multiples(half, half, len(LOSSES) - 1)] if self.few else LOSSES
 
     def batches(self, quantities: Sequence[str], longest: float) -> int:
         """Return the largest number of batches of `CHUNK` runs that a quick sweep of some quantities takes."""
@@ -317,21 +312,12 @@ class LinkSetting:
         if self.by_chance(quantity) or not self.loops:
             return math.nan
         try:
-            down, up = (self._timing(way, quantity, value) for way in ("down", "up"))
-            size = len(self.loops[0].a) + sum((down if way == "down" else up).taken + 1 for _, way in self.loops[0].links)
-            return math.nan if size > size_limit else max(loop.growth(down, up) for loop in self.loops)
+            parts = {way: part.replace(**{quantity: value}) for (_, way), part in self.networks.items()}
+            timing = {way: timing_of(parts.get(way), self.divided.machine.servo_period) for way in ("down", "up")}
+            size = len(self.loops[0].a) + sum(timing[way].taken + 1 for _, way in self.loops[0].links)
+            return math.nan if size > size_limit else max(loop.growth(**timing) for loop in self.loops)
         except ComponentError:
             return math.nan
-
-    def _timing(self, way: str, quantity: str, value: float) -> LinkTiming:
-        part = next((part for (_, known), part in self.networks.items() if known == way), None)
-        return timing_of(None if part is None else part.replace(**{quantity: value}), self.divided.machine.servo_period)
-
-
-def _ways(link: Division) -> Iterator[tuple[str, Component]]:
-    yield "down", link.down
-    if link.up is not None:
-        yield "up", link.up
 
 
 def _linear(machine: Machine, controller: Controller) -> Iterator[DividedLoop]:
@@ -340,11 +326,9 @@ def _linear(machine: Machine, controller: Controller) -> Iterator[DividedLoop]:
     if any(link != links[0] for link in links):
         return
     n = len(machine.axes)
-    coupled = controller.coupling is not None
-    try:
-        yield from [divided_loop(machine, controller, t) for t in ([*np.eye(n), np.ones(n)] if coupled else [np.ones(n)])]
-    except ComponentError:
-        return
+    directions = [np.ones(n)] if controller.coupling is None else [*np.eye(n), np.ones(n)]
+    with suppress(ComponentError):
+        yield from [divided_loop(machine, controller, along) for along in directions]
 
 
 def swept(setting: LinkSetting, quantity: str, longest: float) -> LinkSweep:
@@ -371,25 +355,28 @@ def swept(setting: LinkSetting, quantity: str, longest: float) -> LinkSweep:
         raise ParameterError("quantity", repr(quantity), "one of " + ", ".join(QUANTITIES))
     values, coarse = setting.values(quantity, longest), setting.few > 0
     size = max(CHUNK // setting.runs(quantity), 1) if coarse else CHUNK
-    parts: list[tuple[Array, ...]] = []
+    table = np.empty((len(COLUMNS), 0))
     for i in range(0, len(values), size):
         chunk = values[i : i + size]
-        parts.append(_tested(setting, quantity, chunk, chunk[-1], _unstable_at(parts)))
-        found = _joined(setting, quantity, parts, float(values[-1]))
+        table = _tested(setting, quantity, chunk, chunk[-1], table)
+        columns = dict(zip(COLUMNS, table, strict=True))
+        found = LinkSweep(quantity, **columns, allowed=setting.allowed, asked=float(values[-1]), coarse=coarse)
         if coarse and found.limited:
             break
-        if not (parts[-1][1] <= setting.allowed).any() and (i + size >= EACH or not _stable_to_the_end(found)):
+        stable = math.isinf(found.stable_linear) or math.isinf(found.stable_simulated)  # to the end: the limit lies beyond
+        if not (found.error[-len(chunk) :] <= setting.allowed).any() and (i + size >= EACH or not stable):
             break
-    return found if coarse or quantity == "loss" else _closed_in(setting, found, parts)
+    return found if coarse or quantity == "loss" else _closed_in(setting, found, table)
 
 
-def _tested(setting: LinkSetting, quantity: str, values: Array, surely: float, unstable: float) -> tuple[Array, ...]:
-    """Return the columns of a sweep at some values, in the order of `COLUMNS`.
+def _tested(setting: LinkSetting, quantity: str, values: Array, surely: float, table: Array) -> Array:
+    """Return a table, whose rows are `COLUMNS`, with the results at further values; they replace those at equal values.
 
     A large linear model is evaluated only at the value `surely`. No model is evaluated from the first unstable value on.
     """
     errors = setting.errors(quantity, values)
     growth = np.full(len(values), math.nan)
+    unstable = table[0, table[3] >= 1.0].min(initial=math.inf)
     for j, value in enumerate(values.tolist()):
         if value >= unstable:
             break
@@ -397,28 +384,12 @@ def _tested(setting: LinkSetting, quantity: str, values: Array, surely: float, u
         if growth[j] >= 1.0:
             unstable = value
     worst = np.where(np.isnan(errors).any(axis=1), math.nan, errors.max(axis=1))
-    return values, worst, np.median(errors, axis=1), growth, setting.repeats(quantity, values)
+    new = np.array([values, worst, np.median(errors, axis=1), growth, setting.repeats(quantity, values)])
+    joined = np.hstack([new, table])
+    return np.asarray(joined[:, np.unique(joined[0], return_index=True)[1]])
 
 
-def _unstable_at(parts: Sequence[tuple[Array, ...]]) -> float:
-    """Return the first value at which the linear model is unstable; infinite if there is none."""
-    return min((float(values[growth >= 1.0].min()) for values, _, _, growth, _ in parts if (growth >= 1.0).any()), default=math.inf)
-
-
-def _stable_to_the_end(sweep: LinkSweep) -> bool:
-    """Return whether the loop is stable at all tested values, so that its limit lies beyond them."""
-    return math.isinf(sweep.stable_linear) or math.isinf(sweep.stable_simulated)
-
-
-def _joined(setting: LinkSetting, quantity: str, parts: Sequence[tuple[Array, ...]], asked: float) -> LinkSweep:
-    """Join the parts of a sweep; a later part replaces equal values of an earlier one."""
-    columns = [np.concatenate(column[::-1]) for column in zip(*parts, strict=True)]
-    _, order = np.unique(columns[0], return_index=True)
-    found = {name: column[order] for name, column in zip(COLUMNS, columns, strict=True)}
-    return LinkSweep(quantity, **found, allowed=setting.allowed, asked=asked, coarse=setting.few > 0)
-
-
-def _closed_in(setting: LinkSetting, sweep: LinkSweep, parts: list[tuple[Array, ...]]) -> LinkSweep:
+def _closed_in(setting: LinkSetting, sweep: LinkSweep, table: Array) -> LinkSweep:
     """Test every servo period between the last good value and the first bad one."""
     period, tried = setting.divided.machine.servo_period, set[float]()
     while True:
@@ -433,5 +404,5 @@ def _closed_in(setting: LinkSetting, sweep: LinkSweep, parts: list[tuple[Array, 
             wanted = np.union1d(wanted, middle)
         if not wanted.size:
             return sweep
-        parts.append(_tested(setting, sweep.quantity, wanted, surely, _unstable_at(parts)))
-        sweep = _joined(setting, sweep.quantity, parts, sweep.asked)
+        table = _tested(setting, sweep.quantity, wanted, surely, table)
+        sweep = replace(sweep, **dict(zip(COLUMNS, table, strict=True)))

@@ -13,7 +13,8 @@ from contourlab.arrays import Array
 from contourlab.components.link.network import Network
 from contourlab.errors import ParameterError
 from contourlab.features.link.cost import WAYS, allowed_error, divided, division_cost, undivided_error
-from contourlab.features.link.sweep import SEEDS, LinkSetting, LinkSweep
+from contourlab.features.link.sweep import LinkSetting, LinkSweep
+from contourlab.features.swap.search import Design
 from contourlab.features.swap.variants import Variant, Variants, losses
 from contourlab.loop import DIVISIONS, Division
 from contourlab.loop.parameters import with_values
@@ -131,16 +132,13 @@ def least_division(local: frozenset[str]) -> str:
 
 
 def network_cost(
-    variants: Variants,
-    points: Array,
-    local: frozenset[str],
+    design: Design,
     division: str,
     ways: str = "both",
     link: Network | None = None,
     *,
     within: float = 0.1,
     longest: float = 0.1,
-    seeds: int = SEEDS,
     few: int = 0,
     progress: Callable[[int, int], None] | None = None,
 ) -> NetworkCost:
@@ -148,19 +146,13 @@ def network_cost(
 
     Parameters
     ----------
-    variants : Variants
-    points : ndarray (n_variant, n_parameter)
-        The point of each variant.
-    local : frozenset of str
-        Local parameters.
+    design : Design
     division, ways, link
         See `contourlab.features.link.cost.divided`.
     within : float, >= 0
         Largest (J - J undivided)/max(J undivided, J_tol) allowed.
     longest : float [s]
         Longest message period to test.
-    seeds : int
-        Runs with jitter or loss: the worst counts.
     few : int
         See `LinkSetting`.
     progress : callable, optional
@@ -171,17 +163,17 @@ def network_cost(
     ParameterError
         If division, ways or a limit is unknown or out of range.
     """
-    costs = []
-    for variant, point in zip(variants, points, strict=True):
+    variants, costs = design.variants, list[VariantCost]()
+    for variant, point in zip(variants, design.points, strict=True):
         setting = replace(variants.setting, machine=variant.machine, controller=variants.controller_at(point))
         whole = undivided_error(setting, variants.objective)
         allowed = allowed_error(whole, within, floor=variants.floor)
         over = replace(setting, controller=divided(setting.controller, division, ways, link))
-        cost = division_cost(LinkSetting(over, variants.objective, allowed, seeds, few), (PERIOD,), longest)
+        cost = division_cost(LinkSetting(over, variants.objective, allowed, few=few), (PERIOD,), longest)
         costs.append(VariantCost(variant.name, whole, allowed, cost.error, cost.unstable, cost.sweeps[PERIOD]))
         if progress is not None:
             progress(len(costs), len(variants))
-    in_base = tuple(sorted(name for name in local if not stays_in_axis(name, division)))
+    in_base = tuple(sorted(name for name in design.local if not stays_in_axis(name, division)))
     return NetworkCost(division, ways, in_base, variants.floor, tuple(costs))
 
 

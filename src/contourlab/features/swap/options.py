@@ -59,6 +59,11 @@ class Swap(Network, Workers, Seeded, Varied, Margins, Plugins):
         """Each axis with the files of its modules."""
         return [(name, [one.strip() for one in text.split(",")]) for name, text in zip(self.axis, self.with_, strict=True)]
 
+    @property
+    def starts(self) -> list[list[str]]:
+        """The controller files of each start."""
+        return [[one.strip() for one in text.split(",")] for text in self.from_]
+
 
 @options
 class Files(OfScenario, Drawn):

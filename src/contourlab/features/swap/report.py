@@ -3,24 +3,25 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from textwrap import wrap
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
 from contourlab.analysis.linear.margins import Margins
-from contourlab.app.json_values import HIDDEN, write_json
-from contourlab.app.results import staged
+from contourlab.app.json_values import write_json
+from contourlab.app.results import proposed, staged
 from contourlab.app.session import Answer, Asked
 from contourlab.arrays import Array, Flags
 from contourlab.features.link.result import largest_held
+from contourlab.features.run.command import file_names
 from contourlab.features.swap.beyond import Coverage, NetworkCost
 from contourlab.features.swap.linear import LinearSwap
-from contourlab.features.swap.search import Optimum, SwapSettings
-from contourlab.features.swap.study import Choice, SwapStudy
+from contourlab.features.swap.search import Design, Optimum
+from contourlab.features.swap.study import SwapStudy
 from contourlab.features.swap.variants import Variants
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
@@ -28,8 +29,7 @@ from contourlab.rendering.margin_words import decibel, degrees
 from contourlab.rendering.stages import begin_stage
 from contourlab.rendering.style import INK, MUTED
 from contourlab.rendering.table import Column, Table, paragraphs
-from contourlab.study import DesignVariable
-from contourlab.study.guards import Bounds
+from contourlab.result import write_text_atomic
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -69,32 +69,52 @@ class SwapResult(Answer):
     J of the best design of each variant (rows) on each variant (columns).
     """
 
-    passed: bool
-    verdict: Finding
-    full_modularity: bool
-    local: tuple[str, ...] | None
-    swap_loss: float
-    uncertainty: float | None
-    inconclusive: tuple[str, ...]
-    settings: SwapSettings
-    objective: str
-    floor: float
-    guards: Bounds
-    runs: int
-    warm_starts: tuple[str, ...]
-    parameters: tuple[DesignVariable, ...]
+    study: SwapStudy = field(repr=False)
     variants: dict[str, VariantResult]
-    as_given: Choice
-    choices: tuple[Choice, ...]
-    designs_on_variants: Array
-    networks: tuple[NetworkCost, ...]
-    coverage: Coverage | None
-    linear: tuple[LinearSwap, ...]
-    findings: tuple[Finding, ...]
-    study: SwapStudy = field(metadata=HIDDEN, repr=False)
-    inputs: tuple[str | Path, ...] = field(default=(), metadata=HIDDEN, repr=False)
-    writer: Callable[[SwapStudy, Path, Path, Sequence[str]], list[str]] | None = field(default=None, metadata=HIDDEN, repr=False)
-    lines: tuple[str, ...] = field(default=(), metadata=HIDDEN, repr=False)
+    networks: tuple[NetworkCost, ...] = ()
+    coverage: Coverage | None = None
+    linear: tuple[LinearSwap, ...] = ()
+    warm_starts: tuple[str, ...] = ()
+    on_files: tuple[Finding, ...] = ()
+    inputs: tuple[str | Path, ...] = field(default=(), repr=False)
+    lines: tuple[str, ...] = field(default=(), repr=False)
+
+    json_form: ClassVar = {
+        "passed": "passed",
+        "verdict": "study.verdict",
+        "full_modularity": "study.full",
+        "local": "local",
+        "swap_loss": "study.base.swap_loss",
+        **{name: f"study.{name}" for name in ("uncertainty", "inconclusive", "settings")},
+        **{name: f"study.variants.{name}" for name in ("objective", "floor")},
+        "guards": "study.variants.bounds",
+        "runs": "study.variants.runs",
+        "warm_starts": "warm_starts",
+        "parameters": "study.variants.space.numbers",
+        "variants": "variants",
+        "as_given": "study.given",
+        "choices": "study.choices",
+        "designs_on_variants": "study.crossed",
+        **{name: name for name in ("networks", "coverage", "linear", "findings")},
+    }
+
+    @property
+    def passed(self) -> bool:
+        """Whether a design is modular, keeps the guards, and holds over a network."""
+        study, kept = self.study, not any(one.broken for one in self.variants.values())
+        modular = study.recommended is not None and not study.inconclusive and not study.unsure
+        return modular and kept and any(cost.holds for cost in self.networks)
+
+    @property
+    def local(self) -> tuple[str, ...] | None:
+        """The local parameters of the recommended design."""
+        best = self.study.recommended
+        return None if best is None else tuple(sorted(best.local))
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """All findings, the verdict first."""
+        return tuple(_findings(self))
 
     @property
     def text(self) -> str:
@@ -126,9 +146,8 @@ class SwapResult(Answer):
             If the folder cannot be written to.
         """
         begin_stage("writing")
-        assert self.writer is not None
         with staged(folder, "swap.json", inputs=self.inputs) as stage:
-            lines = self.writer(self.study, stage, Path(folder), plots)
+            lines = write_results(self.study, stage, Path(folder), plots)
             write_json(stage / "swap.json", self)
         return replace(self, lines=tuple(lines))
 
@@ -137,71 +156,32 @@ class SwapResult(Answer):
         return asked.again(without="--quick") if asked.settings.quick else ["link", *asked.inputs]
 
 
-def swap_result(
-    study: SwapStudy,
-    networks: tuple[NetworkCost, ...] = (),
-    coverage: Coverage | None = None,
-    linear: tuple[LinearSwap, ...] = (),
-    warm_starts: tuple[str, ...] = (),
-    findings: Sequence[Finding] = (),
-) -> SwapResult:
-    """Assemble the result; `findings` are those on the input files."""
-    variants, best = study.variants, study.recommended
-    judged = {}
-    for i, (name, point) in enumerate(zip(variants.names, (best or study.base).points, strict=True)):
+def swap_result(study: SwapStudy, *more: Any) -> SwapResult:
+    """Check the recommended design exactly, or the shared one, and return the result; `more` are its further fields."""
+    variants, judged = study.variants, {}
+    for i, (name, point) in enumerate(zip(variants.names, study.shown.points, strict=True)):
         values, guards = variants.space.values(point), variants.guards[i]
         margins = guards.exact(values)
         # The runs have already checked the time at drive limits.
         broken = guards.broken(values, 0.0, 0.0, margins)
         own = variants.space.values(variants.best_points[i])
         judged[name] = VariantResult(float(variants.best[i]), study.optima[i], own, margins, broken)
-    kept = not any(one.broken for one in judged.values())
-    modular = best is not None and not study.inconclusive and not study.unsure
-    return SwapResult(
-        passed=modular and kept and any(cost.holds for cost in networks),
-        verdict=study.verdict,
-        full_modularity=study.full,
-        local=None if best is None else best.local,
-        swap_loss=study.base.swap_loss,
-        uncertainty=study.uncertainty,
-        inconclusive=study.inconclusive,
-        settings=study.settings,
-        objective=variants.objective,
-        floor=variants.floor,
-        guards=variants.bounds,
-        runs=variants.runs,
-        warm_starts=warm_starts,
-        parameters=variants.space.numbers,
-        variants=judged,
-        as_given=study.given,
-        choices=study.choices,
-        designs_on_variants=study.crossed,
-        networks=networks,
-        coverage=coverage,
-        linear=linear,
-        findings=tuple(_findings(study, judged, networks, coverage, linear, findings)),
-        study=study,
-    )
+    return SwapResult(study, judged, *more)
 
 
-def _findings(
-    study: SwapStudy,
-    judged: dict[str, VariantResult],
-    networks: Sequence[NetworkCost],
-    coverage: Coverage | None,
-    linear: Sequence[LinearSwap],
-    others: Sequence[Finding],
-) -> Iterator[Finding]:
+def _findings(result: SwapResult) -> Iterator[Finding]:
+    study, networks, coverage = result.study, result.networks, result.coverage
+    variants = study.variants
     yield study.verdict
     if not math.isfinite(study.base.swap_loss):
         yield finding("CL723")
     elif study.uncertainty is not None and not study.unsure:
         yield finding("CL722", loss=study.base.swap_loss, uncertainty=study.uncertainty)
-    for name, variant in judged.items():
+    for name, variant in result.variants.items():
         if variant.broken:
             yield finding("CL711", name, guards=variant.broken)
     for cost in networks:
-        yield from _on_network(study.variants, cost)
+        yield from _on_network(variants, cost)
     if networks and study.settings.quick:
         yield finding("CL765")
     if coverage is not None:
@@ -209,18 +189,17 @@ def _findings(
         yield finding("CL717", share=coverage.share, low=low, high=high, covered=coverage.covered, points=len(coverage.points))
         if coverage.without_design:
             yield finding("CL719", count=coverage.without_design)
-    edges = on_bounds(study.variants, study.recommended or study.base)
-    if edges:
+    if edges := on_bounds(variants, study.shown):
         yield finding("CL712", names=edges)
     if study.given_breaks:
         yield finding("CL713", names=study.given_breaks)
-    for axis, reason in {axis: reason for guards in study.variants.guards for axis, reason in guards.unknown.items()}.items():
+    for axis, reason in {axis: reason for guards in variants.guards for axis, reason in guards.unknown.items()}.items():
         yield finding("CL714", f"axis {axis}", reason=reason)
-    for designs in linear:
+    for designs in result.linear:
         yield from designs.findings
-    yield from others
-    settings, guarded = study.settings, study.variants.bounds.words
-    yield finding("CL720", runs=study.variants.runs, budget=settings.budget, seed=settings.seed, guards=guarded)
+    yield from result.on_files
+    settings, guarded = study.settings, variants.bounds.words
+    yield finding("CL720", runs=variants.runs, budget=settings.budget, seed=settings.seed, guards=guarded)
 
 
 def _on_network(variants: Variants, cost: NetworkCost) -> Iterator[Finding]:
@@ -234,11 +213,10 @@ def _on_network(variants: Variants, cost: NetworkCost) -> Iterator[Finding]:
     if any(variant.unstable for variant in cost.variants):
         yield finding("CL709", cost.name)
     if cost.local_in_base:
-        short = {number.name: number.short for number in variants.space.numbers}
-        yield finding("CL710", cost.name, names=[short[name] for name in cost.local_in_base])
+        yield finding("CL710", cost.name, names=[short for name in cost.local_in_base for short in variants.short((name,))])
 
 
-def on_bounds(variants: Variants, choice: Choice) -> list[str]:
+def on_bounds(variants: Variants, choice: Design) -> list[str]:
     """Return the parameters of a design that lie on a bound that could be wider, with the bound."""
     found = []
     for j, number in enumerate(variants.space.numbers):
@@ -254,38 +232,34 @@ def on_bounds(variants: Variants, choice: Choice) -> list[str]:
 
 def text_of(result: SwapResult) -> str:
     """Return the result as text, the verdict first."""
-    study = result.study
+    study, best = result.study, result.study.recommended
     verdict, *others = map(str, result.findings)
-    parts = [paragraphs([verdict]), _losses(study).text(), paragraphs(others)]
-    which = "the shared design, nothing local" if study.recommended is None else "the recommended design"
-    if study.recommended is not None:
-        parts.append(_division(study, study.recommended).text())
-    parts.append(_margins(result, which).text())
-    if result.networks:
-        parts.append(_networks(result, which).text())
-    parts += [_linear(designs).text() for designs in result.linear]
-    return "\n\n".join(parts)
+    which = "the shared design, nothing local" if best is None else "the recommended design"
+    tables = [*([] if best is None else [_division(study, best)]), _margins(result, which)]
+    tables += [_networks(result, which)] if result.networks else []
+    tables += map(_linear, result.linear)
+    return "\n\n".join([paragraphs([verdict]), _losses(study).text(), paragraphs(others), *(table.text() for table in tables)])
 
 
 def _losses(study: SwapStudy) -> Table:
     variants = study.variants
-    objective = variants.objective.replace("_", " ")
-    title = f"J: {objective} [{variants.unit}]; loss: (J - J*)/max(J*, J_tol), J_tol {figure(variants.floor, variants.unit)}"
+    tolerance = figure(variants.floor, variants.unit)
+    title = f"J: {variants.objective.replace('_', ' ')} [{variants.unit}]; loss: (J - J*)/max(J*, J_tol), J_tol {tolerance}"
     columns = [Column("local parameters", left=True, prose=True), Column("number"), *map(Column, variants.names), Column("loss [%]")]
     table = Table(columns, title)
 
-    def add(name: str, number: str, values: Sequence[float], loss: str) -> None:
+    def add(name: str, number: str, values: Iterable[float], loss: str) -> None:
         table.add(name, number, *(_number(value, variants.unit) for value in values), loss)
 
-    add("J*, best value of all searches", "", variants.best.tolist(), "")
-    add("best value of its own search", "", [optimum.reached for optimum in study.optima], "")
-    add("the scenario's own", "", study.given.values.tolist(), _percent(study.given.swap_loss))
+    add("J*, best value of all searches", "", variants.best, "")
+    add("best value of its own search", "", (optimum.reached for optimum in study.optima), "")
+    add("the scenario's own", "", study.given.values, _percent(study.given.swap_loss))
     for choice in study.choices:
-        add(choice.name, str(len(choice.local)), choice.values.tolist(), _percent(choice.swap_loss))
+        add(choice.name, str(len(choice.local)), choice.values, _percent(choice.swap_loss))
     return table
 
 
-def _division(study: SwapStudy, choice: Choice) -> Table:
+def _division(study: SwapStudy, choice: Design) -> Table:
     """Return the table of a design: base parameters once, local parameters for each variant."""
     columns = [Column("parameter", left=True), Column("", left=True), *map(Column, study.variants.names), Column("unit", left=True)]
     table = Table(columns, "Recommended design")
@@ -339,6 +313,33 @@ def _percent(loss: float) -> str:
     return f"{100.0 * loss:.3g}" if loss < 1.0 else f"{100.0 * loss:.0f}" if math.isfinite(loss) else "-"
 
 
+def write_results(study: SwapStudy, folder: Path, out: Path, plots: Sequence[str]) -> list[str]:
+    """Write picture and controllers into a folder that will replace `out`; return lines that list the files."""
+    from contourlab.rendering.plots import write_figures
+    from contourlab.scenario.dump import dump
+
+    variants, best, base = study.variants, study.recommended, study.base
+    write_figures({"swap": lambda: drawing(matrices(study), study.settings.full)}, folder / "plots", plots)
+    lines = [f"picture: {out / 'plots' / f'swap.{name}'}" for name in plots]
+    (folder / "controllers").mkdir()
+
+    def write(name: str, i: int, point: Array, title: str, local: Collection[str] = ()) -> None:
+        head, machine = f"{title}; J and the guards apply to the motion of the study.", variants.members[i].machine
+        text = proposed(head, dump(variants.controller_at(point, local), machine))
+        write_text_atomic(folder / "controllers" / f"{name}.toml", text)
+
+    for i, (name, file) in enumerate(file_names(variants.names).items()):
+        write(f"own-{file}", i, variants.best_points[i], f"Best of {name} alone")
+        if best is not None:
+            write(file, i, best.points[i], f"For {name}. `local` parameters move with the axis", best.local)
+            lines.append(f"controller for {name}: {out / 'controllers' / f'{file}.toml'}")
+    lines.append(f"the best controller of each variant alone: {out / 'controllers' / 'own-*.toml'}")
+    if base.holds:
+        write("shared", 0, base.points[0], f"Shared by {'; '.join(variants.names)}, nothing local")
+        lines.append(f"the shared design, nothing local: {out / 'controllers' / 'shared.toml'}")
+    return ["\n".join(lines)]
+
+
 ROW_WIDTH = 44
 """Line width of row names [characters]."""
 
@@ -368,7 +369,7 @@ class LossMatrix:
 
 def matrices(study: SwapStudy) -> list[LossMatrix]:
     """Return the two matrices: the best choice of each size, and the designs of J* on each variant."""
-    best: dict[int, Choice] = {}
+    best: dict[int, Design] = {}
     for choice in sorted(study.choices, key=lambda choice: (len(choice.local), choice.swap_loss)):
         best.setdefault(len(choice.local), choice)
     rows = tuple("\n".join(wrap(choice.name if choice.local else "nothing local", ROW_WIDTH)) for choice in best.values())
@@ -380,48 +381,21 @@ def matrices(study: SwapStudy) -> list[LossMatrix]:
 
 
 def _loss_matrix(study: SwapStudy, title: str, rows: tuple[str, ...], values: Array) -> LossMatrix:
-    names = study.variants.names
-    losses = study.variants.losses(np.where(np.isfinite(values), values, np.nan))
-    unsure = np.array([name in study.inconclusive for name in names])
+    variants = study.variants
+    losses = variants.losses(np.where(np.isfinite(values), values, np.nan))
+    unsure = np.array([name in study.inconclusive for name in variants.names])
 
     def text(lost: float, value: float, at_least: bool) -> str:
         if not math.isfinite(lost):
             return "breaks a guard"
-        return f"{'at least ' if at_least else ''}{figure(lost, '%')}  ({figure(value, study.variants.unit)})"
+        return f"{'at least ' if at_least else ''}{figure(lost, '%')}  ({figure(value, variants.unit)})"
 
     texts = tuple(tuple(map(text, *row, unsure.tolist())) for row in zip(losses.tolist(), values.tolist(), strict=True))
-    return LossMatrix(title, rows, names, losses, texts, unsure & (losses < study.settings.full))
+    return LossMatrix(title, rows, variants.names, losses, texts, unsure & (losses < study.settings.full))
 
 
-def write_matrices(
-    matrices: Sequence[LossMatrix], limit: float, title: str, folder: str | Path, formats: Sequence[str]
-) -> tuple[Path, ...]:
-    """Write matrices, one below the other, as the picture ``swap``.
-
-    Parameters
-    ----------
-    matrices : sequence of LossMatrix
-    limit : float
-        Loss limit of full modularity: cells up to it are green.
-    title : str
-    folder : str or Path
-    formats : sequence of str
-        From ``"png"``, ``"svg"``, ``"pdf"``.
-
-    Raises
-    ------
-    ParameterError
-        If a format is unknown.
-    OutputError
-        If a file cannot be written.
-    """
-    from contourlab.rendering.plots import write_figures
-
-    return write_figures({"swap": lambda: drawing(matrices, limit, title)}, folder, formats)
-
-
-def drawing(matrices: Sequence[LossMatrix], limit: float, title: str) -> Any:
-    """Draw matrices into one figure."""
+def drawing(matrices: Sequence[LossMatrix], limit: float) -> Any:
+    """Draw matrices into one figure, one below the other; cells up to the limit of full modularity are green."""
     from matplotlib.figure import Figure
 
     # In inches: row height from the lines of its name, column width from the text of a cell.
@@ -429,17 +403,15 @@ def drawing(matrices: Sequence[LossMatrix], limit: float, title: str) -> Any:
     names = 0.065 * max(len(line) for matrix in matrices for name in matrix.rows for line in name.split("\n"))
     cells = max(3.8, 1.6 * max(len(matrix.columns) for matrix in matrices))
     page = Figure(figsize=(max(7.2, names + cells + 0.9), 0.9 + sum(heights)), layout="constrained")
-    page.suptitle(title, fontsize=9.5, fontweight="bold")
+    page.suptitle("Loss at a swap", fontsize=9.5, fontweight="bold")
     if any(matrix.uncertain.any() for matrix in matrices):
         page.supxlabel("hatched: inconclusive; J* may be lower, and then the loss is larger", fontsize=7.5, color=MUTED)
     places = page.subplots(len(matrices), 1, squeeze=False, height_ratios=heights)[:, 0]
-    for place, matrix in zip(places, matrices, strict=True):
-        shown = _draw(place, matrix, limit)
-    bar = page.colorbar(shown, ax=list(places), location="right", fraction=0.035, pad=0.02)
+    shown = [_draw(place, matrix, limit) for place, matrix in zip(places, matrices, strict=True)]
+    bar = page.colorbar(shown[-1], ax=list(places), location="right", fraction=0.035, pad=0.02)
     bar.set_label(f"loss [%]; green up to {100.0 * limit:g} %", size=7.5)
     bar.outline.set_visible(False)
-    marks = [1.0, 3.0, 10.0, 30.0, 100.0]
-    bar.set_ticks([mark / 100.0 for mark in marks], labels=[f"{mark:g}" for mark in marks])
+    bar.set_ticks([0.01, 0.03, 0.1, 0.3, 1.0], labels=["1", "3", "10", "30", "100"])
     bar.ax.minorticks_off()
     return page
 
@@ -460,8 +432,7 @@ def _draw(place: Axes, matrix: LossMatrix, limit: float) -> Any:
     place.set_yticks(range(len(matrix.rows)), matrix.rows, fontsize=7.5)
     place.tick_params(length=0, colors=MUTED)
     place.grid(visible=False)
-    for side in place.spines.values():
-        side.set_visible(False)
+    place.spines[:].set_visible(False)
     place.set_xticks(np.arange(0.5, len(matrix.columns) - 1), minor=True)
     place.set_yticks(np.arange(0.5, len(matrix.rows) - 1), minor=True)
     place.grid(visible=True, which="minor", color="white", linewidth=2.0)
@@ -469,7 +440,6 @@ def _draw(place: Axes, matrix: LossMatrix, limit: float) -> Any:
     style: dict[str, Any] = {"facecolor": "#f3f4f6", "edgecolor": "#d9dde2", "hatch": "///", "linewidth": 0.0, "zorder": 0.2}
     for i, j in zip(*np.nonzero(matrix.uncertain), strict=True):
         place.add_patch(Rectangle((j - 0.5, i - 0.5), 1.0, 1.0, **style))
-    for i, row in enumerate(matrix.texts):
-        for j, text in enumerate(row):
-            place.text(j, i, text, ha="center", va="center", fontsize=7.5, color=INK)
+    for (i, j), text in np.ndenumerate(np.array(matrix.texts)):
+        place.text(j, i, text, ha="center", va="center", fontsize=7.5, color=INK)
     return shown

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import ClassVar
 
 import numpy as np
 
@@ -91,17 +92,44 @@ class Design:
 
     Attributes
     ----------
+    variants : Variants
     local : frozenset of str
-        Parameters with a value for each module; all others are base.
+        Parameters, by dotted name, with a value for each module; all others are base.
     points : ndarray (n_variant, n_parameter)
         The point of each variant.
-    values : ndarray (n_variant,)
+    values : ndarray (n_variant,) [SI]
         J of each variant; infinite where a guard is broken.
+    called : str
+        Its name, if it is not that of its local parameters.
     """
 
+    variants: Variants = field(repr=False)
     local: frozenset[str]
     points: Array
     values: Array
+    called: str = ""
+
+    json_form: ClassVar = {name: name for name in ("name", "local", "values", "losses", "parameters", "swap_loss")}
+
+    @property
+    def name(self) -> str:
+        """Short names of the local parameters, in the order of the space."""
+        return self.called or ", ".join(self.variants.short(self.local)) or "none"
+
+    @property
+    def losses(self) -> Array:
+        """The loss of each variant (n_variant,), against the present J*."""
+        return self.variants.losses(self.values)
+
+    @property
+    def parameters(self) -> tuple[dict[str, float], ...]:
+        """Values [SI] by dotted names, for each variant."""
+        return tuple(self.variants.space.values(point) for point in self.points)
+
+    @property
+    def swap_loss(self) -> float:
+        """The largest loss."""
+        return float(self.losses.max())
 
     @property
     def holds(self) -> bool:
@@ -218,11 +246,10 @@ class SwapSearch:
 
         def made(budget: int) -> dict[str, Array]:
             found = restarted(variants.objective_of(i), starts, budget, seed)
-            values = np.append(found.per_start, found.value)
-            return {"values": np.where(values < BROKEN, values * variants.floor, math.inf)}
+            return {"values": variants.in_si(np.append(found.per_start, found.value))}
 
-        name = f"{variants.names[i]} alone"
-        values = self._searched(f"{name}, again" if again else name, settings.budget, 1, made)["values"]
+        name = f"{variants.names[i]} alone{', again' if again else ''}"
+        values = self._searched(name, settings.budget, 1, made)["values"]
         return Optimum(float(values[-1]), values[:-1])
 
     def all_optima(self) -> Array:
@@ -234,8 +261,7 @@ class SwapSearch:
                 return restarted(variants.objective_of(i), variants.best_points[i][None], budget, seed + i, SHARED, size=LANES)
 
             found = in_threads(alone, range(len(variants)), variants.threads)
-            values = np.array([one.value for one in found])
-            return {"values": np.where(values < BROKEN, values * variants.floor, math.inf)}
+            return {"values": variants.in_si(np.array([one.value for one in found]))}
 
         return self._searched("each variant alone", self.settings.budget, len(variants), made)["values"]
 
@@ -258,28 +284,26 @@ class SwapSearch:
         def made(budget: int) -> dict[str, Array]:
             optima, own = variants.best_points, np.array([name in chosen for name in variants.space.names])
             starts = [self.inherit_best(chosen).points, *(np.where(own, optima, point) for point in optima[: STARTS - 3]), optima]
-            rows = np.array([shared.gathered(start) for start in (*starts, np.tile(variants.space.start, (len(variants), 1)))])
-            seed = self.settings.seed + 10 * self.searches + 5
-            quick = self.settings.quick
-            found = restarted(objective, rows[:1] if quick else rows, budget, seed, SHARED, target, LANES if quick else POPULATION)
+            rows = np.array([shared.gathered(start) for start in (*starts, variants.everywhere(variants.space.start))])
+            rows, size = (rows[:1], LANES) if self.settings.quick else (rows, POPULATION)
+            found = restarted(objective, rows, budget, self.settings.seed + 10 * self.searches + 5, SHARED, target, size)
             points = shared.spread(found.point[None])
-            values, broken = variants.values(points)
-            return {"points": points[:, 0], "values": np.where(broken > 0.0, np.inf, values)[:, 0]}
+            return {"points": points[:, 0], "values": variants.kept(points)[:, 0]}
 
-        budget = self.settings.budget * (1 if chosen else 2)
-        arrays = self._searched(f"local: {self.short(chosen)}", budget, len(variants), made)
-        design, known = Design(chosen, arrays["points"], arrays["values"]), self.designs.get(chosen)
-        if known is None or self.swap_loss(design) < self.swap_loss(known):
+        name = f"local: {', '.join(variants.short(chosen)) or 'none'}"
+        arrays = self._searched(name, self.settings.budget * (1 if chosen else 2), len(variants), made)
+        design = Design(variants, chosen, arrays["points"], arrays["values"])
+        known = self.designs.setdefault(chosen, design)
+        if design.swap_loss < known.swap_loss:
             self.designs[chosen] = design
         return self.designs[chosen]
 
     def inherit_best(self, local: frozenset[str]) -> Design:
         """Return the best design for a set of local parameters among those derived from all known designs."""
         fitting = self._fitting(local)
-        values, broken = self.variants.values(fitting)
-        values = np.where(broken > 0.0, np.inf, values)
+        values = self.variants.kept(fitting)
         at = int(np.argmin(self.variants.losses(values.T).max(axis=1)))
-        return Design(local, fitting[:, at], values[:, at])
+        return Design(self.variants, local, fitting[:, at], values[:, at])
 
     def propagate_best(self) -> None:
         """Replace the design of each set of local parameters wherever one derived from another set is better."""
@@ -288,7 +312,7 @@ class SwapSearch:
             changed = False
             for local in sorted(self.designs, key=len):
                 inherited = self.inherit_best(local)
-                if self.swap_loss(inherited) < self.swap_loss(self.designs[local]):
+                if inherited.swap_loss < self.designs[local].swap_loss:
                     self.designs[local], changed = inherited, True
 
     def backward_elimination(self, names: Iterable[str]) -> Design | None:
@@ -303,7 +327,7 @@ class SwapSearch:
             return None
         needed: set[str] = set()
         while len(held.local) > 1 and held.local - needed:
-            name = min(sorted(held.local - needed), key=lambda name: self.swap_loss(self.inherit_best(held.local - {name})))
+            name = min(sorted(held.local - needed), key=lambda name: self.inherit_best(held.local - {name}).swap_loss)
             tried = self.search_set(held.local - {name}, target=0.5 * self.settings.full)
             if self.good(tried):
                 held = tried
@@ -321,30 +345,19 @@ class SwapSearch:
     def _fitting(self, local: frozenset[str]) -> Array:
         """Return all known designs (n_variant, n, n_parameter), fitted to a set of local parameters: each other one has a single value."""
         variants, base = self.variants, np.array([name not in local for name in self.variants.space.names])
-        tiled = [np.tile(point, (len(variants), 1)) for point in (variants.space.start, *variants.best_points)]
-        designs = [variants.best_points, *self.known, *(design.points for design in self.designs.values())]
-        for points in designs:
+        tiled = [variants.everywhere(point) for point in (variants.space.start, *variants.best_points)]
+        for points in (variants.best_points, *self.known, *(design.points for design in self.designs.values())):
             tiled += [points] if not np.ptp(points, axis=0)[base].any() else merged(points, base)
         shared = SharedSpace(variants.space, variants.members, local)
         return shared.spread(np.array([shared.gathered(points) for points in tiled]))
 
-    def swap_loss(self, design: Design) -> float:
-        """Return the largest loss of a design over the variants, against the present J*."""
-        return float(self.variants.losses(design.values).max())
-
     def good(self, design: Design) -> bool:
         """Return whether the loss of a design is below the limit."""
-        return self.swap_loss(design) < self.settings.full
+        return design.swap_loss < self.settings.full
 
     def fewest(self) -> Design | None:
         """Return the good design with the fewest local parameters; None if there is none."""
-        good = [design for design in self.designs.values() if self.good(design)]
-        return min(good, key=lambda design: (len(design.local), self.swap_loss(design)), default=None)
-
-    def short(self, local: Iterable[str]) -> str:
-        """Return the short names of parameters, in the order of the space."""
-        chosen = set(local)
-        return ", ".join(number.short for number in self.variants.space.numbers if number.name in chosen) or "none"
+        return min(filter(self.good, self.designs.values()), key=lambda design: (len(design.local), design.swap_loss), default=None)
 
     def _searched(self, name: str, budget: int, sides: int, make: Callable[[int], dict[str, Array]]) -> dict[str, Array]:
         """Run a search, or restore its result and the state of the variants from the checkpoint."""

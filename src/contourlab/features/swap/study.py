@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from itertools import combinations
-from typing import ClassVar
 
 import numpy as np
 
-from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.errors import ContourlabError
 from contourlab.features.swap.search import Design, Optimum, SwapSearch, SwapSettings
@@ -27,44 +25,6 @@ class NoDesignError(ContourlabError):
 
 
 @dataclass(frozen=True, eq=False)
-class Choice:
-    """A choice of local parameters and its loss.
-
-    Attributes
-    ----------
-    name : str
-        Short names of the local parameters.
-    local : tuple of str
-        Their dotted names.
-    points : ndarray (n_variant, n_parameter)
-    values : ndarray (n_variant,) [SI]
-        J; infinite where a guard is broken.
-    losses : ndarray (n_variant,)
-    parameters : tuple of dict
-        Values [SI] by dotted names, for each variant.
-    """
-
-    name: str
-    local: tuple[str, ...]
-    points: Array = field(metadata=HIDDEN)
-    values: Array
-    losses: Array
-    parameters: tuple[dict[str, float], ...]
-
-    json_derived: ClassVar = ("swap_loss",)
-
-    @property
-    def swap_loss(self) -> float:
-        """The largest loss."""
-        return float(self.losses.max())
-
-    @property
-    def holds(self) -> bool:
-        """Whether it keeps the guards on all variants."""
-        return bool(np.isfinite(self.values).all())
-
-
-@dataclass(frozen=True, eq=False)
 class SwapStudy:
     """The result of a study.
 
@@ -75,9 +35,9 @@ class SwapStudy:
     settings : SwapSettings
     optima : tuple of Optimum
         Result of the searches for each variant alone.
-    given : Choice
+    given : Design
         The scenario's own parameters on all variants.
-    choices : tuple of Choice
+    choices : tuple of Design
         The first has nothing local; one with all candidates local is last.
     crossed : ndarray (n_variant, n_variant)
         J of the best design of variant i on variant j; infinite where it breaks a guard.
@@ -90,14 +50,14 @@ class SwapStudy:
     variants: Variants
     settings: SwapSettings
     optima: tuple[Optimum, ...]
-    given: Choice
-    choices: tuple[Choice, ...]
+    given: Design
+    choices: tuple[Design, ...]
     crossed: Array
     given_breaks: tuple[str, ...] = ()
     uncertainty: float | None = None
 
     @property
-    def base(self) -> Choice:
+    def base(self) -> Design:
         """The shared design, nothing local."""
         return self.choices[0]
 
@@ -117,10 +77,15 @@ class SwapStudy:
         return self.base.swap_loss < self.settings.full
 
     @property
-    def recommended(self) -> Choice | None:
+    def recommended(self) -> Design | None:
         """The modular choice with the fewest local parameters; None if there is none."""
         good = [choice for choice in self.choices if choice.swap_loss < self.settings.full]
         return min(good, key=lambda choice: (len(choice.local), choice.swap_loss), default=None)
+
+    @property
+    def shown(self) -> Design:
+        """The recommended design, or the shared one if none is recommended."""
+        return self.recommended or self.base
 
     @property
     def unsure(self) -> bool:
@@ -176,7 +141,7 @@ def swap_study(
         If no design of a variant keeps the guards.
     """
     search = SwapSearch(variants, settings, stage, checkpoint)
-    uncertainty, start = None, np.tile(variants.space.start, (len(variants), 1))
+    uncertainty, start = None, variants.everywhere(variants.space.start)
     values, broken = variants.values(start[:, None], whole=True)
     for points in search.known:
         variants.values(points[:, None])
@@ -191,25 +156,18 @@ def swap_study(
         _search_sets(search, candidates)
         search.search_set(())
         _settle(search)
-    crossed = [variants.values(np.tile(point, (len(variants), 1, 1))) for point in variants.best_points]
-    breaks = tuple(name for name, worst in zip(variants.names, broken[:, 0], strict=True) if worst > 0.0)
     # Nothing local first, everything local last.
     sets = sorted(search.designs, key=lambda local: (len(local) == len(candidates) and len(local) > 0, len(local) > 0))
     return SwapStudy(
         variants,
         settings,
         tuple(search.optima),
-        _choice(variants, "as given", Design(frozenset(), start, values[:, 0])),
-        tuple(_choice(variants, search.short(local), search.designs[local]) for local in sets),
-        np.array([np.where(broken[:, 0] > 0.0, np.inf, values[:, 0]) for values, broken in crossed]),
-        breaks,
+        Design(variants, frozenset(), start, values[:, 0], "as given"),
+        tuple(search.designs[local] for local in sets),
+        np.array([variants.kept(variants.everywhere(point)[:, None])[:, 0] for point in variants.best_points]),
+        tuple(name for name, worst in zip(variants.names, broken[:, 0], strict=True) if worst > 0.0),
         uncertainty,
     )
-
-
-def _choice(variants: Variants, name: str, design: Design) -> Choice:
-    parameters = tuple(variants.space.values(point) for point in design.points)
-    return Choice(name, tuple(sorted(design.local)), design.points, design.values, variants.losses(design.values), parameters)
 
 
 def _search_sets(search: SwapSearch, candidates: tuple[str, ...]) -> None:
@@ -245,12 +203,12 @@ def _search_quickly(search: SwapSearch, candidates: tuple[str, ...]) -> float:
         design = search.search_set(())
         designs.append(design)
         points.append(variants.best_points)
-        own.append(search.swap_loss(design))
+        own.append(design.swap_loss)
     for one in points:
         variants.values(one[:, None])
     search.optima = [Optimum(float(values.min()), values) for values in np.transpose(alone)]
-    design = search.designs[design.local] = min(designs, key=search.swap_loss)
-    loss = search.swap_loss(design)
+    design = search.designs[design.local] = min(designs, key=lambda design: design.swap_loss)
+    loss = design.swap_loss
     short = variants.losses(np.min(alone, axis=0))
     uncertainty: float = SCATTER + max(*short.tolist(), *(abs(one - loss) if one != loss else 0.0 for one in own))  # both may be infinite
     if loss > settings.full + uncertainty and candidates:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations, product
 
@@ -115,7 +115,7 @@ class Variants:
         self.runners = tuple(Runner(replace(self.setting, machine=v.machine), figures, self.threads, self.gpu) for v in self)
         self.guards = tuple(Guards([(v.machine, self.setting.controller)], self.bounds) for v in self)
         self.best = np.full(len(self), np.inf)
-        self.best_points = np.tile(self.space.start, (len(self), 1))
+        self.best_points = self.everywhere(self.space.start)
 
     def __iter__(self) -> Iterator[Variant]:
         return iter(self.members)
@@ -148,13 +148,26 @@ class Variants:
         """Return the loss of each variant against the present J*."""
         return losses(values, self.best, self.floor)
 
-    def controller_at(self, point: Array, local: Sequence[str] = ()) -> Controller:
+    def everywhere(self, point: Array) -> Array:
+        """Return a point for each variant (n_variant, n_parameter)."""
+        return np.tile(point, (len(self), 1))
+
+    def short(self, names: Collection[str]) -> list[str]:
+        """Return the short names of parameters, in the order of the space."""
+        return [number.short for number in self.space.numbers if number.name in names]
+
+    def kept(self, points: Array) -> Array:
+        """Return J as `values` does; infinite where a guard is broken."""
+        values, broken = self.values(points)
+        return np.where(broken > 0.0, np.inf, values)
+
+    def controller_at(self, point: Array, local: Iterable[str] = ()) -> Controller:
         """Return the controller of a point; `local` are the parameters, by dotted name, that move with their axis."""
         _, controller = with_values(self.setting.machine, self.setting.controller, self.space.values(point))
         axes = {}
         for name, axis in controller.axes.items():
             head = f"controller.axes.{name}."
-            axes[name] = replace(axis, local=tuple(dotted.removeprefix(head) for dotted in local if dotted.startswith(head)))
+            axes[name] = replace(axis, local=tuple(dotted.removeprefix(head) for dotted in sorted(local) if dotted.startswith(head)))
         return replace(controller, axes=axes)
 
     def values(self, points: Array, only: Sequence[int] | None = None, *, whole: bool = False) -> tuple[Array, Array]:
@@ -225,6 +238,10 @@ class Variants:
         self.tried, *runs = state["counts"].tolist()
         for runner, count in zip(self.runners, runs, strict=True):
             runner.runs = count
+
+    def in_si(self, reached: Array) -> Array:
+        """Return J of values of `objective_of`; infinite where a guard is broken."""
+        return np.where(reached < BROKEN, reached * self.floor, np.inf)
 
     def objective_of(self, i: int) -> Callable[[Array], Array]:
         """Return the function to minimise for J* of variant `i`: J over J_tol of points (n, n_parameter)."""

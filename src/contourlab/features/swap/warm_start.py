@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,40 +12,22 @@ from contourlab.features.swap.search import WarmStart
 from contourlab.features.swap.variants import Variant, Variants
 from contourlab.findings import Finding, finding
 from contourlab.loop import parameters_of
-from contourlab.study import DesignVariable
+from contourlab.study.space import ROUNDING
 
 if TYPE_CHECKING:
     from contourlab.loop import Controller
 
-ROUNDING = 1e-9
-"""Tolerance of a bound, relative to its size: a written value may lie beyond it by rounding."""
 
-
-@dataclass(frozen=True)
-class WarmStarts:
-    """Designs from files.
-
-    Attributes
-    ----------
-    designs : tuple of WarmStart
-    files : tuple of str
-    findings : tuple of Finding
-        Values in the files that are not used.
-    """
-
-    designs: tuple[WarmStart, ...] = ()
-    files: tuple[str, ...] = ()
-    findings: tuple[Finding, ...] = ()
-
-
-def warm_starts(variants: Variants, texts: Sequence[str], plugins: Sequence[str | Path] = ()) -> WarmStarts:
-    """Read designs from which searches start.
+def warm_starts(
+    variants: Variants, starts: Sequence[Sequence[str]], plugins: Sequence[str | Path] = ()
+) -> tuple[tuple[WarmStart, ...], list[Finding]]:
+    """Read designs from which searches start, and report the values in the files that are not used.
 
     Parameters
     ----------
     variants : Variants
-    texts : sequence of str
-        Each text is one file for all variants, or one file per variant, separated by commas, in the order of the variants.
+    starts : sequence of sequence of str
+        One file for all variants, or one file per variant, in the order of the variants.
     plugins : sequence of str or Path
         Python files with further components.
 
@@ -56,22 +37,23 @@ def warm_starts(variants: Variants, texts: Sequence[str], plugins: Sequence[str 
         If a file is wrong, the number of files does not match, or a searched parameter is missing or outside its bounds.
     """
     designs: list[WarmStart] = []
-    names: list[str] = []
-    findings: list[Finding] = []
-    for text in texts:
-        files, n = [word.strip() for word in text.split(",")], len(variants)
+    findings: dict[str, Finding] = {}
+    n = len(variants)
+    for files in starts:
         if len(files) not in (1, n) or not all(files):
             wanted = f"one file for all variants, or {n} files separated by commas, for {'; '.join(variants.names)}"
-            raise ParameterError("--from", repr(text), wanted)
+            raise ParameterError("--from", repr(",".join(files)), wanted)
         values = []
         # Read a common file for each variant: units may depend on its machine.
-        for variant, file in zip(variants, files * (n if len(files) == 1 else 1), strict=True):
+        for variant, file in zip(variants, [*files] * (n // len(files)), strict=True):
             controller = _loaded(file, variant, plugins)
             values.append(_values(variants, variant, file, controller))
-            findings += _not_taken(variants, variant, file, controller)
+            if names := _not_taken(variants, variant, controller):
+                more = [f"{len(names) - 4} more"] if len(names) > 4 else []
+                one = finding("CL715", file, names=[*names[:4], *more])
+                findings.setdefault(str(one), one)
         designs.append(tuple(values))
-        names += files
-    return WarmStarts(tuple(designs), tuple(names), tuple(one for k, one in enumerate(findings) if one not in findings[:k]))
+    return tuple(designs), list(findings.values())
 
 
 def _loaded(file: str, variant: Variant, plugins: Sequence[str | Path]) -> Controller:
@@ -90,44 +72,32 @@ def _loaded(file: str, variant: Variant, plugins: Sequence[str | Path]) -> Contr
 
 
 def _values(variants: Variants, variant: Variant, file: str, controller: Controller) -> dict[str, float]:
-    """Return the values of the searched parameters."""
-    there = parameters_of(variant.machine, controller)
-    missing = [number.short for number in variants.space.numbers if number.name not in there]
+    """Return the values of the searched parameters; a written value may lie beyond a bound by rounding."""
+    there, numbers = parameters_of(variant.machine, controller), variants.space.numbers
+    missing = [number.short for number in numbers if number.name not in there]
     if missing:
         raise ParameterError("--from", file, f"a controller with all searched parameters; it has no {', '.join(missing)}")
-    values = {number.name: float(getattr(*there[number.name])) for number in variants.space.numbers}
-    beyond = [number for number in variants.space.numbers if not _within(number, values[number.name])]
-    if beyond:
-        faults = "; ".join(_fault(number, values[number.name]) for number in beyond)
-        raise ParameterError("--from", file, f"within the bounds of the search: {faults}; {_remedy(beyond, values)}")
+    values = {number.name: float(getattr(*there[number.name])) for number in numbers}
+    faults, ratios = [], []
+    for number in numbers:
+        value, slack = values[number.name], ROUNDING * max(abs(number.low), abs(number.high))
+        if not number.low - slack <= value <= number.high + slack:
+            shown, low, high = (f"{number.display_value(one):.4g}" for one in (value, number.low, number.high))
+            faults.append(f"{number.short} is {shown}, its bounds are {low} to {high} {number.display_unit}".rstrip())
+            ratios.append(value / number.value if number.value else math.inf)
+    if faults:
+        remedy = "widen them with --parameter NAME=LOW..HIGH"
+        if all(math.isfinite(ratio) and ratio > 0.0 for ratio in ratios):
+            width = math.ceil(10.0 * max(max(ratio, 1.0 / ratio) for ratio in ratios)) / 10.0
+            remedy = f"widen all default bounds with --width {width:g}, or {remedy}"
+        raise ParameterError("--from", file, f"within the bounds of the search: {'; '.join(faults)}; {remedy}")
     return values
 
 
-def _within(number: DesignVariable, value: float) -> bool:
-    slack = ROUNDING * max(abs(number.low), abs(number.high))
-    return number.low - slack <= value <= number.high + slack
-
-
-def _fault(number: DesignVariable, value: float) -> str:
-    shown, low, high = (f"{number.display_value(one):.4g}" for one in (value, number.low, number.high))
-    return f"{number.short} is {shown}, its bounds are {low} to {high} {number.display_unit}".rstrip()
-
-
-def _remedy(beyond: Sequence[DesignVariable], values: dict[str, float]) -> str:
-    ratios = [values[number.name] / number.value if number.value else math.inf for number in beyond]
-    bounds = "widen them with --parameter NAME=LOW..HIGH"
-    if not all(math.isfinite(ratio) and ratio > 0.0 for ratio in ratios):
-        return bounds
-    width = math.ceil(10.0 * max(max(ratio, 1.0 / ratio) for ratio in ratios)) / 10.0
-    return f"widen all default bounds with --width {width:g}, or {bounds}"
-
-
-def _not_taken(variants: Variants, variant: Variant, file: str, controller: Controller) -> list[Finding]:
-    """Report the parameters that differ from the scenario's and are not searched."""
+def _not_taken(variants: Variants, variant: Variant, controller: Controller) -> list[str]:
+    """Return the parameters that differ from the scenario's and are not searched."""
     there, here = (parameters_of(variant.machine, of) for of in (controller, variants.setting.controller))
     kept = [name for name in here if name.startswith("controller.") and name not in variants.space.names]
     differ = [name for name in kept if name not in there or getattr(*there[name]) != getattr(*here[name])]
     differ += [name for name in there if name not in here]
-    names = [name.removeprefix("controller.").removeprefix("axes.") for name in differ]
-    more = [f"{len(names) - 4} more"] if len(names) > 4 else []
-    return [finding("CL715", file, names=[*names[:4], *more])] if names else []
+    return [name.removeprefix("controller.").removeprefix("axes.") for name in differ]

@@ -50,7 +50,6 @@ from contourlab.study.design import Design
 from contourlab.study.executors import Executor, Workers
 from contourlab.study.space import Distribution
 from contourlab.study.statistics import pareto_front
-from contourlab.study.values import with_values
 
 JOURNAL = "optuna.log"
 EDGE = 1e-6

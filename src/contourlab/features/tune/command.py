@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-import math
 import tempfile
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
-from contourlab.app.json_values import HIDDEN
 from contourlab.app.results import proposed, staged
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.app.shared_options import Motion
 from contourlab.errors import ScenarioError
 from contourlab.features.run.source import Source, case_asked
-from contourlab.features.tune.objective import Goal
 from contourlab.features.tune.options import Tune
 from contourlab.features.tune.report import tables
-from contourlab.features.tune.search import REFINEMENTS, LineRule
+from contourlab.features.tune.search import REFINEMENTS
 from contourlab.features.tune.study import Tuned, TuneSettings
 from contourlab.features.tune.study import tune as calibrated
 from contourlab.findings import Finding, finding
@@ -26,7 +23,7 @@ from contourlab.loop import Controller
 from contourlab.rendering.charts import Chart
 from contourlab.rendering.table import paragraphs
 from contourlab.result import write_text_atomic
-from contourlab.scenario import Case
+from contourlab.scenario import Case, Scenario
 from contourlab.study import Setting, Space
 
 KEPT = "tuned.toml"
@@ -39,32 +36,38 @@ class Calibration(Answer):
 
     Attributes
     ----------
-    name, scheme : str
-        Name of the scenario and of its scheme.
-    passed : bool
-        Whether the controller keeps bounds and tolerance.
-    tolerance : float or None [m]
     settings : TuneSettings
     result : Tuned
     findings : tuple of Finding
+    scenario : Scenario
+    case : Case
+        The calibrated scheme.
     controller_file : Path or None
         The file written; None before, or if the controller breaks a bound.
     plots : tuple of Path
         The pictures written.
     """
 
-    name: str
-    scheme: str
-    passed: bool
-    tolerance: float | None
     settings: TuneSettings
     result: Tuned
     findings: tuple[Finding, ...]
-    controller_file: Path | None
-    plots: tuple[Path, ...]
-    case: Case = field(metadata=HIDDEN, repr=False)
-    inputs: tuple[Path, ...] = field(metadata=HIDDEN, repr=False)
-    plugins: tuple[Path, ...] = field(metadata=HIDDEN, repr=False)
+    scenario: Scenario = field(repr=False)
+    case: Case = field(repr=False)
+    controller_file: Path | None = None
+    plots: tuple[Path, ...] = ()
+
+    json_form: ClassVar = {
+        "name": "scenario.name",
+        "scheme": "case.name",
+        "passed": "passed",
+        "tolerance": "case.tolerance",
+        **{name: name for name in ("settings", "result", "findings", "controller_file", "plots")},
+    }
+
+    @property
+    def passed(self) -> bool:
+        """Whether the controller keeps bounds and tolerance."""
+        return not any(one.entry.severity == "error" for one in self.findings)
 
     @property
     def controller(self) -> Controller:
@@ -75,7 +78,7 @@ class Calibration(Answer):
     def text(self) -> str:
         """The tables, the findings, and the files written."""
         goal, bounds = self.settings.goal, self.settings.bounds
-        head = paragraphs([f"{self.name}, {self.scheme}", f"objective: {goal.label}", f"bounds: {bounds.words}"])
+        head = paragraphs([f"{self.scenario.name}, {self.case.name}", f"objective: {goal.label}", f"bounds: {bounds.words}"])
         parts = [head, *tables(goal, self.result)]
         parts.append(paragraphs(map(str, self.findings)))
         written = self.controller_file
@@ -131,9 +134,9 @@ class Calibration(Answer):
         """
         tuned = self.result
         written = None if tuned.after.violations else Path(folder) / KEPT if write is None else Path(write)
-        with staged(folder, *([KEPT] if write is None else []), inputs=self.inputs) as stage:
+        with staged(folder, *([KEPT] if write is None else []), inputs=self.scenario.inputs) as stage:
             if written is not None:
-                _write(tuned, self.case, stage / KEPT if write is None else written, self.name, self.plugins)
+                _write(self, stage / KEPT if write is None else written)
             drawn = self._draw(stage, folder, plots)
         return replace(self, controller_file=written, plots=drawn)
 
@@ -163,7 +166,7 @@ def tune(*source: Source, settings: Tune, session: Session = QUIET) -> Calibrati
     ScenarioError, ProgramError, ParameterError
         If the scenario cannot be read or has no such scheme, or an option is out of range.
     """
-    study = study_settings(settings)
+    study = TuneSettings(**vars(settings))
     scenario, case = case_asked(source, settings)
     if case.changes:
         message = "the controller changes during the run: calibrate each controller in its own scenario"
@@ -174,29 +177,12 @@ def tune(*source: Source, settings: Tune, session: Session = QUIET) -> Calibrati
         stages.expect(_work(case, study))
         stages.begin("planning")
         tuned = calibrated(Setting.of(case), study, pool=pool, begin=stages.begin, progress=stages.advance)
-    verdict = _verdict(case, tuned)
-    passed = not any(one.entry.severity == "error" for one in verdict)
-    findings = (*tuned.findings, *verdict)
-    named = (scenario.name, case.name, passed, case.tolerance)
-    return Calibration(*named, study, tuned, findings, None, (), case, scenario.inputs, settings.plugin)
-
-
-def study_settings(settings: Tune) -> TuneSettings:
-    """Return the settings of the study."""
-    most = math.inf if settings.command is None else settings.command
-    return TuneSettings(
-        goal=Goal.parse(settings.objective),
-        bounds=replace(settings.margins, limited=settings.limited, command=most),
-        rule=LineRule(settings.lanes, plateau=settings.plateau, within=settings.within),
-        parameters=settings.parameter,
-        executor=settings.pool,
-        **{name: getattr(settings, name) for name in ("method", "start", "width", "passes", "budget", "starts", "seed")},
-    )
+    return Calibration(study, tuned, (*tuned.findings, *_verdict(case, tuned)), scenario, case)
 
 
 def _work(case: Case, settings: TuneSettings) -> list[tuple[str, float]]:
     """Return first word and work of each stage of a calibration, in runs; see `contourlab.rendering.stages.Stages.expect`."""
-    lines = settings.passes * len(Space.chosen(case.machine, case.controller, settings.parameters, settings.width).numbers)
+    lines = settings.passes * len(Space.chosen(case.machine, case.controller, settings.parameter, settings.width).numbers)
     one = [] if settings.method == "global" else [("one", lines * (1 + REFINEMENTS) * float(settings.rule.lanes))]
     every = [] if settings.method == "sequential" else [("all", float(settings.budget))]
     return [("planning", 32.0), ("first", 32.0), ("placing", 32.0), ("restoring", 32.0), *one, *every, ("checking", 32.0)]
@@ -214,18 +200,20 @@ def _verdict(case: Case, tuned: Tuned) -> list[Finding]:
     return findings
 
 
-def _write(tuned: Tuned, case: Case, out: Path, name: str, plugins: Sequence[str | Path]) -> None:
+def _write(calibration: Calibration, out: Path) -> None:
     """Write the controller file, after a check that it reads back as the same controller."""
     from contourlab.scenario.dump import dump
     from contourlab.scenario.load import load_controller
 
+    case, tuned = calibration.case, calibration.result
     before, after = (1e6 * one.figures["part_error_max"] for one in (tuned.before, tuned.after))
-    head = f"Calibrated for {name}, scheme {case.name}: largest part error {before:.4g} um before, {after:.4g} um after."
-    text = proposed(head, dump(tuned.controller, case.machine))
+    title = f"Calibrated for {calibration.scenario.name}, scheme {case.name}"
+    body = dump(tuned.controller, case.machine)
+    text = proposed(f"{title}: largest part error {before:.4g} um before, {after:.4g} um after.", body)
     with tempfile.TemporaryDirectory() as folder:
         trial = Path(folder) / "controller.toml"
         write_text_atomic(trial, text)
-        again = load_controller(trial, case.machine, plugins=plugins)
-    if dump(again, case.machine) != dump(tuned.controller, case.machine):
+        again = load_controller(trial, case.machine, plugins=calibration.settings.plugin)
+    if dump(again, case.machine) != body:
         raise ScenarioError("the written controller does not read back unchanged: this is a fault in contourlab", file=out)
     write_text_atomic(out, text)

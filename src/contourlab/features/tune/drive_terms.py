@@ -9,14 +9,14 @@ FF3 command'''; command'' and command''' are differences of command'.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.analysis.linear.sampled_loop import SampledLoop, sampled_loop
+from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.analysis.linear.tick_map import DelayForm
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
@@ -55,8 +55,8 @@ class LinuxCNCGains:
 
     def per_millimetre(self) -> dict[str, float]:
         """Return the gains for an INI file with machine units of mm, by pin name."""
-        names = {"Pgain": self.p, "Igain": self.i, "Dgain": self.d, "FF0": self.ff0, "FF1": self.ff1, "FF2": self.ff2, "FF3": self.ff3}
-        return {name: 1e-3 * value for name, value in names.items()}
+        names = {"p": "Pgain", "i": "Igain", "d": "Dgain", "ff0": "FF0", "ff1": "FF1", "ff2": "FF2", "ff3": "FF3"}
+        return {pin: 1e-3 * getattr(self, name) for name, pin in names.items()}
 
 
 @dataclass(frozen=True)
@@ -89,11 +89,10 @@ def drive_terms(machine: Machine, controller: Controller, run: Result | None = N
     for i, axis in enumerate(machine.axes):
         slots = controller.axes[axis.name]
         gains = linuxcnc_gains(slots, controller)
-        difference = difference_rms = math.nan
-        if run is not None and gains is not None and run.status.ok and _comparable(axis, slots):
-            difference, difference_rms = law_difference(gains, slots, run, i)
+        comparable = run is not None and gains is not None and run.status.ok and _comparable(axis, slots)
+        difference = law_difference(gains, slots, run, i) if comparable else ()  # type: ignore[arg-type]
         kv, bandwidth = _kv(machine, axis, slots, gains), _velocity_bandwidth(machine, axis, slots)
-        terms.append(DriveTerms(axis.name, kv, bandwidth, axis.plant.command_unit, gains, difference, difference_rms))
+        terms.append(DriveTerms(axis.name, kv, bandwidth, axis.plant.command_unit, gains, *difference))
     return tuple(terms)
 
 
@@ -126,12 +125,9 @@ def _kv(machine: Machine, axis: Axis, slots: AxisController, gains: LinuxCNCGain
 VELOCITY_ONLY: dict[str, dict[str, Any]] = {
     "position": {"position_gain": 0.0, "integral_gain": 0.0, "structure": "feedforward", "model_gain": math.inf},
     "state-feedback": {
-        "position_gain": 0.0,
-        "integral_gain": 0.0,
         "following": "model",
-        "velocity_feedforward": 0.0,
-        "acceleration_feedforward": 0.0,
-        "jerk_feedforward": 0.0,
+        **dict.fromkeys(("position_gain", "integral_gain"), 0.0),
+        **dict.fromkeys(("velocity_feedforward", "acceleration_feedforward", "jerk_feedforward"), 0.0),
     },
     "cascade": {"position_gain": 0.0, "velocity_feedforward": 1.0, "acceleration_feedforward": 0.0},
 }
@@ -139,26 +135,20 @@ VELOCITY_ONLY: dict[str, dict[str, Any]] = {
 
 
 def _velocity_bandwidth(machine: Machine, axis: Axis, slots: AxisController) -> float:
-    changes = VELOCITY_ONLY.get(slots.controller.kind)
-    if changes is None:
+    """Return the frequency [Hz] at which velocity over reference velocity has fallen by 3 dB; nan if it never does, or is unknown."""
+    if slots.controller.kind not in VELOCITY_ONLY:
         return math.nan
-    bare = replace(slots, controller=slots.controller.replace(**changes), feedforward=None)
+    bare = replace(slots, controller=slots.controller.replace(**VELOCITY_ONLY[slots.controller.kind]), feedforward=None)
     try:
         loop = sampled_loop(axis, bare, machine.servo_period, machine.carried_mass(axis.name))
     except ComponentError:
         return math.nan
-    return _bandwidth(loop)
-
-
-def _bandwidth(loop: SampledLoop) -> float:
-    """Return the frequency [Hz] at which velocity over reference velocity has fallen by 3 dB; nan if it never does."""
     w = np.geomspace(1e-5 * loop.nyquist, loop.nyquist, GRID)
     response = DelayForm(*loop.closed, loop.state[1:2])(np.exp(1j * w * loop.servo_period))[:, 0, 1]
     size = np.abs(response) / abs(response[0]) if response[0] else np.zeros(GRID)
-    below = np.flatnonzero(size < math.sqrt(0.5))
-    if not below.size or below[0] == 0:
+    k = int(np.argmax(size < math.sqrt(0.5)))
+    if k == 0:
         return math.nan
-    k = int(below[0])
     part = (size[k - 1] - math.sqrt(0.5)) / (size[k - 1] - size[k])
     return float(w[k - 1] + part * (w[k] - w[k - 1])) / (2.0 * math.pi)
 
@@ -168,18 +158,19 @@ def law_difference(gains: LinuxCNCGains, slots: AxisController, run: Result, axi
 
     The disturbance estimate has no counterpart and is added to the command. The first half of the run is ignored.
     """
-    target = "modified_reference" if "modified_reference" in run.signals else "reference"
-    command = run["command"][:, axis]
+    signals = {name: run[name][:, axis] for name in run.signals if run[name].ndim == 2}
+    command = signals["command"]
     if slots.observer is not None:
-        if "disturbance_estimate" not in run.signals:
+        if "disturbance_estimate" not in signals:
             return math.nan, math.nan
-        command = command + run["disturbance_estimate"][:, axis]
-    if "coupling_command" in run.signals:
-        command = command - run["coupling_command"][:, axis]
+        command = command + signals["disturbance_estimate"]
+    if "coupling_command" in signals:
+        command = command - signals["coupling_command"]
     ports = {port.name for port in slots.controller.inputs}
-    measured = run["velocity"][:, axis] if "velocity" in ports else None
-    planned = run["reference_velocity"][:, axis] if "reference_velocity" in ports or slots.feedforward is not None else None
-    law = linuxcnc_law(gains, run[target][:, axis], run["position"][:, axis], run.servo_period, planned, measured)
+    measured = signals["velocity"] if "velocity" in ports else None
+    planned = signals["reference_velocity"] if "reference_velocity" in ports or slots.feedforward is not None else None
+    target = signals.get("modified_reference", signals["reference"])
+    law = linuxcnc_law(gains, target, signals["position"], run.servo_period, planned, measured)
     # Remove a constant: it is the earlier state of the integral, at the start or at a drive limit, and no effect of the gains.
     off = (law - command)[len(command) // 2 :]
     off, scale = off - np.median(off), float(np.abs(command).max())
@@ -223,81 +214,53 @@ def linuxcnc_law(
 
 def linuxcnc_gains(axis: AxisController, controller: Controller) -> LinuxCNCGains | None:
     """Return the LinuxCNC gains of an axis controller; None for a kind without an equivalent ``pid``."""
-    if axis.controller.kind not in MAPS:
+    law = _law(axis.controller)
+    if law is None:
         return None
-    gains, missing = MAPS[axis.controller.kind](axis.controller)
+    gains, missing = law
     if axis.feedforward is not None and axis.feedforward.kind == "inverse-dynamics":
         values = axis.feedforward.values()
         gains = replace(gains, ff1=gains.ff1 + values["velocity_gain"], ff2=gains.ff2 + values["acceleration_gain"])
         missing += ["friction of the feedforward"] if values["friction"] else []
     elif axis.feedforward is not None:
         missing.append(f"feedforward {axis.feedforward.kind}")
-    for slot in ("observer", "predictor", "compensation", "gap_observer", "supervisor"):
-        part = getattr(axis, slot)
-        missing += [] if part is None else [f"{slot.replace('_', ' ')} {part.kind}"]
-    missing += [f"filter {part.kind}" for _, part in axis.filters]
-    if controller.coupling is not None:
-        missing.append(f"coupling {controller.coupling.kind}")
-    findings = [*gains.findings]
-    if missing:
-        findings.append(finding("CL621", parts=tuple(missing)))
-    if gains.ff0:
-        findings.append(finding("CL622"))
+    slots = ("observer", "predictor", "compensation", "gap_observer", "supervisor")
+    others = [*((slot.replace("_", " "), getattr(axis, slot)) for slot in slots), *(("filter", part) for _, part in axis.filters)]
+    missing += [f"{called} {part.kind}" for called, part in (*others, ("coupling", controller.coupling)) if part is not None]
+    findings = [*gains.findings, *([finding("CL621", parts=tuple(missing))] if missing else []), *([finding("CL622")] if gains.ff0 else [])]
     if gains.d and any(port.name == "velocity" for port in axis.controller.inputs):
         findings.append(finding("CL623"))
     return replace(gains, findings=tuple(findings))
 
 
-Mapped = tuple[LinuxCNCGains, list[str]]
-"""Gains, and the parts of the controller without a counterpart."""
-
-
-def _position(part: Component) -> Mapped:
+def _law(part: Component) -> tuple[LinuxCNCGains, list[str]] | None:
+    """Return the gains of a control law, and its parts without a counterpart; None for another kind."""
     v = part.values()
-    p, i, d = v["position_gain"], v["position_gain"] * v["integral_gain"], v["velocity_gain"]
-    if v["structure"] == "ipv":
-        # The reference enters only through the integral: FF0 and FF1 cancel its P and D terms, except at the start.
-        return LinuxCNCGains(p, i, d, -p, -d), []
-    return LinuxCNCGains(p, i, d, ff1=v["model_damping"] / v["model_gain"], ff2=1.0 / v["model_gain"]), []
-
-
-def _state_feedback(part: Component) -> Mapped:
-    v = part.values()
-    missing = ["feedback of acceleration"] if v["acceleration_gain"] else []
-    base = LinuxCNCGains(v["position_gain"], v["integral_gain"], v["velocity_gain"])
-    if v["following"] == "position":
-        return replace(base, ff1=-v["velocity_gain"]), missing
-    return replace(base, ff1=v["velocity_feedforward"], ff2=v["acceleration_feedforward"], ff3=v["jerk_feedforward"]), missing
-
-
-def _pid(part: Component) -> Mapped:
-    v = part.values()
-    missing = [f"derivative filter of {v['derivative_bandwidth']:g} rad/s"] if v["derivative_gain"] else []
-    ff1 = -v["derivative_gain"] if v["derivative_on"] == "measurement" else 0.0
-    p = v["proportional_gain"]
-    return LinuxCNCGains(p, v["integral_gain"], v["derivative_gain"], p * (v["reference_weight"] - 1.0), ff1), missing
-
-
-def _cascade(part: Component) -> Mapped:
-    v = part.values()
-    kv, k, w = v["position_gain"], v["velocity_gain"], v["velocity_feedforward"]
-    rate = k / v["integral_time"]
-    # The integral of the velocity error is Kv times that of the position error, plus the position error itself.
-    return LinuxCNCGains(k * kv + rate, rate * kv, k, rate * (w - 1.0), k * (w - 1.0), v["acceleration_feedforward"]), []
-
-
-def _lead_lag(part: Component) -> Mapped:
-    v = part.values()
-    k, lead, ki = v["gain"], v["lead_time"] - v["lag_time"], v["integral_rate"]
-    # K (a s + 1)/(b s + 1) (s + k_i)/s = K (k_i/s + 1 + k_i (a - b) + s (a - b)(1 - k_i b) + ...)
-    slow = (finding("CL624", frequency=1.0 / v["lag_time"]),)
-    return LinuxCNCGains(k * (1.0 + ki * lead), k * ki, k * lead * (1.0 - ki * v["lag_time"]), findings=slow), []
-
-
-MAPS: dict[str, Callable[[Component], Mapped]] = {
-    "position": _position,
-    "state-feedback": _state_feedback,
-    "pid": _pid,
-    "cascade": _cascade,
-    "lead-lag": _lead_lag,
-}
+    match part.kind:
+        case "position":
+            p, i, d = v["position_gain"], v["position_gain"] * v["integral_gain"], v["velocity_gain"]
+            if v["structure"] == "ipv":
+                # The reference enters only through the integral: FF0 and FF1 cancel its P and D terms, except at the start.
+                return LinuxCNCGains(p, i, d, -p, -d), []
+            return LinuxCNCGains(p, i, d, ff1=v["model_damping"] / v["model_gain"], ff2=1.0 / v["model_gain"]), []
+        case "state-feedback":
+            ahead = (v["velocity_feedforward"], v["acceleration_feedforward"], v["jerk_feedforward"])
+            ahead = (-v["velocity_gain"], 0.0, 0.0) if v["following"] == "position" else ahead
+            gains = LinuxCNCGains(v["position_gain"], v["integral_gain"], v["velocity_gain"], 0.0, *ahead)
+            return gains, ["feedback of acceleration"] if v["acceleration_gain"] else []
+        case "pid":
+            missing = [f"derivative filter of {v['derivative_bandwidth']:g} rad/s"] if v["derivative_gain"] else []
+            ff1 = -v["derivative_gain"] if v["derivative_on"] == "measurement" else 0.0
+            p = v["proportional_gain"]
+            return LinuxCNCGains(p, v["integral_gain"], v["derivative_gain"], p * (v["reference_weight"] - 1.0), ff1), missing
+        case "cascade":
+            kv, k, w = v["position_gain"], v["velocity_gain"], v["velocity_feedforward"]
+            rate = k / v["integral_time"]
+            # The integral of the velocity error is Kv times that of the position error, plus the position error itself.
+            return LinuxCNCGains(k * kv + rate, rate * kv, k, rate * (w - 1.0), k * (w - 1.0), v["acceleration_feedforward"]), []
+        case "lead-lag":
+            k, lead, ki = v["gain"], v["lead_time"] - v["lag_time"], v["integral_rate"]
+            # K (a s + 1)/(b s + 1) (s + k_i)/s = K (k_i/s + 1 + k_i (a - b) + s (a - b)(1 - k_i b) + ...)
+            slow = (finding("CL624", frequency=1.0 / v["lag_time"]),)
+            return LinuxCNCGains(k * (1.0 + ki * lead), k * ki, k * lead * (1.0 - ki * v["lag_time"]), findings=slow), []
+    return None

@@ -19,7 +19,7 @@ from contourlab.metrics.figures import judged_part
 from contourlab.metrics.judge import check_follows
 from contourlab.metrics.run_figures import EFFORT, FIGURES, figures_from, figures_of_run, goal_named, needs
 from contourlab.result import Result
-from contourlab.study import Runner, Setting
+from contourlab.study import Runner, Setting, Space
 from contourlab.study.guards import Bounds, Guards
 
 TIE = 1e-3
@@ -172,6 +172,21 @@ class Objective:
     def at(self, values: Mapping[str, float]) -> ObjectiveValues:
         """Run once with parameter values [SI]."""
         return self({name: np.array([value]) for name, value in values.items()})
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """What a calibration minimises, what it must keep, and what it may change."""
+
+    objective: Objective
+    guards: Guards
+    space: Space
+
+    @staticmethod
+    def of(runner: Runner, goal: Goal, bounds: Bounds, space: Space) -> Problem:
+        """Return the problem of the setting of a runner; the figures of a sum are scaled to 1 at its values, or the nearest bounds."""
+        setting, start = runner.setting, {variable.name: variable.nearest for variable in space.numbers}
+        return Problem(Objective(runner, goal, start), Guards([(setting.machine, setting.controller)], bounds), space)
 
 
 @dataclass(frozen=True, eq=False)

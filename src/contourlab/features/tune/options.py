@@ -20,11 +20,17 @@ class Tune(Workers, Seeded, Varied, Margins, Motion):
     limited: float = option(0.0, "Largest share of the time at a drive limit, 0 to 1.", least=0.0, most=1.0)
     command: float | None = option(None, "Largest command, relative to the drive limit.", above=0.0)
     passes: int = option(1, "Largest number of passes of the sequential procedure.", least=1, most=100, advanced=True)
-    lanes: int = option(32, "Values tried per line search.", advanced=True)
-    plateau: str = option("robust", "Which of equally good values to take: robust, largest or best.", advanced=True)
-    within: float = option(0.01, "Values worse than the best by up to this share count as equally good.", advanced=True)
+    lanes: int = option(32, "Values tried per line search.", least=8, most=1024, advanced=True)
+    plateau: str = option(
+        "robust", "Which of equally good values to take: robust, largest or best.", choices=("robust", "best", "largest"), advanced=True
+    )
+    within: float = option(
+        0.01, "Values worse than the best by up to this share count as equally good.", least=0.0, most=1.0, advanced=True
+    )
     budget: int = option(6000, "Runs of the global search.", least=32, most=10_000_000, advanced=True)
     starts: int = option(5, "Starts of the global search.", least=1, most=100, advanced=True)
+    width: float = option(4.0, Varied.PARTS["width"].option.help, above=1.0, most=1000.0, advanced=True)
+    seed: int = option(0, Seeded.PARTS["seed"].option.help, least=0, most=2**63 - 1, advanced=True)
 
 
 @options

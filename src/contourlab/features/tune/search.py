@@ -5,17 +5,22 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cache
 
 import numpy as np
 
 from contourlab.analysis.linear.sampled_loop import SampledLoop
 from contourlab.app.json_values import HIDDEN
-from contourlab.arrays import Array, Flags
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError
-from contourlab.features.tune.objective import Goal, Objective
+from contourlab.features.tune.objective import Goal, Objective, Problem
 from contourlab.loop import Controller, Machine, parameters_of
 from contourlab.study import DesignVariable, Found, Runner, Space, search
 from contourlab.study.guards import Bounds, Guards, designed, fastest_speed, model_of
+from contourlab.study import DesignVariable, Found, Runner, search
+from contourlab.study.guards import Bounds, Guards
+from contourlab.study.placement import designed, fastest_speed, model_of
+from contourlab.study.search import drawn_starts
 
 FRACTIONS = np.geomspace(0.1, 1.0, 32)
 """Fractions of the fastest poles, tried for all axes together."""
@@ -43,15 +48,11 @@ def placed_start(runner: Runner, goal: Goal, bounds: Bounds) -> Controller:
     if not candidates:
         raise ParameterError("start", "placed", "scenario: no common fraction of the fastest poles gives gains on every axis")
     parameters = [parameters_of(machine, candidate) for candidate in candidates]
-    columns: dict[str, np.ndarray] = {}
-    for name in parameters[-1]:
-        if ".controller." in name:
-            values = np.array([getattr(*known[name]) for known in parameters], dtype=float)
-            if np.isfinite(values).all():
-                columns[name] = values
-    last = {name: float(values[-1]) for name, values in columns.items()}
+    names = [name for name in parameters[-1] if ".controller." in name]
+    gains = {name: np.array([getattr(*known[name]) for known in parameters], dtype=float) for name in names}
+    columns = {name: values for name, values in gains.items() if np.isfinite(values).all()}
     placed = replace(runner, setting=replace(setting, controller=candidates[-1]))
-    runs = Objective(placed, Goal(goal.weights[:1]), last)(columns)
+    runs = Objective(placed, Goal(goal.weights[:1]), {name: float(values[-1]) for name, values in columns.items()})(columns)
     good = (runs.limited <= bounds.limited) & (runs.largest <= bounds.command)
     ranked = np.where(good, runs.value, np.inf)
     if not np.isfinite(ranked).any():
@@ -72,7 +73,6 @@ def _placed(machine: Machine, controller: Controller, speeds: Mapping[str, float
     return replace(controller, axes=axes)
 
 
-PLATEAUS = ("robust", "best", "largest")
 SETTLED = 1e-3
 """The sequential procedure ends after a pass that lowers the objective by less than this share."""
 REFINEMENTS = 2
@@ -86,26 +86,18 @@ class LineRule:
 
     Attributes
     ----------
-    lanes : int, 8 to 1024
+    lanes : int
         Number of values of a line; 32 fill the lanes of one thread.
     plateau : str
         Which of the values within `within` of the best to take: "robust" takes that whose loop stays farthest from -1, "largest" the
         largest ("as large as feasible"), "best" the best.
-    within : float, >= 0, < 1
+    within : float, >= 0
         Share by which a value may be worse than the best.
     """
 
     lanes: int = 32
     plateau: str = "robust"
     within: float = 0.01
-
-    def __post_init__(self) -> None:
-        if self.plateau not in PLATEAUS:
-            raise ParameterError("plateau", repr(self.plateau), f"one of {', '.join(PLATEAUS)}")
-        if not 8 <= self.lanes <= 1024:
-            raise ParameterError("lanes", f"{self.lanes}", "8 to 1024")
-        if not 0.0 <= self.within < 1.0:
-            raise ParameterError("within", f"{self.within:g}", ">= 0 and < 1")
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,9 +136,7 @@ class SearchPath:
 
 
 def sequential(
-    objective: Objective,
-    guards: Guards,
-    space: Space,
+    problem: Problem,
     values: Mapping[str, float],
     rule: LineRule,
     *,
@@ -157,8 +147,8 @@ def sequential(
 
     Parameters
     ----------
-    space : Space
-        In the order of the procedure, see `contourlab.study.calibration_order`.
+    problem : Problem
+        Its space is in the order of the procedure, see `contourlab.study.calibration_order`.
     values : mapping of str to float [SI]
     passes : int, >= 1
         Largest number of passes; the procedure ends after one that hardly lowers the objective.
@@ -170,12 +160,11 @@ def sequential(
     Ghaffari & Ulsoy, "Component swapping modularity for distributed precision contouring", section IV.
     """
     now, steps = dict(values), list[Step]()
-    total = passes * len(space.numbers)
     for turn in range(1, passes + 1):
         begun = steps[-1].objective_after if steps else math.inf
-        for variable in space.numbers:
+        for variable in problem.space.numbers:
             try:
-                step = line_search(objective, guards, variable, now, rule, f"pass {turn}")
+                step = line_search(problem, variable, now, rule, f"pass {turn}")
             except KeyboardInterrupt:
                 if not steps:
                     raise
@@ -183,15 +172,13 @@ def sequential(
             now[variable.name] = step.after
             steps.append(step)
             if progress is not None:
-                progress(len(steps), total)
+                progress(len(steps), passes * len(problem.space.numbers))
         if steps[-1].objective_after > begun * (1.0 - SETTLED):
             break
     return SearchPath(now, tuple(steps))
 
 
-def line_search(
-    objective: Objective, guards: Guards, variable: DesignVariable, values: Mapping[str, float], rule: LineRule, stage: str = "pass 1"
-) -> Step:
+def line_search(problem: Problem, variable: DesignVariable, values: Mapping[str, float], rule: LineRule, stage: str = "pass 1") -> Step:
     """Find the best value of one parameter, all others as in `values` [SI].
 
     Notes
@@ -199,117 +186,99 @@ def line_search(
     The present value is among those tried, so the objective never rises. If the present values break a bound, a new value may not break it
     further.
     """
-    line = _Line(objective, guards, variable, values)
-    line.add(np.append(np.linspace(0.0, 1.0, rule.lanes - 1), variable.normalise(line.own)), keep_present=True)
+    line = _Line(problem, variable, values)
+    line.add(np.append(variable.physical(np.linspace(0.0, 1.0, rule.lanes - 1)), line.own))
     for _ in range(REFINEMENTS):
-        low, high = line.neighbours(line.best())
+        low, high = variable.normalise(line.neighbours(line.best())).tolist()
         if not high > low:
             break
-        line.add(np.linspace(low, high, rule.lanes + 2)[1:-1])
+        line.add(variable.physical(np.linspace(low, high, rule.lanes + 2)[1:-1]))
     best = line.best()
     chosen = line.chosen(best, rule)
-    objectives = float(line.value[line.present]), float(line.value[chosen])
-    return Step(stage, variable, line.own, float(line.values[chosen]), *objectives, line.bound(best, chosen), line.values, line.value)
+    return line.step(stage, chosen, line.barrier(best), "" if chosen == best else "flat optimum")
 
 
 class _Line:
-    """All values of one parameter tried so far, increasing, with their runs and loops."""
+    """All values of one parameter tried so far, with their runs and loops."""
 
-    def __init__(self, objective: Objective, guards: Guards, variable: DesignVariable, values: Mapping[str, float]) -> None:
-        self.objective, self.guards, self.variable, self.given = objective, guards, variable, dict(values)
-        self.axes = guards.concerned(variable.name)
-        self.values = self.value = self.limited = self.largest = np.zeros(0)
-        self.own = float(values[variable.name])
-        self.known_margins: dict[float, tuple[float, float]] = {}
+    def __init__(self, problem: Problem, variable: DesignVariable, values: Mapping[str, float]) -> None:
+        self.problem, self.variable, self.given, self.own = problem, variable, values, float(values[variable.name])
+        self.axes = problem.guards.concerned(variable.name)
+        self.objective: dict[float, float] = {}
+        self.limits: dict[float, tuple[float, float]] = {}
         self.loops: dict[float, list[SampledLoop]] = {}
-        self.allowance = 0.0
+        self.margins = cache(lambda value: problem.guards.missing(self.loops[value]))
+        """Returns the shortfall of the margins at a value, and the distance of the loops from -1."""
 
-    @property
-    def present(self) -> int:
-        """Index of the present value."""
-        return int(np.flatnonzero(self.values == self.own)[0])
-
-    def add(self, places: Array, keep_present: bool = False) -> None:
-        """Run the values at normalised positions 0 to 1; with `keep_present` the last is exactly the present value."""
-        tried = np.asarray(self.variable.physical(places))
-        if keep_present:
-            tried[-1] = self.own
-        tried = np.setdiff1d(np.unique(tried), self.values)
+    def add(self, values: Array) -> None:
+        """Run values."""
+        tried = np.setdiff1d(values, list(self.objective))
         if not tried.size:
             return
         columns = {name: np.full(tried.size, value) for name, value in self.given.items()} | {self.variable.name: tried}
-        runs = self.objective(columns)
-        self.loops |= dict(zip(tried.tolist(), self.guards.loops(columns, self.axes), strict=True))
-        order = np.argsort(np.concatenate([self.values, tried]), kind="stable")
-        for name in ("value", "limited", "largest"):
-            setattr(self, name, np.concatenate([getattr(self, name), getattr(runs, name)])[order])
-        self.values = np.concatenate([self.values, tried])[order]
-        if not self.known_margins:
-            self.allowance = self.margins(self.present)[0]
+        runs, keys = self.problem.objective(columns), tried.tolist()
+        self.loops |= zip(keys, self.problem.guards.loops(columns, self.axes), strict=True)
+        self.limits |= zip(keys, zip(runs.limited.tolist(), runs.largest.tolist(), strict=True), strict=True)
+        self.objective = dict(sorted((self.objective | dict(zip(keys, runs.value.tolist(), strict=True))).items()))
 
-    def margins(self, i: int) -> tuple[float, float]:
-        """Return the shortfall of the margins, and the distance of the loops from -1."""
-        value = float(self.values[i])
-        if value not in self.known_margins:
-            self.known_margins[value] = self.guards.missing(self.loops[value])
-        return self.known_margins[value]
+    def within_limits(self, value: float) -> bool:
+        """Return whether a run succeeded and keeps the drive limits, or breaks them no further than the present value does."""
+        bounds = self.problem.guards.bounds
+        here = [limit if math.isfinite(limit) else 0.0 for limit in self.limits[self.own]]
+        limited, largest = self.limits[value]
+        kept = limited <= max(bounds.limited, here[0]) and largest <= max(bounds.command, here[1])
+        return kept and math.isfinite(self.objective[value])
 
-    def within_limits(self) -> Flags:
-        """Return which runs succeeded and keep the drive limits, or break them no further than the present value does."""
-        bounds, here = self.guards.bounds, self.present
-        limited = self.limited <= max(bounds.limited, self.limited[here] if np.isfinite(self.limited[here]) else 0.0)
-        largest = self.largest <= max(bounds.command, self.largest[here] if np.isfinite(self.largest[here]) else 0.0)
-        return np.asarray(np.isfinite(self.value) & limited & largest)
+    def allowed(self, value: float) -> bool:
+        """Return whether a value keeps the bounds, or breaks them no further than the present value does."""
+        return self.within_limits(value) and self.margins(value)[0] <= self.margins(self.own)[0]
 
-    def best(self) -> int:
-        """Return the index of the best allowed value; that of the present value if none is allowed."""
-        return next((i for i in np.argsort(self.value, kind="stable").tolist() if self._allowed(i)), self.present)
+    def best(self) -> float:
+        """Return the best allowed value; the present value if none is allowed."""
+        return next(filter(self.allowed, sorted(self.objective, key=self.objective.__getitem__)), self.own)
 
-    def _allowed(self, i: int) -> bool:
-        return bool(self.within_limits()[i]) and self.margins(i)[0] <= self.allowance
+    def neighbours(self, value: float) -> list[float]:
+        """Return the values on both sides of a value, itself at an end."""
+        values = list(self.objective)
+        i = values.index(value)
+        return [values[max(i - 1, 0)], values[min(i + 1, len(values) - 1)]]
 
-    def neighbours(self, i: int) -> tuple[float, float]:
-        """Return the normalised neighbours of a value."""
-        place = self.variable.normalise(self.values)
-        return float(place[max(i - 1, 0)]), float(place[min(i + 1, len(place) - 1)])
-
-    def chosen(self, best: int, rule: LineRule) -> int:
-        """Return the index of the value that the rule takes among those about as good as the best."""
-        if rule.plateau == "best" or not np.isfinite(self.value[best]):
+    def chosen(self, best: float, rule: LineRule) -> float:
+        """Return the value that the rule takes among those about as good as the best."""
+        reached = self.objective[best]
+        if rule.plateau == "best" or not math.isfinite(reached):
             return best
-        limit = min(self.value[best] * (1.0 + rule.within), max(self.value[best], self.value[self.present]))
-        good = [i for i in np.flatnonzero(self.value <= limit).tolist() if self._allowed(i)]
-        if not good:
-            return best
-        if rule.plateau == "largest":
-            return int(max(good))
+        limit = min(reached * (1.0 + rule.within), max(reached, self.objective[self.own]))
+        good = [value for value, objective in self.objective.items() if objective <= limit and self.allowed(value)]
+        if rule.plateau == "largest" or not good:
+            return max(good, default=best)
         # Feedforward moves no pole: all values are then equally robust, so take the best.
-        farthest = max(self.margins(i)[1] for i in good)
-        robust = [i for i in good if self.margins(i)[1] >= farthest * (1.0 - 1e-6)]
-        return int(min(robust, key=lambda i: self.value[i]))
+        farthest = max(self.margins(value)[1] for value in good)
+        robust = [value for value in good if self.margins(value)[1] >= farthest * (1.0 - 1e-6)]
+        return min(robust, key=self.objective.__getitem__)
 
-    def bound(self, best: int, chosen: int) -> str:
-        """Return what prevents a smaller objective: a bound, an end of the range, or nothing."""
-        reasons = list(filter(None, (self._barrier(best), self.variable.end(float(self.values[chosen])))))
-        return "; ".join(reasons) or ("" if chosen == best else "flat optimum")
-
-    def _barrier(self, best: int) -> str:
+    def barrier(self, best: float) -> str:
         """Return the bound that the value with the smallest objective breaks; empty if that value is allowed."""
-        lowest = int(np.argmin(self.value))
-        if not self.value[lowest] < self.value[best]:
+        lowest = min(self.objective, key=self.objective.__getitem__)
+        if not self.objective[lowest] < self.objective[best]:
             return ""
-        if not self.within_limits()[lowest]:
+        if not self.within_limits(lowest):
             return "limit of a drive"
         return "stability" if math.isinf(self.margins(lowest)[0]) else "margins"
 
+    def step(self, stage: str, after: float, barrier: str, otherwise: str = "") -> Step:
+        """Return the step to a value."""
+        bound = "; ".join(filter(None, (barrier, self.variable.end(after)))) or otherwise
+        values, objectives = (np.array(list(each)) for each in (self.objective, self.objective.values()))
+        return Step(stage, self.variable, self.own, after, self.objective[self.own], self.objective[after], bound, values, objectives)
 
-def restore_margins(objective: Objective, guards: Guards, space: Space, values: Mapping[str, float]) -> SearchPath:
+
+def restore_margins(problem: Problem, values: Mapping[str, float]) -> SearchPath:
     """Change parameters axis by axis until the margins are kept; an axis that keeps them needs no step.
 
     Parameters
     ----------
-    space : Space
-        Parameters that may change, each within its range.
+    problem : Problem
     values : mapping of str to float [SI]
 
     Notes
@@ -317,15 +286,15 @@ def restore_margins(objective: Objective, guards: Guards, space: Space, values: 
     On each axis, the parameter that restores the margins with the smallest objective changes. If none restores them, the one that comes
     nearest changes, and then the next. If the ranges are too narrow, margins stay broken.
     """
-    now, steps = dict(values), list[Step]()
+    guards, now, steps = problem.guards, dict(values), list[Step]()
     for axis in guards.axes:
-        variables = [variable for variable in space.numbers if axis in guards.concerned(variable.name)]
+        variables = [variable for variable in problem.space.numbers if axis in guards.concerned(variable.name)]
         for _ in variables:
             columns = {name: np.array([value]) for name, value in now.items()}
             missing = guards.missing(guards.loops(columns, (axis,))[0])[0]
             if missing <= 0.0:
                 break
-            repairs = [_repair(objective, guards, axis, variable, now) for variable in variables]
+            repairs = [_repair(problem, axis, variable, now) for variable in variables]
             missing_after, _, _, step = min(repairs, key=lambda repair: repair[:3])
             if not missing_after < missing:
                 break
@@ -334,26 +303,23 @@ def restore_margins(objective: Objective, guards: Guards, space: Space, values: 
     return SearchPath(now, tuple(steps))
 
 
-def _repair(
-    objective: Objective, guards: Guards, axis: str, variable: DesignVariable, now: Mapping[str, float]
-) -> tuple[float, float, float, Step]:
+def _repair(problem: Problem, axis: str, variable: DesignVariable, now: Mapping[str, float]) -> tuple[float, float, float, Step]:
     """Return for the best value of one parameter: shortfall of the margins, objective, distance moved, and step."""
-    own = now[variable.name]
-    values = np.unique(np.append(variable.physical(np.linspace(0.0, 1.0, REPAIR_VALUES - 1)), own))
-    columns = {name: np.full(values.size, value) for name, value in now.items()} | {variable.name: values}
-    objectives = objective(columns).value
-    missing = np.array([guards.missing(loops)[0] for loops in guards.loops(columns, (axis,))])
+    line = _Line(problem, variable, now)
+    line.axes = (axis,)
+    line.add(np.append(variable.physical(np.linspace(0.0, 1.0, REPAIR_VALUES - 1)), line.own))
     # While another axis still diverges, all runs fail: take the smallest change that restores the margins.
-    finite = np.isfinite(objectives)
-    usable = finite if finite.any() else np.ones(values.size, dtype=bool)
-    least = float(missing[usable].min(initial=math.inf))
-    distance = np.abs(variable.normalise(values) - variable.normalise(own))
-    at = int(np.lexsort((distance, objectives, ~(usable & (missing <= least))))[0])
-    present, reached = int(np.flatnonzero(values == own)[0]), float(objectives[at])
-    barrier = "margins" if bool((objectives[usable & (missing > least)] < reached).any()) else ""
-    bound = "; ".join(filter(None, (barrier, variable.end(float(values[at])))))
-    step = Step("repair", variable, own, float(values[at]), float(objectives[present]), reached, bound, values, objectives)
-    return least, reached, float(distance[at]), step
+    usable = [value for value, objective in line.objective.items() if math.isfinite(objective)] or list(line.objective)
+    least = min(line.margins(value)[0] for value in usable)
+    place = variable.normalise(line.own)
+
+    def rank(value: float) -> tuple[float, float]:
+        return line.objective[value], abs(float(variable.normalise(value) - place))
+
+    after = min((value for value in usable if line.margins(value)[0] <= least), key=rank)
+    reached, distance = rank(after)
+    fell = any(line.objective[value] < reached and line.margins(value)[0] > least for value in usable)
+    return least, reached, distance, line.step("repair", after, "margins" if fell else "")
 
 
 POPULATION = 32
@@ -379,9 +345,7 @@ class GlobalResult:
 
 
 def global_search(
-    objective: Objective,
-    guards: Guards,
-    space: Space,
+    problem: Problem,
     given: Sequence[Mapping[str, float]],
     *,
     starts: int = 5,
@@ -393,6 +357,7 @@ def global_search(
 
     Parameters
     ----------
+    problem : Problem
     given : sequence of mapping of str to float [SI]
         Known starts; the others are drawn from the middle half of the box.
     starts : int, >= 1
@@ -410,13 +375,9 @@ def global_search(
     bounds. A point that breaks a bound is ranked behind all others of its generation. The exact analysis checks the result. Ctrl-C ends
     the search with the best values so far.
     """
-    generator = np.random.default_rng(seed)
-    known = [space.points(values)[0] for values in given][:starts]
-    drawn = 0.25 + 0.5 * generator.random((starts - len(known), len(space.numbers)))
-    fixed = {name: value for name, value in given[0].items() if name not in space.names}
     found = search(
-        _Ranked(objective, guards, space, fixed),
-        np.vstack([*known, drawn]) if known else drawn,
+        lambda points: _ranked(problem, points),
+        drawn_starts([problem.space.points(values)[0] for values in given], starts, len(problem.space.numbers), seed),
         budget=budget,
         seed=seed,
         population=POPULATION,
@@ -426,51 +387,42 @@ def global_search(
     for i in np.argsort(found.per_start, kind="stable"):
         if not np.isfinite(found.per_start[i]):
             break
-        values = fixed | space.values(found.points[i])
-        run = objective.at(values)
-        if not run.violations(values, guards):
+        values = problem.space.values(found.points[i])
+        run = problem.objective.at(values)
+        if not run.violations(values, problem.guards):
             return GlobalResult(values, float(run.value[0]), found)
     return GlobalResult(None, float("nan"), found)
 
 
-class _Ranked:
-    """The objective of points; points that break a bound rank behind the others."""
+def _ranked(problem: Problem, points: Array) -> Array:
+    """Return the objective of points, a generation of each start; points that break a bound rank behind the others of their generation."""
+    columns, bounds = problem.space.columns(points), problem.guards.bounds
+    runs = problem.objective(columns)
+    excess = np.maximum(runs.limited - bounds.limited, 0.0)
+    if np.isfinite(bounds.command):
+        excess = excess + np.maximum(runs.largest / bounds.command - 1.0, 0.0)
+    excess = np.where(np.isfinite(excess), excess, np.inf)
+    axes = tuple(dict.fromkeys(axis for name in problem.space.names for axis in problem.guards.concerned(name)))
+    ranked = runs.value.copy()
+    for first in range(0, len(points), POPULATION):
+        part = slice(first, first + POPULATION)
+        own = {name: column[part] for name, column in columns.items()}
+        ranked[part] = _generation(problem.guards, axes, ranked[part], excess[part], own)
+    return ranked
 
-    def __init__(self, objective: Objective, guards: Guards, space: Space, fixed: Mapping[str, float]) -> None:
-        self.objective, self.guards, self.space, self.fixed = objective, guards, space, fixed
-        self.axes = tuple(dict.fromkeys(axis for name in space.names for axis in guards.concerned(name)))
 
-    def __call__(self, points: Array) -> Array:
-        columns = self.space.columns(points)
-        columns |= {name: np.full(len(points), value) for name, value in self.fixed.items()}
-        runs = self.objective(columns)
-        bounds = self.guards.bounds
-        excess = np.maximum(runs.limited - bounds.limited, 0.0)
-        if np.isfinite(bounds.command):
-            excess = excess + np.maximum(runs.largest / bounds.command - 1.0, 0.0)
-        excess = np.where(np.isfinite(excess), excess, np.inf)
-        ranked = runs.value.copy()
-        for first in range(0, len(points), POPULATION):
-            part = slice(first, first + POPULATION)
-            ranked[part] = self._generation(ranked[part], excess[part], {name: column[part] for name, column in columns.items()})
-        return ranked
-
-    def _generation(self, values: Array, excess: Array, columns: Mapping[str, Array]) -> Array:
-        """Return the ranked values of one generation of one start; points that break a bound rank behind the others."""
-        good = np.isfinite(values)
-        if not good.any():
-            return values
-        worst = float(values[good].max())
-        ranked = np.where(excess > 0.0, worst * (2.0 + excess), values)
-        order = [i for i in np.argsort(ranked, kind="stable").tolist() if good[i] and excess[i] <= 0.0]
-        loops = self.guards.loops(columns, self.axes)
-        kept = 0
-        for i in order:
-            missing, _ = self.guards.missing(loops[i])
+def _generation(guards: Guards, axes: Sequence[str], values: Array, excess: Array, columns: Mapping[str, Array]) -> Array:
+    """Return the ranked values of one generation of one start."""
+    good = np.isfinite(values)
+    if not good.any():
+        return values
+    worst, kept = float(values[good].max()), 0
+    ranked = np.where(excess > 0.0, worst * (2.0 + excess), values)
+    loops = guards.loops(columns, axes)
+    for i in np.argsort(ranked, kind="stable").tolist():
+        if good[i] and excess[i] <= 0.0 and kept < KEPT:
+            missing, _ = guards.missing(loops[i])
+            kept += missing <= 0.0
             if missing > 0.0:
                 ranked[i] = worst * (2.0 + missing)
-            else:
-                kept += 1
-                if kept == KEPT:
-                    break
-        return ranked
+    return ranked

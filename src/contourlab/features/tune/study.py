@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from typing import ClassVar
 
 from contourlab.app.json_values import HIDDEN
 from contourlab.errors import ParameterError
 from contourlab.features.tune.drive_terms import DriveTerms, drive_terms, linuxcnc_findings
-from contourlab.features.tune.objective import Evaluation, Goal, Objective, evaluate
+from contourlab.features.tune.objective import Evaluation, Goal, Problem, evaluate
+from contourlab.features.tune.options import Tune
 from contourlab.features.tune.search import (
     FRACTIONS,
     SETTLED,
@@ -30,60 +32,47 @@ from contourlab.study import Runner, Setting, Space, calibration_order
 from contourlab.study.executors import Executor, Workers
 from contourlab.study.guards import Bounds, Guards
 
-METHODS = ("sequential", "global", "both")
-STARTS = ("scenario", "placed")
-Candidate = tuple[float, str, dict[str, float]]
+Candidate = tuple[float, str, Mapping[str, float]]
 """Objective, method, and values [SI]."""
-Problem = tuple[Objective, Guards, Space]
+Begin = Callable[[str], None]
+"""Called with the name of each stage."""
+Progress = Callable[[int, int], None] | None
+"""Called with the amount of the stage that is done, and the whole."""
 
 
-@dataclass(frozen=True)
-class TuneSettings:
-    """Settings of a calibration.
+class TuneSettings(Tune):
+    """The options of a calibration as the study takes them."""
 
-    Attributes
-    ----------
-    method : str
-        One of `METHODS`.
-    start : str
-        One of `STARTS`: the gains of the scenario, or placed poles.
-    parameters : tuple of str
-        Parameters and their ranges, see `contourlab.study.Space.chosen`; empty for all calibrated parameters.
-    width : float, > 1
-        Factor by which a parameter without a range may become smaller or larger.
-    passes : int, >= 1
-        Largest number of passes of the sequential procedure.
-    budget : int, > 0
-        Runs of the global search.
-    starts : int, >= 1
-        Starts of the global search.
-    seed : int
-        Seed of the global search.
-    executor : Executor
-    """
-
-    goal: Goal = field(default_factory=Goal)
-    bounds: Bounds = field(default_factory=Bounds)
-    rule: LineRule = field(default_factory=LineRule)
-    method: str = "both"
-    start: str = "scenario"
-    parameters: tuple[str, ...] = ()
-    width: float = 4.0
-    passes: int = 1
-    budget: int = 6000
-    starts: int = 5
-    seed: int = 0
-    executor: Executor = field(default_factory=Executor)
+    json_form: ClassVar = {
+        **{name: name for name in ("goal", "bounds", "rule", "method", "start")},
+        "parameters": "parameter",
+        **{name: name for name in ("width", "passes", "budget", "starts", "seed")},
+        "executor": "pool",
+    }
 
     def __post_init__(self) -> None:
-        for name, value, known in (("method", self.method, METHODS), ("start", self.start, STARTS)):
-            if value not in known:
-                raise ParameterError(name, repr(value), f"one of {', '.join(known)}")
-        if not 1.0 < self.width <= 1000.0:
-            raise ParameterError("width", f"{self.width:g}", "> 1 and <= 1000")
-        for name, low, high in (("passes", 1, 100), ("budget", 32, 10_000_000), ("starts", 1, 100), ("seed", 0, 2**63 - 1)):
-            if not low <= getattr(self, name) <= high:
-                raise ParameterError(name, f"{getattr(self, name)}", f"{low} to {high}")
+        super().__post_init__()
+        _ = self.goal, self.bounds  # refuse what is wrong before any work
+
+    @property
+    def goal(self) -> Goal:
+        """The figures to minimise."""
+        return Goal.parse(self.objective)
+
+    @property
+    def bounds(self) -> Bounds:
+        """The bounds to keep."""
+        return replace(self.margins, limited=self.limited, command=math.inf if self.command is None else self.command)
+
+    @property
+    def rule(self) -> LineRule:
+        """How a line is searched."""
+        return LineRule(self.lanes, self.plateau, self.within)
+
+    @property
+    def pool(self) -> Executor:
+        """Where the work is done."""
+        return super().pool
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,8 +95,6 @@ class Tuned:
         Steps of the repair and of the sequential procedure.
     runs : int
         Total number of runs.
-    interrupted : bool
-        Whether Ctrl-C ended the search; the result is the best so far.
     """
 
     controller: Controller = field(metadata=HIDDEN)
@@ -121,8 +108,12 @@ class Tuned:
     global_result: GlobalResult | None
     drive_terms: tuple[DriveTerms, ...]
     runs: int
-    interrupted: bool = field(metadata=HIDDEN)
     findings: tuple[Finding, ...] = field(metadata=HIDDEN)
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether Ctrl-C ended the search; the result is the best so far."""
+        return self.path.interrupted
 
 
 def tune(
@@ -130,8 +121,8 @@ def tune(
     settings: TuneSettings | None = None,
     *,
     pool: Workers | None = None,
-    begin: Callable[[str], None] = lambda stage: None,
-    progress: Callable[[int, int], None] | None = None,
+    begin: Begin = lambda stage: None,
+    progress: Progress = None,
 ) -> Tuned:
     """Calibrate a controller.
 
@@ -158,9 +149,8 @@ def tune(
     """
     settings = settings or TuneSettings()
     tuned = _tuned(setting, settings, pool, begin, progress)
-    if tuned.interrupted:
-        return tuned
-    if tuned.after.violations and not settings.parameters and settings.start == "scenario" and settings.method != "sequential":
+    again = not settings.parameter and settings.start == "scenario" and settings.method != "sequential"
+    if tuned.after.violations and again and not tuned.interrupted:
         with suppress(ParameterError):
             placed = _tuned(setting, replace(settings, start="placed"), pool, begin, progress)
             if not placed.after.violations:
@@ -168,35 +158,27 @@ def tune(
     return tuned
 
 
-def _tuned(
-    setting: Setting,
-    settings: TuneSettings,
-    pool: Workers | None,
-    begin: Callable[[str], None],
-    progress: Callable[[int, int], None] | None,
-) -> Tuned:
+def _tuned(setting: Setting, settings: TuneSettings, pool: Workers | None, begin: Begin, progress: Progress) -> Tuned:
     """Calibrate a controller from one start."""
-    machine, controller = setting.machine, setting.controller
+    machine, controller, executor = setting.machine, setting.controller, settings.pool
     _check(machine, controller, settings)
     begin("first run")
     before = evaluate(setting, settings.bounds)
-    executor = settings.executor
     runner = Runner(setting, threads=executor.workers, gpu=executor.gpu, pool=pool)
     if settings.start == "placed":
         begin("placing poles")
         runner.setting = replace(setting, controller=placed_start(runner, settings.goal, settings.bounds))
     start = runner.setting.controller
-    space = Space.chosen(machine, start, settings.parameters, settings.width)
-    values = {variable.name: variable.nearest for variable in space.numbers}
-    objective, guards = Objective(runner, settings.goal, values), Guards([(machine, start)], settings.bounds)
-    start_objective = float(objective.at(values).value[0])
-    placed = _placed_values(runner, settings, space, begin)
-    path, global_result, candidates, interrupted = _candidates((objective, guards, space), values, placed, settings, begin, progress)
-    method, best, rejected = _chosen(objective, guards, values, candidates)
+    space = Space.chosen(machine, start, settings.parameter, settings.width)
+    problem = Problem.of(runner, settings.goal, settings.bounds, space)
+    values, guards = problem.objective.start, problem.guards
+    start_objective = float(problem.objective.at(values).value[0])
+    path, global_result, candidates = _candidates(problem, settings, begin, progress)
+    method, best, rejected = _chosen(problem, candidates)
     begin("checking the result")
     left: list[Finding] = []
     if method == "global" or settings.rule.plateau != "largest":
-        best, left = _left((objective, guards, space), values, best, settings.rule)
+        best, left = _left(problem, best, settings.rule)
     best = {variable.name: float(variable.written(best[variable.name])) for variable in space.numbers}
     tuned = with_values(machine, start, best)[1]
     after = evaluate(replace(setting, controller=tuned), settings.bounds)
@@ -204,20 +186,17 @@ def _tuned(
     if inside and not before.violations and after.worse_than(before, settings.goal.figure):
         known = parameters_of(machine, controller)
         best = {variable.name: float(getattr(*known[variable.name])) for variable in space.numbers}
-        method, tuned, after = "none", controller, before
+        method, tuned, after, left = "none", controller, before, []
     terms = drive_terms(machine, tuned, after.run)
     runs = runner.runs + (len(FRACTIONS) if settings.start == "placed" else 0) + 2
-    findings = [*_range_findings(space, best, guards), *rejected, *(left if method != "none" else [])]
+    findings = [*_range_findings(space, best, guards), *rejected, *left]
     if global_result is not None and global_result.values is None:
         findings.append(finding("CL603"))
-    findings += [*linuxcnc_findings(terms), *_conclusions(settings.goal, before, after)]
-    findings += [finding("CL610")] if interrupted else []
-    return Tuned(tuned, space, best, method, before, after, start_objective, path, global_result, terms, runs, interrupted, tuple(findings))
+    findings += [*linuxcnc_findings(terms), *_conclusions(settings.goal, before, after), *([finding("CL610")] if path.interrupted else [])]
+    return Tuned(tuned, space, best, method, before, after, start_objective, path, global_result, terms, runs, tuple(findings))
 
 
-def _left(
-    problem: Problem, start: Mapping[str, float], best: Mapping[str, float], rule: LineRule
-) -> tuple[Mapping[str, float], list[Finding]]:
+def _left(problem: Problem, best: Mapping[str, float], rule: LineRule) -> tuple[Mapping[str, float], list[Finding]]:
     """Put parameters back to their start, axis by axis, where all bounds hold and the objective hardly rises.
 
     Returns
@@ -225,8 +204,8 @@ def _left(
     tuple
         The values, and a finding that names the parameters put back.
     """
-    objective, guards, space = problem
-    moved = [variable for variable in space.numbers if best[variable.name] != start[variable.name]]
+    objective, guards, start = problem.objective, problem.guards, problem.objective.start
+    moved = [variable for variable in problem.space.numbers if best[variable.name] != start[variable.name]]
     share = SETTLED if rule.plateau == "best" else rule.within
     reached, began = (float(objective.at(values).value[0]) for values in (best, start))
     limit, kept = min(reached * (1.0 + share), max(reached, began)), list[str]()
@@ -245,13 +224,13 @@ def _left(
 
 def _check(machine: Machine, controller: Controller, settings: TuneSettings) -> None:
     """Refuse parameters of the machine, and a controller with nothing to calibrate."""
-    if not settings.parameters:
+    if not settings.parameter:
         known = parameters_of(machine, controller)
         order = calibration_order(machine, controller)
         if not any(getattr(*known[name]) not in (0.0, math.inf) for name in order):
             kinds = ", ".join(sorted({part.controller.kind for part in controller.axes.values()}))
             raise ParameterError("parameters", f"none: {kinds} has no nonzero parameter to calibrate", "given, each with its bounds")
-    for variable in Space.chosen(machine, controller, settings.parameters, settings.width).numbers:
+    for variable in Space.chosen(machine, controller, settings.parameter, settings.width).numbers:
         if variable.name.startswith("axes."):
             raise ParameterError("parameter", variable.short, "a parameter of the controller; the machine is not calibrated")
 
@@ -274,74 +253,61 @@ def _conclusions(goal: Goal, before: Evaluation, after: Evaluation) -> Iterator[
             yield finding("CL609", FIGURES[key].label, ratio=after.figures[key] / before.figures[key])
 
 
-def _placed_values(runner: Runner, settings: TuneSettings, space: Space, begin: Callable[[str], None]) -> list[dict[str, float]]:
-    """Return placed poles as a further start of the global search, within the ranges; nothing where the controller has none."""
-    if settings.method == "sequential" or settings.start == "placed":
-        return []
-    begin("placing poles")
-    with suppress(ParameterError):
-        known = parameters_of(runner.setting.machine, placed_start(runner, settings.goal, settings.bounds))
-        return [{one.name: min(max(float(getattr(*known[one.name])), one.low), one.high) for one in space.numbers}]
-    return []
-
-
 def _candidates(
-    problem: Problem,
-    values: Mapping[str, float],
-    placed: Sequence[dict[str, float]],
-    settings: TuneSettings,
-    begin: Callable[[str], None],
-    progress: Callable[[int, int], None] | None,
-) -> tuple[SearchPath, GlobalResult | None, list[Candidate], bool]:
-    """Search from a start with the chosen methods.
-
-    Returns
-    -------
-    tuple
-        The steps, the result of the global search, the candidates, and whether Ctrl-C ended the search.
-    """
-    objective = problem[0]
+    problem: Problem, settings: TuneSettings, begin: Begin, progress: Progress
+) -> tuple[SearchPath, GlobalResult | None, list[Candidate]]:
+    """Search with the chosen methods; return the steps, the result of the global search, and the candidates."""
     candidates: list[Candidate] = []
+    placed = _placed_values(problem, settings, begin)
     begin("restoring the margins")
-    path = restore_margins(*problem, values)
+    path = restore_margins(problem, problem.objective.start)
     starts = [path.values]
     if settings.method != "global":
         begin("one parameter at a time")
-        line = sequential(*problem, path.values, settings.rule, passes=settings.passes, progress=progress)
-        path = SearchPath(line.values, (*path.steps, *line.steps), line.interrupted)
-        candidates.append((float(objective.at(line.values).value[0]), "sequential", line.values))
+        line = sequential(problem, path.values, settings.rule, passes=settings.passes, progress=progress)
+        path = replace(line, steps=(*path.steps, *line.steps))
+        candidates.append((float(problem.objective.at(line.values).value[0]), "sequential", line.values))
         starts.append(line.values)
     if settings.method == "sequential" or path.interrupted:
-        return path, None, candidates, path.interrupted
+        return path, None, candidates
     begin("all parameters at once")
-    starts += placed
+    limits = {"starts": settings.starts, "budget": settings.budget, "seed": settings.seed}
     try:
-        result = global_search(*problem, starts, starts=settings.starts, budget=settings.budget, seed=settings.seed, progress=progress)
+        result = global_search(problem, [*starts, *placed], **limits, progress=progress)
     except ParameterError:  # every run fails
         if settings.method == "global":
             raise
-        return path, None, candidates, False
+        return path, None, candidates
     except KeyboardInterrupt:  # before its first generation
         if not candidates:
             raise
-        return path, None, candidates, True
+        return replace(path, interrupted=True), None, candidates
     if result.values is not None:
         candidates.append((result.objective, "global", result.values))
-    return path, result, candidates, result.search.interrupted
+    return replace(path, interrupted=result.search.interrupted), result, candidates
 
 
-def _chosen(
-    objective: Objective, guards: Guards, values: Mapping[str, float], candidates: list[Candidate]
-) -> tuple[str, Mapping[str, float], list[Finding]]:
+def _placed_values(problem: Problem, settings: TuneSettings, begin: Begin) -> list[dict[str, float]]:
+    """Return placed poles as a further start of the global search, within the ranges; nothing where the controller has none."""
+    if settings.method != "sequential" and settings.start != "placed":
+        begin("placing poles")
+        runner = problem.objective.runner
+        with suppress(ParameterError):
+            known = parameters_of(runner.setting.machine, placed_start(runner, settings.goal, settings.bounds))
+            return [{one.name: min(max(float(getattr(*known[one.name])), one.low), one.high) for one in problem.space.numbers}]
+    return []
+
+
+def _chosen(problem: Problem, candidates: list[Candidate]) -> tuple[str, Mapping[str, float], list[Finding]]:
     """Return method and values of the best candidate that keeps the bounds, with a finding for each better candidate that breaks one.
 
     If every candidate breaks a bound, return the best; its evaluation lists the broken bounds.
     """
     findings: list[Finding] = []
     ranked = sorted(candidates, key=lambda candidate: candidate[0])
-    for _, method, found in ranked:
-        violations = objective.at(found).violations(found, guards)
+    for _, method, values in ranked:
+        violations = problem.objective.at(values).violations(values, problem.guards)
         if not violations:
-            return method, found, findings
+            return method, values, findings
         findings.append(finding("CL604", method=method, bounds=violations))
-    return (*ranked[0][1:], findings[1:]) if ranked else ("none", values, findings)
+    return (*ranked[0][1:], findings[1:]) if ranked else ("none", problem.objective.start, findings)

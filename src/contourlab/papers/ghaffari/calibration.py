@@ -18,7 +18,7 @@ from functools import cache
 import numpy as np
 
 from contourlab.analysis.linear.margins import Margins
-from contourlab.features.tune.objective import Evaluation, Goal, Objective, evaluate
+from contourlab.features.tune.objective import Evaluation, Goal, Problem, evaluate
 from contourlab.features.tune.search import LineRule, SearchPath, sequential
 from contourlab.features.tune.study import TuneSettings, tune
 from contourlab.loop import Controller
@@ -75,8 +75,7 @@ def calibrate(first: int) -> Calibrated:
     space = space.only(name for name in space.names if own in name)
     values = {number.name: number.value for number in space.numbers}
     bounds = Bounds(gain_margin=0.0, phase_margin=0.0)
-    guards = Guards([(stage, start)], bounds)
-    path = sequential(Objective(Runner(setting), INTEGRAL, values), guards, space, values, LineRule(plateau="best"))
+    path = sequential(Problem.of(Runner(setting), INTEGRAL, bounds, space), values, LineRule(plateau="best"))
     tuned = with_values(stage, start, path.values)[1]
     before, after = (evaluate(replace(setting, controller=design), bounds) for design in (made, tuned))
     return Calibrated({n: _gains(tuned, n) for n in (first, 3)}, tuned, before, after, path)
@@ -170,7 +169,7 @@ def _least(margins: Mapping[str, Margins]) -> tuple[float, float]:
 def _within_margins() -> Row:
     """Return the calibration gain within margins, with all parameters of both axes free."""
     reading = Reading()
-    settings = TuneSettings(goal=INTEGRAL, method="sequential")
+    settings = TuneSettings(objective="integral", method="sequential")
     study = tune(Setting(machine(1, reading), controller(1, TABLE_2, reading), circle(reading)), settings)
     gain, phase = _least(study.after.margins)
     before, integral = (_MICRO * one.figures["contour_error_integral"] for one in (study.before, study.after))

@@ -13,6 +13,7 @@ from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.errors import ParameterError
 from contourlab.features.link.cost import message_rate
 from contourlab.features.swap.beyond import NetworkCost, least_division, network_cost
+from contourlab.features.swap.search import Design
 from contourlab.features.swap.variants import Variants, variants_of
 from contourlab.feed import uniform
 from contourlab.geometry import contour
@@ -42,7 +43,9 @@ def variants() -> Variants:
 
 
 def cost_of(variants: Variants, division: str = "drive", ways: str = "both", link: Network | None = None, **options: float) -> NetworkCost:
-    return network_cost(variants, np.tile(variants.space.start, (2, 1)), frozenset({AHEAD}), division, ways, link, **options)  # type: ignore[arg-type]
+    points = variants.everywhere(variants.space.start)
+    design = Design(variants, frozenset({AHEAD}), points, variants.kept(points[:, None])[:, 0])
+    return network_cost(design, division, ways, link, **options)  # type: ignore[arg-type]
 
 
 def test_a_perfect_network_costs_nothing(variants: Variants) -> None:

@@ -80,7 +80,7 @@ def test_a_quick_study_finds_local_parameters_where_one_controller_is_not_enough
     variants = variants_under([("strong", rigid("other", 2.0))])
     quick = swap_study(variants, (AHEAD,), SwapSettings(budget=300, quick=True))
     assert not quick.full and not quick.unsure
-    assert quick.recommended is not None and quick.recommended.local == (AHEAD,)
+    assert quick.recommended is not None and quick.recommended.local == {AHEAD}
 
 
 @pytest.mark.slow
@@ -89,7 +89,7 @@ def test_a_copy_of_the_axis_loses_nothing() -> None:
     copy = Variant("x = copy", variants.members[0].machine.swapped("x", rigid("other", 1.0)), (("x", "copy"),))
     study = swap_study(replace(variants, members=(variants.members[0], copy)), (AHEAD,), SwapSettings(budget=700))
     assert study.full and study.base.swap_loss < 1e-3
-    assert study.recommended is not None and study.recommended.local == ()
+    assert study.recommended is not None and study.recommended.local == frozenset()
     assert study.verdict.code == "CL700"
 
 
@@ -104,7 +104,7 @@ def test_axes_of_different_gain_need_one_local_parameter(unequal: SwapStudy) -> 
     study = unequal
     assert not study.full and study.base.swap_loss > 1.0
     assert study.recommended is not None
-    assert study.recommended.local == (AHEAD,)
+    assert study.recommended.local == {AHEAD}
     assert study.recommended.swap_loss < 0.03 and study.verdict.code == "CL701" and study.verdict.values["names"] == "x.model_gain"
     # The held command moves the best a' off the plant's gain by half a servo period in relation to the loop's time.
     assert [values[AHEAD] for values in study.recommended.parameters] == pytest.approx([1.0, 2.0], rel=0.05)
@@ -171,7 +171,7 @@ def test_inconclusive_results_are_hatched(unequal: SwapStudy) -> None:
         # A loss over the limit is certain; one under it may not be.
         np.testing.assert_array_equal(matrix.uncertain[:, 1], matrix.losses[:, 1] < 0.03)
     first = matrices(short)[0]
-    place = drawing([first], 0.03, "a").axes[0]
+    place = drawing([first], 0.03).axes[0]
     assert len(place.patches) == np.count_nonzero(first.uncertain) > 0 and all(patch.get_hatch() for patch in place.patches)
     assert place.images[0].get_array()[first.uncertain].mask.all()
 
@@ -257,7 +257,7 @@ def test_each_division_has_its_finding_and_names_the_base_parameters(unequal: Sw
     best = unequal.recommended
     assert best is not None
     costs = [(division, ways) for division in ("drive", "controller") for ways in ("both", "one")]
-    networks = tuple(network_cost(unequal.variants, best.points, frozenset(best.local), *pair, longest=1e-3) for pair in costs)
+    networks = tuple(network_cost(best, *pair, longest=1e-3) for pair in costs)
     result = swap_result(unequal, networks)
     rates = [one.place for one in result.findings if one.code in ("CL705", "CL706", "CL707")]
     assert rates == [cost.name for cost in networks]
@@ -365,8 +365,8 @@ def test_superfluous_local_parameters_are_dropped() -> None:
     variants = variants_under([("strong", rigid("other", 2.0))], ("controller.axes.x.controller.*_gain",))
     names = tuple(name for name in variants.space.names if ".axes.x." in name)
     study = swap_study(variants, names, SwapSettings(budget=600))
-    assert len(names) == 4 and study.recommended is not None and study.recommended.local == (AHEAD,)
-    assert study.choices[0].local == () and len(study.choices[-1].local) == 4
+    assert len(names) == 4 and study.recommended is not None and study.recommended.local == {AHEAD}
+    assert study.choices[0].local == frozenset() and len(study.choices[-1].local) == 4
     # No subset of a failed set was tried.
     failed = [set(choice.local) for choice in study.choices if 0 < len(choice.local) < 4 and choice.swap_loss >= 0.03]
     assert not any(one < other for one in failed for other in failed)

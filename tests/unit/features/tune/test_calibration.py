@@ -15,7 +15,7 @@ from contourlab.components.controller.cascade import Cascade
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.errors import ParameterError
-from contourlab.features.tune.objective import Goal, Objective
+from contourlab.features.tune.objective import Goal, Objective, Problem
 from contourlab.features.tune.search import LineRule, line_search, sequential
 from contourlab.features.tune.study import Tuned, TuneSettings, tune
 from contourlab.feed import uniform
@@ -24,7 +24,6 @@ from contourlab.loop import AxisController, Controller
 from contourlab.loop.parameters import with_values
 from contourlab.papers.ghaffari.setup import TABLE_2, TABLE_3, Reading, controller, machine
 from contourlab.study import Runner, Setting, Space
-from contourlab.study.executors import Executor
 from contourlab.study.guards import Bounds, Guards
 
 FREE = Bounds(gain_margin=0.0, phase_margin=0.0)
@@ -32,8 +31,11 @@ BEST = LineRule(plateau="best")
 INTEGRAL = Goal.parse("integral")
 
 
-def searched(names: list[str], bounds: Bounds = FREE, rule: LineRule = BEST, goal: str = "integral", **gains: float) -> Tuned:
-    settings = TuneSettings(Goal.parse(goal), bounds, rule, method="sequential", parameters=tuple(names))
+def searched(names: list[str], bounds: Bounds = FREE, goal: str = "integral", **gains: float) -> Tuned:
+    gain, phase = bounds.gain_margin, bounds.phase_margin
+    settings = TuneSettings(
+        objective=goal, gain_margin=gain, phase_margin=phase, plateau="best", method="sequential", parameter=tuple(names)
+    )
     return tune(Setting(rigid_stage(), position_control(**gains), circle()), settings)
 
 
@@ -56,7 +58,7 @@ def test_each_step_moves_one_number_and_never_increases_the_error() -> None:
     stage, made = rigid_stage(), position_control(model_gain=0.7, model_damping=4.0)
     space, runner = Space.chosen(stage, made), Runner(Setting(stage, made, circle()))
     values = {number.name: number.value for number in space.numbers}
-    path = sequential(Objective(runner, INTEGRAL, values), Guards([(stage, made)], Bounds()), space, values, LineRule(), passes=2)
+    path = sequential(Problem.of(runner, INTEGRAL, Bounds(), space), values, LineRule(), passes=2)
     assert [step.variable.name for step in path.steps[: len(space.names)]] == list(space.names)
     reached = [path.steps[0].objective_before, *(step.objective_after for step in path.steps)]
     assert all(later <= earlier for earlier, later in pairwise(reached))
@@ -89,12 +91,13 @@ def test_the_drive_limits_a_gain() -> None:
     stage = rigid_stage()
     coarse = replace(stage, axes=tuple(replace(axis, sensor=Encoder(resolution=4e-6)) for axis in stage.axes))
     made = position_control(model_gain=0.8 * GAIN)
-    settings = TuneSettings(INTEGRAL, FREE, BEST, method="sequential", parameters=("x.position_gain=1 full_scale/mm..30 full_scale/mm",))
+    free_of_margins = {"gain_margin": 0.0, "phase_margin": 0.0, "objective": "integral", "plateau": "best", "method": "sequential"}
+    settings = TuneSettings(**free_of_margins, parameter=("x.position_gain=1 full_scale/mm..30 full_scale/mm",))  # type: ignore[arg-type]
     free = tune(Setting(coarse, made, circle()), settings)
     quiet, loud = (one.figures["command_largest"] for one in (free.before, free.after))
     allowed = 0.5 * (quiet + loud)
     assert quiet < allowed
-    kept = tune(Setting(coarse, made, circle()), replace(settings, bounds=replace(FREE, command=allowed)))
+    kept = tune(Setting(coarse, made, circle()), replace(settings, command=allowed))
     assert kept.after.figures["command_largest"] <= allowed * (1.0 + 1e-9)
     assert kept.path.steps[-1].bound.endswith("drive")
     assert not kept.after.violations
@@ -102,7 +105,7 @@ def test_the_drive_limits_a_gain() -> None:
 
 @pytest.mark.slow
 def test_missing_margins_of_the_start_are_restored_first() -> None:
-    settings = TuneSettings(INTEGRAL, Bounds(6.0, 40.0), method="sequential")
+    settings = TuneSettings(objective="integral", phase_margin=40.0, method="sequential")
     found = tune(Setting(rigid_stage(), position_control(position_gain=60000.0), circle()), settings)
     assert any("phase margin" in words and "axis x" in words for words in found.before.violations)
     assert found.path.steps[0].stage == "repair"
@@ -112,7 +115,7 @@ def test_missing_margins_of_the_start_are_restored_first() -> None:
 
 @pytest.mark.slow
 def test_a_number_at_the_end_of_its_range_is_reported_in_every_stage() -> None:
-    settings = TuneSettings(INTEGRAL, Bounds(6.0, 40.0), method="sequential")
+    settings = TuneSettings(objective="integral", phase_margin=40.0, method="sequential")
     found = tune(Setting(rigid_stage(), position_control(position_gain=60000.0), circle()), settings)
     ends = {number.short: number.end(found.values[number.name]) for number in found.space.numbers}
     assert ends["y.velocity_gain"] == ends["x.velocity_gain"] != "" and sum(map(bool, ends.values())) == 2
@@ -132,7 +135,7 @@ def test_a_diverging_start_is_repaired() -> None:
     assert {step.variable.short.partition(".")[0] for step in found.path.steps if step.stage == "repair"} == {"x", "y"}
     assert found.after.run is not None and not found.after.violations
     lost = tune(
-        Setting(rigid_stage(), position_control(position_gain=5e6), circle()), TuneSettings(parameters=("x.model_gain",), budget=100)
+        Setting(rigid_stage(), position_control(position_gain=5e6), circle()), TuneSettings(parameter=("x.model_gain",), budget=100)
     )
     assert "diverges" in lost.after.violations[0]
 
@@ -147,7 +150,7 @@ def test_a_start_beyond_repair_is_replaced_by_placed_poles() -> None:
 
 
 def test_violated_margins_are_reported() -> None:
-    settings = TuneSettings(parameters=("x.model_gain",), bounds=Bounds(6.0, 60.0), budget=100)
+    settings = TuneSettings(parameter=("x.model_gain",), phase_margin=60.0, budget=100)
     found = tune(Setting(rigid_stage(), position_control(position_gain=60000.0), circle()), settings)
     assert any("phase margin" in words and "axis x" in words for words in found.after.violations)
 
@@ -168,7 +171,7 @@ def test_the_result_is_the_same_on_any_number_of_threads(method: str) -> None:
     one, two = (
         tune(
             Setting(rigid_stage(), made, circle()),
-            TuneSettings(parameters=names, method=method, budget=800, executor=Executor(workers=count)),
+            TuneSettings(parameter=names, method=method, budget=800, workers=count),
         )
         for count in (1, 2)
     )
@@ -220,7 +223,7 @@ def test_a_machine_with_a_violated_margin_counts_before_one_nearer_to_instabilit
 def test_an_unlimited_drive_never_saturates() -> None:
     """Its commands are large numbers, in the plant's own unit."""
     gains = {"velocity_gain": 4e4, "position_gain": 1.5e6, "model_gain": 1e-3 * GAIN}
-    settings = TuneSettings(parameters=("x.integral_gain",), bounds=FREE, budget=100)
+    settings = TuneSettings(parameter=("x.integral_gain",), gain_margin=0.0, phase_margin=0.0, budget=100)
     found = tune(Setting(rigid_stage(1e-3 * GAIN, 1e-3 * GAIN), position_control(**gains), circle()), settings)
     assert found.before.figures["command_largest"] > 100.0
     assert found.before.figures["limited_share"] == found.after.figures["limited_share"] == 0.0
@@ -236,7 +239,7 @@ def test_machine_parameters_cannot_be_calibrated() -> None:
 def test_with_unreachable_margins_a_placed_start_still_works() -> None:
     """Some fractions of the fastest poles cannot be placed; they are skipped."""
     reading = Reading()
-    settings = TuneSettings(start="placed", parameters=("3.integral_gain",), bounds=Bounds(gain_margin=50.0), rule=BEST, budget=100)
+    settings = TuneSettings(start="placed", parameter=("3.integral_gain",), gain_margin=50.0, plateau="best", budget=100)
     laps = uniform(contour("circle", radius=0.02), 0.5, 2, 1e-3)
     found = tune(Setting(machine(1, reading), controller(1, TABLE_3, reading), laps), settings)
     assert any("gain margin" in words for words in found.after.violations)
@@ -258,10 +261,9 @@ def test_on_a_plateau_the_rule_decides(plateau: str) -> None:
     """With the right feedforward the gains hardly matter, so the rule chooses."""
     stage, made = rigid_stage(), position_control(model_gain=0.9 * GAIN)
     space = Space.chosen(stage, made, ["x.integral_gain"])
-    values, runner = {space.names[0]: 5.0}, Runner(Setting(stage, made, circle()))
-    objective, guards = Objective(runner, INTEGRAL, values), Guards([(stage, made)], Bounds())
-    best = line_search(objective, guards, space.numbers[0], values, BEST)
-    found = line_search(objective, guards, space.numbers[0], values, LineRule(plateau=plateau, within=0.2))
+    values, problem = {space.names[0]: 5.0}, Problem.of(Runner(Setting(stage, made, circle())), INTEGRAL, Bounds(), space)
+    best = line_search(problem, space.numbers[0], values, BEST)
+    found = line_search(problem, space.numbers[0], values, LineRule(plateau=plateau, within=0.2))
     assert found.objective_after <= 1.2 * best.objective_after * (1.0 + 1e-12)
     good = found.values[found.objectives <= min(1.2 * found.objectives.min(), found.objective_before)]
     if plateau == "largest":

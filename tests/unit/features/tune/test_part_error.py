@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import contourlab as cl
-from contourlab.features.tune.search import LineRule
 from contourlab.features.tune.study import TuneSettings, tune
 from contourlab.loop.parameters import with_values
 from contourlab.scenario import Scenario, scenario_from_parts
@@ -49,7 +48,7 @@ def test_a_calibration_never_ends_worse(scenario: Scenario, method: str) -> None
     case = scenario.base
     controller, largest = case.controller, np.inf
     for _ in range(2):
-        settings = TuneSettings(rule=LineRule(within=0.2), method=method, budget=200, parameters=("position_gain", "velocity_gain"))
+        settings = TuneSettings(within=0.2, method=method, budget=200, parameter=("position_gain", "velocity_gain"))
         tuned = tune(Setting(case.machine, controller, case.reference()), settings)
         assert tuned.after.figures["part_error_max"] <= min(largest, tuned.before.figures["part_error_max"])
         controller, largest = tuned.controller, tuned.after.figures["part_error_max"]
@@ -68,7 +67,7 @@ def test_gains_of_an_axis_that_does_not_move_stay(method: str, tmp_path: Path) -
     known = cl.loop.parameters_of(case.machine, case.controller)
     slow = {name: 0.5 * getattr(*known[name]) for name in names if ".z." not in name}
     machine, controller = with_values(case.machine, case.controller, slow)
-    tuned = tune(Setting(machine, controller, case.reference()), TuneSettings(method=method, budget=300, starts=1, parameters=names))
+    tuned = tune(Setting(machine, controller, case.reference()), TuneSettings(method=method, budget=300, starts=1, parameter=names))
     assert tuned.method == method and not tuned.after.violations
     start = {variable.name: variable.value for variable in tuned.space.numbers}
     moved = {name for name, value in tuned.values.items() if value != start[name]}
