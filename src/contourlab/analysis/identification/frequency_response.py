@@ -102,6 +102,12 @@ class MeasuredResponse:
         return np.asarray(2j * np.pi * self.frequency * self.response)
 
 
+def _of_velocity(run: Measured, frequency: Array, velocity: Complex, deviation: Array, coherence: Array, method: str) -> MeasuredResponse:
+    """Return the response of the position from that of its difference over a sample."""
+    response, missing = velocity / difference_gain(frequency, run.period), np.full(frequency.size, np.nan)
+    return MeasuredResponse(frequency, response, deviation, coherence, method, run.period, missing)
+
+
 def difference_gain(frequency: ArrayLike, period: float) -> Complex:
     """Return the frequency response [1/s] at frequencies [Hz] of the difference over one sample divided by the period."""
     return np.asarray((1.0 - np.exp(-2j * np.pi * np.asarray(frequency) * period)) / period)
@@ -171,9 +177,8 @@ def periodic_response(run: Measured, period: int) -> MeasuredResponse:
     with np.errstate(divide="ignore", invalid="ignore"):
         coherence = np.abs(np.mean(y * np.conj(x), axis=0)) ** 2 / (np.mean(np.abs(y) ** 2, axis=0) * np.mean(np.abs(x) ** 2, axis=0))
         deviation = spread / np.abs(top)
-    own = response / difference_gain(frequency, run.period)
     method = f"periods of {period * run.period:.4g} s, {count} of them averaged" + _closed(run)
-    return MeasuredResponse(frequency, own, deviation, np.nan_to_num(coherence), method, run.period, np.full(frequency.size, np.nan))
+    return _of_velocity(run, frequency, response, deviation, np.nan_to_num(coherence), method)
 
 
 def spectral_response(runs: Sequence[Measured]) -> MeasuredResponse:
@@ -221,10 +226,8 @@ def spectral_response(runs: Sequence[Measured]) -> MeasuredResponse:
     of_command = _coherence(part["ux"], part["xx"], part["uu"])
     independent = max(averages * HANN_OVERLAP, 1.0)
     variance = sum((1.0 - c) / (2.0 * np.maximum(c, 1e-9) * independent) for c in (coherence, of_command))
-    own = response / difference_gain(frequency[kept], period)
     method = f"{averages} segments of {length * period:.4g} s averaged" + _closed(runs[0])
-    missing = np.full(own.size, np.nan)
-    return MeasuredResponse(frequency[kept], own, np.sqrt(np.asarray(variance, dtype=float)), coherence, method, period, missing)
+    return _of_velocity(runs[0], frequency[kept], response, np.sqrt(np.asarray(variance, dtype=float)), coherence, method)
 
 
 def _closed(run: Measured) -> str:
@@ -280,11 +283,9 @@ def swept_response(run: Measured) -> MeasuredResponse:
         at += max(FEWEST_LINES // 2, half)
     if not rows:
         raise ParameterError("record", "a sweep", "slower: leakage from the ends of the record covers all of it")
-    frequency = np.array(centres) / (n * run.period)
-    response, deviation, coherence = (np.array(column) for column in zip(*rows, strict=True))
-    own = response / difference_gain(frequency, run.period)
     method = f"sweep of {n * run.period:.4g} s, local polynomials" + ("" if run.outside is None else ", reference to position over command")
-    return MeasuredResponse(frequency, own, deviation, coherence, method, run.period, np.full(frequency.size, np.nan))
+    response, deviation, coherence = (np.array(column) for column in zip(*rows, strict=True))
+    return _of_velocity(run, np.array(centres) / (n * run.period), response, deviation, coherence, method)
 
 
 def _local(x: Complex, y: Complex, u: Complex, closed: bool) -> tuple[complex, float, float] | None:
