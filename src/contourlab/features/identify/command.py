@@ -11,8 +11,7 @@ from contourlab.errors import ParameterError
 from contourlab.features.identify.frequency import identify_linear_motor, identify_response, identify_two_inertia, identify_two_mass
 from contourlab.features.identify.friction import identify_friction, identify_stiction
 from contourlab.features.identify.options import Identify
-from contourlab.features.identify.records import AxisRecord
-from contourlab.features.identify.request import Request
+from contourlab.features.identify.records import AxisRecord, Request
 from contourlab.features.identify.result import Identification
 from contourlab.features.identify.rigid import identify_behind_observer, identify_open_loop, identify_rigid
 from contourlab.logs.load import about

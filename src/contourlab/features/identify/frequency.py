@@ -178,7 +178,7 @@ def identify_two_mass(records: Sequence[AxisRecord], options: Identify) -> Ident
 
 def _rigid_tables(records: Sequence[AxisRecord], fit: DriveFit, mass: float, loss: float, uncertainty: Propagated) -> Tables:
     peak, origin = _largest_acceleration(records, fit), uncertainty.origin
-    return rigid_tables(records, forces_of(records), 1.0 / mass, loss / mass, origin, delay=fit["delay"], peak=peak)
+    return rigid_tables(records, 1.0 / mass, loss / mass, origin, delay=fit["delay"], peak=peak)
 
 
 def measured_response(records: Sequence[AxisRecord], excitation: str = EXCITATIONS[0]) -> MeasuredResponse:

@@ -17,6 +17,7 @@ from contourlab.app.results import staged
 from contourlab.app.session import Answer, Asked
 from contourlab.arrays import Array
 from contourlab.components.origin import Origin
+from contourlab.features.identify.records import join_names
 from contourlab.findings import Finding
 from contourlab.rendering.charts import Chart, Curve, Level, Panel
 from contourlab.rendering.style import scheme_style
@@ -290,12 +291,3 @@ def command_label(unit: str, name: str = "command") -> str:
     ('command [V]', 'command')
     """
     return f"{name} [{unit}]" if unit else name
-
-
-def join_names(names: Sequence[str]) -> str:
-    """Join the names of logs; shorten the list if there are more than three.
-
-    >>> join_names(["a", "b", "c", "d"])
-    'a, b and 2 more'
-    """
-    return ", ".join(names) if len(names) <= 3 else f"{', '.join(names[:2])} and {len(names) - 2} more"

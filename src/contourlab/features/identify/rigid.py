@@ -77,7 +77,7 @@ def identify_rigid(records: Sequence[AxisRecord], options: Identify) -> Identifi
         findings += direction_findings(fit.parameters, UNITS)
         mass, damping, coulomb, force = numbers(fit.parameters).values()
         own, held = friction_tables(coulomb, force, "N", uncertainty.origin), coulomb + abs(force)
-        tables = rigid_tables([record], forces, 1.0 / mass, damping / mass, uncertainty.origin, held=held, friction=own)
+        tables = rigid_tables([record], 1.0 / mass, damping / mass, uncertainty.origin, held=held, friction=own)
     rest = fit.force - fit.predicted
     measured = {"measured": (fit.time, fit.force), "model": (fit.time, fit.predicted)}
     return Identification(
@@ -159,7 +159,7 @@ def identify_open_loop(records: Sequence[AxisRecord], options: Identify) -> Iden
     if fit.usable:
         friction = friction_tables(fit["friction"] / forces.one, -(fit["offset"] / forces.one), forces.unit, uncertainty.origin)
         held = fit["friction"] + abs(fit["offset"])
-        tables = rigid_tables(records, forces, fit["a"], fit["b"], uncertainty.origin, held=held, delay=fit["delay"], friction=friction)
+        tables = rigid_tables(records, fit["a"], fit["b"], uncertainty.origin, held=held, delay=fit["delay"], friction=friction)
     on_mass, possible = mass_findings(1.0 / fit["a"]) if unit == "N" else ([], True)
     return Identification(
         "first-order",
