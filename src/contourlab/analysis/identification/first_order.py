@@ -78,15 +78,13 @@ def first_order_motion(
     velocity, position : ndarray (n,)
         Over a; the first position is 0.
     """
-    n = command.size
+    n, gains = command.size, _gains(damping, period)
     v, p = np.zeros(n), np.zeros(n)
     v[0] = start
     if forward == 0.0 and backward == 0.0:
-        _glide(command, v, p, 0, n - 1, 0.0, _gains(damping, period))
+        _glide(command, v, p, 0, n - 1, 0.0, gains)
         return v, p
-    way = float(np.sign(start))
-    gains = _gains(damping, period)
-    k, piece = 0, FIRST_PIECE
+    way, k, piece = float(np.sign(start)), 0, FIRST_PIECE
     while k < n - 1:
         if way == 0.0:
             released = _released(command, k, forward, backward)
@@ -199,18 +197,14 @@ class _Blocks:
     period: float
     smoothing: int
 
-    def unit(self, x: Mapping[str, float]) -> Array:
-        """Return the model's velocity over a."""
-        u = delayed(self.command, x.get("delay", 0.0) / self.period) - x.get("offset", 0.0)
-        friction = x.get("friction", 0.0)
-        return self.differenced(first_order_motion(u, self.period, x["b"], friction, friction, x.get("start", 0.0))[1])
+    def model(self, x: Mapping[str, float]) -> Array:
+        """Return the model's velocity; a is 1 by default."""
+        u, a, friction = delayed(self.command, x.get("delay", 0.0) / self.period), x.get("a", 1.0), x.get("friction", 0.0)
+        u = u - x.get("offset", 0.0)
+        return a * self.differenced(first_order_motion(u, self.period, x["b"], friction, friction, x.get("start", 0.0) / a)[1])
 
     def differenced(self, position: Array) -> Array:
         return np.asarray(np.diff(position[:: self.smoothing]) / (self.smoothing * self.period))
-
-    def model(self, x: Mapping[str, float]) -> Array:
-        a = x["a"]
-        return a * self.unit({**x, "start": x.get("start", 0.0) / a})
 
     def averaged(self, values: Array) -> Array:
         n = (values.size - 1) // self.smoothing
@@ -278,7 +272,7 @@ def _start(blocks: _Blocks, measured: Array, with_friction: bool) -> dict[str, F
     best, least = (0.0, 1.0, 0.0), math.inf
     for b in np.geomspace(0.3 / whole, fastest, 14):
         for share in (0.0, 0.2, 0.5, 0.8) if with_friction else (0.0,):
-            unit = blocks.unit({"b": float(b), "friction": share * size})
+            unit = blocks.model({"b": float(b), "friction": share * size})
             power = float(unit @ unit)
             a = float(unit @ measured) / power if power > 0.0 else 0.0
             cost = float(np.sum((measured - a * unit) ** 2))

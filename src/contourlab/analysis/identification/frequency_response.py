@@ -121,15 +121,13 @@ def repeating(excitation: Array) -> tuple[int, slice] | None:
     excitation : ndarray (n,)
         Free of noise, such as a reference or an open-loop command.
     """
-    n = excitation.size
-    x = excitation - excitation.mean()
+    n, x = excitation.size, excitation - excitation.mean()
     size = 1 << (2 * n - 1).bit_length()
     power = np.fft.irfft(np.abs(np.fft.rfft(x, size)) ** 2, size)[:n]
     own = power / (power[0] * (1.0 - np.arange(n) / n) + 1e-300)
-    limit = n // 3
     peaks = np.flatnonzero((own[1:-1] > own[:-2]) & (own[1:-1] >= own[2:]) & (own[1:-1] > 0.9)) + 1
     spread = float(np.sqrt(np.mean(x**2)))
-    for lag in peaks[peaks <= limit]:
+    for lag in peaks[peaks <= n // 3]:
         # Short times before the excitation began, and after it ended, do not repeat: their transients would bias all frequencies.
         other = np.flatnonzero(np.abs(x[lag:] - x[:-lag]) > REPEATS * spread)
         ends = np.r_[-1, other, n - lag]
@@ -516,9 +514,7 @@ def sine_responses(runs: Sequence[Measured], names: Sequence[str]) -> MeasuredRe
     ParameterError
         If no run has a usable sine.
     """
-    points: list[SinePoint] = []
-    findings: list[Finding] = []
-    periods: list[float] = []
+    points, findings, periods = list[SinePoint](), list[Finding](), list[float]()
     for run, name in zip(runs, names, strict=True):
         stretch = sine_stretch(run.command if run.outside is None else run.outside, run.period)
         if stretch is None:
@@ -528,18 +524,16 @@ def sine_responses(runs: Sequence[Measured], names: Sequence[str]) -> MeasuredRe
         if point.still > STILL:
             findings.append(finding("CL519", name, share=float(point.still)))
             continue
-        if point.distortion > DISTORTED:
-            findings.append(finding("CL524", name, share=float(point.distortion), frequency=float(point.frequency)))
-        if point.periods < 1.9:
-            findings.append(finding("CL529", name, periods=float(point.periods), frequency=float(point.frequency)))
+        at = {"frequency": float(point.frequency)}
+        findings += [finding("CL524", name, share=float(point.distortion), **at)] if point.distortion > DISTORTED else []
+        findings += [finding("CL529", name, periods=float(point.periods), **at)] if point.periods < 1.9 else []
         points.append(point)
         periods.append(run.period)
     if not points:
         raise ParameterError("logs", f"{len(runs)} of them", "one with a sine in it: " + "; ".join(note.text for note in findings))
     # The shortest period is the servo period: a log of every tenth sample does not change how long a command is held.
     period = min(periods)
-    if max(periods) > 1.001 * period:
-        findings.append(finding("CL542", shortest=period, longest=max(periods)))
+    findings += [finding("CL542", shortest=period, longest=max(periods))] if max(periods) > 1.001 * period else []
     points.sort(key=lambda p: p.frequency)
     keys = ("frequency", "response", "deviation", "coherence", "distortion")
     frequency, response, deviation, coherence, distortion = (np.array([getattr(p, key) for p in points]) for key in keys)

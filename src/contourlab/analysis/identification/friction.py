@@ -114,9 +114,9 @@ def constant_speed_stretches(
         if reference is None:
             settled, stop = _without_turns(position, settled, stop)
         places = position[settled:stop]
-        half = places.size // 2
-        if stop - settled < shortest or not half:
+        if places.size < shortest:
             continue
+        half = places.size // 2
         # Both halves have the same speed, other than zero.
         first, second = places[half] - places[0], places[2 * half - 1] - places[half - 1]
         if first * second > 0.0 and abs(second - first) <= TOLERANCE * abs(first + second) / 2.0:
@@ -338,18 +338,19 @@ def _onset(t: Array, y: Array, noise: float) -> tuple[float, float, Array]:
         solution, left = nnls(columns, y)
         return left**2, columns @ solution
 
+    def costs(instants: Array) -> Array:
+        return np.array([fitted(float(instant))[0] for instant in instants])
+
     tried = np.linspace(0.0, t[-1], INSTANTS, endpoint=False)
-    costs = np.array([fitted(float(instant))[0] for instant in tried])
-    best = int(np.argmin(costs))
-    low, high = tried[max(best - 1, 0)], tried[min(best + 1, INSTANTS - 1)]
-    fine = np.linspace(low, high, 41)
-    costs = np.array([fitted(float(instant))[0] for instant in fine])
-    best = int(np.argmin(costs))
+    coarse = costs(tried)
+    nearest = int(np.argmin(coarse))
+    fine = np.linspace(tried[max(nearest - 1, 0)], tried[min(nearest + 1, INSTANTS - 1)], 41)
+    left = costs(fine)
+    best = int(np.argmin(left))
     instant = float(fine[best])
     # The instant may move until the residual grows by the noise of one more sample.
-    variance = max(float(costs[best]) / max(t.size - 5, 1), noise**2)
-    coarse = np.array([fitted(float(tau))[0] for tau in tried])
-    beyond = np.abs(tried - instant)[coarse > costs[best] + variance]
+    variance = max(float(left[best]) / max(t.size - 5, 1), noise**2)
+    beyond = np.abs(tried - instant)[coarse > left[best] + variance]
     deviation = float(beyond.min()) if beyond.size else float(t[-1])
     return instant, max(deviation, (t[1] - t[0]) / math.sqrt(12.0)), fitted(instant)[1]
 

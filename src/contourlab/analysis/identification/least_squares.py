@@ -167,9 +167,7 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
 def _slopes(output: Callable[[Array], Array], at: Array, low: Array, high: Array, scale: Array) -> Array:
     """Return the sensitivities (n, p) by differences within the bounds, wide enough to bridge the kinks of sticking."""
     columns = []
-    for i in range(at.size):
-        step = np.zeros(at.size)
-        step[i] = 1e-4 * max(abs(at[i]), scale[i])
+    for i, step in enumerate(np.diag(1e-4 * np.maximum(np.abs(at), scale))):
         up, down = np.minimum(at + step, high), np.maximum(at - step, low)
         columns.append((output(up) - output(down)) / max(up[i] - down[i], 1e-300))
     return np.column_stack(columns)
