@@ -42,6 +42,11 @@ class Free:
     scale: float = 1.0
 
 
+def arrays_of(free: Mapping[str, Free]) -> Array:
+    """Return start, bounds and size of the parameters of a fit (4, p)."""
+    return np.array([(part.start, part.low, part.high, part.scale) for part in free.values()]).T
+
+
 @dataclass(frozen=True, eq=False)
 class Estimate:
     """Parameters of a fit.
@@ -140,7 +145,7 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
     names = tuple(free)
     if measured.size <= 2 * len(names):
         raise ParameterError("record", f"{measured.size} samples", f"more than {2 * len(names)} for {len(names)} parameters")
-    low, high, scale = (np.array([getattr(f, part) for f in free.values()]) for part in ("low", "high", "scale"))
+    start, low, high, scale = arrays_of(free)
 
     def output(x: Array) -> Array:
         return model(dict(zip(names, x.tolist(), strict=True)))
@@ -151,8 +156,9 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
     def left(x: Array) -> Array:
         return (output(x) - measured) / size
 
-    start = np.clip([f.start for f in free.values()], low, high)
-    solution = least_squares(left, start, jac="3-point", bounds=(low, high), x_scale=scale, xtol=1e-10, ftol=1e-12, gtol=1e-12)
+    solution = least_squares(
+        left, np.clip(start, low, high), jac="3-point", bounds=(low, high), x_scale=scale, xtol=1e-10, ftol=1e-12, gtol=1e-12
+    )
     values = np.asarray(solution.x, dtype=float)
     lowest, highest = values - low <= NEAR_BOUND * scale, high - values <= NEAR_BOUND * scale
     values, inside = np.where(lowest, low, np.where(highest, high, values)), ~(lowest | highest)
