@@ -25,7 +25,7 @@ from contourlab.features.check.program_check import Checked as Checked
 from contourlab.features.circle.result import CircleTest as CircleTest
 from contourlab.features.commission.command import Commissioned as Commissioned
 from contourlab.features.export.command import Exported as Exported
-from contourlab.features.identify.command import Identification as Identification
+from contourlab.features.identify.result import Identification as Identification
 from contourlab.features.interpolate.command import Counts as Counts
 from contourlab.features.learn.stopping import Stopping as Stopping
 from contourlab.features.learn.table import LearnedTable as LearnedTable

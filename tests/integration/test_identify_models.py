@@ -143,6 +143,7 @@ def test_deviations_are_the_spread_over_many_logs() -> None:
     from contourlab.analysis.identification.drive_fit import held_response, linear_motor
     from contourlab.analysis.identification.first_order import identify_first_order
     from contourlab.features.identify.frequency import identify_linear_motor
+    from contourlab.features.identify.options import Identify
     from contourlab.features.identify.records import AxisRecord
 
     u, true = steps()[:4000], {"M": 0.347, "B": 3.56, "delay": 5e-4}
@@ -158,8 +159,8 @@ def test_deviations_are_the_spread_over_many_logs() -> None:
         rng = np.random.default_rng(seed)
         fit = identify_first_order(TIME[:4000], u, place + 2e-6 * rng.standard_normal(4000))
         for name in ("a", "b", "friction"):
-            found.setdefault(name, []).append((fit[name], fit.found.deviation(name)))
-        drive = identify_linear_motor([sine(f, 2e-6 * rng.standard_normal(3000)) for f in (4.0, 10.0, 30.0, 50.0, 70.0)])
+            found.setdefault(name, []).append((fit[name], fit.deviation(name)))
+        drive = identify_linear_motor([sine(f, 2e-6 * rng.standard_normal(3000)) for f in (4.0, 10.0, 30.0, 50.0, 70.0)], Identify())
         for name, figure in drive.parameters.items():
             found.setdefault(name, []).append((figure.value, figure.robust_deviation))
     for name, rows in found.items():

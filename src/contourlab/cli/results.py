@@ -16,7 +16,7 @@ def results() -> dict[str, Any]:
     from contourlab.features.commission.command import Commissioned
     from contourlab.features.components.description import ComponentDescription
     from contourlab.features.export.command import Exported
-    from contourlab.features.identify.result import Identified
+    from contourlab.features.identify.result import Identification
     from contourlab.features.interpolate.study import Interpolated
     from contourlab.features.limits.result import LimitTest
     from contourlab.features.link.result import LinkResult
@@ -48,7 +48,7 @@ def results() -> dict[str, Any]:
         "demo": Demo,
         "explain": tuple[Entry, ...],
         "export": Exported,
-        "identify": Identified,
+        "identify": Identification,
         "interpolate": Interpolated,
         "learn": Summary,
         "limits": LimitTest,

@@ -94,20 +94,18 @@ class ClockReport:
         place : str
             Names of the channels.
         """
-        findings = []
-        if self.jitter_peak > EVEN * self.period:
-            findings.append(finding("CL426", place, rms=self.jitter_rms, peak=self.jitter_peak))
-        if self.gaps:
-            findings.append(finding("CL427", place, missing=self.missing, samples=self.n_sample + self.missing, gaps=self._gaps()))
-        if self.repeated:
-            findings.append(finding("CL428", place, samples=self.repeated))
-        if self.resampled:
-            findings.append(finding("CL429", place, own=self.period, clock=self.period if period is None else period))
-        return findings
+        samples, clock = self.n_sample + self.missing, self.period if period is None else period
+        rows = (
+            (self.jitter_peak > EVEN * self.period, "CL426", {"rms": self.jitter_rms, "peak": self.jitter_peak}),
+            (self.gaps, "CL427", {"missing": self.missing, "samples": samples, "gaps": self._gaps()}),
+            (self.repeated, "CL428", {"samples": self.repeated}),
+            (self.resampled, "CL429", {"own": self.period, "clock": clock}),
+        )
+        return [finding(code, place, **values) for is_so, code, values in rows if is_so]
 
     def _gaps(self) -> str:
         """Describe the number of gaps and the longest one."""
-        worst = max(self.gaps, key=lambda gap: gap.missing)
+        worst = max(self.gaps, key=lambda gap: gap.missing, default=Gap(0.0, 0))
         end = worst.time + (worst.missing + 1) * self.period
         longest = f"{worst.missing} from t = {worst.time:.6g} s to {end:.6g} s"
         return f"in 1 gap of {longest}" if len(self.gaps) == 1 else f"in {len(self.gaps)} gaps; the longest of {longest}"
@@ -139,9 +137,8 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
             apart = f"the times of {name!r} are {show(usual, 'us')} apart, but the given period is {show(period, 'us')}"
             raise LogError(f"{apart}: correct the period, or leave it out", file=file)
         usual = period
-    count = np.maximum(np.rint(step / usual), 1.0)
     wide = step > GAP * usual
-    count[~wide] = 1.0
+    count = np.where(wide, np.maximum(np.rint(step / usual), 1.0), 1.0)
     # A lost sample makes a long step; jitter makes short ones as well.
     if even.size >= LEAST and wide.any() and (step < SHORT * usual).any():
         count = _jittering_count(even, period)

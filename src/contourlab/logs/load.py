@@ -216,22 +216,20 @@ def _guesses(record: Record, given: Columns) -> tuple[list[Column], list[Finding
     guesses, doubtful = [], []
     for target, candidates in guessed(record).items():
         names = [name for name in candidates if name not in taken]
-        if target in named or not names:
-            continue
-        guesses.append(Column(*target, names[0]))
-        if len(names) > 1:
-            doubtful.append(finding("CL431", signal=guesses.pop().target, columns=" or ".join(map(repr, names))))
+        if target not in named and len(names) == 1:
+            guesses.append(Column(*target, names[0]))
+        elif target not in named and names:
+            doubtful.append(finding("CL431", signal=Column(*target, "").target, columns=" or ".join(map(repr, names))))
     return guesses, doubtful
 
 
 def _times(record: Record, columns: Sequence[Column], given: Columns) -> tuple[Array | None, list[Finding]]:
     """Return the times [s] for channels without their own (None: count samples by the period), and findings."""
-    findings: list[Finding] = []
+    findings = list[Finding]()
     column = next((c for c in columns if c.signal == TIME), None)
     if column is not None and any(record.channel(c.column).time is None for c in columns if c.signal != TIME):
-        channel = record.channel(column.column)
         try:
-            return _times_in(channel, column, record)
+            return _times_in(record.channel(column.column), column, record)
         except LogError as error:
             if given.period is None or column in given.columns:
                 raise
@@ -371,9 +369,9 @@ def _stacked(values: dict[str, dict[str, tuple[Array, str]]], axes: tuple[str, .
     """Return each signal as (n_sample, n_axis), NaN for axes without it."""
     signals = {}
     for name, by_axis in values.items():
-        n = next(iter(by_axis.values()))[0].size
-        table = np.column_stack([by_axis[axis][0] if axis in by_axis else np.full(n, np.nan) for axis in axes])
+        missing = np.full(next(iter(by_axis.values()))[0].size, np.nan)
         units = {unit for _, unit in by_axis.values()}
+        table = np.column_stack([by_axis.get(axis, (missing, ""))[0] for axis in axes])
         signals[name] = Signal(table, ("sample", "axis"), units.pop() if len(units) == 1 else "")
     return signals
 

@@ -292,15 +292,14 @@ def _words(name: str) -> list[str]:
 
 def _are_known(words: list[str]) -> bool:
     """Tell whether all words are known; an unknown one may change the meaning, as in ``x position window``."""
-    for before, word, after in zip(["", *words], words, [*words[1:], ""], strict=False):
-        if word.isdigit():
-            # X1 is axis X; X2 may be its second motor or encoder.
-            known = before in ("joint", "axis", "channel", "ch") or (word == "1" and before in _LETTERS)
-        else:
-            known = word in _KNOWN or after in _KNOWN_BEFORE.get(word, ())
-        if not known:
-            return False
-    return True
+    triples = zip(["", *words], words, [*words[1:], ""], strict=False)
+    # X1 is axis X; X2 may be its second motor or encoder.
+    return all(
+        before in ("joint", "axis", "channel", "ch") or (word == "1" and before in _LETTERS)
+        if word.isdigit()
+        else word in _KNOWN or after in _KNOWN_BEFORE.get(word, ())
+        for before, word, after in triples
+    )
 
 
 def _signal(words: set[str]) -> str | None:

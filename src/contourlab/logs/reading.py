@@ -89,9 +89,7 @@ def lines_of(file: Path) -> tuple[list[tuple[int, str]], tuple[Finding, ...]]:
     """
     text = text_of(file)
     lines = list(lines_in(text, file))
-    if not lines or text.endswith(("\n", "\r")):
-        return lines, ()
-    return lines[:-1], (CUT,)
+    return (lines, ()) if not lines or text.endswith(("\n", "\r")) else (lines[:-1], (CUT,))
 
 
 def lines_in(text: str, file: Path) -> Iterator[tuple[int, str]]:

@@ -99,7 +99,6 @@ class Record:
 
     def __post_init__(self) -> None:
         check_limit(len(self.channels), COLUMNS, "columns", self.file)
-        # Channels of the same name are numbered.
         count = Counter(channel.name for channel in self.channels)
         place = {name: itertools.count(1) for name in count}
         numbered = (replace(c, name=f"{c.name} #{next(place[c.name])}") if count[c.name] > 1 else c for c in self.channels)

@@ -52,11 +52,9 @@ def read(file: Path) -> Record:
     trace = _Trace(file)
     trace.parse()
     signals = [_described(signal, trace.shown.get(signal.get("key", ""), {})) for signal in trace.signals]
-    keys = []
-    for i, signal in enumerate(signals, 1):
-        # The key of a signal's values in the records is its id, else its key, else its number.
-        key = signal.get("key", "")
-        keys.append(signal.get("id") or (key if key in trace.samples else f"f{i}"))
+    # The key of a signal's values in the records is its id, else its key, else its number.
+    written = (signal.get("key", "") if signal.get("key", "") in trace.samples else f"f{i}" for i, signal in enumerate(signals, 1))
+    keys = [signal.get("id") or key for signal, key in zip(signals, written, strict=True)]
     described = list(zip(keys, signals, _names(signals), strict=True))
     channels = tuple(_channel(key, signal, name, trace) for key, signal, name in described if key in trace.samples)
     if not channels:

@@ -86,7 +86,7 @@ def test_an_axis_is_identified(u: Array) -> None:
     fit = identify_first_order(TIME, u, measured(u, count=0.125e-6))
     assert (fit["a"], fit["b"], fit["friction"]) == pytest.approx((A, B, FRICTION), rel=2e-3)
     assert fit["offset"] == pytest.approx(0.0, abs=1e-4) and fit["delay"] == 0.0
-    assert fit.usable and fit.found.fit > 99.0
+    assert fit.usable and fit.fit > 99.0
 
 
 def test_delay_offset_and_initial_velocity_are_identified() -> None:
@@ -106,7 +106,7 @@ def test_the_output_error_fit_is_unbiased_by_noise_and_its_deviations_hold() -> 
     time = TIME[:3000]
     fits = [identify_first_order(time, u, measured(u, 2e-5, seed=seed)) for seed in range(25)]
     b = np.array([fit["b"] for fit in fits])
-    deviation = float(np.mean([fit.found.deviation("b") for fit in fits]))
+    deviation = float(np.mean([fit.deviation("b") for fit in fits]))
     assert abs(b.mean() - B) < 4.0 * b.std() / math.sqrt(b.size)
     assert 0.5 < b.std() / deviation < 1.5
     equation = []
@@ -164,8 +164,8 @@ def test_a_loop_with_known_gains_is_identified() -> None:
     fit = identify_closed_loop(TIME, reference, noisy, *GAINS)
     for name, true in (("a", 0.873), ("b", 19.7)):
         assert fit[name] == pytest.approx(true, rel=3e-2)
-        assert abs(fit[name] - true) < 4.0 * fit.found.deviation(name)
-    assert fit.found.fit > 99.0 and fit.usable and not fit.findings
+        assert abs(fit[name] - true) < 4.0 * fit.deviation(name)
+    assert fit.fit > 99.0 and fit.usable and not fit.findings
 
 
 def test_a_slow_reference_does_not_identify_the_loop() -> None:

@@ -52,7 +52,7 @@ def test_an_axis_is_identified() -> None:
     fit = found()
     assert fit.names == ("M", "Fv", "Fc", "offset")
     # Differences miss (w T)^2/3 of the acceleration at 1.3 Hz, 2e-5; sign(v) is wrong for part of a sample at the reversals.
-    assert fit.parameters() == pytest.approx(AXIS, rel=1e-3)
+    assert fit.parameters == pytest.approx(AXIS, rel=1e-3)
     assert fit["M"] == fit.values[0]
     assert fit.relative_error < 0.5 and fit.fit > 99.5 and fit.usable
     np.testing.assert_allclose(fit.force - fit.predicted, 0.0, atol=2.0 * AXIS["Fc"])
@@ -63,7 +63,7 @@ def test_friction_by_direction_is_identified() -> None:
     forward = v > 0.0
     force = 95.0 * a + np.where(forward, 166.0 * v + 21.0, 240.0 * v - 19.0)
     fit = identify_inverse_dynamics(t, q, force, replace(SETTINGS, friction="asymmetric"))
-    assert fit.parameters() == pytest.approx({"M": 95.0, "Fv+": 166.0, "Fc+": 21.0, "Fv-": 240.0, "Fc-": 19.0}, rel=1e-3)
+    assert fit.parameters == pytest.approx({"M": 95.0, "Fv+": 166.0, "Fc+": 21.0, "Fv-": 240.0, "Fc-": 19.0}, rel=1e-3)
     alike = identify_inverse_dynamics(t, q, force, SETTINGS)
     assert alike.residual_norm > 5.0 * fit.residual_norm
 

@@ -21,7 +21,7 @@ from itertools import product
 import numpy as np
 
 from contourlab.analysis.identification.frequency_response import MeasuredResponse
-from contourlab.analysis.identification.least_squares import Free, OutputFit, fit_output, fit_percent
+from contourlab.analysis.identification.least_squares import Free, OutputFit, deviation_findings, fit_findings, fit_output, fit_percent
 from contourlab.arrays import Array, Complex
 from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
@@ -122,8 +122,8 @@ LEAST_COHERENCE = 0.5
 """Coherence below which a point is left out of a fit."""
 LEAST_SURE = 0.3
 """Relative deviation above which the point of a sine is left out."""
-WELL_KNOWN, USELESS = 10.0, 50.0
-"""Relative deviations [percent] above which a parameter is poorly known, and above which a model cannot be used."""
+USELESS = 0.5
+"""Relative deviation above which a model cannot be used."""
 EXPLAINED = 80.0
 """Fit [percent] below which a model is in doubt."""
 
@@ -162,7 +162,7 @@ class DriveFit:
     @property
     def parameters(self) -> dict[str, float]:
         """All parameters of the model by name, fitted and given."""
-        return {**self.given, **dict(zip(self.found.names, self.found.values.tolist(), strict=True))}
+        return {**self.given, **self.found.parameters}
 
     def __getitem__(self, name: str) -> float:
         """Return a parameter by name."""
@@ -199,13 +199,11 @@ def _points(measured: MeasuredResponse, fewest: int) -> _Points:
     # For a sine, least squares over many periods finds the response even at low coherence.
     trusted = np.where(np.isnan(measured.distortion), measured.coherence >= LEAST_COHERENCE, measured.deviation < LEAST_SURE)
     good = trusted & np.isfinite(measured.response) & (np.abs(measured.response) > 0.0)
-    if np.count_nonzero(good) < fewest:
-        bound = f"at least {fewest} above the noise: excite the axis more, or longer"
-        raise ParameterError("frequency", f"{np.count_nonzero(good)} points", bound)
+    count = int(np.count_nonzero(good))
+    if count < fewest:
+        raise ParameterError("frequency", f"{count} points", f"at least {fewest} above the noise: excite the axis more, or longer")
     deviation = np.maximum(np.nan_to_num(measured.deviation[good], nan=1.0, posinf=1.0), CLEAREST)
-    return _Points(
-        measured.frequency[good], measured.response[good], 1.0 / deviation, measured.period, int(good.size - np.count_nonzero(good))
-    )
+    return _Points(measured.frequency[good], measured.response[good], 1.0 / deviation, measured.period, good.size - count)
 
 
 def _rigid_start(points: _Points) -> dict[str, Free]:
@@ -257,8 +255,11 @@ def fit_two_inertia(measured: MeasuredResponse, side: str = "motor") -> DriveFit
     ParameterError
         If there are fewer than 8 points, a mass is below zero, or the parameters cannot be separated.
     """
-    points, rigid, start = _two_masses(measured, side)
-    return _with_resonance(points, _fitted(points, two_inertia if side == "motor" else load_side, start), rigid)
+    points, rigid, x = _two_masses(measured, side)
+    if side == "load":
+        return _with_resonance(points, _fitted(points, load_side, _resonant_start(points, x, False)), rigid)
+    start = {name: _wide(x[name]) for name in MASSES} | {name: _loss(x[name], x[name]) for name in ("shaft_damping", "damping")}
+    return _with_resonance(points, _fitted(points, two_inertia, start | {"delay": _late(points, x["delay"])}), rigid)
 
 
 def fit_two_mass(measured: MeasuredResponse, side: str = "motor") -> DriveFit:
@@ -274,21 +275,8 @@ def fit_two_mass(measured: MeasuredResponse, side: str = "motor") -> DriveFit:
     ParameterError
         If there are fewer than 8 points, the mass is below zero, or the parameters cannot be separated.
     """
-    points, rigid, start = _two_masses(measured, side)
-    if side == "motor":
-        masses = {name: start[name].start for name in MASSES}
-        low, high = float(points.frequency.min()), float(points.frequency.max())
-        mass, share, resonance = masses["motor_mass"] + masses["load_mass"], masses["load_mass"], resonances(masses)[0]
-        loss = start["shaft_damping"].start * math.pi * resonance / masses["stiffness"]
-        start = {
-            "mass": Free(mass, 1e-4 * mass, 1e4 * mass, mass),
-            "load_share": Free(share / mass, 0.01, 0.99, 0.1),
-            "resonance": Free(resonance, low, 3.0 * high, low),
-            "damping_ratio": Free(loss, 0.0, 1.0, 0.01),
-            "damping": start["damping"],
-            "delay": start["delay"],
-        }
-    return _with_resonance(points, _fitted(points, two_mass, start), rigid)
+    points, rigid, x = _two_masses(measured, side)
+    return _with_resonance(points, _fitted(points, two_mass, _resonant_start(points, x, side == "motor")), rigid)
 
 
 def fit_load_share(measured: MeasuredResponse, whole: DriveFit, motor_mass: float) -> DriveFit:
@@ -324,12 +312,20 @@ def _share_start(points: _Points, whole: DriveFit, motor: float) -> dict[str, Fr
     shaft = max(lossy - x["damping"] * (load / x["mass"]) ** 2, 0.1 * lossy)
     damping = max(x["damping"], 1e-3 * x["mass"])
     return {
-        "load_mass": Free(load, 1e-4 * load, 1e4 * load, load),
-        "stiffness": Free(stiffness, 1e-4 * stiffness, 1e4 * stiffness, stiffness),
-        "shaft_damping": Free(shaft, 0.0, 1e4 * lossy, lossy),
-        "damping": Free(damping, 0.0, 1e4 * damping, damping),
+        "load_mass": _wide(load),
+        "stiffness": _wide(stiffness),
+        "shaft_damping": _loss(shaft, lossy),
+        "damping": _loss(damping, damping),
         "delay": _late(points, x["delay"]),
     }
+
+
+def _wide(start: float) -> Free:
+    return Free(start, 1e-4 * start, 1e4 * start, start)
+
+
+def _loss(start: float, scale: float) -> Free:
+    return Free(start, 0.0, 1e4 * scale, scale)
 
 
 def _late(points: _Points, delay: float) -> Free:
@@ -337,15 +333,15 @@ def _late(points: _Points, delay: float) -> Free:
     return Free(min(delay, top), 0.0, top, points.period)
 
 
-def _two_masses(measured: MeasuredResponse, side: str) -> tuple[_Points, DriveFit, dict[str, Free]]:
-    """Return the points, the fit of one mass, and the start of a fit of two."""
+def _two_masses(measured: MeasuredResponse, side: str) -> tuple[_Points, DriveFit, dict[str, float]]:
+    """Return the points, the fit of one mass, and the parameters from which a fit of two starts."""
     points = _points(measured, 8)
     rigid = _fitted(points, linear_motor, _rigid_start(points))
     return points, rigid, _two_inertia_start(points, side, rigid["delay"] + 0.5 * points.period)
 
 
-def _two_inertia_start(points: _Points, side: str, delay: float) -> dict[str, Free]:
-    """Return the start of the fit: the best of a grid over resonance, load share, losses and delay, each with its best mass."""
+def _two_inertia_start(points: _Points, side: str, delay: float) -> dict[str, float]:
+    """Return the best of a grid over resonance, load share, losses and delay, each with its best mass."""
     low, high = float(points.frequency.min()), float(points.frequency.max())
     best: dict[str, float] = {}
     least, w2 = math.inf, points.weight**2
@@ -369,16 +365,22 @@ def _two_inertia_start(points: _Points, side: str, delay: float) -> dict[str, Fr
         if cost < least:
             best = {name: value * (1.0 if name == "delay" else math.exp(scale)) for name, value in x.items()}
             least = cost
-    late = _late(points, best["delay"])
-    damping = Free(best["damping"], 0.0, 1e4 * best["damping"], best["damping"])
-    if side == "load":
-        mass = best["motor_mass"] + best["load_mass"]
-        loss = best["shaft_damping"] * math.pi * resonances(best)[0] / best["stiffness"]
-        own = {"mass": Free(mass, 1e-4 * mass, 1e4 * mass, mass), "resonance": Free(resonances(best)[0], low, 3.0 * high, low)}
-        return {**own, "damping_ratio": Free(loss, 0.0, 2.0, 0.01), "damping": damping, "delay": late}
-    free = {name: Free(best[name], 1e-4 * best[name], 1e4 * best[name], best[name]) for name in MASSES}
-    free["shaft_damping"] = Free(best["shaft_damping"], 0.0, 1e4 * best["shaft_damping"], best["shaft_damping"])
-    return {**free, "damping": damping, "delay": late}
+    return best
+
+
+def _resonant_start(points: _Points, x: Parameters, with_share: bool) -> dict[str, Free]:
+    """Return the start of a fit of mass and resonance, with the load's share of the mass where it is visible."""
+    low, high = float(points.frequency.min()), float(points.frequency.max())
+    mass, resonance = x["motor_mass"] + x["load_mass"], resonances(x)[0]
+    share = {"load_share": Free(x["load_mass"] / mass, 0.01, 0.99, 0.1)} if with_share else {}
+    return {
+        "mass": _wide(mass),
+        **share,
+        "resonance": Free(resonance, low, 3.0 * high, low),
+        "damping_ratio": Free(x["shaft_damping"] * math.pi * resonance / x["stiffness"], 0.0, 1.0 if with_share else 2.0, 0.01),
+        "damping": _loss(x["damping"], x["damping"]),
+        "delay": _late(points, x["delay"]),
+    }
 
 
 MASSES = ("motor_mass", "load_mass", "stiffness")
@@ -393,25 +395,22 @@ def _fitted(points: _Points, model: Callable[[Parameters, Complex], Complex], fr
     output_fit = fit_output(lambda x: points.row(response(x)), points.measured, free)
     # Points over frequency are not a record in time, and often few: do not let the robust deviations be smaller.
     output_fit = replace(output_fit, robust_deviations=np.maximum(output_fit.deviations, output_fit.robust_deviations))
-    best = dict(zip(output_fit.names, output_fit.values.tolist(), strict=True))
+    best = output_fit.parameters
     predicted = response(best)
     fit = fit_percent(points.speed(points.response), points.speed(predicted))
-    findings, usable = [], True
-    if points.left_out:
-        findings.append(finding("CL537", points=points.left_out))
-    for name in output_fit.names:
-        value, deviation = output_fit[name], output_fit.deviation(name)
+    usable = fit > 0.5 * EXPLAINED
+    findings = [finding("CL537", points=points.left_out)] if points.left_out else []
+    for name, value in best.items():
+        deviation = output_fit.deviation(name)
         if name == "delay" and value < 1e-3 * points.period:
             findings.append(finding("CL528", "delay"))
         elif name in output_fit.at_bound:
             findings.append(finding("CL527", name, value=value))
             usable = usable and name not in VITAL
-        elif deviation > 0.01 * WELL_KNOWN * abs(value) and not (name == "delay" and deviation < points.period):
-            findings.append(finding("CL526", name, value=value, deviation=deviation, share=deviation / abs(value)))
-            usable = usable and (name not in VITAL or deviation < 0.01 * USELESS * value)
-    if fit < EXPLAINED:
-        findings.append(finding("CL533", fit=fit / 100.0, output="response"))
-        usable = usable and fit > 0.5 * EXPLAINED
+        elif not (name == "delay" and deviation < points.period):
+            findings += deviation_findings(name, value, deviation)
+            usable = usable and (name not in VITAL or deviation < USELESS * value)
+    findings += fit_findings(fit, EXPLAINED, "response")
     return DriveFit(output_fit, points.frequency, points.response, predicted, fit, usable, tuple(findings), lambda s: model(best, s))
 
 
@@ -419,14 +418,8 @@ def _with_resonance(points: _Points, fit: DriveFit, rigid: DriveFit) -> DriveFit
     """Return the fit with findings on its resonance: whether it lies within the measured range, and whether one mass is enough."""
     x = fit.parameters
     resonance = x["resonance"] if "resonance" in x else resonances(x)[0]
-    findings, usable = list(fit.findings), fit.usable
-    if not points.frequency.min() < resonance < 1.1 * points.frequency.max():
-        findings.append(finding("CL538", frequency=resonance))
-        usable = False
-    if "resonance" in x and "load_share" not in x:
-        findings.append(finding("CL539"))
-    elif fit.given:
-        findings.append(finding("CL540"))
+    outside = not points.frequency.min() < resonance < 1.1 * points.frequency.max()
+    hidden = "CL539" if "resonance" in x and "load_share" not in x else "CL540" if fit.given else ""
     n = 2 * points.frequency.size
 
     def criterion(fitted: DriveFit) -> float:
@@ -434,7 +427,7 @@ def _with_resonance(points: _Points, fit: DriveFit, rigid: DriveFit) -> DriveFit
         k = len(fitted.found.names) + 1
         return n * math.log(max(left / n, 1e-300)) + 2.0 * k + 2.0 * k * (k + 1) / max(n - k - 1, 1)
 
-    if criterion(fit) > criterion(rigid) - 2.0:
-        findings.append(finding("CL541"))
-        usable = False
-    return replace(fit, usable=usable, findings=tuple(findings))
+    needless = criterion(fit) > criterion(rigid) - 2.0
+    findings = [finding("CL538", frequency=resonance)] if outside else []
+    findings += [finding(code) for code in (hidden, "CL541" if needless else "") if code]
+    return replace(fit, usable=fit.usable and not outside and not needless, findings=(*fit.findings, *findings))

@@ -112,8 +112,7 @@ def decimate(signal: ArrayLike, factor: int) -> Array:
 
 def kept_samples(n_sample: int, factor: int) -> slice:
     """Return the samples of a record that `decimate` keeps; the last is always kept."""
-    left_over = factor * -(-n_sample // factor) - n_sample
-    return slice(factor - left_over - 1, None, factor)
+    return slice((n_sample - 1) % factor, None, factor)
 
 
 JITTER = 1e-3
@@ -143,19 +142,17 @@ def even_record(time: ArrayLike, signals: Mapping[str, ArrayLike], shortest: int
     ParameterError
         If there are too few samples, a signal is of another length or not finite, or time does not rise evenly.
     """
-    t = np.asarray(time, dtype=float)
+    arrays = {name: np.asarray(values, dtype=float) for name, values in {"time": time, **signals}.items()}
+    t = arrays["time"]
     if t.ndim != 1:
         raise ParameterError("time", f"shape {t.shape}", "one record, (n,)")
     if t.size < shortest:
         raise ParameterError("time", f"{t.size} samples", f"a record of at least {shortest}")
-    arrays = []
-    for name, values in (("time", t), *signals.items()):
-        array = np.asarray(values, dtype=float)
+    for name, array in arrays.items():
         if array.shape != t.shape:
             raise ParameterError(name, f"shape {array.shape}", f"as long as time, {t.shape}")
         require_finite(name, array)
-        arrays.append(array)
     period = float(t[-1] - t[0]) / (t.size - 1)
     if not (period > 0.0 and np.all(np.abs(np.diff(t) - period) <= JITTER * period)):
         raise ParameterError("time", "a record", "rising and evenly spaced: resample it first")
-    return period, arrays
+    return period, [*arrays.values()]

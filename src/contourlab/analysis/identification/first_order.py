@@ -20,14 +20,14 @@ Coulomb friction.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.analysis.identification.filtered_motion import even_record
-from contourlab.analysis.identification.least_squares import Free, OutputFit, fit_output
+from contourlab.analysis.identification.least_squares import Free, OutputFit, deviation_findings, fit_findings, fit_output
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
@@ -78,15 +78,13 @@ def first_order_motion(
     velocity, position : ndarray (n,)
         Over a; the first position is 0.
     """
-    n = command.size
+    n, gains = command.size, _gains(damping, period)
     v, p = np.zeros(n), np.zeros(n)
     v[0] = start
     if forward == 0.0 and backward == 0.0:
-        _glide(command, v, p, 0, n - 1, 0.0, _gains(damping, period))
+        _glide(command, v, p, 0, n - 1, 0.0, gains)
         return v, p
-    way = float(np.sign(start))
-    gains = _gains(damping, period)
-    k, piece = 0, FIRST_PIECE
+    way, k, piece = float(np.sign(start)), 0, FIRST_PIECE
     while k < n - 1:
         if way == 0.0:
             released = _released(command, k, forward, backward)
@@ -149,8 +147,6 @@ def _glide(command: Array, v: Array, p: Array, k: int, last: int, held: float, g
     p[k + 1 : last + 1] = p[k] + np.cumsum(gained * v[k:last] + way * push)
 
 
-WELL_KNOWN = 10.0
-"""Relative deviation [percent] up to which a or b counts as identified."""
 EXPLAINED = 80.0
 """Fit [percent] below which the model is in doubt."""
 LONGEST_DELAY = 0.05
@@ -158,13 +154,14 @@ LONGEST_DELAY = 0.05
 
 
 @dataclass(frozen=True, eq=False)
-class FirstOrderFit:
+class FirstOrderFit(OutputFit):
     """An axis of first order, identified from a record.
+
+    Its parameters are a [m/s^2 per command], b [1/s] and, if fitted, friction, offset [command], delay [s] and start [m/s]; `measured` and
+    `predicted` are velocities [m/s].
 
     Attributes
     ----------
-    found : OutputFit
-        Of a [m/s^2 per command], b [1/s] and, if fitted, friction, offset [command], delay [s] and start [m/s].
     time : ndarray (n,) [s]
         Middle of the interval over which each velocity is differenced.
     command : ndarray (n,)
@@ -173,26 +170,11 @@ class FirstOrderFit:
         Samples of an interval.
     """
 
-    found: OutputFit
     time: Array
     command: Array
     smoothing: int
     usable: bool = True
     findings: tuple[Finding, ...] = ()
-
-    @property
-    def velocity(self) -> Array:
-        """Measured velocity [m/s]."""
-        return self.found.measured
-
-    @property
-    def predicted(self) -> Array:
-        """The model's velocity [m/s]."""
-        return self.found.predicted
-
-    def __getitem__(self, name: str) -> float:
-        """Return a parameter by name; 0 if it was not fitted."""
-        return self.found[name] if name in self.found.names else 0.0
 
 
 def smoothing_of(position: Array) -> int:
@@ -215,18 +197,14 @@ class _Blocks:
     period: float
     smoothing: int
 
-    def unit(self, x: Mapping[str, float]) -> Array:
-        """Return the model's velocity over a."""
-        u = delayed(self.command, x.get("delay", 0.0) / self.period) - x.get("offset", 0.0)
-        friction = x.get("friction", 0.0)
-        return self.differenced(first_order_motion(u, self.period, x["b"], friction, friction, x.get("start", 0.0))[1])
+    def model(self, x: Mapping[str, float]) -> Array:
+        """Return the model's velocity; a is 1 by default."""
+        u, a, friction = delayed(self.command, x.get("delay", 0.0) / self.period), x.get("a", 1.0), x.get("friction", 0.0)
+        u = u - x.get("offset", 0.0)
+        return a * self.differenced(first_order_motion(u, self.period, x["b"], friction, friction, x.get("start", 0.0) / a)[1])
 
     def differenced(self, position: Array) -> Array:
         return np.asarray(np.diff(position[:: self.smoothing]) / (self.smoothing * self.period))
-
-    def model(self, x: Mapping[str, float]) -> Array:
-        a = x["a"]
-        return a * self.unit({**x, "start": x.get("start", 0.0) / a})
 
     def averaged(self, values: Array) -> Array:
         n = (values.size - 1) // self.smoothing
@@ -262,8 +240,7 @@ def identify_first_order(time: ArrayLike, command: ArrayLike, position: ArrayLik
             free = {key: replace(part, start=fit[key]) for key, part in free.items() if key != name}
             fit = fit_output(blocks.model, measured, free)
     middle = np.asarray(time, dtype=float)[0] + blocks.period * blocks.smoothing * (np.arange(measured.size) + 0.5)
-    findings, usable = _fit_findings(fit, "velocity")
-    return FirstOrderFit(fit, middle, blocks.averaged(blocks.command), blocks.smoothing, usable, (*left_out, *findings))
+    return _judged(fit, middle, blocks.averaged(blocks.command), blocks.smoothing, "velocity", left_out)
 
 
 def first_order_start(time: ArrayLike, command: ArrayLike, position: ArrayLike) -> tuple[int, dict[str, float]]:
@@ -295,7 +272,7 @@ def _start(blocks: _Blocks, measured: Array, with_friction: bool) -> dict[str, F
     best, least = (0.0, 1.0, 0.0), math.inf
     for b in np.geomspace(0.3 / whole, fastest, 14):
         for share in (0.0, 0.2, 0.5, 0.8) if with_friction else (0.0,):
-            unit = blocks.unit({"b": float(b), "friction": share * size})
+            unit = blocks.model({"b": float(b), "friction": share * size})
             power = float(unit @ unit)
             a = float(unit @ measured) / power if power > 0.0 else 0.0
             cost = float(np.sum((measured - a * unit) ** 2))
@@ -315,20 +292,17 @@ def _start(blocks: _Blocks, measured: Array, with_friction: bool) -> dict[str, F
     return free
 
 
-def _fit_findings(fit: OutputFit, output: str) -> tuple[list[Finding], bool]:
-    """Return findings on a, b and the fit, and whether the model is usable."""
-    findings, usable = [], True
+def _judged(fit: OutputFit, time: Array, command: Array, smoothing: int, output: str, findings: Sequence[Finding] = ()) -> FirstOrderFit:
+    """Return a fit with findings on a, b and the output, and whether the model is usable."""
+    doubts, usable = [*findings], fit.fit > 0.5 * EXPLAINED
     for name in ("a", "b"):
-        value, deviation = fit[name], fit.deviation(name)
-        if name in fit.at_bound or deviation > 0.5 * value:
-            findings.append(finding("CL527", name, value=value))
+        if name in fit.at_bound or fit.deviation(name) > 0.5 * fit[name]:
+            doubts.append(finding("CL527", name, value=fit[name]))
             usable = False
-        elif deviation > 0.01 * WELL_KNOWN * value:
-            findings.append(finding("CL526", name, value=value, deviation=deviation, share=deviation / value))
-    if fit.fit < EXPLAINED:
-        findings.append(finding("CL533", fit=fit.fit / 100.0, output=output))
-        usable = usable and fit.fit > 0.5 * EXPLAINED
-    return findings, usable
+        else:
+            doubts += deviation_findings(name, fit[name], fit.deviation(name))
+    doubts += fit_findings(fit.fit, EXPLAINED, output)
+    return FirstOrderFit(**vars(fit), time=time, command=command, smoothing=smoothing, usable=usable, findings=tuple(doubts))
 
 
 DAMPING_GRID, BAND_GRID = (0.3, 0.7, 1.0, 1.5, 3.0), 16
@@ -378,7 +352,7 @@ def identify_closed_loop(
     Returns
     -------
     FirstOrderFit
-        With a [m/s^2 per command] and b [1/s]; here `velocity` and `predicted` are positions, and `command` is the reference.
+        With a [m/s^2 per command] and b [1/s]; here `measured` and `predicted` are positions, and `command` is the reference.
 
     Raises
     ------
@@ -401,5 +375,4 @@ def identify_closed_loop(
     a, b = min(tried, key=lambda x: float(np.sum((model(x) - p) ** 2))).values()
     scale = max(b, 0.1 * a * velocity_gain, 1e-3 / period)
     fit = fit_output(model, p, {"a": Free(a, 1e-3 * a, 1e3 * a, a), "b": Free(b, 0.0, 10.0 / period, scale)})
-    findings, usable = _fit_findings(fit, "position")
-    return FirstOrderFit(fit, np.asarray(time, dtype=float), r, 1, usable, tuple(findings))
+    return _judged(fit, np.asarray(time, dtype=float), r, 1, "position")

@@ -102,6 +102,12 @@ class MeasuredResponse:
         return np.asarray(2j * np.pi * self.frequency * self.response)
 
 
+def _of_velocity(run: Measured, frequency: Array, velocity: Complex, deviation: Array, coherence: Array, method: str) -> MeasuredResponse:
+    """Return the response of the position from that of its difference over a sample."""
+    response, missing = velocity / difference_gain(frequency, run.period), np.full(frequency.size, np.nan)
+    return MeasuredResponse(frequency, response, deviation, coherence, method, run.period, missing)
+
+
 def difference_gain(frequency: ArrayLike, period: float) -> Complex:
     """Return the frequency response [1/s] at frequencies [Hz] of the difference over one sample divided by the period."""
     return np.asarray((1.0 - np.exp(-2j * np.pi * np.asarray(frequency) * period)) / period)
@@ -115,15 +121,13 @@ def repeating(excitation: Array) -> tuple[int, slice] | None:
     excitation : ndarray (n,)
         Free of noise, such as a reference or an open-loop command.
     """
-    n = excitation.size
-    x = excitation - excitation.mean()
+    n, x = excitation.size, excitation - excitation.mean()
     size = 1 << (2 * n - 1).bit_length()
     power = np.fft.irfft(np.abs(np.fft.rfft(x, size)) ** 2, size)[:n]
     own = power / (power[0] * (1.0 - np.arange(n) / n) + 1e-300)
-    limit = n // 3
     peaks = np.flatnonzero((own[1:-1] > own[:-2]) & (own[1:-1] >= own[2:]) & (own[1:-1] > 0.9)) + 1
     spread = float(np.sqrt(np.mean(x**2)))
-    for lag in peaks[peaks <= limit]:
+    for lag in peaks[peaks <= n // 3]:
         # Short times before the excitation began, and after it ended, do not repeat: their transients would bias all frequencies.
         other = np.flatnonzero(np.abs(x[lag:] - x[:-lag]) > REPEATS * spread)
         ends = np.r_[-1, other, n - lag]
@@ -171,9 +175,8 @@ def periodic_response(run: Measured, period: int) -> MeasuredResponse:
     with np.errstate(divide="ignore", invalid="ignore"):
         coherence = np.abs(np.mean(y * np.conj(x), axis=0)) ** 2 / (np.mean(np.abs(y) ** 2, axis=0) * np.mean(np.abs(x) ** 2, axis=0))
         deviation = spread / np.abs(top)
-    own = response / difference_gain(frequency, run.period)
     method = f"periods of {period * run.period:.4g} s, {count} of them averaged" + _closed(run)
-    return MeasuredResponse(frequency, own, deviation, np.nan_to_num(coherence), method, run.period, np.full(frequency.size, np.nan))
+    return _of_velocity(run, frequency, response, deviation, np.nan_to_num(coherence), method)
 
 
 def spectral_response(runs: Sequence[Measured]) -> MeasuredResponse:
@@ -221,10 +224,8 @@ def spectral_response(runs: Sequence[Measured]) -> MeasuredResponse:
     of_command = _coherence(part["ux"], part["xx"], part["uu"])
     independent = max(averages * HANN_OVERLAP, 1.0)
     variance = sum((1.0 - c) / (2.0 * np.maximum(c, 1e-9) * independent) for c in (coherence, of_command))
-    own = response / difference_gain(frequency[kept], period)
     method = f"{averages} segments of {length * period:.4g} s averaged" + _closed(runs[0])
-    missing = np.full(own.size, np.nan)
-    return MeasuredResponse(frequency[kept], own, np.sqrt(np.asarray(variance, dtype=float)), coherence, method, period, missing)
+    return _of_velocity(runs[0], frequency[kept], response, np.sqrt(np.asarray(variance, dtype=float)), coherence, method)
 
 
 def _closed(run: Measured) -> str:
@@ -280,11 +281,9 @@ def swept_response(run: Measured) -> MeasuredResponse:
         at += max(FEWEST_LINES // 2, half)
     if not rows:
         raise ParameterError("record", "a sweep", "slower: leakage from the ends of the record covers all of it")
-    frequency = np.array(centres) / (n * run.period)
-    response, deviation, coherence = (np.array(column) for column in zip(*rows, strict=True))
-    own = response / difference_gain(frequency, run.period)
     method = f"sweep of {n * run.period:.4g} s, local polynomials" + ("" if run.outside is None else ", reference to position over command")
-    return MeasuredResponse(frequency, own, deviation, coherence, method, run.period, np.full(frequency.size, np.nan))
+    response, deviation, coherence = (np.array(column) for column in zip(*rows, strict=True))
+    return _of_velocity(run, np.array(centres) / (n * run.period), response, deviation, coherence, method)
 
 
 def _local(x: Complex, y: Complex, u: Complex, closed: bool) -> tuple[complex, float, float] | None:
@@ -515,9 +514,7 @@ def sine_responses(runs: Sequence[Measured], names: Sequence[str]) -> MeasuredRe
     ParameterError
         If no run has a usable sine.
     """
-    points: list[SinePoint] = []
-    findings: list[Finding] = []
-    periods: list[float] = []
+    points, findings, periods = list[SinePoint](), list[Finding](), list[float]()
     for run, name in zip(runs, names, strict=True):
         stretch = sine_stretch(run.command if run.outside is None else run.outside, run.period)
         if stretch is None:
@@ -527,18 +524,16 @@ def sine_responses(runs: Sequence[Measured], names: Sequence[str]) -> MeasuredRe
         if point.still > STILL:
             findings.append(finding("CL519", name, share=float(point.still)))
             continue
-        if point.distortion > DISTORTED:
-            findings.append(finding("CL524", name, share=float(point.distortion), frequency=float(point.frequency)))
-        if point.periods < 1.9:
-            findings.append(finding("CL529", name, periods=float(point.periods), frequency=float(point.frequency)))
+        at = {"frequency": float(point.frequency)}
+        findings += [finding("CL524", name, share=float(point.distortion), **at)] if point.distortion > DISTORTED else []
+        findings += [finding("CL529", name, periods=float(point.periods), **at)] if point.periods < 1.9 else []
         points.append(point)
         periods.append(run.period)
     if not points:
         raise ParameterError("logs", f"{len(runs)} of them", "one with a sine in it: " + "; ".join(note.text for note in findings))
     # The shortest period is the servo period: a log of every tenth sample does not change how long a command is held.
     period = min(periods)
-    if max(periods) > 1.001 * period:
-        findings.append(finding("CL542", shortest=period, longest=max(periods)))
+    findings += [finding("CL542", shortest=period, longest=max(periods))] if max(periods) > 1.001 * period else []
     points.sort(key=lambda p: p.frequency)
     keys = ("frequency", "response", "deviation", "coherence", "distortion")
     frequency, response, deviation, coherence, distortion = (np.array([getattr(p, key) for p in points]) for key in keys)

@@ -27,7 +27,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.analysis.identification.filtered_motion import even_record, require_finite
-from contourlab.analysis.identification.least_squares import fit_percent
+from contourlab.analysis.identification.least_squares import Estimate, deviation_findings, fit_findings, fit_percent
 from contourlab.arrays import Array, Index, true_spans
 from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
@@ -114,9 +114,9 @@ def constant_speed_stretches(
         if reference is None:
             settled, stop = _without_turns(position, settled, stop)
         places = position[settled:stop]
-        half = places.size // 2
-        if stop - settled < shortest or not half:
+        if places.size < shortest:
             continue
+        half = places.size // 2
         # Both halves have the same speed, other than zero.
         first, second = places[half] - places[0], places[2 * half - 1] - places[half - 1]
         if first * second > 0.0 and abs(second - first) <= TOLERANCE * abs(first + second) / 2.0:
@@ -338,18 +338,19 @@ def _onset(t: Array, y: Array, noise: float) -> tuple[float, float, Array]:
         solution, left = nnls(columns, y)
         return left**2, columns @ solution
 
+    def costs(instants: Array) -> Array:
+        return np.array([fitted(float(instant))[0] for instant in instants])
+
     tried = np.linspace(0.0, t[-1], INSTANTS, endpoint=False)
-    costs = np.array([fitted(float(instant))[0] for instant in tried])
-    best = int(np.argmin(costs))
-    low, high = tried[max(best - 1, 0)], tried[min(best + 1, INSTANTS - 1)]
-    fine = np.linspace(low, high, 41)
-    costs = np.array([fitted(float(instant))[0] for instant in fine])
-    best = int(np.argmin(costs))
+    coarse = costs(tried)
+    nearest = int(np.argmin(coarse))
+    fine = np.linspace(tried[max(nearest - 1, 0)], tried[min(nearest + 1, INSTANTS - 1)], 41)
+    left = costs(fine)
+    best = int(np.argmin(left))
     instant = float(fine[best])
     # The instant may move until the residual grows by the noise of one more sample.
-    variance = max(float(costs[best]) / max(t.size - 5, 1), noise**2)
-    coarse = np.array([fitted(float(tau))[0] for tau in tried])
-    beyond = np.abs(tried - instant)[coarse > costs[best] + variance]
+    variance = max(float(left[best]) / max(t.size - 5, 1), noise**2)
+    beyond = np.abs(tried - instant)[coarse > left[best] + variance]
     deviation = float(beyond.min()) if beyond.size else float(t[-1])
     return instant, max(deviation, (t[1] - t[0]) / math.sqrt(12.0)), fitted(instant)[1]
 
@@ -360,8 +361,6 @@ WITHIN = 2.0
 """Difference of AICc within which a simpler model is chosen."""
 SPEEDS = 30
 """Stribeck velocities to try; the best is then refined."""
-WELL_KNOWN = 10.0
-"""Relative deviation [percent] above which a parameter is poorly known."""
 EXPLAINED = 75.0
 """Smallest usable fit [percent] of a curve through both directions; real axes have 95 and more."""
 
@@ -389,16 +388,14 @@ MODELS = (
 
 
 @dataclass(frozen=True, eq=False)
-class FrictionCurve:
+class FrictionCurve(Estimate):
     """A curve through the points.
+
+    Its parameters are Fc, Fv, offset; by direction Fc+, Fv+, Fc-, Fv-; with Stribeck drop (level at rest minus F_c; by direction drop+ and
+    drop-) and vs [m/s].
 
     Attributes
     ----------
-    names : tuple of str
-        Fc, Fv, offset; by direction Fc+, Fv+, Fc-, Fv-; with Stribeck drop (level at rest minus F_c; by direction drop+ and drop-) and
-        vs [m/s].
-    values, deviations : ndarray (p,)
-    correlation : ndarray (p, p)
     scatter : float
         Between runs, beyond the deviations of the points.
     fit : float [percent]
@@ -410,19 +407,11 @@ class FrictionCurve:
     """
 
     model: FrictionModel
-    names: tuple[str, ...]
-    values: Array
-    deviations: Array
-    correlation: Array
     scatter: float
     fit: float
     criterion: float
     plain_criterion: float
     predicted: Array
-
-    def __getitem__(self, name: str) -> float:
-        """Return a parameter by name; 0 if the model lacks it."""
-        return float(self.values[self.names.index(name)]) if name in self.names else 0.0
 
     @property
     def rises(self) -> bool:
@@ -437,11 +426,7 @@ class FrictionCurve:
     @property
     def drops(self) -> list[float]:
         """The drop from rest, or one for each direction; below 0 where friction rises."""
-        return [float(value) for name, value in zip(self.names, self.values, strict=True) if name.startswith("drop")]
-
-    def deviation(self, name: str) -> float:
-        """Return the deviation of a parameter by name; 0 if the model lacks it."""
-        return float(self.deviations[self.names.index(name)]) if name in self.names else 0.0
+        return [value for name, value in self.parameters.items() if name.startswith("drop")]
 
     def at(self, speed: ArrayLike) -> Array:
         """Return the command that holds a speed [m/s]."""
@@ -564,8 +549,8 @@ def _fitted(model: FrictionModel, v: Array, u: Array, s: Array, both: bool) -> F
     lost = math.sqrt(v.size / max(v.size - count, 1)) if tau > 0.0 else 1.0
     deviations = lost * np.sqrt(np.maximum(np.diag(covariance), 0.0))
     size = np.sqrt(np.where(np.diag(covariance) > 0.0, np.diag(covariance), 1.0))
-    correlation = covariance / np.outer(size, size)
-    return FrictionCurve(model, tuple(names), x, deviations, correlation, tau, fit_percent(u, predicted), criterion, plain, predicted)
+    estimate = tuple(names), x, deviations, deviations, covariance / np.outer(size, size)
+    return FrictionCurve(*estimate, model, tau, fit_percent(u, predicted), criterion, plain, predicted)
 
 
 def _stribeck_velocity(model: FrictionModel, v: Array, u: Array, s: Array, both: bool) -> float:
@@ -599,31 +584,21 @@ def _level(curve: FrictionCurve) -> tuple[float, float]:
 
 
 def _curve_findings(chosen: FrictionCurve, v: Array, both: bool) -> tuple[list[Finding], bool]:
-    findings, usable = [] if both else [finding("CL544")], True
-    slowest = float(np.abs(v).min())
+    slowest, findings = float(np.abs(v).min()), [] if both else [finding("CL544")]
+    unseen = False
     if not chosen.model.stribeck:
         findings.append(finding("CL548", speed=slowest))
     elif len({drop < 0.0 for drop in chosen.drops}) > 1:  # one direction dips, the other rises
         findings.append(finding("CL545"))
-    elif chosen.rises:
-        findings.append(finding("CL546", speed=slowest))
-    elif chosen["vs"] < 1.2 * slowest:
-        findings.append(finding("CL547", speed=slowest))
-        usable = False
+    elif chosen.rises or (unseen := chosen["vs"] < 1.2 * slowest):
+        findings.append(finding("CL546" if chosen.rises else "CL547", speed=slowest))
     level, deviation = _level(chosen)
-    if both and chosen.fit < EXPLAINED:
-        findings.append(finding("CL533", fit=chosen.fit / 100.0, output="command"))
-        usable = False
-    if chosen.fit < EXPLAINED and level < 2.0 * deviation:
-        findings.append(finding("CL549", level=level, deviation=deviation))
-        usable = False
-    if not chosen.model.coulomb:
-        findings.append(finding("CL528", "Coulomb friction"))
-    for name in chosen.names:
-        value, deviation = chosen[name], chosen.deviation(name)
-        if name.startswith("Fv") and value < 0.0:
-            findings.append(finding("CL530", name, value=value))
-        if name != "offset" and deviation > 0.01 * WELL_KNOWN * abs(value):
-            share = deviation / abs(value) if value else math.inf
-            findings.append(finding("CL526", name, value=value, deviation=deviation, share=share))
-    return findings, usable
+    poor = fit_findings(chosen.fit, EXPLAINED, "command")
+    findings += poor if both else []
+    within_noise = bool(poor) and level < 2.0 * deviation
+    findings += [finding("CL549", level=level, deviation=deviation)] if within_noise else []
+    findings += [] if chosen.model.coulomb else [finding("CL528", "Coulomb friction")]
+    for name, value in chosen.parameters.items():
+        findings += [finding("CL530", name, value=value)] if name.startswith("Fv") and value < 0.0 else []
+        findings += deviation_findings(name, value, chosen.deviation(name)) if name != "offset" else []
+    return findings, not (unseen or within_noise or (both and poor))

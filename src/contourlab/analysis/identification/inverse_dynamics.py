@@ -14,21 +14,27 @@ system identification benchmarks, section 3, and eq (12) for friction by directi
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.analysis.identification.filtered_motion import decimate, even_record, filtered_motion, kept_samples
-from contourlab.analysis.identification.least_squares import bartlett, coloured_deviations, usual_lags
+from contourlab.analysis.identification.least_squares import (
+    Estimate,
+    bartlett,
+    check_apart,
+    coloured_deviations,
+    deviation_findings,
+    fit_findings,
+    usual_lags,
+)
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
 
-WELL_KNOWN = 10.0
-"""Relative deviation [percent] up to which a parameter counts as identified: the usual limit for robots (Gautier)."""
 EXCITED = 100.0
 """Condition number, columns of length one, above which the excitation is too weak."""
 EXPLAINED, LEAST = 90.0, 75.0
@@ -47,28 +53,6 @@ AT_REST, RESTS = 5e-3, 0.05
 """Share of the largest speed below which an axis is at rest, and largest share of rows at rest."""
 
 
-def check_signs(names: tuple[str, ...], values: Array, deviations: Array) -> None:
-    """Check the signs of mass and Coulomb friction.
-
-    Parameters
-    ----------
-    values, deviations : ndarray (p,)
-
-    Raises
-    ------
-    ParameterError
-        If the mass is not above zero, or Coulomb friction is below zero by more than two deviations.
-    """
-    found = dict(zip(names, values.tolist(), strict=True))
-    if found["M"] <= 0.0:
-        bound = "> 0: force or position is counted the other way round, they are not of one axis, or the record hardly accelerates"
-        raise ParameterError("M", f"{found['M']:.4g} kg", bound)
-    friction, deviation = mean_coulomb(names, values, deviations)
-    if friction < -2.0 * deviation:
-        bound = "above zero: the force helps the motion in both directions, so it is not what moves this axis"
-        raise ParameterError("Fc", f"{friction:.4g} N", bound)
-
-
 def mass_findings(mass: float) -> tuple[list[Finding], bool]:
     """Return a finding for an implausible moved mass [kg], and whether the mass is possible at all.
 
@@ -78,65 +62,6 @@ def mass_findings(mass: float) -> tuple[list[Finding], bool]:
     if LIGHT <= mass <= HEAVY:
         return [], True
     return [finding("CL532", mass=mass)], IMPOSSIBLE[0] <= mass <= IMPOSSIBLE[1]
-
-
-def mean_coulomb(names: tuple[str, ...], values: Array, deviations: Array) -> tuple[float, float]:
-    """Return the mean Coulomb friction of both directions and its deviation; that of one direction includes the offset, such as gravity."""
-    places = [i for i, name in enumerate(names) if name.startswith("Fc")]
-    return float(values[places].mean()), float(np.sqrt(np.sum(deviations[places] ** 2)) / len(places))
-
-
-def fit_findings(
-    names: tuple[str, ...], values: Array, deviations: Array, robust: Array, columns: Array, velocity: Array, fit: float, slowest: float
-) -> tuple[tuple[Finding, ...], bool]:
-    """Return findings on the result of inverse dynamics, and whether it can be used.
-
-    Parameters
-    ----------
-    values, deviations, robust : ndarray (p,)
-        `robust` are deviations that allow for correlation of the residual.
-    columns : ndarray (n, p)
-    velocity : ndarray (n,) [m/s]
-    fit : float [percent]
-    slowest : float [m/s]
-        Speed below which rows were left out.
-    """
-    findings, usable = _parameter_findings(names, values, np.maximum(deviations, robust))
-    lengths = np.linalg.norm(columns, axis=0)
-    condition = float(np.linalg.cond(columns / lengths))
-    if condition > EXCITED:
-        findings.append(finding("CL534", condition=condition, usual=EXCITED))
-    if fit < EXPLAINED:
-        findings.append(finding("CL533", fit=fit / 100.0, output="force"))
-        usable = usable and fit >= LEAST
-    with np.errstate(divide="ignore", invalid="ignore"):
-        ratio = float(np.nan_to_num(robust / deviations, nan=1.0).max())
-    if ratio > COLOURED:
-        findings.append(finding("CL535", ratio=ratio))
-    resting = float(np.mean(np.abs(velocity) < AT_REST * np.abs(velocity).max()))
-    if resting > RESTS and slowest == 0.0:
-        findings.append(finding("CL536", share=resting))
-    return tuple(findings), usable
-
-
-def _parameter_findings(names: tuple[str, ...], values: Array, deviations: Array) -> tuple[list[Finding], bool]:
-    findings, usable = [], True
-    for name, value, deviation in zip(names, values.tolist(), deviations.tolist(), strict=True):
-        share = deviation / abs(value) if value else np.inf
-        if name == "offset" or 100.0 * share <= WELL_KNOWN:
-            continue  # the offset may be zero
-        findings.append(finding("CL526", name, value=value, deviation=deviation, share=share))
-        usable = usable and name != "M"
-    on_mass, possible = mass_findings(float(values[names.index("M")]))
-    findings, usable = [*findings, *on_mass], usable and possible
-    friction, _ = mean_coulomb(names, values, deviations)
-    if friction < 0.0:
-        findings.append(finding("CL530", "Fc", value=friction))
-        usable = False
-    elif len(names) == 5:
-        findings += [finding("CL531", n, value=x) for n, x in zip(names, values.tolist(), strict=True) if n.startswith("Fc") and x < 0.0]
-    negative = [finding("CL530", n, value=x) for n, x in zip(names, values.tolist(), strict=True) if n.startswith("Fv") and x < 0.0]
-    return [*findings, *negative], usable and not negative
 
 
 PARAMETERS = {"symmetric": ("M", "Fv", "Fc", "offset"), "asymmetric": ("M", "Fv+", "Fc+", "Fv-", "Fc-")}
@@ -228,20 +153,14 @@ class Validation:
 
 
 @dataclass(frozen=True, eq=False)
-class InverseDynamicsFit(Validation):
+class InverseDynamicsFit(Validation, Estimate):
     """The parameters of an axis, and how well they explain their own record.
+
+    Parameters are from `PARAMETERS`: M [kg], Fv [N s/m], Fc [N], offset [N]. Deviations assume a residual that is white after decimation,
+    and columns without noise; robust ones a residual correlated over neighbouring rows (Newey & West) after decimation.
 
     Attributes
     ----------
-    names : tuple of str
-        From `PARAMETERS`: M [kg], Fv [N s/m], Fc [N], offset [N].
-    values, deviations : ndarray (p,)
-        Standard deviations assume a residual that is white after decimation, and columns without noise.
-    relative_deviations : ndarray (p,) [percent]
-    robust_deviations : ndarray (p,)
-        Standard deviations for a residual correlated over neighbouring rows (Newey & West) because of decimation and model errors.
-    correlation : ndarray (p, p)
-        Of the parameters, for a white residual.
     usable : bool
         False if viscous or mean Coulomb friction is below zero, the mass is impossible or uncertain by more than 10 percent, or the fit is
         below 75 percent.
@@ -249,23 +168,26 @@ class InverseDynamicsFit(Validation):
         Reasons to doubt the parameters; may be empty.
     """
 
-    settings: InverseDynamicsSettings = field(default_factory=InverseDynamicsSettings)
-    names: tuple[str, ...] = ()
-    values: Array = field(default_factory=lambda: np.empty(0))
-    deviations: Array = field(default_factory=lambda: np.empty(0))
-    relative_deviations: Array = field(default_factory=lambda: np.empty(0))
-    robust_deviations: Array = field(default_factory=lambda: np.empty(0))
-    correlation: Array = field(default_factory=lambda: np.empty((0, 0)))
+    settings: InverseDynamicsSettings
     usable: bool = True
     findings: tuple[Finding, ...] = ()
 
-    def __getitem__(self, name: str) -> float:
-        """Return the value of a parameter by name."""
-        return self.parameters()[name]
+    @property
+    def relative_deviations(self) -> Array:
+        """Deviations over the values (p,) [percent]."""
+        with np.errstate(divide="ignore"):
+            return np.asarray(100.0 * self.deviations / np.abs(self.values))
 
-    def parameters(self) -> Mapping[str, float]:
-        """Return all values by name."""
-        return dict(zip(self.names, self.values.tolist(), strict=True))
+    @property
+    def known(self) -> Array:
+        """The larger deviation (p,) of each parameter."""
+        return np.maximum(self.deviations, self.robust_deviations)
+
+    @property
+    def coulomb(self) -> tuple[float, float]:
+        """Mean Coulomb friction of both directions and its deviation; that of one direction includes the offset, such as gravity."""
+        places = [i for i, name in enumerate(self.names) if name.startswith("Fc")]
+        return float(self.values[places].mean()), float(np.sqrt(np.sum(self.known[places] ** 2)) / len(places))
 
 
 def identify_inverse_dynamics(
@@ -299,26 +221,48 @@ def identify_inverse_dynamics(
     inverse = np.linalg.inv(r)
     unscaled = inverse @ inverse.T
     lost = len(names) if chosen.lost_degrees is None else chosen.lost_degrees
-    deviations = np.sqrt(np.diag(unscaled) * float(residual @ residual) / max(residual.size - lost, 1))
     scale = np.sqrt(np.diag(unscaled))
-    robust = coloured_deviations(rows.columns, residual, unscaled, bartlett(usual_lags(residual.size)))
-    explained = _judged(rows, rows.columns @ values)
-    check_signs(names, values, np.maximum(deviations, robust))
-    findings, usable = fit_findings(names, values, deviations, robust, rows.columns, rows.velocity, explained.fit, chosen.slowest)
-    with np.errstate(divide="ignore"):
-        relative = 100.0 * deviations / np.abs(values)
-    return InverseDynamicsFit(
-        **vars(explained),
-        settings=chosen,
+    fit = InverseDynamicsFit(
         names=names,
         values=values,
-        deviations=deviations,
-        relative_deviations=relative,
-        robust_deviations=robust,
+        deviations=np.sqrt(np.diag(unscaled) * float(residual @ residual) / max(residual.size - lost, 1)),
+        robust_deviations=coloured_deviations(rows.columns, residual, unscaled, bartlett(usual_lags(residual.size))),
         correlation=unscaled / np.outer(scale, scale),
-        usable=usable,
-        findings=findings,
+        settings=chosen,
+        **vars(_judged(rows, rows.columns @ values)),
     )
+    friction, deviation = fit.coulomb
+    if fit["M"] <= 0.0:
+        bound = "> 0: force or position is counted the other way round, they are not of one axis, or the record hardly accelerates"
+        raise ParameterError("M", f"{fit['M']:.4g} kg", bound)
+    if friction < -2.0 * deviation:
+        bound = "above zero: the force helps the motion in both directions, so it is not what moves this axis"
+        raise ParameterError("Fc", f"{friction:.4g} N", bound)
+    findings, usable = _doubts(fit, rows.columns)
+    return replace(fit, findings=tuple(findings), usable=usable)
+
+
+def _doubts(fit: InverseDynamicsFit, columns: Array) -> tuple[list[Finding], bool]:
+    """Return findings on parameters and record, and whether the fit can be used."""
+    on_mass, usable = mass_findings(fit["M"])
+    poor = {
+        name: deviation_findings(name, value, deviation)
+        for name, value, deviation in zip(fit.names, fit.values.tolist(), fit.known.tolist(), strict=True)
+        if name != "offset"  # it may be zero
+    }
+    negative, friction = {name: value for name, value in fit.parameters.items() if value < 0.0}, fit.coulomb[0]
+    coulomb = [finding("CL531", name, value=value) for name, value in negative.items() if name in ("Fc+", "Fc-")]
+    viscous = [finding("CL530", name, value=value) for name, value in negative.items() if name.startswith("Fv")]
+    findings = [*chain(*poor.values()), *on_mass, *([finding("CL530", "Fc", value=friction)] if friction < 0.0 else coulomb), *viscous]
+    condition = float(np.linalg.cond(columns / np.linalg.norm(columns, axis=0)))
+    findings += [finding("CL534", condition=condition, usual=EXCITED)] if condition > EXCITED else []
+    findings += fit_findings(fit.fit, EXPLAINED, "force")
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratio = float(np.nan_to_num(fit.robust_deviations / fit.deviations, nan=1.0).max())
+    findings += [finding("CL535", ratio=ratio)] if ratio > COLOURED else []
+    resting = float(np.mean(np.abs(fit.velocity) < AT_REST * np.abs(fit.velocity).max()))
+    findings += [finding("CL536", share=resting)] if resting > RESTS and fit.settings.slowest == 0.0 else []
+    return findings, usable and not poor["M"] and friction >= 0.0 and not viscous and fit.fit >= LEAST
 
 
 def cross_validate(fit: InverseDynamicsFit, time: ArrayLike, position: ArrayLike, force: ArrayLike) -> Validation:
@@ -380,10 +324,7 @@ def _check_excitation(rows: _Rows, names: tuple[str, ...]) -> None:
     lengths = np.linalg.norm(rows.columns, axis=0)
     if not lengths.all():
         raise ParameterError("record", "a record", f"one that moves {names[int(np.argmin(lengths))]}")
-    _, singular, directions = np.linalg.svd(rows.columns / lengths, full_matrices=False)
-    if singular[-1] * SINGULAR <= singular[0]:
-        mixed = [name for name, part in zip(names, directions[-1], strict=True) if abs(part) > 0.2]
-        raise ParameterError("record", "a record", f"one that tells {' and '.join(mixed)} apart: vary speed and acceleration")
+    check_apart(rows.columns / lengths, names, SINGULAR, "vary speed and acceleration")
 
 
 def _judged(rows: _Rows, predicted: Array) -> Validation:

@@ -24,11 +24,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError
+from contourlab.findings import Finding, finding
 
 NEAR_BOUND = 1e-6
 """Share of a parameter's scale within which it counts as lying at its bound."""
-UNTOLD = 1e10
-"""Condition number of the normal equations, columns of length one, above which parameters cannot be separated."""
+UNTOLD = 1e5
+"""Condition number, columns of length one, above which parameters cannot be separated."""
 
 
 @dataclass(frozen=True)
@@ -41,20 +42,21 @@ class Free:
     scale: float = 1.0
 
 
+def arrays_of(free: Mapping[str, Free]) -> Array:
+    """Return start, bounds and size of the parameters of a fit (4, p)."""
+    return np.array([(part.start, part.low, part.high, part.scale) for part in free.values()]).T
+
+
 @dataclass(frozen=True, eq=False)
-class OutputFit:
-    """Result of a fit of a model's output.
+class Estimate:
+    """Parameters of a fit.
 
     Attributes
     ----------
     values, deviations, robust_deviations : ndarray (p,)
         Standard deviations for a white residual, and for a residual correlated in time; 0 for a parameter at its bound.
     correlation : ndarray (p, p)
-    condition_number : float
-        Of the sensitivities, columns of length one.
-    measured, predicted : ndarray (n,)
-    fit : float [percent]
-        100 (1 - |measured - predicted|/|measured - mean|).
+        For a white residual.
     """
 
     names: tuple[str, ...]
@@ -62,22 +64,58 @@ class OutputFit:
     deviations: Array
     robust_deviations: Array
     correlation: Array
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """All values by name."""
+        return dict(zip(self.names, self.values.tolist(), strict=True))
+
+    def __getitem__(self, name: str) -> float:
+        """Return a parameter by name; 0 if it was not fitted."""
+        return self.parameters.get(name, 0.0)
+
+    def deviation(self, name: str) -> float:
+        """Return the robust deviation of a parameter by name; 0 if it was not fitted.
+
+        The noise of a differenced position is correlated: deviations for a white residual would be many times too large.
+        """
+        return float(self.robust_deviations[self.names.index(name)]) if name in self.names else 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class OutputFit(Estimate):
+    """Result of a fit of a model's output.
+
+    Attributes
+    ----------
+    condition_number : float
+        Of the sensitivities, columns of length one.
+    measured, predicted : ndarray (n,)
+    fit : float [percent]
+        100 (1 - |measured - predicted|/|measured - mean|).
+    """
+
     condition_number: float
     at_bound: tuple[str, ...]
     measured: Array
     predicted: Array
     fit: float
 
-    def __getitem__(self, name: str) -> float:
-        """Return the value of a parameter by name."""
-        return float(self.values[self.names.index(name)])
 
-    def deviation(self, name: str) -> float:
-        """Return the robust deviation of a parameter by name.
+WELL_KNOWN = 0.1
+"""Relative deviation up to which a parameter counts as identified: the usual limit for robots (Gautier)."""
 
-        The noise of a differenced position is correlated: deviations for a white residual would be many times too large.
-        """
-        return float(self.robust_deviations[self.names.index(name)])
+
+def deviation_findings(name: str, value: float, deviation: float) -> list[Finding]:
+    """Return a finding on a parameter whose deviation exceeds `WELL_KNOWN`."""
+    if not deviation > WELL_KNOWN * abs(value):
+        return []
+    return [finding("CL526", name, value=value, deviation=deviation, share=deviation / abs(value) if value else math.inf)]
+
+
+def fit_findings(fit: float, least: float, output: str) -> list[Finding]:
+    """Return a finding on a fit [percent] of an output that is below the least one of a model that is not in doubt."""
+    return [finding("CL533", fit=fit / 100.0, output=output)] if fit < least else []
 
 
 def fit_percent(measured: NDArray[Any], predicted: NDArray[Any]) -> float:
@@ -107,7 +145,7 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
     names = tuple(free)
     if measured.size <= 2 * len(names):
         raise ParameterError("record", f"{measured.size} samples", f"more than {2 * len(names)} for {len(names)} parameters")
-    low, high, scale = (np.array([getattr(f, part) for f in free.values()]) for part in ("low", "high", "scale"))
+    start, low, high, scale = arrays_of(free)
 
     def output(x: Array) -> Array:
         return model(dict(zip(names, x.tolist(), strict=True)))
@@ -118,27 +156,24 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
     def left(x: Array) -> Array:
         return (output(x) - measured) / size
 
-    start = np.clip([f.start for f in free.values()], low, high)
-    solution = least_squares(left, start, jac="3-point", bounds=(low, high), x_scale=scale, xtol=1e-10, ftol=1e-12, gtol=1e-12)
+    solution = least_squares(
+        left, np.clip(start, low, high), jac="3-point", bounds=(low, high), x_scale=scale, xtol=1e-10, ftol=1e-12, gtol=1e-12
+    )
     values = np.asarray(solution.x, dtype=float)
     lowest, highest = values - low <= NEAR_BOUND * scale, high - values <= NEAR_BOUND * scale
-    values, bound = np.where(lowest, low, np.where(highest, high, values)), lowest | highest
+    values, inside = np.where(lowest, low, np.where(highest, high, values)), ~(lowest | highest)
     predicted = output(values)
-    slopes = _slopes(output, values, low, high, scale)
     white, robust, correlation = np.zeros(len(names)), np.zeros(len(names)), np.eye(len(names))
-    inside = [name for name, b in zip(names, bound, strict=True) if not b]
-    part = np.ix_(~bound, ~bound)
-    white[~bound], robust[~bound], correlation[part], condition = _covariance(slopes[:, ~bound], predicted - measured, inside)
-    stuck = tuple(name for name, b in zip(names, bound, strict=True) if b)
+    free_names, stuck = (tuple(name for name, is_free in zip(names, inside, strict=True) if is_free == wanted) for wanted in (True, False))
+    slopes = _slopes(output, values, low, high, scale)[:, inside]
+    white[inside], robust[inside], correlation[np.ix_(inside, inside)], condition = _covariance(slopes, predicted - measured, free_names)
     return OutputFit(names, values, white, robust, correlation, condition, stuck, measured, predicted, fit_percent(measured, predicted))
 
 
 def _slopes(output: Callable[[Array], Array], at: Array, low: Array, high: Array, scale: Array) -> Array:
     """Return the sensitivities (n, p) by differences within the bounds, wide enough to bridge the kinks of sticking."""
     columns = []
-    for i in range(at.size):
-        step = np.zeros(at.size)
-        step[i] = 1e-4 * max(abs(at[i]), scale[i])
+    for i, step in enumerate(np.diag(1e-4 * np.maximum(np.abs(at), scale))):
         up, down = np.minimum(at + step, high), np.maximum(at - step, low)
         columns.append((output(up) - output(down)) / max(up[i] - down[i], 1e-300))
     return np.column_stack(columns)
@@ -152,16 +187,21 @@ def _covariance(slopes: Array, residual: Array, names: Sequence[str]) -> tuple[A
     if not lengths.all():
         raise ParameterError("record", "a record", f"one in which {names[int(np.argmin(lengths))]} shows")
     scaled = slopes / lengths
+    check_apart(scaled, names, UNTOLD, "vary the command more")
     condition = float(np.linalg.cond(scaled))
-    if condition**2 > UNTOLD:
-        _, _, directions = np.linalg.svd(scaled, full_matrices=False)
-        mixed = [name for name, part in zip(names, directions[-1], strict=True) if abs(part) > 0.2]
-        raise ParameterError("record", "a record", f"one that tells {' and '.join(mixed)} apart: vary the command more")
     inverse = np.linalg.inv(scaled.T @ scaled)
     white = np.sqrt(np.diag(inverse) * float(residual @ residual) / max(residual.size - len(names), 1))
     robust = coloured_deviations(scaled, residual, inverse, lasting_window(residual))
     size = np.sqrt(np.diag(inverse))
     return white / lengths, robust / lengths, inverse / np.outer(size, size), condition
+
+
+def check_apart(scaled: Array, names: Sequence[str], limit: float, cure: str) -> None:
+    """Raise `ParameterError` if columns of length one have a condition number above a limit; it names the parameters they mix."""
+    _, singular, directions = np.linalg.svd(scaled, full_matrices=False)
+    if singular[-1] * limit <= singular[0]:
+        mixed = [name for name, part in zip(names, directions[-1], strict=True) if abs(part) > 0.2]
+        raise ParameterError("record", "a record", f"one that tells {' and '.join(mixed)} apart: {cure}")
 
 
 def lasting_window(residual: Array) -> Array:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +21,7 @@ from contourlab.features.measure.study import ACTUAL
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log, read_record
 from contourlab.logs.load import about
-from contourlab.metrics import Bidirectional, CircleFigures, bidirectional, circle_figures
+from contourlab.metrics import bidirectional, circle_figures
 
 FINDINGS = {
     "backlash": "CL480",
@@ -40,15 +40,6 @@ HELD = 0.02
 """Acceleration [m/s^2] that the friction of a guideway gives a load: 0.002 of its weight, that of rolling guides without seals."""
 SAME = 0.01
 """Share by which fitted radii of one circle may differ."""
-
-
-@dataclass(frozen=True, eq=False)
-class _Read:
-    """Runs of all files, the axes, and findings on the files."""
-
-    runs: list[CircleRun]
-    axes: tuple[str, str]
-    findings: list[Finding]
 
 
 @question(Circle)
@@ -72,41 +63,42 @@ def circle(*logs: str | Path | Log, settings: Circle, session: Session = QUIET) 
         If an option is out of range.
     """
     session.will_write(logs, "summary.json", "report.html")
-    read = _read([LogChoice.of(log, settings) for log in logs], settings)
+    runs, axes, findings = _read([LogChoice.of(log, settings) for log in logs], settings)
     with about(*logs):
-        fit = fit_circle(read.runs, read.axes, settings.si("pitch"))
+        fit = fit_circle(runs, axes, settings.si("pitch"))
         name = " and ".join(Path(log).name for log in logs)
-        return replace(_result(fit, read, name, session.command, settings.si("tolerance")), fit=fit, inputs=tuple(logs))
+        test = _result(fit, name, session.command, settings.si("tolerance"))
+    return replace(test, findings=(*test.findings, *findings), inputs=tuple(logs))
 
 
-def _read(choices: Sequence[LogChoice], settings: Circle) -> _Read:
-    """Read the runs of all files, around one nominal radius."""
+def _read(choices: Sequence[LogChoice], settings: Circle) -> tuple[list[CircleRun], tuple[str, str], list[Finding]]:
+    """Return the runs of all files, around one nominal radius; the axes; and findings on the files."""
     radius, feed = settings.si("radius"), settings.si("feed")
-    read = _Read([], ("x", "y"), [])
-    is_known = radius is not None
+    runs, findings, pair, is_known = list[CircleRun](), list[Finding](), ("x", "y"), radius is not None
     for choice in choices:
         named, columns = own_columns(choice.columns)
         record = read_record(choice.file, choice.format)
         if named or is_polar(record, named):
-            with about(choice.file, options=("radius",)):
-                read.runs.extend(polar_runs(record, named, radius, math.nan if feed is None else feed))
             axes = tuple(choice.axes) or ("x", "y")
+            with about(choice.file, options=("radius",)):
+                runs += polar_runs(record, named, radius, math.nan if feed is None else feed)
         else:
             log = open_log(replace(choice, columns=columns))
             axes = tuple(choice.axes) or log.result.axes[:2]
             with about(choice.file):
-                runs, has_reference = _log_runs(log, axes, radius)
-            read.runs.extend(runs)
-            read.findings.extend(log.findings)
+                own, has_reference = _log_runs(log, axes, radius)
+            runs += own
+            findings += [*log.findings, *([] if "tool_position" in log.result else [finding("CL491")])]
             is_known = is_known or has_reference
-            if "tool_position" not in log.result:
-                read.findings.append(finding("CL491"))
         if len(axes) != 2:
             raise ParameterError("--axes", ",".join(axes), "two axes, such as x,y")
-        read = replace(read, axes=(axes[0], axes[1]))
-    unique = {str(one): one for one in read.findings}
-    findings = [*unique.values(), *([] if is_known else [finding("CL492")])]
-    return _Read(_one_radius(read.runs), read.axes, findings)
+        pair = axes[0], axes[1]
+    unique = {str(doubt): doubt for doubt in findings}
+    radii = [run.radius for run in runs]
+    mean = sum(radii) / len(radii)
+    if max(radii) - min(radii) <= SAME * mean:  # fitted radii of the same circle differ by little
+        runs = [replace(run, radius=mean, deviation=run.deviation + (run.radius - mean)) for run in runs]
+    return runs, pair, [*unique.values(), *([] if is_known else [finding("CL492")])]
 
 
 def _log_runs(log: Log, axes: tuple[str, ...], radius: float | None) -> tuple[tuple[CircleRun, ...], bool]:
@@ -125,18 +117,10 @@ def _log_runs(log: Log, axes: tuple[str, ...], radius: float | None) -> tuple[tu
     return runs_of(log.record.file.name, position, result.servo_period, circle, reference), reference is not None
 
 
-def _one_radius(runs: Sequence[CircleRun]) -> list[CircleRun]:
-    """Return the runs with one nominal radius, if theirs differ by little: fitted radii of the same circle do."""
-    radii = [run.radius for run in runs]
-    mean = sum(radii) / len(radii)
-    if max(radii) - min(radii) > SAME * mean:
-        return list(runs)
-    return [replace(run, radius=mean, deviation=run.deviation + (run.radius - mean)) for run in runs]
-
-
-def _result(fit: CircleFit, read: _Read, name: str, command: str, tolerance: float | None) -> CircleTest:
-    runs = tuple(_figures(run, fit.axes) for run in fit.runs)
-    pair = _pair(runs)
+def _result(fit: CircleFit, name: str, command: str, tolerance: float | None) -> CircleTest:
+    plane = "".join(fit.axes).upper()
+    runs = tuple(circle_figures(run.points, np.zeros(2), run.radius, run.clockwise, f"{plane} of {run.name}") for run in fit.runs)
+    senses = {run.clockwise: run for run in reversed(runs)}
     causes, correlations = causes_of(fit), correlations_of(fit)
     radius, centre = (fit.place(term) for term in fit.terms[:2])
     deviations = np.sqrt(np.maximum(np.diag(fit.covariance), 0.0))
@@ -148,7 +132,7 @@ def _result(fit: CircleFit, read: _Read, name: str, command: str, tolerance: flo
         radius=fit.runs[0].radius,
         feedrate=feed if math.isfinite(feed) else None,
         runs=runs,
-        bidirectional=pair,
+        bidirectional=bidirectional(senses[False], senses[True]) if fit.both else None,
         causes=tuple(causes),
         correlations=tuple(correlations),
         radius_change=float(fit.coefficients[radius][0]),
@@ -160,19 +144,10 @@ def _result(fit: CircleFit, read: _Read, name: str, command: str, tolerance: flo
         residual=fit.residual,
         tolerance=tolerance,
         passed=None,
-        findings=(*_cause_findings(causes), *_fit_findings(fit, causes, correlations), *read.findings),
+        findings=(*_cause_findings(causes), *_fit_findings(fit, causes, correlations)),
+        fit=fit,
     )
     return replace(test, passed=None if tolerance is None else test.circular_deviation <= tolerance)
-
-
-def _figures(run: CircleRun, axes: tuple[str, str]) -> CircleFigures:
-    return circle_figures(run.points, np.zeros(2), run.radius, run.clockwise, f"{''.join(axes).upper()} of {run.name}")
-
-
-def _pair(runs: Sequence[CircleFigures]) -> Bidirectional | None:
-    one = next((run for run in runs if not run.clockwise), None)
-    other = next((run for run in runs if run.clockwise), None)
-    return None if one is None or other is None else bidirectional(one, other)
 
 
 def _cause_findings(causes: Sequence[Cause]) -> list[Finding]:

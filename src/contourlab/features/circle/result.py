@@ -22,8 +22,7 @@ from contourlab.app.json_values import HIDDEN, json_values, write_json
 from contourlab.app.results import staged
 from contourlab.app.session import Answer, Asked
 from contourlab.arrays import Array
-from contourlab.features.circle.fit import CircleFit, ReversalSpike
-from contourlab.features.circle.signatures import Term, columns_of
+from contourlab.features.circle.fit import CircleFit, ReversalSpike, Term
 from contourlab.figures import figure, number
 from contourlab.findings import Finding
 from contourlab.metrics import Bidirectional, CircleFigures
@@ -290,7 +289,7 @@ def causes_of(fit: CircleFit) -> list[Cause]:
 def _cause(fit: CircleFit, term: Term) -> Cause:
     part = fit.place(term)
     values, block = fit.coefficients[part], fit.covariance[part, part]
-    rows, curve = rows_of(fit, term), np.concatenate(fit.curves(term))
+    rows, curve = np.concatenate(fit.columns(term)), np.concatenate(fit.curves(term))
     spread = rows[int(np.argmax(curve))] - rows[int(np.argmin(curve))]
     contribution, deviation = float(np.ptp(curve)), _root(float(spread @ block @ spread))
     value, value_deviation, unit = float(values[0]), _root(block[0, 0]), "m"
@@ -307,11 +306,6 @@ def _cause(fit: CircleFit, term: Term) -> Cause:
         hertz = term.order * feed / (2.0 * math.pi * radius) if math.isfinite(term.order * feed) else None
         periodic = {"pitch": term.length} if term.cause == "cyclic error" else {"order": term.order, "frequency": hertz}
     return Cause(term.cause, term.axis, contribution, deviation, value, value_deviation, unit, **periodic)
-
-
-def rows_of(fit: CircleFit, term: Term) -> Array:
-    """Return the columns of a term over all runs (n, term.columns)."""
-    return np.concatenate([columns_of(term, run, k, len(fit.runs), fit.axes) for k, run in enumerate(fit.runs)])
 
 
 def _spike(fit: CircleFit, axis: str) -> Cause:

@@ -76,7 +76,7 @@ class Commissioned(Answer):
     predicted: dict[str, Prediction]
     models: dict[str, IdentifiedAxis]
     findings: tuple[Finding, ...]
-    files: tuple[Path, ...]
+    files: tuple[Path, ...] = ()
     terms: tuple[Term, ...] = ()
     answer: tuple[str, ...] = ()
     tables: tuple[Table, ...] = field(default=(), metadata=HIDDEN)
@@ -126,7 +126,7 @@ class Commissioned(Answer):
     @property
     def passed(self) -> bool:
         """Whether no finding is an error."""
-        return all(one.entry.severity != "error" for one in self.findings)
+        return all(doubt.entry.severity != "error" for doubt in self.findings)
 
     @property
     def text(self) -> str:
@@ -177,15 +177,15 @@ def commission(
         findings += more
         wrong = list(doubts(record))
         findings += wrong
-        bad = {one.place.removeprefix("axis ") for one in wrong}
-        records.append({name: moving(one) for name, one in record.items() if name not in bad})
+        bad = {doubt.place.removeprefix("axis ") for doubt in wrong}
+        records.append({name: moving(axis) for name, axis in record.items() if name not in bad})
     planned = {} if program is None else planned_commands(program, setup)
-    work = _Work(setup, records, planned, (settings.gain_margin, settings.phase_margin), settings.seed)
-    if all(one.code != "CL871" for one in findings):
+    work = _Work(setup, records, planned, settings, {axis.name: _Axis(axis, axis.loop, axis.row(setup.unit)) for axis in setup.axes})
+    if all(doubt.code != "CL871" for doubt in findings):
         session.stages().begin("identifying and tuning the axes")
-        findings += chain.from_iterable(in_threads(work.axis, setup.closed))
+        findings += chain.from_iterable(in_threads(work.identify, [work.axes[axis.name] for axis in setup.closed]))
         findings += work.compared()
-    return _answered(work, findings, inputs, program, settings.for_)
+    return _answered(work, findings, inputs)
 
 
 def _prepared(setup: Setup, inputs: tuple[str | Path, ...], session: Session) -> Commissioned:
@@ -196,166 +196,173 @@ def _prepared(setup: Setup, inputs: tuple[str | Path, ...], session: Session) ->
     if setup.closed and not any(axis.idle for axis in setup.axes):
         folder = session.folder if session.saving else Path("commissioning")
         contents = dict(zip(FIRST, (excitation(setup), sampler_lines(setup), steps(setup, folder)), strict=True))
-    return Commissioned(axes, {}, {}, {}, {}, setup.findings, (), answer=answer, contents=contents, inputs=inputs)
+    return Commissioned(axes, {}, {}, {}, {}, setup.findings, answer=answer, contents=contents, inputs=inputs)
 
 
 @dataclass(eq=False)
+class _Axis:
+    """What is known of an axis so far; gains in use are per metre."""
+
+    setup: AxisSetup
+    loop: LoopClass
+    present: Array
+    identified: IdentifiedAxis | None = None
+    task: AxisTask | None = None
+    before: Moves = ()
+    tuned: TunedAxis | None = None
+    predicted: Prediction | None = None
+
+    def gains(self, unit: float, share: float = 1.0) -> dict[str, float]:
+        """Return the gains in machine units: the present ones, or a share of the way from there to the tuned ones."""
+        if self.tuned is None:
+            return dict(self.setup.gains)
+        mixed = (self.present + share * (self.tuned.gains - self.present)) * unit
+        return {name: float(f"{value:.6g}") for name, value in zip(GAINS, mixed.tolist(), strict=True)}
+
+    def line(self, gains: Mapping[str, float]) -> str:
+        """Return the answer in one line."""
+        name, predicted, model = self.setup.name, self.predicted, self.identified
+        if predicted is None or model is None:
+            return f"No gains for {name}, {self.loop.loop}: the findings say why."
+        short = {"Pgain": "P", "Igain": "I", "Dgain": "D"}
+        listed = ", ".join(f"{short.get(gain, gain)} {text_of(float(f'{value:.3g}'))}" for gain, value in gains.items() if value)
+        before, after = (figure(1e-6 * value, "um") for value in (predicted.before, predicted.after))
+        change = f"largest error {before} -> about {after}" if self.tuned else f"these gains stay, largest error {before}"
+        play, deviation = figure(model.play, "um", 2).removesuffix(" um"), figure(model.play_deviation, "um", 1)
+        remains = f"; play of {play} +-{deviation} remains" if math.isfinite(model.play) else ""
+        return f"{listed} for {name}: {change}{remains}"
+
+
+@dataclass(frozen=True, eq=False)
 class _Work:
-    """What is known of the axes so far."""
+    """The axes, their logs, and the commands of a program, by axis."""
 
     setup: Setup
     records: Sequence[Mapping[str, AxisLog]]
     planned: Mapping[str, Array]
-    margins: tuple[float, float]
-    seed: int
-    models: dict[str, IdentifiedAxis] = field(default_factory=dict)
-    tasks: dict[str, AxisTask] = field(default_factory=dict)
-    tuned: dict[str, TunedAxis] = field(default_factory=dict)
-    predicted: dict[str, Prediction] = field(default_factory=dict)
-    before: dict[str, Moves] = field(default_factory=dict)
-    loops: dict[str, LoopClass] = field(default_factory=dict)
+    settings: LinuxCNC
+    axes: dict[str, _Axis]
 
-    def present(self, axis: AxisSetup) -> Array:
-        """Return the gains in use, per metre."""
-        return np.array([axis.gains[name] / self.setup.unit for name in GAINS])
-
-    def axis(self, axis: AxisSetup) -> list[Finding]:
+    def identify(self, axis: _Axis) -> list[Finding]:
         """Identify and tune an axis; return the findings."""
-        place = f"axis {axis.name}"
-        logs = [record[axis.name] for record in self.records if axis.name in record]
+        name, unit = axis.setup.name, self.setup.unit
+        logs = [record[name] for record in self.records if name in record]
         if not logs:
             return []
-        checked = [law_of(log, axis, self.setup.unit) for log in logs]
-        findings = list({str(one): one for _, more in checked for one in more}.values())
-        if axis.backlash:
-            findings.append(finding("CL899", place, backlash=axis.backlash * self.setup.unit))
-        if any(one.entry.severity == "error" for one in findings):
+        place, checked = f"axis {name}", [law_of(log, axis.setup, unit) for log in logs]
+        findings = list({str(doubt): doubt for _, more in checked for doubt in more}.values())
+        findings += [finding("CL899", place, backlash=axis.setup.backlash * unit)] if axis.setup.backlash else []
+        if any(doubt.entry.severity == "error" for doubt in findings):
             return findings
-        loop = axis.loop
-        if loop.loop == "unknown":
-            loop = decided([(log.output, log.measured) for log in logs], self.setup.period, self.setup.unit) or loop
-            self.loops[axis.name] = loop
-            findings += [finding("CL868", place, why=loop.why)] if loop.loop == "velocity drive" else []
-        if loop.loop == "velocity drive":
+        if axis.loop.loop == "unknown":
+            axis.loop = decided([(log.output, log.measured) for log in logs], self.setup.period, unit) or axis.loop
+            findings += [finding("CL868", place, why=axis.loop.why)] if axis.loop.loop == "velocity drive" else []
+        if axis.loop.loop == "velocity drive":
             return findings
-        identified = identify_axis(logs, self.present(axis), checked[0][0])
+        identified = identify_axis(logs, axis.present, checked[0][0])
         if isinstance(identified, Finding):
             return [*findings, identified]
-        self.models[axis.name] = identified
-        findings += identified.findings
-        return findings if not identified.usable else [*findings, *self._tune(axis, logs, identified)]
+        axis.identified = identified
+        tuned = not identified.usable or self._tune(axis, logs, identified)
+        return [*findings, *identified.findings, *([] if tuned else [finding("CL897", place)])]
 
-    def _tune(self, axis: AxisSetup, logs: Sequence[AxisLog], identified: IdentifiedAxis) -> list[Finding]:
-        place, law = f"axis {axis.name}", identified.law
-        commands = [self.planned[axis.name]] if axis.name in self.planned else [log.command for log in logs]
-        if not any(np.ptp(command) > 0.0 for command in commands):
-            commands = [log.command for log in logs]  # the program does not move this axis
-        noises = [identified.noise_like(command, self.seed + k) for k, command in enumerate(commands)]
-        free = max(log.free for log in logs) if axis.always_enabled else 0
-        off = [identified.noise_like(np.zeros(free + 300), self.seed + 100 + k) for k in range(OFF_RUNS if free else 0)]
-        task = AxisTask(identified.model, law, commands, noises, off, free, axis.always_enabled, *self.margins)
-        self.tasks[axis.name] = task
-        measured = [(log.command, log.measured) for log in logs]
-        self.before[axis.name] = task.runs(self.present(axis)) if self.planned else measured
+    def _tune(self, axis: _Axis, logs: Sequence[AxisLog], identified: IdentifiedAxis) -> bool:
+        """Tune an axis; return whether that shrinks its largest error."""
+        law, seed, setup = identified.law, self.settings.seed, axis.setup
+        commands = [self.planned[setup.name]] if setup.name in self.planned else []
+        if not any(np.ptp(command) > 0.0 for command in commands):  # no program, or it does not move this axis
+            commands = [log.command for log in logs]
+        noises = [identified.noise_like(command, seed + k) for k, command in enumerate(commands)]
+        free = max(log.free for log in logs) if setup.always_enabled else 0
+        off = [identified.noise_like(np.zeros(free + 300), seed + 100 + k) for k in range(OFF_RUNS if free else 0)]
+        margins = self.settings.gain_margin, self.settings.phase_margin
+        axis.task = task = AxisTask(identified.model, law, commands, noises, off, free, setup.always_enabled, *margins)
+        axis.before = task.runs(axis.present) if self.planned else [(log.command, log.measured) for log in logs]
         try:
-            tuned = tune_axis(task, unit=self.setup.unit, seed=self.seed)
+            tuned = tune_axis(task, unit=self.setup.unit, seed=seed)
         except ParameterError:
-            return [finding("CL897", place)]
-        before = task.largest(self.present(axis)) if self.planned else largest_error(measured, 0.0, law.period)
-        if not tuned.largest < before:
-            return [finding("CL897", place)]
-        self.tuned[axis.name] = tuned
-        return []
+            return False
+        before = task.largest(axis.present) if self.planned else largest_error(axis.before, 0.0, law.period)
+        axis.tuned = tuned if tuned.largest < before else None
+        return axis.tuned is not None
 
     def compared(self) -> list[Finding]:
         """Predict all errors without the delay that the axes share; new gains hold only if they shrink the sum."""
-        before, after, findings = self._errors({}), self._errors(self.tuned), list[Finding]()
-        if self.tuned and not sum(after.values()) < sum(before.values()):
-            findings, after = [finding("CL897", f"axis {name}") for name in self.tuned], before
-            self.tuned.clear()
-        for name, error in before.items():
-            spread = self.tuned[name].spread if name in self.tuned else math.nan
-            self.predicted[name] = Prediction(1e6 * error, 1e6 * after[name], 1e6 * spread)
-            noise = 3.0 * self.models[name].noise
-            findings += [finding("CL891", f"axis {name}", noise=noise)] if name in self.tuned and noise > 0.3 * after[name] else []
-            findings += [finding("CL898", f"axis {name}", error=spread)] if spread > 0.5 * error else []
+        moved = {name: axis for name, axis in self.axes.items() if axis.task is not None}
+        before, after = self._errors(moved, tuned=False), self._errors(moved, tuned=True)
+        findings, tuned = list[Finding](), [axis for axis in moved.values() if axis.tuned]
+        if tuned and not sum(after.values()) < sum(before.values()):
+            findings, after = [finding("CL897", f"axis {axis.setup.name}") for axis in tuned], before
+            for axis in tuned:
+                axis.tuned = None
+        for name, axis in moved.items():
+            spread = axis.tuned.spread if axis.tuned else math.nan
+            axis.predicted = Prediction(1e6 * before[name], 1e6 * after[name], 1e6 * spread)
+            noise = 3.0 * axis.identified.noise if axis.identified else 0.0
+            findings += [finding("CL891", f"axis {name}", noise=noise)] if axis.tuned and noise > 0.3 * after[name] else []
+            findings += [finding("CL898", f"axis {name}", error=spread)] if spread > 0.5 * before[name] else []
         return findings
 
-    def _errors(self, tuned: Mapping[str, TunedAxis]) -> dict[str, float]:
+    def _errors(self, moved: Mapping[str, _Axis], *, tuned: bool) -> dict[str, float]:
         """Return the largest error [m] of each axis without the delay that all share, with tuned gains or else those in use."""
-        moves = self.before | {name: self.tasks[name].runs(one.gains) for name, one in tuned.items()}
+        chosen = {name: (axis.task, axis.tuned) for name, axis in moved.items() if tuned and axis.task and axis.tuned}
+        moves = {name: axis.before for name, axis in moved.items()} | {name: task.runs(new.gains) for name, (task, new) in chosen.items()}
         period = self.setup.period
         delay = shared_delay(list(moves.values()), period) if len(moves) == len(self.setup.axes) else 0.0
-        errors = {name: largest_error(one, delay, period) for name, one in moves.items()}
-        for name, one in tuned.items():
-            started = float(self.tasks[name].switched_on(one.gains[None], self.models[name].model)[0])
-            errors[name] = max(errors[name], started) if delay else one.largest
+        errors = {name: largest_error(runs, delay, period) for name, runs in moves.items()}
+        for name, (task, new) in chosen.items():
+            started = float(task.switched_on(new.gains[None], task.model)[0])
+            errors[name] = max(errors[name], started) if delay else new.largest
         return errors
 
-    def gains(self, share: float = 1.0) -> dict[str, dict[str, float]]:
-        """Return the gains in machine units by axis: the present ones, and a share of the way from there to the tuned ones."""
-        result = {name: dict(axis.gains) for axis in self.setup.axes if (name := axis.name) in self.models and self.models[name].usable}
-        for axis in (axis for axis in self.setup.axes if axis.name in self.tuned):
-            present = self.present(axis)
-            mixed = (present + share * (self.tuned[axis.name].gains - present)) * self.setup.unit
-            result[axis.name] = {name: float(f"{value:.6g}") for name, value in zip(GAINS, mixed.tolist(), strict=True)}
-        return result
-
-    def safe(self) -> dict[str, dict[str, float]]:
+    def safe(self, known: Mapping[str, IdentifiedAxis]) -> dict[str, dict[str, float]]:
         """Return the first gains to type in: half the way, or less where the loop would not be stable there."""
         chosen = {}
         for share in (0.5, 0.25, 0.1):
-            for name, gains in self.gains(share).items():
-                row, model = np.array(list(gains.values())) / self.setup.unit, self.models[name]
+            for name, model in known.items():
+                gains = self.axes[name].gains(self.setup.unit, share)
+                row = np.array(list(gains.values())) / self.setup.unit
                 if name not in chosen and robustly_stable(row[None], model.model, model.law.period)[0]:
                     chosen[name] = gains
         return chosen
 
 
-def _answered(
-    work: _Work, findings: Sequence[Finding], inputs: tuple[str | Path, ...], program: Path | None, control: str | None
-) -> Commissioned:
+def _answered(work: _Work, findings: Sequence[Finding], inputs: tuple[str | Path, ...]) -> Commissioned:
     """Return the answer, with the contents of its files."""
-    setup, gains, safe = work.setup, work.gains(), work.safe()
-    axes = {axis.name: work.loops.get(axis.name, axis.loop) for axis in setup.axes}
-    answer = tuple(_line(axis, work, gains) for axis in setup.axes)
-    silent = [axis.name for axis in setup.axes if axis.name not in gains]
+    setup, program, control = work.setup, work.settings.program, work.settings.for_
+    models = {name: axis.identified for name, axis in work.axes.items() if axis.identified is not None}
+    known = {name: model for name, model in models.items() if model.usable}
+    gains, safe = {name: work.axes[name].gains(setup.unit) for name in known}, work.safe(known)
+    rows = {name: np.array(list(values.values())) / setup.unit for name, values in gains.items()}
+    answer = tuple(axis.line(gains.get(name, {})) for name, axis in work.axes.items())
+    silent = [name for name in work.axes if name not in gains]
     findings = [*findings, finding("CL867", setup.ini.file.name, axes=silent)] if silent else findings
     present = {axis.name: axis.gains for axis in setup.axes if axis.name in gains}
     tables = {"Gains": gain_table(setup.axes, {"present": present, "safe first": safe, "proposed": gains})}
     terms = tuple[Term, ...]()
     if control is not None:
-        rows = {name: np.array(list(values.values())) / setup.unit for name, values in gains.items()}
-        terms = terms_of(control, {name: cascade_of(row, work.models[name]) for name, row in rows.items()})
+        terms = terms_of(control, {name: cascade_of(row, known[name]) for name, row in rows.items()})
         tables |= {f"The proposed gains in other terms: {control}": term_table(terms)} if terms else {}
     tables = {head: table for head, table in tables.items() if table.rows}
-    diff, picture = "" if silent else changes(setup, gains), _circle(work, gains)
+    diff, picture = "" if silent else changes(setup, gains), _circle(work, rows)
     report, gain_diff, safe_diff, image = SECOND
     title = f"Commissioning of {setup.ini.file.name}" + ("" if program is None else f" for {program.name}")
-    text = page(title, answer, tables, diff, picture, findings)
-    contents: dict[str, str | bytes] = {report: text}
+    contents: dict[str, str | bytes] = {report: page(title, answer, tables, diff, picture, findings)}
     contents |= {} if silent else {gain_diff: diff, safe_diff: changes(setup, safe)}
     contents |= {} if picture is None else {image: picture}
-    models = {axis.name: work.models[axis.name] for axis in setup.axes if axis.name in work.models}
-    predicted = {name: work.predicted[name] for name in models if name in work.predicted}
-    found = (axes, gains, safe, predicted, models, tuple(findings), (), terms, answer, tuple(tables.values()))
-    return Commissioned(*found, contents=contents, inputs=inputs)
-
-
-def _line(axis: AxisSetup, work: _Work, gains: Mapping[str, Mapping[str, float]]) -> str:
-    """Return the answer for an axis in one line."""
-    if axis.name not in work.predicted:
-        return f"No gains for {axis.name}, {work.loops.get(axis.name, axis.loop).loop}: the findings say why."
-    predicted, model = work.predicted[axis.name], work.models[axis.name]
-    short = {"Pgain": "P", "Igain": "I", "Dgain": "D"}
-    listed = ", ".join(f"{short.get(name, name)} {text_of(float(f'{value:.3g}'))}" for name, value in gains[axis.name].items() if value)
-    before, after = (figure(1e-6 * value, "um") for value in (predicted.before, predicted.after))
-    change = f"largest error {before} -> about {after}" if axis.name in work.tuned else f"these gains stay, largest error {before}"
-    line = f"{listed} for {axis.name}: {change}"
-    if math.isfinite(model.play):
-        play, deviation = figure(model.play, "um", 2), figure(model.play_deviation, "um", 1)
-        line += f"; play of {play.removesuffix(' um')} +-{deviation} remains"
-    return line
+    return Commissioned(
+        {name: axis.loop for name, axis in work.axes.items()},
+        gains,
+        safe,
+        {name: axis.predicted for name, axis in work.axes.items() if axis.predicted is not None},
+        models,
+        tuple(findings),
+        terms=terms,
+        answer=answer,
+        tables=tuple(tables.values()),
+        contents=contents,
+        inputs=inputs,
+    )
 
 
 def planned_commands(program: Path, setup: Setup) -> dict[str, Array]:
@@ -393,12 +400,11 @@ def _limits(setup: Setup, letter: str) -> tuple[float, float] | None:
     return None if None in values else (float(values[0] or 0.0), float(values[1] or 0.0))
 
 
-def _circle(work: _Work, gains: Mapping[str, Mapping[str, float]]) -> bytes | None:
-    """Return the picture of a circle before and after, if both x and y are known."""
-    if not {"x", "y"} <= work.tasks.keys():
+def _circle(work: _Work, after: Mapping[str, Array]) -> bytes | None:
+    """Return the picture of a circle with the gains in use and with others, if both x and y are known."""
+    known = {name: (axis.task, axis.identified) for name, axis in work.axes.items() if name in ("x", "y") and axis.task and axis.identified}
+    if len(known) < 2:
         return None
-    axes = [axis for axis in work.setup.axes if axis.name in "xy"]
-    strongest = min(axis.limits["acceleration"] for axis in axes) * work.setup.unit
-    after = {axis.name: np.array(list(gains[axis.name].values())) / work.setup.unit for axis in axes}
-    rows = {"before": {axis.name: work.present(axis) for axis in axes}, "after": after}
-    return circle_png(circle_errors(work.tasks, work.models, rows, strongest))
+    strongest = min(work.axes[name].setup.limits["acceleration"] for name in known) * work.setup.unit
+    rows = {"before": {name: work.axes[name].present for name in known}, "after": after}
+    return circle_png(circle_errors(known, rows, strongest))

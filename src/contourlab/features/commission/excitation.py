@@ -36,9 +36,9 @@ def excitation(setup: Setup) -> str:
         f"{'G20' if setup.unit_name == 'inch' else 'G21'} G90 G17 G40 G49 G61 G94",
     ]
     reach = {axis.name: _reach(axis, mm, setup.ini.file.name) for axis in setup.closed}
-    middle = {axis.name: 0.5 * (axis.limits["low"] + axis.limits["high"]) for axis in setup.closed}
     for axis in setup.closed:
-        lines.append(f"G53 G1 {axis.name.upper()}{_text(middle[axis.name])} F{_text(60.0 * 0.3 * axis.limits['velocity'])}")
+        middle = 0.5 * (axis.limits["low"] + axis.limits["high"])
+        lines.append(f"G53 G1 {axis.name.upper()}{_text(middle)} F{_text(60.0 * 0.3 * axis.limits['velocity'])}")
     lines += ["G91", "G4 P0.5"]
     for axis in setup.closed:
         lines += _strokes(axis, reach[axis.name], mm)
@@ -67,27 +67,23 @@ def _strokes(axis: AxisSetup, reach: float, mm: float) -> list[str]:
     for share in SPEEDS:
         speed = share * fastest
         way = min(speed * TURN_TIME + speed**2 / strongest, reach)
-        feed = f"F{_text(60.0 * speed)}"
-        lines += [f"G1 {letter}{_text(way)} {feed}", f"G1 {letter}{_text(-2.0 * way)}", f"G1 {letter}{_text(2.0 * way)}"]
-        lines += [f"G1 {letter}{_text(-way)}", "G4 P0.1"]
+        first, *others = (f"G1 {letter}{_text(factor * way)}" for factor in (1.0, -2.0, 2.0, -1.0))
+        lines += [f"{first} F{_text(60.0 * speed)}", *others, "G4 P0.1"]
     slow = min(SLOW_STROKE * mm, reach)
     lines += [f"G1 {letter}{_text(sign * slow)} F{_text(60.0 * SLOW_STROKE * mm)}" for sign in (1, -1) * 4]
     for time in (0.04, 0.08, 0.15):
         way = min(max(strongest * (0.5 * time) ** 2, 0.05 * mm), reach)
-        back = [f"G1 {letter}{_text(sign * way)} F{_text(60.0 * fastest)}" for sign in (1, -1, -1, 1)]
-        lines += [*back, *back]
+        lines += [f"G1 {letter}{_text(sign * way)} F{_text(60.0 * fastest)}" for sign in (1, -1, -1, 1) * 2]
     return [*lines, "G4 P0.2"]
 
 
 def _circles(pair: Sequence[AxisSetup], reach: dict[str, float]) -> list[str]:
     """Return a circle each way at a moderate and at a fast feed, from the middle and back."""
     radius = 0.25 * min(reach[axis.name] for axis in pair)
-    lines = ["(circles both ways)", "G64"]
+    fastest = min(min(axis.limits["velocity"], (0.4 * axis.limits["acceleration"] * radius) ** 0.5) for axis in pair)
+    lines, (x, y) = ["(circles both ways)", "G64"], (axis.name.upper() for axis in pair)
     for share in (0.25, 0.7):
-        allowed = [min(axis.limits["velocity"], (0.4 * axis.limits["acceleration"] * radius) ** 0.5) for axis in pair]
-        feed = f"F{_text(60.0 * share * min(allowed))}"
-        x, y = (axis.name.upper() for axis in pair)
-        lines += [f"G1 {x}{_text(radius)} {feed}"]
+        lines += [f"G1 {x}{_text(radius)} F{_text(60.0 * share * fastest)}"]
         lines += [f"{word} {x}0 {y}0 I{_text(-radius)} J0" for word in ("G3", "G2")]
         lines += [f"G1 {x}{_text(-radius)}", "G4 P0.1"]
     return lines

@@ -7,8 +7,11 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
+import numpy as np
+
+from contourlab.arrays import Array
 from contourlab.errors import ScenarioError
 from contourlab.features.commission.loop import GAINS
 from contourlab.file_kinds import mistaken
@@ -120,6 +123,27 @@ class HalGraph:
     settings: dict[str, Statement] = field(default_factory=dict)
     functions: list[str] = field(default_factory=list)
     unread: tuple[Entry, ...] = ()
+
+    def number(self, pin: str) -> float:
+        """Return what a pin or parameter is set to; 0 if it is not set.
+
+        Raises
+        ------
+        ScenarioError
+            If it is no number.
+        """
+        if pin not in self.settings:
+            return 0.0
+        statement = self.settings[pin]
+        try:
+            return float(statement.words[2])
+        except ValueError as error:
+            missing = ": the INI file does not have it" if statement.words[2].startswith("[") else ""
+            raise ScenarioError(f"{' '.join(statement.words[:3])}{missing}: must be a number", file=statement.place) from error
+
+    def true(self, pin: str) -> bool:
+        """Return whether a pin is set to true."""
+        return pin in self.settings and self.settings[pin].words[2].lower() in ("1", "true", "yes")
 
     def kind(self, pin: str) -> str:
         """Return the module of a pin's component; by its usual name where its ``loadrt`` was not read."""
@@ -418,6 +442,10 @@ class AxisSetup:
     backlash: float = 0.0
     always_enabled: bool = False
 
+    def row(self, unit: float) -> Array:
+        """Return the gains (7,) per metre, in the order of `loop.GAINS`."""
+        return np.array([self.gains[name] / unit for name in GAINS])
+
     @property
     def idle(self) -> bool:
         """Whether the pid has neither proportional gain nor velocity feedforward."""
@@ -477,14 +505,12 @@ def read_setup(ini_file: str | Path, hal_file: str | Path) -> Setup:
         graph = read_graph(ini, [given])
     findings = [finding("CL866", entry.place, file=entry.value) for entry in graph.unread]
     unit_entry = ini.first("TRAJ", "LINEAR_UNITS")
-    unit_name = unit_entry.value.lower() if unit_entry else "mm"
-    if unit_entry is None or unit_name not in LENGTHS:
+    unit = LENGTHS.get(unit_entry.value.lower()) if unit_entry else None
+    if unit is None:
         findings.append(finding("CL850", unit_entry.place if unit_entry else ini.file.name))
-        unit_name = "mm"
-    unit = LENGTHS[unit_name]
+        unit = LENGTHS["mm"]
     period_ns = ini.number("EMCMOT", "SERVO_PERIOD", 0.0)
-    if period_ns is None:
-        findings.append(finding("CL851", ini.file.name))
+    findings += [finding("CL851", ini.file.name)] if period_ns is None else []
     period = (period_ns or 1e6) * 1e-9
     axes = tuple(_Wiring(ini, given, graph, findings).axes())
     if not axes:
@@ -506,12 +532,14 @@ def _doubtful(axis: AxisSetup, unit: float, period: float) -> Iterator[Finding]:
         yield finding("CL865", place, pid=axis.pid)
 
 
+@dataclass(frozen=True, eq=False)
 class _Wiring:
     """The pid of each axis in the graph, and what is unusual about it."""
 
-    def __init__(self, ini: Ini, file: Path, graph: HalGraph, findings: list[Finding]) -> None:
-        self.ini, self.file, self.graph, self.findings = ini, file, graph, findings
-        self.signal_of, self.set = graph.signal_of, graph.settings
+    ini: Ini
+    file: Path
+    graph: HalGraph
+    findings: list[Finding]
 
     def letters(self) -> list[str]:
         """Return the axis letter of each joint."""
@@ -522,39 +550,32 @@ class _Wiring:
 
     def axes(self) -> Iterator[AxisSetup]:
         """Yield the axes with a pid; note those without."""
+        signal_of, used = self.graph.signal_of, set()
         channels = [name for name, kind in self.graph.kinds.items() if kind in ("pid", "at_pid")]
-        by_signal = {self.signal_of.get(f"{name}.command"): name for name in channels}
-        by_signal.pop(None, None)
-        used = set()
+        by_signal = {signal_of[pin]: name for name in channels if (pin := f"{name}.command") in signal_of}
         for joint, letter in enumerate(self.letters()):
-            pin = next((pin for pin in (f"joint.{joint}.motor-pos-cmd", f"axis.{joint}.motor-pos-cmd") if pin in self.signal_of), "")
-            name = by_signal.get(self.signal_of.get(pin, ""))
+            pin = next((pin for pin in (f"joint.{joint}.motor-pos-cmd", f"axis.{joint}.motor-pos-cmd") if pin in signal_of), "")
+            name, kind = by_signal.get(signal_of.get(pin, "")), self.ini.first(f"JOINT_{joint}", "TYPE")
             if name is None:
                 self.findings.append(finding("CL852", f"axis {letter}", joint=joint))
-                continue
-            kind = self.ini.first(f"JOINT_{joint}", "TYPE")
-            if kind is not None and kind.value.upper() == "ANGULAR":
+            elif kind is not None and kind.value.upper() == "ANGULAR":
                 self.findings.append(finding("CL863", f"axis {letter}", joint=joint))
-                continue
-            if letter in used:
+            elif letter in used:
                 self.findings.append(finding("CL853", f"joint {joint}", axis=letter))
-                continue
-            used.add(letter)
-            yield self._axis(letter, joint, name)
+            else:
+                used.add(letter)
+                yield self._axis(letter, joint, name)
 
     def _axis(self, letter: str, joint: int, name: str) -> AxisSetup:
-        gains, places = dict.fromkeys(GAINS, 0.0) | {"Pgain": 1.0}, {}  # as pid starts
-        mine = [statement.line for pin, statement in self.set.items() if pin.startswith(f"{name}.") and statement.file == self.file]
+        graph, places = self.graph, {}
+        gains = dict.fromkeys(GAINS, 0.0) | {"Pgain": 1.0}  # as pid starts
         for gain in GAINS:
-            statement = self.set.get(f"{name}.{gain}")
-            if statement is not None:
-                entry = self.ini.referred(REFERENCE.fullmatch(statement.written[2])) or statement.entry(2)
-                gains[gain], places[gain] = self._number(statement), entry
-        loop = classified(self.graph, name)
+            if statement := graph.settings.get(f"{name}.{gain}"):
+                places[gain] = self.ini.referred(REFERENCE.fullmatch(statement.written[2])) or statement.entry(2)
+                gains[gain] = graph.number(f"{name}.{gain}")
+        loop, previous = classified(graph, name), f"{name}.error-previous-target"
         self._check(letter, joint, name, loop)
-        previous = self.set.get(f"{name}.error-previous-target")
-        limit = self.set.get(f"{name}.maxoutput")
-        signals = {pin: self.signal_of.get(f"{name}.{pin}", f"{name}.{pin}") for pin in ("command", "feedback", "output")}
+        mine = [line.line for pin, line in graph.settings.items() if pin.startswith(f"{name}.") and line.file == self.file]
         return AxisSetup(
             letter,
             joint,
@@ -562,25 +583,14 @@ class _Wiring:
             gains,
             places,
             max(mine, default=0),
-            signals,
+            {pin: graph.signal_of.get(f"{name}.{pin}", f"{name}.{pin}") for pin in ("command", "feedback", "output")},
             self._limits(letter, joint),
             loop,
-            None if previous is None else self._true(f"{name}.error-previous-target"),
-            self._number(limit) if limit else 0.0,
+            graph.true(previous) if previous in graph.settings else None,
+            graph.number(f"{name}.maxoutput"),
             self.ini.number(f"JOINT_{joint}", "BACKLASH") or 0.0,
-            self._true(f"{name}.enable"),
+            graph.true(f"{name}.enable"),
         )
-
-    def _true(self, pin: str) -> bool:
-        """Return whether a pin is set to true."""
-        return pin in self.set and self.set[pin].words[2].lower() in ("1", "true", "yes")
-
-    def _number(self, statement: Statement) -> float:
-        try:
-            return float(statement.words[2])
-        except ValueError as error:
-            missing = ": the INI file does not have it" if statement.words[2].startswith("[") else ""
-            raise ScenarioError(f"{' '.join(statement.words[:3])}{missing}: must be a number", file=statement.place) from error
 
     def _limits(self, letter: str, joint: int) -> dict[str, float]:
         sections, limits = (f"AXIS_{letter.upper()}", f"JOINT_{joint}"), {}
@@ -596,29 +606,30 @@ class _Wiring:
 
     def _check(self, letter: str, joint: int, name: str, loop: LoopClass) -> None:
         """Note what is missing or unusual in the wiring of a pid."""
-        place = f"axis {letter}"
-        fed = self.signal_of.get(f"{name}.feedback")
-        if fed is None or self.signal_of.get(f"{name}.output") is None:
-            pin = "feedback" if fed is None else "output"
-            self.findings.append(finding("CL854", self.file.name, pin=f"{name}.{pin}"))
-        elif not any(pin.endswith(f".{joint}.motor-pos-fb") for pin in self.graph.pins[fed]):
-            self.findings.append(finding("CL855", place, signal=fed, joint=joint))
-        if f"{name}.enable" not in self.signal_of and f"{name}.enable" not in self.set:
-            self.findings.append(finding("CL856", self.file.name, pin=f"{name}.enable"))
-        if self._true(f"{name}.enable"):
-            self.findings.append(finding("CL861", self.set[f"{name}.enable"].place, pin=f"{name}.enable"))
-        calculation, controller = f"{name}.do-pid-calcs", "motion-controller"
-        if calculation not in self.graph.functions:
-            self.findings.append(finding("CL857", self.file.name, function=calculation))
-        elif controller in self.graph.functions and self.graph.functions.index(calculation) < self.graph.functions.index(controller):
-            at = next(statement for statement in self.graph.statements if statement.words[:2] == ("addf", calculation))
-            self.findings.append(finding("CL858", at.place, function=calculation))
+        graph, wired, enable = self.graph, self.graph.signal_of, f"{name}.enable"
+
+        def note(code: str, place: str = self.file.name, **values: Any) -> None:
+            self.findings.append(finding(code, place, **values))
+
+        if absent := [pin for pin in (f"{name}.feedback", f"{name}.output") if pin not in wired]:
+            note("CL854", pin=absent[0])
+        elif not any(pin.endswith(f".{joint}.motor-pos-fb") for pin in graph.pins[wired[f"{name}.feedback"]]):
+            note("CL855", f"axis {letter}", signal=wired[f"{name}.feedback"], joint=joint)
+        if enable not in wired and enable not in graph.settings:
+            note("CL856", pin=enable)
+        if graph.true(enable):
+            note("CL861", graph.settings[enable].place, pin=enable)
+        calculation, functions = f"{name}.do-pid-calcs", graph.functions
+        if calculation not in functions:
+            note("CL857", function=calculation)
+        elif "motion-controller" in functions and functions.index(calculation) < functions.index("motion-controller"):
+            at = next(statement for statement in graph.statements if statement.words[:2] == ("addf", calculation))
+            note("CL858", at.place, function=calculation)
         if loop.loop == "step generator":
             return  # nothing is predicted for it
-        for parameter in UNUSUAL:
-            statement = self.set.get(f"{name}.{parameter}")
-            if statement is not None and self._number(statement) != 0.0:
-                self.findings.append(finding("CL859", statement.place, parameter=f"{name}.{parameter}"))
-        for pin in ("command-deriv", "feedback-deriv"):
-            if f"{name}.{pin}" in self.signal_of:
-                self.findings.append(finding("CL860", self.file.name, pin=f"{name}.{pin}"))
+        for parameter in (f"{name}.{parameter}" for parameter in UNUSUAL):
+            if graph.number(parameter) != 0.0:
+                note("CL859", graph.settings[parameter].place, parameter=parameter)
+        for pin in (f"{name}.command-deriv", f"{name}.feedback-deriv"):
+            if pin in wired:
+                note("CL860", pin=pin)

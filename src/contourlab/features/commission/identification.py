@@ -15,6 +15,7 @@ from contourlab.analysis.identification.least_squares import (
     DescentSettings,
     Free,
     OutputFit,
+    arrays_of,
     descend,
     fit_percent,
     parted_deviations,
@@ -100,7 +101,7 @@ class IdentifiedAxis:
     @property
     def usable(self) -> bool:
         """Whether no finding is an error."""
-        return all(one.entry.severity != "error" for one in self.findings)
+        return all(doubt.entry.severity != "error" for doubt in self.findings)
 
     def noise_like(self, command: Array, seed: int = 0) -> Array:
         """Return noise for a command (n,), drawn from the samples at rest."""
@@ -133,17 +134,15 @@ def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law) -> Identified
         fit = _refined(logs, split, law, smoothing, start)
     except ParameterError as error:
         return finding("CL887" if "counted the other way" in str(error) else "CL886", place, reason=str(error), parameters=("the axis",))
-    model = AxisModel(**{name: fit[name] for name in fit.names})
+    model = AxisModel(**fit.parameters)
     deviations = {name: fit.deviation(name) for name in fit.names}
     rest = np.concatenate([_noise_at_rest(log) for log in logs])
     # In motion, third differences: they nearly vanish where it is smooth.
     in_motion = float(np.median(np.abs(np.diff(first.measured, 3)))) / 0.6745 / math.sqrt(20.0)
     noise = float(rest.std()) if rest.size else in_motion
-    play, play_deviation = play_at_load(logs, model)
-    seen = "CL892"
+    play, play_deviation, seen = *play_at_load(logs, model), "CL892"
     if math.isnan(play):
-        seen = "CL862"
-        play, play_deviation = lost_motion_at_motor(logs, model, noise)
+        play, play_deviation, seen = *lost_motion_at_motor(logs, model, noise), "CL862"
     measured, simulated = _validated(logs, split, gains, model, law)
     findings = _quality(fit, deviations, place)
     if model.share:
@@ -151,8 +150,7 @@ def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law) -> Identified
         findings.append(finding("CL895", place, frequency=model.resonance, deviation=deviations["resonance"], **ringing))
     agrees = simulated < 2.0 * measured and measured < 2.0 * simulated
     findings.append(finding("CL890" if agrees else "CL889", place, simulated=simulated, measured=measured))
-    visible = not math.isnan(play)
-    findings.append(finding(seen, place, play=play, deviation=play_deviation) if visible else finding("CL893", place))
+    findings.append(finding("CL893", place) if math.isnan(play) else finding(seen, place, play=play, deviation=play_deviation))
     share = model.friction / model.gain / max(float(np.abs(log.output).max()) for log in logs)
     findings += [finding("CL894", place, share=share)] if share > 0.15 else []
     findings += [finding("CL896", place, delay=model.delay)] if model.delay > 1.5 * law.period else []
@@ -192,31 +190,28 @@ def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, s: int, fi
 
 def _with_shaft(model: Model, measured: Array, free: Mapping[str, Free], rigid: OutputFit) -> OutputFit:
     """Fit two masses with a shaft between them from several starts."""
-    best: OutputFit | None = None
-    start, low, high = (np.array([getattr(one, part) for one in SHAFT.values()]) for part in ("start", "low", "high"))
+    start, low, high, _ = arrays_of(SHAFT)
+    best, ends = rigid, list[OutputFit]()
     for count, reach, settings in SEARCHES:
-        before = best or rigid
-        known = {name: replace(one, start=before[name]) for name, one in free.items()}
-        values = {name: one.start for name, one in known.items()}
+        known = {name: replace(part, start=best[name]) for name, part in free.items()}
+        values = {name: part.start for name, part in known.items()}
 
         def left(points: Array, values: Values = values) -> Array:
             return model([{**values, **dict(zip(SHAFT, x.tolist(), strict=True))} for x in points]) - measured
 
-        ends = [] if best is None else [best]
+        ends = ends and [best]
         for point in spread_starts(left, start, low, high, count, 256, reach):
-            shaft = {name: replace(one, start=float(at)) for (name, one), at in zip(SHAFT.items(), point, strict=True)}
+            shaft = {name: replace(part, start=float(at)) for (name, part), at in zip(SHAFT.items(), point, strict=True)}
             ends.append(_descended(model, measured, {**known, **shaft}, settings))
         best = max(ends, key=lambda end: end.fit)
         start = best.values[-len(SHAFT) :]
-    assert best is not None
     # Behind play a search does not always end at the same point: how far its ends differ is not known better.
     return replace(best, robust_deviations=np.hypot(best.robust_deviations, np.std([end.values for end in ends], axis=0)))
 
 
 def _descended(model: Model, measured: Array, free: Mapping[str, Free], settings: DescentSettings | None = None) -> OutputFit:
     """Fit a model's output in steps that bridge its kinks; deviations are those of the jackknife over parts of the record."""
-    names = tuple(free)
-    start, low, high, scale = (np.array([getattr(f, part) for f in free.values()]) for part in ("start", "low", "high", "scale"))
+    names, (start, low, high, scale) = tuple(free), arrays_of(free)
 
     def predicted(points: Array) -> Array:
         return model([dict(zip(names, x.tolist(), strict=True)) for x in points])

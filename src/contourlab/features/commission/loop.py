@@ -19,9 +19,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from contourlab.arrays import Array, Flags
+from contourlab.arrays import Array, Complex, Flags
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Late, Node, Schedule
 from contourlab.engine.step import Step, ports
@@ -335,7 +334,6 @@ GRID = 500
 """Frequencies of the quick check of many sets of gains."""
 ROBUST = (0.75, 1.0, 1.25)
 """Factors of the axis gain at which the loop must be stable."""
-Complex = NDArray[np.complex128]
 
 
 def _axis_ratio(model: AxisModel, period: float) -> tuple[Array, Array]:

@@ -104,7 +104,7 @@ def read_log(file: str | Path, setup: Setup) -> tuple[dict[str, AxisLog], list[F
         if output is None or not np.isfinite(output).all():  # it was not recorded
             findings.append(finding("CL872", f"axis {axis.name}"))
             law = Law(period, axis.previous_target is not False)
-            output = law_output(command, measured, [axis.gains[name] / setup.unit for name in GAINS], law)
+            output = law_output(command, measured, axis.row(setup.unit).tolist(), law)
         load = load if load is not None and np.isfinite(load).all() else None
         logs[axis.name] = AxisLog(record.file.name, axis.name, period, command, measured, output, load)
     return logs, findings
@@ -191,7 +191,7 @@ def law_of(log: AxisLog, axis: AxisSetup, unit: float) -> tuple[Law, list[Findin
     The output is compared with the gains of the HAL file, with either setting of ``error-previous-target``. If neither agrees, the gains
     are fitted: all of them scaled alike mean a sign or a unit; integral and feedforward scaled against Pgain mean another servo period.
     """
-    gains = np.array([axis.gains[name] / unit for name in GAINS])
+    gains = axis.row(unit)
     choices = (True, False) if axis.previous_target is None else (axis.previous_target,)
     laws = [Law(log.period, previous, axis.maxoutput) for previous in choices]
     place, spread = f"axis {log.axis}", float(log.output.std())

@@ -8,7 +8,6 @@ import io
 import math
 import re
 from collections.abc import Mapping, Sequence
-from html import escape
 from pathlib import Path
 from typing import TypeAlias
 
@@ -29,12 +28,6 @@ CIRCLE = 0.01
 """Radius of the circle in the report [m]."""
 Rows: TypeAlias = Mapping[str, Array]
 Curves: TypeAlias = Mapping[str, tuple[Array, Array]]
-CSS = """
-body { font: 16px/1.5 system-ui, sans-serif; max-width: 56rem; margin: 2rem auto; padding: 0 1rem; color: #1c2733 }
-table { border-collapse: collapse }
-img { max-width: 100% } li { margin: .3rem 0 } pre { background: #f3f5f7; padding: 1rem; overflow: auto }
-td, th { padding: .2rem .8rem; border-bottom: 1px solid #ccd3da; text-align: right } td:first-child, th:first-child { text-align: left }
-"""
 
 
 def text_of(value: float) -> str:
@@ -74,27 +67,28 @@ def _lines(file: Path) -> list[str]:
     return [f"{line}\n" for line in file.read_text(encoding="utf-8", errors="replace").splitlines()]
 
 
-def circle_errors(tasks: Mapping[str, AxisTask], models: Mapping[str, IdentifiedAxis], gains: Mapping[str, Rows], fastest: float) -> Curves:
+def circle_errors(axes: Mapping[str, tuple[AxisTask, IdentifiedAxis]], gains: Mapping[str, Rows], fastest: float) -> Curves:
     """Return angle [rad] and radial error [m] on a circle of x and y, simulated with each set of gains.
 
     Parameters
     ----------
-    tasks, models : mapping of str to AxisTask, IdentifiedAxis
-        By axis.
+    axes : mapping of str to (AxisTask, IdentifiedAxis)
     gains : mapping of str to mapping of str to ndarray (7,)
         By name of the set and axis, per metre.
     fastest : float [m/s^2]
         An eighth of this acceleration is used.
     """
-    period, turn, start = tasks["x"].law.period, 0.5 * math.sqrt(0.5 * fastest / CIRCLE), 0.3
+    period, turn, start = axes["x"][0].law.period, 0.5 * math.sqrt(0.5 * fastest / CIRCLE), 0.3
     time = period * np.arange(round((start + 4.0 * math.pi / turn) / period))
     phase = turn * np.where(time < start, time**2 / (2.0 * start), time - 0.5 * start)  # from rest, two turns
     commands, last = {"x": CIRCLE * np.cos(phase), "y": CIRCLE * np.sin(phase)}, phase > phase[-1] - 2.0 * math.pi
     curves = {}
     for label, rows in gains.items():
-        noises = {name: models[name].noise_like(command) for name, command in commands.items()}
-        parts = [(command, noises[name], rows[name][None], [tasks[name].model], tasks[name].law) for name, command in commands.items()]
-        places = [run_lanes(*part, trace=True).position[last] for part in parts]
+        places = []
+        for name, command in commands.items():
+            task, model = axes[name]
+            run = run_lanes(command, model.noise_like(command), rows[name][None], [task.model], task.law, trace=True)
+            places.append(run.position[last])
         curves[label] = (np.arctan2(*places[::-1]), np.hypot(*places) - CIRCLE)
     return curves
 
@@ -145,22 +139,9 @@ def page(
     title: str, answer: Sequence[str], tables: Mapping[str, Table], diff: str, picture: bytes | None, findings: Sequence[Finding]
 ) -> str:
     """Return the report as one HTML page."""
-    parts = [f"<p><b>{escape(line)}</b></p>" for line in answer]
-    for head, table in tables.items():
-        cells = "".join(f"<th>{escape(column.head)}</th>" for column in table.columns)
-        rows = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in table.rows)
-        parts.append(f"<h2>{escape(head)}</h2><table><tr>{cells}</tr>{rows}</table>")
-    if tables:
-        parts.append("<p>Type in the safe values first, run the program, then the proposed ones.</p>")
-    if picture is not None:
-        data = base64.b64encode(picture).decode()
-        parts.append(f'<h2>Circle, simulated at the motors</h2><img alt="circle before and after" src="data:image/png;base64,{data}">')
-    if diff:
-        parts.append(f"<h2>Changes</h2><pre>{escape(diff)}</pre>")
-    remarks = "".join(
-        f"<li><b>{escape(str(one))}</b> {escape(one.entry.meaning)} {escape(one.entry.remedy)}</li>"
-        for one in sorted(findings, key=lambda one: ("error", "warning", "info").index(one.entry.severity))
-    )
-    parts.append(f"<h2>What to look at</h2><ul>{remarks}</ul>")
-    head_text = f'<meta charset="utf-8"><title>{escape(title)}</title><style>{CSS}</style>'
-    return f'<!doctype html><html lang="en"><head>{head_text}</head><body><h1>{escape(title)}</h1>{"".join(parts)}</body></html>\n'
+    from contourlab.rendering.html import page_template
+
+    image = "" if picture is None else base64.b64encode(picture).decode()
+    worst_first = sorted(findings, key=lambda doubt: ("error", "warning", "info").index(doubt.entry.severity))
+    template = page_template("commission.html.j2")
+    return str(template.render(title=title, answer=answer, tables=tables, diff=diff, picture=image, findings=worst_first))

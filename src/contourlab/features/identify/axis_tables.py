@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
@@ -97,7 +96,6 @@ def plant_numbers(forces: Forces, a: float, b: float) -> dict[str, float]:
 
 def rigid_tables(
     records: Sequence[AxisRecord],
-    forces: Forces,
     a: float,
     b: float,
     origin: OriginOf,
@@ -122,25 +120,25 @@ def rigid_tables(
     peak : float [m/s^2], optional
         Largest acceleration; by default from reference and position.
     """
-    limits = _motion_limits(records, _Effort(forces, a, b, held), peak)
-    x = plant_numbers(forces, a, b)
+    forces = forces_of(records)
+    limits, top, of_drive = _motion_limits(records, forces, (a, b, held), peak)
+    x, per_unit, unit = plant_numbers(forces, a, b), forces.one, "full_scale"
     if forces.unit == "N":
+        per_unit, unit = forces.constant, "A"
         plant: dict[str, Row] = {
             "kind": ("mass-damper", "", None),
             "mass": (x["plant.mass"], "kg", origin("plant.mass")),
             "damping": (x["plant.damping"], "N*s/m", origin("plant.damping")),
             "force_constant": (forces.constant, "N/A", assumed("as given; one unit of the command counts as one ampere")),
         }
-        top: Row = (limits.command / forces.constant, "A", limits.origin)
     else:
         plant = {
             "kind": ("rigid-axis", "", None),
             "gain": (x["plant.gain"], "m/s^2/full_scale", origin("plant.gain", forces.note)),
             "damping": (x["plant.damping"], "1/s", origin("plant.damping")),
         }
-        top = (limits.command / forces.one, "full_scale", limits.origin)
-    drive = _drive_table(top, delay, origin)
-    return {"plant": plant, **(friction or {}), "drive": drive, "limits": limits.table, **_sensor_table(records)}
+    drive = _drive_table((top / per_unit, unit, of_drive), delay, origin)
+    return {"plant": plant, **(friction or {}), "drive": drive, "limits": limits, **_sensor_table(records)}
 
 
 def friction_tables(coulomb: float, force: float, unit: str, origin: OriginOf) -> Tables:
@@ -172,14 +170,14 @@ def two_inertia_tables(
         Largest acceleration.
     """
     whole = x["motor_mass"] + x["load_mass"]
-    limits = _motion_limits(records, _Effort(forces_of(records), 1.0 / whole, x["damping"] / whole), peak)
+    limits, top, of_drive = _motion_limits(records, forces_of(records), (1.0 / whole, x["damping"] / whole, 0.0), peak)
     values = two_inertia_numbers(lead, x)
     plant: dict[str, Row] = {"kind": ("two-inertia", "", None), "lead": (lead, "m", assumed("as given"))}
     for name, (key, unit) in TWO_INERTIAS.items():
         plant[name] = (values[f"plant.{name}"], unit, assumed("as given") if key in given else origin(f"plant.{name}"))
     plant["torque_gain"] = (1.0, "", assumed("the command counts as a torque: force times lead over 2 pi"))
-    drive = _drive_table((limits.command * (lead / (2.0 * math.pi)), "N*m", limits.origin), x["delay"], origin)
-    return {"plant": plant, "drive": drive, "limits": limits.table, **_sensor_table(records)}
+    drive = _drive_table((top * (lead / (2.0 * math.pi)), "N*m", of_drive), x["delay"], origin)
+    return {"plant": plant, "drive": drive, "limits": limits, **_sensor_table(records)}
 
 
 def _drive_table(limit: Row, delay: float, origin: OriginOf) -> dict[str, Row]:
@@ -198,51 +196,17 @@ def _sensor_table(records: Sequence[AxisRecord]) -> Tables:
     return {"sensor": {"kind": ("encoder", "", None), "resolution": (float(seen.min()), "m", origin)}}
 
 
-@dataclass(frozen=True)
-class _Effort:
-    """Command that the motion of an axis needs.
+def _motion_limits(
+    records: Sequence[AxisRecord], forces: Forces, plant: tuple[float, float, float], peak: float | None
+) -> tuple[dict[str, Row], float, Origin]:
+    """Return the table of velocity, acceleration and jerk of an axis file; the limit of the drive [command] and its origin.
 
-    Attributes
+    Parameters
     ----------
-    a : float [m/s^2 per command], > 0
-    b : float [1/s]
-    held : float [command]
-        Friction and constant force.
-    """
-
-    forces: Forces
-    a: float
-    b: float
-    held: float = 0.0
-
-    def drive(self, velocity: float, acceleration: float) -> float:
-        """Return the drive limit [command].
-
-        Full scale, or for forces the command for both at once with `RESERVE`, between `ROOM` and `MOST_ROOM` above the largest command.
-        """
-        if self.forces.unit != "N":
-            return self.forces.one
-        taken = (self.held + (acceleration + self.b * velocity) / self.a) / (1.0 - RESERVE)
-        return min(max(taken, (1.0 + ROOM) * self.forces.largest), (1.0 + MOST_ROOM) * self.forces.largest)
-
-    def share(self, velocity: float, acceleration: float) -> float:
-        """Return the share of velocity and acceleration that the drive can give at once, at most 1."""
-        limit = self.drive(velocity, acceleration)
-        left = max((1.0 - RESERVE) * limit - self.held, RESERVE * limit)
-        taken = (acceleration + self.b * velocity) / self.a
-        return min(1.0, left / taken) if taken > 0.0 else 1.0
-
-
-class _MotionLimits(NamedTuple):
-    """Limits of an axis file: the table of velocity, acceleration and jerk; the limit of the drive [command] and its origin."""
-
-    table: dict[str, Row]
-    command: float
-    origin: Origin
-
-
-def _motion_limits(records: Sequence[AxisRecord], effort: _Effort, peak: float | None) -> _MotionLimits:
-    """Return the limits of an axis file, from the largest acceleration [m/s^2]; by default it comes from reference and position.
+    plant : (float, float, float)
+        a [m/s^2 per command], > 0; b [1/s]; friction and constant force [command].
+    peak : float [m/s^2], optional
+        Largest acceleration; by default from reference and position.
 
     Notes
     -----
@@ -251,12 +215,31 @@ def _motion_limits(records: Sequence[AxisRecord], effort: _Effort, peak: float |
     in the logs; full scale does not rise. If that is not enough, each is first limited to what the drive gives for it alone, then both are
     lowered by the same share.
     """
+    a, b, held = plant
+
+    def drive(velocity: float, acceleration: float) -> float:
+        """Return the drive limit [command].
+
+        Full scale, or for forces the command for both at once with `RESERVE`, between `ROOM` and `MOST_ROOM` above the largest command.
+        """
+        if forces.unit != "N":
+            return forces.one
+        taken = (held + (acceleration + b * velocity) / a) / (1.0 - RESERVE)
+        return min(max(taken, (1.0 + ROOM) * forces.largest), (1.0 + MOST_ROOM) * forces.largest)
+
+    def given(velocity: float, acceleration: float) -> float:
+        """Return the share of velocity and acceleration that the drive can give at once, at most 1."""
+        limit = drive(velocity, acceleration)
+        left = max((1.0 - RESERVE) * limit - held, RESERVE * limit)
+        taken = (acceleration + b * velocity) / a
+        return min(1.0, left / taken) if taken > 0.0 else 1.0
+
     source = reference_name(records)
     largest, of_signal = (peak, "") if peak is not None else max(map(_largest_acceleration, records), key=lambda pair: pair[0])
     top = max(fastest(record.position[:, None], record.period) for record in records)
     velocity, gain = (1.0 + ROOM) * top, (1.0 + ROOM) * largest
-    velocity, gain = velocity * effort.share(velocity, 0.0), gain * effort.share(0.0, gain)
-    share, command = effort.share(velocity, gain), effort.drive(velocity, gain)
+    velocity, gain = velocity * given(velocity, 0.0), gain * given(0.0, gain)
+    share, command = given(velocity, gain), drive(velocity, gain)
 
     def origin(value: float, largest: float, note: str, why: str) -> Origin:
         """Tell how a limit compares with the largest value in the log, and why if the share is not the usual one."""
@@ -270,8 +253,7 @@ def _motion_limits(records: Sequence[AxisRecord], effort: _Effort, peak: float |
     table: dict[str, Row] = {name: (value, unit, origin(value, seen, note, less)) for name, value, seen, unit, note in rows}
     table["jerk"] = (100.0 * share * gain, "m/s^3", assumed("the acceleration in 10 ms"))
     more = "velocity and acceleration at their limits need it"
-    of_drive = origin(command, effort.forces.largest, "", more) if effort.forces.unit == "N" else assumed("full scale")
-    return _MotionLimits(table, command, of_drive)
+    return table, command, origin(command, forces.largest, "", more) if forces.unit == "N" else assumed("full scale")
 
 
 def _largest_acceleration(record: AxisRecord) -> tuple[float, str]:

@@ -1,126 +1,58 @@
-"""``contourlab identify``: the model of an axis from measured logs, as text, JSON, pictures and an axis file."""
+"""``contourlab identify``: the model of an axis from measured logs; and the table of models."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
-from contourlab.app.json_values import json_values
-from contourlab.app.results import staged
-from contourlab.app.session import QUIET, Answer, Asked, Session, question
-from contourlab.components.origin import Origin
+from contourlab.app.session import QUIET, Session, question
+from contourlab.errors import ParameterError
+from contourlab.features.identify.frequency import identify_linear_motor, identify_response, identify_two_inertia, identify_two_mass
+from contourlab.features.identify.friction import identify_friction, identify_stiction
 from contourlab.features.identify.options import Identify
-from contourlab.features.identify.request import Request
-from contourlab.features.identify.result import Identified, Picture, join_names
-from contourlab.features.measure.log_choice import LogChoice
-from contourlab.findings import Finding
-from contourlab.logs import Log
-from contourlab.rendering.table import Column, Table, paragraphs
-from contourlab.result import write_text_atomic
-from contourlab.scenario.provenance import origin_table
-from contourlab.scenario.toml_text import Noted, toml
-from contourlab.units import from_si
-
-SHOWN = {"m": "um", "m/s": "m/min"}
+from contourlab.features.identify.records import AxisRecord, Request
+from contourlab.features.identify.result import Identification
+from contourlab.features.identify.rigid import identify_behind_observer, identify_open_loop, identify_rigid
+from contourlab.logs.load import Log, about
 
 
-@dataclass(frozen=True, eq=False)
-class Identification(Answer):
-    """An identified axis.
+@dataclass(frozen=True)
+class Model:
+    """A model.
 
     Attributes
     ----------
-    identified : Identified
-    wanted : Path or None
-        Axis file that was asked for; written only if the parameters are usable.
-    plots : tuple of Path
-        Pictures that were written.
+    study : callable
+        From records of the axis to the model; the last record is that for validation, if given.
+    options : tuple of str
+        Options that not all models have.
+    single : str
+        How many logs it takes, if not any number.
+    pieces : bool
+        Whether it takes all stretches of a log between long gaps, not only the longest.
     """
 
-    identified: Identified
-    inputs: tuple[str | Path, ...] = field(default=(), repr=False)
-    wanted: Path | None = None
-    plots: tuple[Path, ...] = ()
+    study: Callable[[Sequence[AxisRecord], Identify], Identification]
+    options: tuple[str, ...] = ()
+    single: str = ""
+    pieces: bool = False
 
-    @property
-    def passed(self) -> bool:
-        """Whether the parameters are usable, and the file that was asked for is written."""
-        return self.identified.usable and (self.written is not None or self.wanted is None)
 
-    @property
-    def written(self) -> Path | None:
-        """The axis file that was written."""
-        return self.wanted if self.identified.usable and self.identified.tables else None
-
-    @property
-    def findings(self) -> tuple[Finding, ...]:
-        """What was found."""
-        return self.identified.findings
-
-    @property
-    def json(self) -> Any:
-        """What was identified."""
-        return replace(self.identified, axis_file=self.written)
-
-    @property
-    def text(self) -> str:
-        """Parameters, fit, findings and files."""
-        identified = self.identified
-        lines = [_text(identified), *(f"plot: {file}" for file in self.plots)]
-        if self.written is not None:
-            lines.append(f"axis file: {self.written}")
-        elif self.wanted is not None:
-            why = f"these logs give no axis file for model {identified.model}" if identified.usable else "the results are not usable"
-            lines.append(f"{self.wanted} not written: {why}")
-        elif identified.usable and identified.tables:
-            lines.append("no axis file: name one with --write")
-        return "\n".join(lines)
-
-    @property
-    def rows(self) -> list[dict[str, Any]]:
-        """The parameters, one a row."""
-        return [{"parameter": name, **json_values(one)} for name, one in self.identified.parameters.items()]
-
-    def _charts(self) -> Iterator[Any]:
-        yield from map(_chart, self.identified.pictures)
-
-    def save(self, folder: str | Path = "results", *, write: str | Path | None = None, plots: Sequence[str] = ()) -> Identification:
-        """Write an axis file, if the parameters are usable, and pictures.
-
-        Parameters
-        ----------
-        folder : str or Path
-            Of the pictures, in ``plots``; other files there stay.
-        write : str or Path, optional
-            The axis file.
-        plots : sequence of str
-            Formats: png, svg or pdf.
-
-        Returns
-        -------
-        Identification
-            With the names of its files.
-
-        Raises
-        ------
-        OutputError
-            If a file cannot be written.
-        """
-        drawn: tuple[Path, ...] = ()
-        if plots:
-            with staged(folder, inputs=self.inputs) as stage:
-                drawn = self._draw(stage, folder, plots)
-        saved = replace(self, wanted=None if write is None else Path(write), plots=drawn)
-        if saved.written is not None:
-            write_text_atomic(saved.written, axis_file(self.identified))
-        return saved
-
-    def _next(self, asked: Asked) -> Sequence[object]:
-        """Write the axis file, or look at it."""
-        return asked.again("--write", "axis.toml") if self.wanted is None else ["machines", self.wanted]
+_RIGID = Model(identify_rigid, ("cutoff", "slowest", "decimation", "validation"), "one run, and one with --validation")
+MODELS = {
+    "rigid": _RIGID,
+    "rigid-by-direction": _RIGID,
+    "friction": Model(identify_friction, pieces=True),
+    "stiction": Model(identify_stiction, pieces=True),
+    "first-order": Model(identify_open_loop, single="a single run"),
+    "closed-loop": Model(identify_behind_observer, ("position_gain", "velocity_gain"), "a single run"),
+    "frequency-response": Model(identify_response, ("excitation",)),
+    "linear-motor": Model(identify_linear_motor, ("excitation",)),
+    "two-mass": Model(identify_two_mass, ("side", "excitation")),
+    "two-inertia": Model(identify_two_inertia, ("motor_inertia", "side", "excitation")),
+}
+"""Models by name, in the order of the messages."""
 
 
 @question(Identify)
@@ -143,64 +75,22 @@ def identify(*logs: str | Path | Log, settings: Identify, session: Session = QUI
     ParameterError
         If an option is out of range.
     """
-    request = Request(settings, tuple(LogChoice.of(log, settings) for log in logs))
-    request.check()
-    session.will_write(request.inputs, pictures_only=True)
-    return Identification(request.identify(), request.inputs)
-
-
-def axis_file(identified: Identified) -> str:
-    """Return the text of the axis file, with the origin of each number."""
-    correlations = [list(pair) for pair in identified.correlations]
-    tables: dict[str, Any] = {"correlations": Noted(correlations, "of parameters fitted together")} if correlations else {}
-    for name, rows in identified.tables.items():
-        tables[name] = {key: value if origin is None else _number(key, value, unit, origin) for key, (value, unit, origin) in rows.items()}
-    fit = "" if identified.fit_percent is None else f": fit {identified.fit_percent:.4g} %"
-    head = [f"# Axis {identified.axis}, model {identified.model}, identified from {join_names(identified.logs)}{fit}."]
-    if "plant" not in tables:
-        head.append("# Part of an axis file: add the tables that these logs do not give.")
-    head += [f"# {finding}" for finding in identified.findings if not "CL419" <= finding.code <= "CL449"]  # not those on reading
-    return "\n".join(head) + "\n\n" + toml(tables)
-
-
-def _number(key: str, value: Any, unit: str, origin: Origin) -> Noted:
-    shown = "mm/s" if key.endswith("_velocity") else SHOWN.get(unit, unit)
-
-    def quantity(number: float, digits: int) -> str:
-        return f"{from_si(number, shown):.{digits}g} {shown}".strip()
-
-    return Noted(origin_table(quantity(value, 6), origin, lambda number: quantity(number, 3)))
-
-
-def _text(identified: Identified) -> str:
-    parts = [f"{join_names(identified.logs)}, axis {identified.axis}, model {identified.model}"]
-    if identified.parameters:
-        heads = ("value", "deviation", "robust", "robust [%]")
-        table = Table([Column("parameter", left=True), *(Column(head) for head in heads), Column("unit", left=True)])
-        for name, x in identified.parameters.items():
-            share = 100.0 * x.robust_deviation / abs(x.value) if x.value else math.inf
-            deviations = (x.deviation, x.robust_deviation, share)
-            cells = ("-",) * 3 if math.isnan(x.robust_deviation) else (f"{value:.{2 + (i < 2)}g}" for i, value in enumerate(deviations))
-            table.add(name, f"{x.value:.6g}", *cells, x.unit)
-        parts.append(table.text())
-    parts += [] if identified.fit_percent is None else [f"fit {identified.fit_percent:.4g} %"]
-    parts += identified.lines
-    parts += [] if identified.points is None else [identified.points.text()]
-    return "\n".join([*parts, paragraphs(map(str, identified.findings))]).rstrip()
-
-
-def _chart(picture: Picture) -> Any:
-    from contourlab.rendering.charts import Chart, Curve, Level, Panel
-    from contourlab.rendering.style import scheme_style
-
-    # A name looks the same in all graphs: they share the legend.
-    names = list(dict.fromkeys(name for graph in picture.graphs for name in graph.curves))
-    looks = {name: scheme_style(i, max(len(names), 2)) for i, name in enumerate(names)}
-    panels = []
-    for graph in picture.graphs:
-        curves = tuple(
-            Curve(*drawn[:2], name, *looks[name], half=drawn[2] if len(drawn) == 3 else None) for name, drawn in graph.curves.items()
-        )
-        levels = () if graph.log_x else (Level(0.0, ""),)
-        panels.append(Panel(graph.x_label, graph.y_label, curves, levels, log_x=graph.log_x, log_y=graph.log_y))
-    return Chart(picture.key, picture.title, picture.caption, tuple(panels))
+    name, request = settings.model, Request(settings, logs)
+    if name not in MODELS:
+        raise ParameterError("--model", repr(name), f"one of {', '.join(MODELS)}")
+    model = MODELS[name]
+    for option, part in Identify.PARTS.items():
+        owners = [owner for owner, other in MODELS.items() if option in other.options]
+        value = getattr(settings, option)
+        if owners and option not in model.options and value != part.default:
+            raise ParameterError(part.typed, value, f"omitted: it applies to {', '.join(owners)}, and the model is {name}")
+    inputs = (*logs, *([] if settings.columns is None else [settings.columns]), *request.files[len(logs) :])
+    session.will_write(inputs, pictures_only=True)
+    with about(*request.names.values(), options=list(Identify.PARTS)):
+        if model.single and len(logs) > 1:
+            raise ParameterError("LOG", f"{len(logs)} logs", f"one: model {name} takes {model.single}")
+        records = request.records(model.pieces)
+        if settings.validation is not None:
+            records += request.read(settings.validation)
+        identified = model.study(records, settings)
+    return replace(identified, findings=(*identified.findings, *request.findings()), inputs=inputs)

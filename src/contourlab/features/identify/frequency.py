@@ -36,10 +36,12 @@ from contourlab.arrays import Array, Complex
 from contourlab.components.plant.two_mass import TwoMass
 from contourlab.errors import ParameterError
 from contourlab.features.identify.axis_tables import forces_of, plant_numbers, rigid_tables, two_inertia_numbers, two_inertia_tables
-from contourlab.features.identify.records import TRAVEL, AxisRecord, common_unit, newton_option, reference_name
-from contourlab.features.identify.result import Drawn, Graph, Identified, Picture, Propagated, Row, Tables, assumed, figures, propagate
+from contourlab.features.identify.options import Identify
+from contourlab.features.identify.records import TRAVEL, AxisRecord, common_unit, log_names, newton_option, reference_name
+from contourlab.features.identify.result import Identification, Propagated, Tables, assumed, chart, figures, propagate
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
+from contourlab.rendering.charts import Chart
 from contourlab.rendering.table import Column, Table
 
 PRINTED = 24
@@ -61,15 +63,13 @@ SMOOTHED, SLOW, RARELY = 0.005, 0.1, 0.05
 """Interval [s] for a speed, share of the top speed that counts as motion, share of the samples that counts as reversing."""
 
 
-def identify_response(records: Sequence[AxisRecord], excitation: str = EXCITATIONS[0]) -> Identified:
+def identify_response(records: Sequence[AxisRecord], options: Identify) -> Identification:
     """Measure the frequency response of an axis with coherence and deviations.
 
     Parameters
     ----------
     records : sequence of AxisRecord
         With command or force; in closed loop with the reference.
-    excitation : str
-        ``"reference"``: the reference where it moves, else the command; ``"command"`` if a test signal is added to the command.
 
     Raises
     ------
@@ -80,15 +80,14 @@ def identify_response(records: Sequence[AxisRecord], excitation: str = EXCITATIO
     ParameterError
         If a record is too short, or its response is noise.
     """
-    response, unit = measured_response(records, excitation), records[0].unit
+    response, unit = measured_response(records, options.excitation), records[0].unit
     weak = int(np.count_nonzero(response.coherence < COHERENT))
     low = [finding("CL507", limit=COHERENT, count=weak, points=response.frequency.size)] if weak else []
     doubts = response_findings(response)
-    title = f"Frequency response of axis {records[0].axis}"
-    return Identified(
+    return Identification(
         "frequency-response",
         records[0].axis,
-        tuple(record.source for record in records),
+        log_names(records),
         {},
         None,
         weak < 0.9 * response.frequency.size and not doubts,
@@ -96,60 +95,30 @@ def identify_response(records: Sequence[AxisRecord], excitation: str = EXCITATIO
         details={"method": response.method, "points": _json_points(response, unit)},
         lines=(response.method,),
         points=_point_table(response, unit),
-        pictures=(Picture("bode", title, _bode_graphs(response, unit), response.method),),
+        charts=(_bode(f"Frequency response of axis {records[0].axis}", response, unit),),
     )
 
 
-def identify_linear_motor(records: Sequence[AxisRecord], excitation: str = EXCITATIONS[0]) -> Identified:
+def identify_linear_motor(records: Sequence[AxisRecord], options: Identify) -> Identification:
     """Fit mass, damping and delay of a drive to its frequency response.
-
-    Parameters
-    ----------
-    excitation : str
-        Both as in `identify_response`.
 
     Raises
     ------
     ResultError, ParameterError
         If the response cannot be measured or the model cannot be fitted.
     """
-    response = measured_response(records, excitation)
+    response = measured_response(records, options.excitation)
     fit, forces = fit_linear_motor(response), forces_of(records)
-    uncertainty = propagated(records, fit, lambda x: plant_numbers(forces, 1.0 / x["M"], x["B"] / x["M"]) | {"drive.delay": x["delay"]})
-    tables: Tables = {}
-    if fit.usable:
-        tables = rigid_tables(
-            records,
-            forces,
-            1.0 / fit["M"],
-            fit["B"] / fit["M"],
-            uncertainty.origin,
-            delay=fit["delay"],
-            peak=largest_acceleration(records, fit),
-        )
-    return identified_drive("linear-motor", records, response, fit, tables, uncertainty)
+    uncertainty = _propagated(records, fit, lambda x: plant_numbers(forces, 1.0 / x["M"], x["B"] / x["M"]) | {"drive.delay": x["delay"]})
+    tables = _rigid_tables(records, fit, fit["M"], fit["B"], uncertainty) if fit.usable else {}
+    return _identified("linear-motor", records, response, fit, tables, uncertainty)
 
 
-def identify_two_inertia(
-    records: Sequence[AxisRecord],
-    side: str = "motor",
-    lead: float | None = None,
-    motor_inertia: float | None = None,
-    excitation: str = EXCITATIONS[0],
-) -> Identified:
+def identify_two_inertia(records: Sequence[AxisRecord], options: Identify) -> Identification:
     """Fit two inertias, their shaft, damping and delay of a drive to its frequency response.
 
-    Parameters
-    ----------
-    side : str
-        Where the position is measured, ``"motor"`` or ``"load"``.
-    lead : float [m], optional
-        Travel per turn; required for an axis file.
-    motor_inertia : float [kg m^2], optional
-        Inertia of motor and screw, from a data sheet. The response at the load does not show it, and an axis file needs it. Used only with
-        a lead and commands that are forces.
-    excitation : str
-        As in `identify_response`.
+    An axis file needs the travel per turn, commands that are forces and, at the load, the inertia of motor and screw from a data sheet: the
+    response at the load does not show it.
 
     Raises
     ------
@@ -157,71 +126,59 @@ def identify_two_inertia(
         If the response cannot be measured or the model cannot be fitted; if the motor inertia is given with side "motor", or exceeds the
         total inertia.
     """
-    if motor_inertia is not None and side == "motor":
-        raise ParameterError("motor_inertia", f"{motor_inertia:g} kg*m^2", "omitted: with the position of the motor it is identified")
-    response, unit = measured_response(records, excitation), records[0].unit
+    side, lead, inertia = options.side, options.si("lead"), options.si("motor_inertia")
+    if inertia is not None and side == "motor":
+        raise ParameterError("motor_inertia", f"{inertia:g} kg*m^2", "omitted: with the position of the motor it is identified")
+    response, unit = measured_response(records, options.excitation), records[0].unit
     fit = fit_two_inertia(response, side)
-    if motor_inertia is not None and lead is not None and unit == "N" and fit.usable:
+    if inertia is not None and lead is not None and unit == "N" and fit.usable:
         arm = lead / (2.0 * math.pi)
-        if motor_inertia >= fit["mass"] * arm**2:
+        if inertia >= fit["mass"] * arm**2:
             bound = f"below the total inertia of the response, {fit['mass'] * arm**2:.4g}"
-            raise ParameterError("motor_inertia", f"{motor_inertia:.4g}", bound, "kg*m^2")
-        fit = fit_load_share(response, fit, motor_inertia / arm**2)
-    tables: Tables = {}
-    uncertainty, findings = Propagated(), []
+            raise ParameterError("motor_inertia", f"{inertia:.4g}", bound, "kg*m^2")
+        fit = fit_load_share(response, fit, inertia / arm**2)
     missing = [] if lead is not None else [TRAVEL]
-    missing += ["--motor-inertia, of motor and screw"] if side == "load" and motor_inertia is None else []
+    missing += ["--motor-inertia, of motor and screw"] if side == "load" and inertia is None else []
     missing += [] if unit == "N" else [newton_option(records[0].logged)]
-    if fit.usable and missing:
-        findings.append(finding("CL504", options=tuple(dict.fromkeys(missing))))
-    elif fit.usable and lead is not None:
-        note = "frequency response at the load, with the motor's inertia as given" if fit.given else "frequency response"
-        uncertainty = propagated(records, fit, lambda x: two_inertia_numbers(lead, {**fit.given, **x}), note)
-        peak = largest_acceleration(records, fit)
-        tables = two_inertia_tables(records, lead, fit.parameters, fit.given, uncertainty.origin, peak)
-    return identified_drive("two-inertia", records, response, fit, tables, uncertainty, findings)
+    if missing or not fit.usable:
+        findings = [finding("CL504", options=tuple(dict.fromkeys(missing)))] if fit.usable else []
+        return _identified("two-inertia", records, response, fit, {}, Propagated(), findings)
+    note = "frequency response at the load, with the motor's inertia as given" if fit.given else "frequency response"
+    uncertainty = _propagated(records, fit, lambda x: two_inertia_numbers(lead, {**fit.given, **x}), note)
+    tables = two_inertia_tables(records, lead, fit.parameters, fit.given, uncertainty.origin, _largest_acceleration(records, fit))
+    return _identified("two-inertia", records, response, fit, tables, uncertainty)
 
 
-def identify_two_mass(records: Sequence[AxisRecord], side: str = "motor", excitation: str = EXCITATIONS[0]) -> Identified:
-    """Fit an axis with one structural resonance to its frequency response.
-
-    Parameters
-    ----------
-    side : str
-        Where the position is measured, ``"motor"`` or ``"load"``. The response at the load does not show the load's share of the mass.
-    excitation : str
-        As in `identify_response`.
+def identify_two_mass(records: Sequence[AxisRecord], options: Identify) -> Identification:
+    """Fit an axis with one structural resonance to its frequency response; at the load it does not show the load's share of the mass.
 
     Raises
     ------
     ResultError, ParameterError
         If the response cannot be measured or the model cannot be fitted.
     """
-    response = measured_response(records, excitation)
-    fit = fit_two_mass(response, side)
-    tables: Tables = {}
-    uncertainty, findings = Propagated(), []
-    if fit.usable and records[0].unit != "N":
-        findings.append(finding("CL504", options=(newton_option(records[0].logged),)))
-    elif fit.usable:
-        names = {"delay": "drive.delay"}
-        uncertainty = propagated(records, fit, lambda x: {names.get(name, f"plant.{name}"): value for name, value in x.items()})
-        tables = _two_mass_tables(records, fit, uncertainty, side)
-    return identified_drive("two-mass", records, response, fit, tables, uncertainty, findings)
-
-
-def _two_mass_tables(records: Sequence[AxisRecord], fit: DriveFit, uncertainty: Propagated, side: str) -> Tables:
-    """Return the axis file: that of a rigid axis with the resonance, its encoder on the side measured."""
-    mass, peak, origin = fit["mass"], largest_acceleration(records, fit), uncertainty.origin
-    tables = dict(rigid_tables(records, forces_of(records), 1.0 / mass, fit["damping"] / mass, origin, delay=fit["delay"], peak=peak))
-    plant: dict[str, Row] = {**tables["plant"], "kind": (TwoMass.kind, "", None)}
-    plant |= {name: (fit[name], unit, origin(f"plant.{name}")) for name, unit in TWO_MASS_UNITS.items() if name in fit.parameters}
-    if "load_share" not in fit.parameters:
-        plant["load_share"] = (EQUAL, "", assumed("equal shares: the response at the load does not show them"))
+    response = measured_response(records, options.excitation)
+    fit = fit_two_mass(response, options.side)
+    if not fit.usable or records[0].unit != "N":
+        findings = [finding("CL504", options=(newton_option(records[0].logged),))] if fit.usable else []
+        return _identified("two-mass", records, response, fit, {}, Propagated(), findings)
+    names = {"delay": "drive.delay"}
+    uncertainty = _propagated(records, fit, lambda x: {names.get(name, f"plant.{name}"): value for name, value in x.items()})
+    # The axis file is that of a rigid axis with the resonance, its encoder on the side measured.
+    tables = dict(_rigid_tables(records, fit, fit["mass"], fit["damping"], uncertainty))
+    plant = {**tables["plant"], "kind": (TwoMass.kind, "", None)}
+    for name, unit in TWO_MASS_UNITS.items():
+        given = (EQUAL, "", assumed("equal shares: the response at the load does not show them"))
+        plant[name] = (fit[name], unit, uncertainty.origin(f"plant.{name}")) if name in fit.parameters else given
     tables["plant"] = plant
-    if side == "motor" and "sensor" in tables:
+    if options.side == "motor" and "sensor" in tables:
         tables["motor_sensor"] = tables.pop("sensor")
-    return tables
+    return _identified("two-mass", records, response, fit, tables, uncertainty)
+
+
+def _rigid_tables(records: Sequence[AxisRecord], fit: DriveFit, mass: float, loss: float, uncertainty: Propagated) -> Tables:
+    peak, origin = _largest_acceleration(records, fit), uncertainty.origin
+    return rigid_tables(records, 1.0 / mass, loss / mass, origin, delay=fit["delay"], peak=peak)
 
 
 def measured_response(records: Sequence[AxisRecord], excitation: str = EXCITATIONS[0]) -> MeasuredResponse:
@@ -233,13 +190,10 @@ def measured_response(records: Sequence[AxisRecord], excitation: str = EXCITATIO
     excitations = [run.command if run.outside is None else run.outside for run in runs]
     if any(sine_stretch(excitation, run.period) is not None for excitation, run in zip(excitations, runs, strict=True)):
         return sine_responses(runs, [record.source for record in records])
-    if len(runs) > 1:
-        return spectral_response(runs)
-    repeated = repeating(excitations[0])
-    if repeated is not None:
+    if len(runs) == 1 and (repeated := repeating(excitations[0])) is not None:
         lap, stretch = repeated
         return periodic_response(runs[0].part(stretch), lap)
-    return swept_response(runs[0]) if is_sweep(excitations[0]) else spectral_response(runs)
+    return swept_response(runs[0]) if len(runs) == 1 and is_sweep(excitations[0]) else spectral_response(runs)
 
 
 def _run(record: AxisRecord, excitation: str) -> Measured:
@@ -249,18 +203,16 @@ def _run(record: AxisRecord, excitation: str) -> Measured:
         return Measured(record.period, record.driven(), record.position, record.reference if closed else None)
 
 
-def propagated(
+def _propagated(
     records: Sequence[AxisRecord],
     fit: DriveFit,
     numbers: Callable[[Mapping[str, float]], Mapping[str, float]],
     note: str = "frequency response",
 ) -> Propagated:
-    """Return the uncertainty of the parameters of an axis file that `numbers` computes from those of the fit."""
-    of = fit.found
-    return propagate(numbers, of.names, of.values, of.robust_deviations, of.correlation, reference_name(records), note)
+    return propagate(numbers, fit.found, reference_name(records), note)
 
 
-def largest_acceleration(records: Sequence[AxisRecord], fit: DriveFit) -> float:
+def _largest_acceleration(records: Sequence[AxisRecord], fit: DriveFit) -> float:
     """Return the largest acceleration [m/s^2] up to the fitted frequencies; above them encoder counts and noise dominate."""
     peaks = []
     for record in records:
@@ -271,7 +223,7 @@ def largest_acceleration(records: Sequence[AxisRecord], fit: DriveFit) -> float:
     return max(peaks)
 
 
-def identified_drive(
+def _identified(
     model: str,
     records: Sequence[AxisRecord],
     response: MeasuredResponse,
@@ -279,7 +231,7 @@ def identified_drive(
     tables: Tables,
     uncertainty: Propagated,
     findings: Sequence[Finding] = (),
-) -> Identified:
+) -> Identification:
     """Return the result of a model fitted to a response."""
     unit, estimate = records[0].unit, fit.found
     force = unit or "command"
@@ -289,21 +241,21 @@ def identified_drive(
     on_mass, possible = mass_findings(fit.whole_mass) if unit == "N" else ([], True)
     findings = [*response.findings, *fit.findings, *findings, *on_mass, *_turning_findings(records, response)]
     if unit != "N":
-        findings.append(finding("CL503", unit=units["mass"], option=newton_option(records[0].logged)))
-    fitted = f"fitted to {fit.frequency.size} points, {fit.frequency[0]:.4g} to {fit.frequency[-1]:.4g} Hz"
-    return Identified(
+        findings.append(finding("CL503", unit=mass, option=newton_option(records[0].logged)))
+    points = f"fitted to {fit.frequency.size} points, {fit.frequency[0]:.4g} to {fit.frequency[-1]:.4g} Hz"
+    return Identification(
         model,
         records[0].axis,
-        tuple(record.source for record in records),
-        figures(estimate.names, estimate.values, estimate.deviations, estimate.robust_deviations, units.__getitem__),
+        log_names(records),
+        figures(estimate, units),
         fit.fit,
         fit.usable and possible,
         tuple(findings),
         details={"method": response.method, "condition_number": estimate.condition_number, "points": _json_points(response, unit)},
-        lines=(response.method, fitted, *(_resonance_lines(fit) if model != "linear-motor" else ())),
+        lines=(response.method, points, *(_resonance_lines(fit) if model != "linear-motor" else ())),
         tables=tables,
         correlations=uncertainty.correlations if tables else (),
-        pictures=_pictures(records[0].axis, model, response, fit, unit),
+        charts=_charts(f"Frequency response of axis {records[0].axis}, {model}", response, fit, unit),
     )
 
 
@@ -335,16 +287,11 @@ def _turning_findings(records: Sequence[AxisRecord], response: MeasuredResponse)
 
 def _json_points(response: MeasuredResponse, unit: str) -> list[dict[str, Any]]:
     """Return the points for JSON: gain of the position [m per command], phase, relative deviation, coherence, distortion."""
-    r = response
-    columns = {
-        "frequency": r.frequency,
-        "gain": [abs(h) for h in r.response],
-        "phase_deg": [np.degrees(np.angle(h)) for h in r.response],
-        "relative_deviation": r.deviation,
-        "coherence": r.coherence,
-        "harmonic_distortion": r.distortion,
-    }
-    return [{"unit": f"m/{unit}" if unit else "m", **dict(zip(columns, row, strict=True))} for row in zip(*columns.values(), strict=True)]
+    of = f"m/{unit}" if unit else "m"
+    r, names = response, ("unit", "frequency", "gain", "phase_deg", "relative_deviation", "coherence", "harmonic_distortion")
+    phases = [np.degrees(np.angle(h)) for h in r.response]
+    rows = zip([of] * len(phases), r.frequency, map(abs, r.response), phases, r.deviation, r.coherence, r.distortion, strict=True)
+    return [dict(zip(names, row, strict=True)) for row in rows]
 
 
 def _point_table(response: MeasuredResponse, unit: str) -> Table:
@@ -367,41 +314,36 @@ def _point_table(response: MeasuredResponse, unit: str) -> Table:
     return table
 
 
-def _bode_graphs(response: MeasuredResponse, unit: str, model: tuple[Array, Complex] | None = None) -> tuple[Graph, ...]:
+def _bode(title: str, response: MeasuredResponse, unit: str, model: tuple[Array, Complex] | None = None) -> Chart:
     """Return magnitude, phase and coherence over frequency, with the velocity response of a model if given."""
-    f, velocity = response.frequency, response.velocity
+    f, velocity, few = response.frequency, response.velocity, response.frequency.size <= FEW
     size, phase = 1e3 * np.abs(velocity), np.degrees(np.unwrap(np.angle(velocity)))
-    gains: dict[str, Drawn] = {"measured": (f, size)}
-    phases: dict[str, Drawn] = {"measured": (f, phase)}
-    coherence: dict[str, Drawn] = {"coherence": (f, response.coherence)}
-    if f.size <= FEW:
-        gains = {"measured ± 2 deviations": (f, size, 2.0 * size * response.deviation)}
-        phases = {"measured ± 2 deviations": (f, phase, np.degrees(2.0 * response.deviation))}
-        coherence = {"coherence": (f, response.coherence, np.zeros(f.size))}
+    measured = "measured ± 2 deviations" if few else "measured"
+
+    def points(values: Array, half: Array) -> tuple[Array, ...]:
+        return (f, values, half) if few else (f, values)
+
+    gains = {measured: points(size, 2.0 * size * response.deviation)}
+    phases = {measured: points(phase, np.degrees(2.0 * response.deviation))}
     if model is not None:
         turn = np.degrees(np.unwrap(np.angle(model[1])))
         turn += 360.0 * round((float(np.interp(f[0], model[0], turn)) - phase[0]) / -360.0)
-        gains["model"] = (model[0], 1e3 * np.abs(model[1]))
-        phases["model"] = (model[0], turn)
-    return (
-        Graph("frequency [Hz]", f"velocity [mm/s/{unit or 'command'}]", gains, log_x=True, log_y=True),
-        Graph("frequency [Hz]", "phase [deg]", phases, log_x=True),
-        Graph("frequency [Hz]", "coherence", coherence, log_x=True),
-    )
+        gains["model"], phases["model"] = (model[0], 1e3 * np.abs(model[1])), (model[0], turn)
+    label = f"velocity [mm/s/{unit or 'command'}]"
+    coherence = {"coherence": points(response.coherence, np.zeros(f.size))}
+    panels = {label: gains, "phase [deg]": phases, "coherence": coherence}
+    return chart("bode", title, "frequency [Hz]", panels, response.method, log_y=label)
 
 
-def _pictures(axis: str, model: str, response: MeasuredResponse, fit: DriveFit, unit: str) -> tuple[Picture, ...]:
+def _charts(title: str, response: MeasuredResponse, fit: DriveFit, unit: str) -> tuple[Chart, ...]:
     f = np.geomspace(response.frequency[0], response.frequency[-1], MODEL_POINTS)
     velocity = 2j * np.pi * f * held_response(fit.transfer, f, response.period)
-    ratio = fit.measured / fit.predicted
-
-    def residual(key: str, unit: str, values: Array) -> Graph:
-        of = fit.frequency
-        drawn: Drawn = (of, values, np.zeros(of.size)) if of.size <= FEW else (of, values)
-        return Graph("frequency [Hz]", f"{key} [{unit}]", {key: drawn}, log_x=True)
-
-    left = residual("magnitude", "%", 100.0 * (np.abs(ratio) - 1.0)), residual("phase", "deg", np.degrees(np.angle(ratio)))
+    ratio, of = fit.measured / fit.predicted, fit.frequency
+    points = (np.zeros(of.size),) if of.size <= FEW else ()
+    left = {"magnitude [%]": 100.0 * (np.abs(ratio) - 1.0), "phase [deg]": np.degrees(np.angle(ratio))}
+    panels = {label: {label.partition(" ")[0]: (of, values, *points)} for label, values in left.items()}
+    caption = "Size: measured over model, minus one. Phase: measured minus model."
     return (
-        Picture("bode", f"Frequency response of axis {axis}, {model}", _bode_graphs(response, unit, (f, velocity)), response.method),
-        Picture("residual", "Residual of the response", left, "Size: measured over model, minus one. Phase: measured minus model."),
+        _bode(title, response, unit, (f, velocity)),
+        chart("residual", "Residual of the response", "frequency [Hz]", panels, caption, log_y=""),
     )

@@ -19,17 +19,16 @@ from contourlab.analysis.identification.friction import (
     fit_friction,
 )
 from contourlab.errors import ParameterError
+from contourlab.features.identify.options import Identify
 from contourlab.features.identify.records import AxisRecord, common_unit, log_names, reference_name, unit_findings
 from contourlab.features.identify.result import (
-    Drawn,
     Figure,
-    Graph,
-    Identified,
-    Picture,
+    Identification,
     Propagated,
     Row,
     Tables,
     assumed,
+    chart,
     command_label,
     figures,
     fitted,
@@ -38,6 +37,7 @@ from contourlab.features.identify.result import (
 from contourlab.features.identify.rigid import direction_findings
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
+from contourlab.rendering.charts import Chart
 from contourlab.rendering.table import Column, Table
 
 DIP, RISE = "stribeck_velocity", "rise_velocity"
@@ -50,7 +50,7 @@ SPREAD = 0.1
 """Relative spread over repeats from which it is large."""
 
 
-def identify_friction(records: Sequence[AxisRecord]) -> Identified:
+def identify_friction(records: Sequence[AxisRecord], options: Identify) -> Identification:
     """Fit a friction curve to stretches of constant speed in one or several logs of an axis.
 
     Parameters
@@ -75,29 +75,27 @@ def identify_friction(records: Sequence[AxisRecord]) -> Identified:
     fit = fit_friction(*_points(stretches))
     uneven = float(np.median([stretch.unevenness for stretch in stretches]))
     usable = fit.usable and uneven <= UNEVEN
-    findings = [*fit.findings]
     bare = log_names([record for record in records if record.reference is None])
-    findings += [finding("CL512", logs=bare, share=LEAST_TRAVEL)] if bare else []
     with_points = {stretch.source for stretch in stretches}
+    findings = [*fit.findings, *([finding("CL512", logs=bare, share=LEAST_TRAVEL)] if bare else [])]
     findings += [finding("CL510", source) for source in log_names(records) if source not in with_points]
     findings += [finding("CL511", share=uneven)] if uneven > UNEVEN else []
-    curve, written = fit.chosen, _writable(fit) if usable else None
+    curve, written, units = fit.chosen, _writable(fit) if usable else None, _units(unit)
+    tables, uncertainty = Tables(), Propagated()
     if written is not None and (wrong_unit := unit_findings(unit)):
-        findings, written = [*findings, *wrong_unit], None
+        findings += wrong_unit
     elif written is not None:
         # How the axis file differs from the curve.
         findings += [] if written is curve else [finding("CL513", model=written.name, fit=written.fit / 100.0)]
-        findings += direction_findings(_values(written), _units(unit))
-        findings += [finding("CL514")] if _mean(_values(written), "Fv") > 0.0 else []
-    uncertainty = Propagated()
-    if written is not None:
-        of = written.names, written.values, written.deviations, written.correlation
-        uncertainty = propagate(lambda x: _numbers(x, written.rises), *of, reference_name(records))
-    return Identified(
+        findings += direction_findings(written.parameters, units)
+        findings += [finding("CL514")] if _mean(written.parameters, "Fv") > 0.0 else []
+        uncertainty = propagate(lambda x: _numbers(x, written.rises), written, reference_name(records))
+        tables = _curve_tables(written, unit, uncertainty)
+    return Identification(
         "friction",
         records[0].axis,
         log_names(records),
-        figures(curve.names, curve.values, curve.deviations, curve.deviations, _units(unit).__getitem__),
+        figures(curve, units),
         curve.fit,
         usable,
         tuple(findings),
@@ -106,12 +104,12 @@ def identify_friction(records: Sequence[AxisRecord]) -> Identified:
             "scatter_between_runs": curve.scatter,
             "unit": unit,
             "points": stretches,
-            "tried": [{"model": c.name, "aicc": c.criterion, "fit_percent": c.fit, "parameters": _values(c)} for c in fit.tried],
+            "tried": [{"model": c.name, "aicc": c.criterion, "fit_percent": c.fit, "parameters": c.parameters} for c in fit.tried],
         },
         points=_stretch_table(stretches, unit),
-        tables={} if written is None else _curve_tables(written, unit, uncertainty),
+        tables=tables,
         correlations=uncertainty.correlations,
-        pictures=_curve_pictures(curve, stretches, unit, records[0].axis),
+        charts=_curve_charts(curve, stretches, unit, records[0].axis),
     )
 
 
@@ -121,8 +119,7 @@ def _points(stretches: Sequence[Stretch]) -> tuple[list[float], list[float], lis
 
 def _units(unit: str) -> dict[str, str]:
     force = unit or "command"
-    plain = dict.fromkeys(("Fc", "Fc+", "Fc-", "drop", "drop+", "drop-", "offset"), force)
-    return {**plain, **dict.fromkeys(("Fv", "Fv+", "Fv-"), f"{force}*s/m"), "vs": "m/s"}
+    return {**dict.fromkeys(("Fc", "drop", "offset"), force), "Fv": f"{force}*s/m", "vs": "m/s"}
 
 
 def _stretch_table(stretches: Sequence[Stretch], unit: str) -> Table:
@@ -135,7 +132,7 @@ def _stretch_table(stretches: Sequence[Stretch], unit: str) -> Table:
 
 def _writable(fit: FrictionFit) -> FrictionCurve | None:
     """Return the curve for the axis file: the chosen curve, or the best curve without a bend if the chosen one is below zero at rest."""
-    x = _values(fit.chosen)
+    x = fit.chosen.parameters
     if not fit.chosen.model.stribeck or _mean(x, "Fc") + _mean(x, "drop") >= 0.0:
         return fit.chosen
     plain = [curve for curve in fit.tried if not curve.model.stribeck]
@@ -156,45 +153,37 @@ def _numbers(x: Mapping[str, float], rises: bool) -> dict[str, float]:
     return {**numbers, "disturbance.force": -offset}
 
 
-def _values(curve: FrictionCurve) -> dict[str, float]:
-    return dict(zip(curve.names, curve.values.tolist(), strict=True))
-
-
 def _curve_tables(curve: FrictionCurve, unit: str, uncertainty: Propagated) -> Tables:
     force = unit or "full_scale"
     units = {"friction.viscous": f"{force}*s/m", f"friction.{DIP}": "m/s", f"friction.{RISE}": "m/s"}
     kind: Row = ("rising" if curve.rises else "coulomb", "", None)
-    tables: dict[str, dict[str, Row]] = {"friction": {"kind": kind}, "disturbance": {"kind": ("constant", "", None)}}
-    for name, value in _numbers(_values(curve), curve.rises).items():
+    tables: Tables = {"friction": {"kind": kind}, "disturbance": {"kind": ("constant", "", None)}}
+    for name, value in _numbers(curve.parameters, curve.rises).items():
         table, _, key = name.partition(".")
         note = "offset of the command" if table == "disturbance" else "constant speeds"
         tables[table][key] = (value, units.get(name, force), uncertainty.origin(name, note))
     return tables
 
 
-def _curve_pictures(curve: FrictionCurve, stretches: Sequence[Stretch], unit: str, axis: str) -> tuple[Picture, ...]:
+def _curve_charts(curve: FrictionCurve, stretches: Sequence[Stretch], unit: str, axis: str) -> tuple[Chart, ...]:
     v, u, s = (np.array(values) for values in _points(stretches))
     label = "mean force [N]" if unit == "N" else f"mean {command_label(unit)}"
-    top = 1.05 * float(np.abs(v).max())
-    lowest = float(np.abs(v).min())
+    top, lowest = 1.05 * float(np.abs(v).max()), float(np.abs(v).min())
     ways = [way for way in (-1.0, 1.0) if np.any(way * v > 0.0)]
     line = np.concatenate([part for way in ways for part in (way * np.linspace(0.2 * lowest, top, 200), [np.nan])])
-    model = curve.at(np.where(np.isnan(line), top, line))
-    model[np.isnan(line)] = np.nan
-    curves: dict[str, Drawn] = {"measured ± 2 deviations": (1e3 * v, u, 2.0 * s), curve.name: (1e3 * line, model)}
-    rest: dict[str, Drawn] = {"residual ± 2 deviations": (1e3 * v, u - curve.predicted, 2.0 * s)}
-    left = Graph("velocity [mm/s]", command_label(unit).replace("command", "residual"), rest)
-    title = f"Friction of axis {axis} at constant speed"
+    model = np.where(np.isnan(line), np.nan, curve.at(np.where(np.isnan(line), top, line)))
+    curves = {"measured ± 2 deviations": (1e3 * v, u, 2.0 * s), curve.name: (1e3 * line, model)}
+    rest = {command_label(unit, "residual"): {"residual ± 2 deviations": (1e3 * v, u - curve.predicted, 2.0 * s)}}
     return (
-        Picture("friction", title, (Graph("velocity [mm/s]", label, curves),)),
-        Picture("residual", "Residual of the friction curve", (left,)),
+        chart("friction", f"Friction of axis {axis} at constant speed", "velocity [mm/s]", {label: curves}),
+        chart("residual", "Residual of the friction curve", "velocity [mm/s]", rest),
     )
 
 
 # --- stiction ------------------------------------------------------------------------------------------------------------------------
 
 
-def identify_stiction(records: Sequence[AxisRecord]) -> Identified:
+def identify_stiction(records: Sequence[AxisRecord], options: Identify) -> Identification:
     """Identify the breakaway of an axis from rest in each direction, with the spread over repeats.
 
     Parameters
@@ -226,29 +215,26 @@ def identify_stiction(records: Sequence[AxisRecord]) -> Identified:
         reasons = "; ".join(doubt.text for doubt in findings)
         raise ParameterError("LOG", f"{len(records)} records", f"one in which a command ramp moves the axis from rest; {reasons}")
     ways = {name: [ramp for ramp in ramps if ramp.direction == way] for name, way in (("breakaway+", 1), ("breakaway-", -1))}
-    findings += _ramp_findings(ways)
     fit = float(np.mean([ramp.fit for ramp in ramps]))
-    usable = fit > 0.5 * EXPLAINED
-    findings += [finding("CL525", fit=fit / 100.0)] if fit < EXPLAINED else []
-    findings += unit_findings(unit)
-    parameters = {}
-    for name, of_way in ways.items():
-        if of_way:
-            own = math.sqrt(sum(ramp.deviation**2 for ramp in of_way)) / len(of_way)
-            deviation = max(own, _spread(of_way) / math.sqrt(len(of_way)))
-            parameters[name] = Figure(float(_levels(of_way).mean()), unit, own, deviation)
-    return Identified(
+    wrong_unit = unit_findings(unit)
+    findings += [*_ramp_findings(ways), *([finding("CL525", fit=fit / 100.0)] if fit < EXPLAINED else []), *wrong_unit]
+    measured, parameters = {name: of_way for name, of_way in ways.items() if of_way}, {}
+    for name, of_way in measured.items():
+        own = math.sqrt(sum(ramp.deviation**2 for ramp in of_way)) / len(of_way)
+        deviation = max(own, _spread(of_way) / math.sqrt(len(of_way)))
+        parameters[name] = Figure(float(_levels(of_way).mean()), unit, own, deviation)
+    return Identification(
         "stiction",
         records[0].axis,
         log_names(records),
         parameters,
         fit,
-        usable,
+        fit > 0.5 * EXPLAINED,
         tuple(findings),
         details={"ramps": ramps},
         points=_ramp_table(ramps, unit),
-        tables=_stiction_tables(ways, unit, records) if usable and not unit_findings(unit) else {},
-        pictures=_stiction_pictures(ways, unit, records),
+        tables=_stiction_tables([*measured.values()], unit, reference_name(records)) if fit > 0.5 * EXPLAINED and not wrong_unit else {},
+        charts=_stiction_charts(measured, unit, records[0]),
     )
 
 
@@ -267,8 +253,7 @@ def _ramp_findings(ways: Mapping[str, Sequence[Breakaway]]) -> list[Finding]:
         direction = "forwards" if name.endswith("+") else "backwards"
         if len(ramps) < 2:
             findings.append(finding("CL522" if ramps else "CL521", direction=direction))
-        elif _spread(ramps) > SPREAD * float(_levels(ramps).mean()):
-            spread = _spread(ramps) / float(_levels(ramps).mean())
+        elif (spread := _spread(ramps) / float(_levels(ramps).mean())) > SPREAD:
             findings.append(finding("CL523", direction=direction, spread=spread, ramps=len(ramps)))
     return findings
 
@@ -281,33 +266,31 @@ def _ramp_table(ramps: Sequence[Breakaway], unit: str) -> Table:
     return table
 
 
-def _stiction_tables(ways: Mapping[str, Sequence[Breakaway]], unit: str, records: Sequence[AxisRecord]) -> Tables:
-    measured = [ramps for ramps in ways.values() if ramps]
-    level = float(np.mean([_levels(ramps).mean() for ramps in measured]))
-    spread = float(np.hypot.reduce([_spread(ramps) for ramps in measured])) / len(measured)
-    force, count, source = unit or "full_scale", sum(len(ramps) for ramps in measured), reference_name(records)
+def _stiction_tables(ways: Sequence[Sequence[Breakaway]], unit: str, source: str) -> Tables:
+    """Return the tables from the ramps of each direction that has some, the forward one first."""
+    levels = [float(_levels(ramps).mean()) for ramps in ways]
+    level, spread = float(np.mean(levels)), float(np.hypot.reduce([_spread(ramps) for ramps in ways])) / len(ways)
+    force, count = unit or "full_scale", sum(map(len, ways))
     friction: dict[str, Row] = {
         "kind": ("coulomb", "", None),
         "coulomb": (level, force, assumed("equal to breakaway")),
         "breakaway": (level, force, fitted(source, spread, f"spread over {count} slow ramps")),
     }
-    tables: dict[str, dict[str, Row]] = {"friction": friction}
-    if len(measured) == 2:
-        forward, backward = (float(_levels(ramps).mean()) for ramps in measured)
-        half = fitted(source, spread, "half the difference between the directions")
-        tables["disturbance"] = {"kind": ("constant", "", None), "force": (0.5 * (backward - forward), force, half)}
-    return tables
+    if len(ways) == 1:
+        return {"friction": friction}
+    half = fitted(source, spread, "half the difference between the directions")
+    return {"friction": friction, "disturbance": {"kind": ("constant", "", None), "force": (0.5 * (levels[1] - levels[0]), force, half)}}
 
 
-def _stiction_pictures(ways: Mapping[str, Sequence[Breakaway]], unit: str, records: Sequence[AxisRecord]) -> tuple[Picture, ...]:
-    first = records[0]
-    points: dict[str, Drawn] = {
-        name: (np.array([r.time for r in ramps]), _levels(ramps), np.array([2.0 * r.deviation for r in ramps]))
+def _stiction_charts(ways: Mapping[str, Sequence[Breakaway]], unit: str, first: AxisRecord) -> tuple[Chart, ...]:
+    points = {
+        name: (np.array([ramp.time for ramp in ramps]), _levels(ramps), np.array([2.0 * ramp.deviation for ramp in ramps]))
         for name, ramps in ways.items()
-        if ramps
     }
-    level = Graph("time [s]", command_label(unit).replace("command", "breakaway"), points)
-    command = Graph("time [s]", command_label(unit), {"command": (first.time, first.driven())})
-    moved = Graph("time [s]", "position [mm]", {"position": (first.time, 1e3 * (first.position - first.position[0]))})
-    title = f"Breakaway of axis {first.axis}, ± 2 deviations"
-    return (Picture("breakaway", title, (level,)), Picture("ramps", f"Ramps of {first.source}", (command, moved)))
+    ramp = {"command": (first.time, first.driven())}
+    moved = {"position": (first.time, 1e3 * (first.position - first.position[0]))}
+    level = {command_label(unit, "breakaway"): points}
+    return (
+        chart("breakaway", f"Breakaway of axis {first.axis}, ± 2 deviations", "time [s]", level),
+        chart("ramps", f"Ramps of {first.source}", "time [s]", {command_label(unit): ramp, "position [mm]": moved}),
+    )

@@ -1,29 +1,40 @@
-"""Result of an identification: parameters with deviations, findings, pictures, tables of an axis file."""
+"""Result of an identification: parameters with deviations, findings, pictures, tables of an axis file; as text, JSON and files."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import combinations
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from contourlab.app.json_values import HIDDEN
+from contourlab.analysis.identification.least_squares import Estimate
+from contourlab.app.json_values import HIDDEN, json_values
+from contourlab.app.results import staged
+from contourlab.app.session import Answer, Asked
 from contourlab.arrays import Array
 from contourlab.components.origin import Origin
+from contourlab.features.identify.records import join_names
 from contourlab.findings import Finding
-from contourlab.rendering.table import Table
+from contourlab.rendering.charts import Chart, Curve, Level, Panel
+from contourlab.rendering.style import scheme_style
+from contourlab.rendering.table import Column, Table, paragraphs
+from contourlab.result import write_text_atomic
+from contourlab.scenario.provenance import origin_table
+from contourlab.scenario.toml_text import Noted, toml
+from contourlab.units import from_si
 
 Row = tuple[float | str, str, Origin | None]
 """A value in SI, its unit, and its origin (None for a word)."""
-Tables = Mapping[str, Mapping[str, Row]]
+Tables = dict[str, dict[str, Row]]
 """Rows of an axis file, by table and key."""
-Drawn = tuple[Array, Array] | tuple[Array, Array, Array]
-"""A line through (x, y); with a third array: points, and half the heights of their error bars."""
+Traces = Mapping[str, tuple[Array, ...]]
+"""Lines through (x, y) by name; with a third array: points, and half the heights of their error bars."""
 AT_BOUND = "at the bound of the search: the log does not determine it"
+SHOWN = {"m": "um", "m/s": "m/min"}
 
 
 @dataclass(frozen=True)
@@ -47,29 +58,8 @@ class Figure:
 
 
 @dataclass(frozen=True, eq=False)
-class Graph:
-    """Curves, or points with error bars, on one pair of axes, in the units of the labels."""
-
-    x_label: str
-    y_label: str
-    curves: Mapping[str, Drawn]
-    log_x: bool = False
-    log_y: bool = False
-
-
-@dataclass(frozen=True, eq=False)
-class Picture:
-    """Graphs, one below the other, with a common x axis."""
-
-    key: str
-    title: str
-    graphs: tuple[Graph, ...]
-    caption: str = ""
-
-
-@dataclass(frozen=True, eq=False)
-class Identified:
-    """An identified model.
+class Identification(Answer):
+    """An identified axis.
 
     Attributes
     ----------
@@ -79,6 +69,8 @@ class Identified:
         Whether the parameters are usable; if not, no axis file is written.
     details : mapping
         Further results of the model.
+    axis_file : Path or None
+        The file that was written, if any.
     lines : tuple of str
         Further lines of text.
     points : Table or None
@@ -87,8 +79,10 @@ class Identified:
         Tables of the axis file; empty if there is none.
     correlations : tuple of (str, str, float)
         Correlations between parameters of the axis file, such as ``"plant.mass"``.
-    axis_file : Path or None
-        The file that was written, if any.
+    wanted : Path or None
+        Axis file that was asked for; written only if the parameters are usable.
+    plots : tuple of Path
+        Pictures that were written.
     """
 
     model: str
@@ -99,18 +93,122 @@ class Identified:
     usable: bool
     findings: tuple[Finding, ...] = ()
     details: Mapping[str, Any] = field(default_factory=dict)
+    axis_file: Path | None = None
     lines: tuple[str, ...] = field(default=(), metadata=HIDDEN)
     points: Table | None = field(default=None, metadata=HIDDEN)
     tables: Tables = field(default_factory=dict, metadata=HIDDEN)
     correlations: tuple[tuple[str, str, float], ...] = field(default=(), metadata=HIDDEN)
-    pictures: tuple[Picture, ...] = field(default=(), metadata=HIDDEN)
-    axis_file: Path | None = None
+    charts: tuple[Chart, ...] = field(default=(), metadata=HIDDEN, repr=False)
+    inputs: tuple[str | Path, ...] = field(default=(), metadata=HIDDEN, repr=False)
+    wanted: Path | None = field(default=None, metadata=HIDDEN)
+    plots: tuple[Path, ...] = field(default=(), metadata=HIDDEN)
+
+    @property
+    def passed(self) -> bool:
+        """Whether the parameters are usable, and the file that was asked for is written."""
+        return self.usable and (self.axis_file is not None or self.wanted is None)
+
+    @property
+    def text(self) -> str:
+        """Parameters, fit, findings and files."""
+        parts = [f"{join_names(self.logs)}, axis {self.axis}, model {self.model}"]
+        if self.parameters:
+            heads = ("value", "deviation", "robust", "robust [%]")
+            table = Table([Column("parameter", left=True), *map(Column, heads), Column("unit", left=True)])
+            for name, x in self.parameters.items():
+                share = 100.0 * x.robust_deviation / abs(x.value) if x.value else math.inf
+                cells = f"{x.deviation:.3g}", f"{x.robust_deviation:.3g}", f"{share:.2g}"
+                table.add(name, f"{x.value:.6g}", *(("-",) * 3 if math.isnan(x.robust_deviation) else cells), x.unit)
+            parts.append(table.text())
+        parts += [] if self.fit_percent is None else [f"fit {self.fit_percent:.4g} %"]
+        parts += self.lines
+        parts += [] if self.points is None else [self.points.text()]
+        told = "\n".join([*parts, paragraphs(map(str, self.findings))]).rstrip()
+        lines = [told, *(f"plot: {file}" for file in self.plots)]
+        if self.axis_file is not None:
+            lines.append(f"axis file: {self.axis_file}")
+        elif self.wanted is not None:
+            why = f"these logs give no axis file for model {self.model}" if self.usable else "the results are not usable"
+            lines.append(f"{self.wanted} not written: {why}")
+        elif self.usable and self.tables:
+            lines.append("no axis file: name one with --write")
+        return "\n".join(lines)
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The parameters, one a row."""
+        return [{"parameter": name, **json_values(parameter)} for name, parameter in self.parameters.items()]
+
+    def _charts(self) -> Iterator[Chart]:
+        yield from self.charts
+
+    def save(self, folder: str | Path = "results", *, write: str | Path | None = None, plots: Sequence[str] = ()) -> Identification:
+        """Write an axis file, if the parameters are usable, and pictures.
+
+        Parameters
+        ----------
+        folder : str or Path
+            Of the pictures, in ``plots``; other files there stay.
+        write : str or Path, optional
+            The axis file.
+        plots : sequence of str
+            Formats: png, svg or pdf.
+
+        Returns
+        -------
+        Identification
+            With the names of its files.
+
+        Raises
+        ------
+        OutputError
+            If a file cannot be written.
+        """
+        drawn: tuple[Path, ...] = ()
+        if plots:
+            with staged(folder, inputs=self.inputs) as stage:
+                drawn = self._draw(stage, folder, plots)
+        wanted = None if write is None else Path(write)
+        file = wanted if self.usable and self.tables else None
+        if file is not None:
+            write_text_atomic(file, self.axis_text())
+        return replace(self, wanted=wanted, axis_file=file, plots=drawn)
+
+    def _next(self, asked: Asked) -> Sequence[object]:
+        """Write the axis file, or look at it."""
+        return asked.again("--write", "axis.toml") if self.wanted is None else ["machines", self.wanted]
+
+    def axis_text(self) -> str:
+        """Return the text of the axis file, with the origin of each number."""
+        correlations = [list(pair) for pair in self.correlations]
+        tables: dict[str, Any] = {"correlations": Noted(correlations, "of parameters fitted together")} if correlations else {}
+        for name, rows in self.tables.items():
+            tables[name] = {
+                key: value if origin is None else _number(key, value, unit, origin) for key, (value, unit, origin) in rows.items()
+            }
+        fit = "" if self.fit_percent is None else f": fit {self.fit_percent:.4g} %"
+        head = [f"# Axis {self.axis}, model {self.model}, identified from {join_names(self.logs)}{fit}."]
+        if "plant" not in tables:
+            head.append("# Part of an axis file: add the tables that these logs do not give.")
+        head += [f"# {finding}" for finding in self.findings if not "CL419" <= finding.code <= "CL449"]  # not those on reading
+        return "\n".join(head) + "\n\n" + toml(tables)
 
 
-def figures(names: Sequence[str], values: Array, deviations: Array, robust: Array, units: Callable[[str], str]) -> dict[str, Figure]:
-    """Return the parameters of a fit by name."""
-    rows = zip(names, values.tolist(), deviations.tolist(), robust.tolist(), strict=True)
-    return {name: Figure(value, units(name), white or math.nan, coloured or math.nan) for name, value, white, coloured in rows}
+def _number(key: str, value: Any, unit: str, origin: Origin) -> Noted:
+    shown = "mm/s" if key.endswith("_velocity") else SHOWN.get(unit, unit)
+
+    def quantity(number: float, digits: int = 3) -> str:
+        return f"{from_si(number, shown):.{digits}g} {shown}".strip()
+
+    return Noted(origin_table(quantity(value, 6), origin, quantity))
+
+
+def figures(estimate: Estimate, units: Mapping[str, str]) -> dict[str, Figure]:
+    """Return the parameters of a fit by name; units are by name without the sign of a direction."""
+    pairs = zip(estimate.parameters.items(), estimate.deviations.tolist(), estimate.robust_deviations.tolist(), strict=True)
+    return {
+        name: Figure(value, units[name.rstrip("+-")], white or math.nan, coloured or math.nan) for (name, value), white, coloured in pairs
+    }
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,13 +229,7 @@ class Propagated:
 
 
 def propagate(
-    numbers: Callable[[Mapping[str, float]], Mapping[str, float]],
-    names: Sequence[str],
-    values: Array,
-    deviations: Array,
-    correlation: Array,
-    log: str = "",
-    note: str = "",
+    numbers: Callable[[Mapping[str, float]], Mapping[str, float]], estimate: Estimate, log: str = "", note: str = ""
 ) -> Propagated:
     """Propagate the uncertainty of fitted parameters to the parameters of an axis file.
 
@@ -145,11 +237,8 @@ def propagate(
     ----------
     numbers : callable
         Maps fitted parameters to those of the axis file, such as ``"plant.mass"``, both by name.
-    names : sequence of str
-        Names of the fitted parameters.
-    values, deviations : ndarray (p,)
-        A parameter without a deviation, for example at its bound, adds nothing.
-    correlation : ndarray (p, p)
+    estimate : Estimate
+        A parameter without a robust deviation, for example at its bound, adds nothing.
     log, note : str
         Log of the fit, and its method.
 
@@ -158,15 +247,13 @@ def propagate(
     First order: S = D C D', where D is the effect of one deviation of each fitted parameter on those of the axis file.
     """
     columns, small = [], 1e-3
-    for i, deviation in enumerate(deviations.tolist()):
-        step = np.zeros(values.size)
-        step[i] = small * deviation
-        up, down = (numbers(dict(zip(names, (values + sign * step).tolist(), strict=True))) for sign in (1.0, -1.0))
+    for step in small * np.diag(estimate.robust_deviations):
+        up, down = (numbers(dict(zip(estimate.names, (estimate.values + sign * step).tolist(), strict=True))) for sign in (1.0, -1.0))
         columns.append([(up[name] - down[name]) / (2.0 * small) for name in up])
     effect = np.array(columns).T
-    covariance = effect @ correlation @ effect.T
+    covariance = effect @ estimate.correlation @ effect.T
     sizes = np.sqrt(np.maximum(np.diag(covariance), 0.0))
-    of = list(numbers(dict(zip(names, values.tolist(), strict=True))))
+    of = list(numbers(estimate.parameters))
     known = np.flatnonzero((sizes > 0.0) & (sizes < np.inf)).tolist()
     pairs = ((of[i], of[j], round(float(covariance[i, j] / (sizes[i] * sizes[j])), 4)) for i, j in combinations(known, 2))
     return Propagated(dict(zip(of, sizes.tolist(), strict=True)), tuple(pair for pair in pairs if pair[2]), log, note)
@@ -174,7 +261,7 @@ def propagate(
 
 def fitted(log: str, deviation: float, note: str = "") -> Origin:
     """Return the origin of a parameter fitted to a log; only a finite deviation > 0 is kept."""
-    return Origin("fitted", deviation=deviation if 0.0 < deviation < float("inf") else None, reference=log, note=note)
+    return Origin("fitted", deviation=deviation if 0.0 < deviation < math.inf else None, reference=log, note=note)
 
 
 def assumed(note: str) -> Origin:
@@ -182,19 +269,25 @@ def assumed(note: str) -> Origin:
     return Origin("assumed", note=note)
 
 
-def command_label(unit: str) -> str:
+def chart(key: str, title: str, x_label: str, panels: Mapping[str, Traces], caption: str = "", *, log_y: str | None = None) -> Chart:
+    """Return curves, or points with error bars, by y label and name, in the units of the labels.
+
+    With `log_y`, the label of the panel with a logarithmic y axis, or "", the common x axis is logarithmic. A name looks the same in all
+    panels: they share the legend.
+    """
+    names = list(dict.fromkeys(name for traces in panels.values() for name in traces))
+    looks = {name: scheme_style(i, max(len(names), 2)) for i, name in enumerate(names)}
+    levels, drawn = (Level(0.0, ""),) if log_y is None else (), []
+    for label, traces in panels.items():
+        curves = (Curve(x, y, name, *looks[name], half=half[0] if half else None) for name, (x, y, *half) in traces.items())
+        drawn.append(Panel(x_label, label, tuple(curves), levels, log_x=log_y is not None, log_y=label == log_y))
+    return Chart(key, title, caption, tuple(drawn))
+
+
+def command_label(unit: str, name: str = "command") -> str:
     """Return the label of a command in a picture.
 
     >>> command_label("V"), command_label("")
     ('command [V]', 'command')
     """
-    return f"command [{unit}]" if unit else "command"
-
-
-def join_names(names: Sequence[str]) -> str:
-    """Join the names of logs; shorten the list if there are more than three.
-
-    >>> join_names(["a", "b", "c", "d"])
-    'a, b and 2 more'
-    """
-    return ", ".join(names) if len(names) <= 3 else f"{', '.join(names[:2])} and {len(names) - 2} more"
+    return f"{name} [{unit}]" if unit else name

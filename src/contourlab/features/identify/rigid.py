@@ -2,40 +2,40 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import fields
+from collections.abc import Mapping, Sequence
+from dataclasses import fields, replace
+from typing import Any
 
 import numpy as np
 
 from contourlab.analysis.identification.first_order import FirstOrderFit, identify_closed_loop, identify_first_order
 from contourlab.analysis.identification.inverse_dynamics import (
-    InverseDynamicsFit,
     InverseDynamicsSettings,
     cross_validate,
     identify_inverse_dynamics,
     mass_findings,
 )
-from contourlab.errors import ResultError
+from contourlab.errors import ParameterError, ResultError, UnitError
 from contourlab.features.identify.axis_tables import forces_of, friction_tables, plant_numbers, rigid_tables
+from contourlab.features.identify.options import Identify
 from contourlab.features.identify.records import AxisRecord, newton_option, samples_digest
-from contourlab.features.identify.result import Graph, Identified, Picture, Tables, command_label, figures, propagate
+from contourlab.features.identify.result import Identification, Tables, chart, command_label, figures, propagate
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
+from contourlab.rendering.charts import Chart
+from contourlab.units import split, to_si
 
-MODELS = {"symmetric": "rigid", "asymmetric": "rigid-by-direction"}
 UNITS = {"M": "kg", "Fv": "N*s/m", "Fc": "N", "offset": "N"}
 """Units of the parameters, without the sign of a direction."""
 
 
-def identify_rigid(record: AxisRecord, settings: InverseDynamicsSettings, second: AxisRecord | None = None) -> Identified:
+def identify_rigid(records: Sequence[AxisRecord], options: Identify) -> Identification:
     """Identify mass, friction and offset of an axis.
 
     Parameters
     ----------
-    record : AxisRecord
-        With the force, or with a command and its gain.
-    second : AxisRecord, optional
-        Another record of the same axis, for validation.
+    records : sequence of AxisRecord
+        With the force, or with a command and its gain; and perhaps another record of the same axis, for validation.
 
     Raises
     ------
@@ -46,13 +46,23 @@ def identify_rigid(record: AxisRecord, settings: InverseDynamicsSettings, second
     ParameterError
         If a setting is out of range for the record.
     """
-    options = [setting.name for setting in fields(InverseDynamicsSettings)]
-    with about(record.source, options=options):
+    if options.full_scale is not None:
+        raise ParameterError("--full-scale", options.full_scale, f"omitted: model {options.model} needs forces, see --gain")
+    record, friction = records[0], "symmetric" if options.model == "rigid" else "asymmetric"
+    # Settings are named like their options, so that an error can name the option.
+    slowest = options.si("slowest") or 0.0
+    settings = InverseDynamicsSettings(friction, cutoff=options.si("cutoff"), decimation=options.decimation, slowest=slowest)
+    named = [setting.name for setting in fields(InverseDynamicsSettings)]
+    with about(record.source, options=named):
         fit = identify_inverse_dynamics(record.time, record.position, _force(record), settings)
-    validation = None
-    if second is not None:
-        with about(second.source, options=options):
+    details: dict[str, Any] = {"relative_error_percent": fit.relative_error, "condition_number": fit.condition_number, "validation": None}
+    lines, same = [f"relative error {fit.relative_error:.4g} %, condition number {fit.condition_number:.4g}"], []
+    for second in records[1:]:
+        with about(second.source, options=named):
             validation = cross_validate(fit, second.time, second.position, _force(second))
+        same += [finding("CL516", second.source)] if samples_digest([record]) == samples_digest([second]) else []
+        lines.append(f"on the second log: fit {validation.fit:.4g} %, relative error {validation.relative_error:.4g} %")
+        details["validation"] = {"fit_percent": validation.fit, "relative_error_percent": validation.relative_error}
     forces = forces_of([record])
 
     def numbers(x: Mapping[str, float]) -> dict[str, float]:
@@ -61,35 +71,34 @@ def identify_rigid(record: AxisRecord, settings: InverseDynamicsSettings, second
             viscous, coulomb, offset = 0.5 * (x["Fv+"] + x["Fv-"]), 0.5 * (x["Fc+"] + x["Fc-"]), 0.5 * (x["Fc+"] - x["Fc-"])
         return plant_numbers(forces, 1.0 / x["M"], viscous / x["M"]) | {"friction.coulomb": coulomb, "disturbance.force": -offset}
 
-    known = np.maximum(fit.deviations, fit.robust_deviations)
-    uncertainty = propagate(numbers, fit.names, fit.values, known, fit.correlation, record.source)
-    findings = [*fit.findings]
-    tables: Tables = {}
+    uncertainty = propagate(numbers, replace(fit, robust_deviations=fit.known), record.source)
+    findings, tables = [*fit.findings], Tables()
     if fit.usable:
-        findings += direction_findings(fit.parameters(), UNITS)
-        x = numbers(fit.parameters())
-        mass, damping, coulomb, force = (x[key] for key in ("plant.mass", "plant.damping", "friction.coulomb", "disturbance.force"))
-        friction, held = friction_tables(coulomb, force, "N", uncertainty.origin), coulomb + abs(force)
-        tables = rigid_tables([record], forces, 1.0 / mass, damping / mass, uncertainty.origin, held=held, friction=friction)
-    lines = [f"relative error {fit.relative_error:.4g} %, condition number {fit.condition_number:.4g}"]
-    second_fit = None
-    if second is not None and validation is not None:
-        findings += [finding("CL516", second.source)] if samples_digest([record]) == samples_digest([second]) else []
-        lines.append(f"on the second log: fit {validation.fit:.4g} %, relative error {validation.relative_error:.4g} %")
-        second_fit = {"fit_percent": validation.fit, "relative_error_percent": validation.relative_error}
-    return Identified(
-        MODELS[fit.settings.friction],
+        findings += direction_findings(fit.parameters, UNITS)
+        mass, damping, coulomb, force = numbers(fit.parameters).values()
+        own, held = friction_tables(coulomb, force, "N", uncertainty.origin), coulomb + abs(force)
+        tables = rigid_tables([record], 1.0 / mass, damping / mass, uncertainty.origin, held=held, friction=own)
+    rest = fit.force - fit.predicted
+    measured = {"measured": (fit.time, fit.force), "model": (fit.time, fit.predicted)}
+    return Identification(
+        options.model,
         record.axis,
         (record.source,),
-        figures(fit.names, fit.values, fit.deviations, fit.robust_deviations, lambda name: UNITS[name.rstrip("+-")]),
+        figures(fit, UNITS),
         fit.fit,
         fit.usable,
-        tuple(findings),
-        details={"relative_error_percent": fit.relative_error, "condition_number": fit.condition_number, "validation": second_fit},
+        (*findings, *same),
+        details=details,
         lines=tuple(lines),
         tables=tables,
         correlations=uncertainty.correlations if fit.usable else (),
-        pictures=_force_pictures(record, fit),
+        charts=(
+            chart("force", f"Force of axis {record.axis}, {record.source}", "time [s]", {"force [N]": measured}),
+            chart("residual", "Force residual", "time [s]", {"force [N]": {"residual": (fit.time, rest)}}),
+            chart(
+                "residual-speed", "Force residual over velocity", "velocity [mm/s]", {"force [N]": {"residual": (1e3 * fit.velocity, rest)}}
+            ),
+        ),
     )
 
 
@@ -117,30 +126,18 @@ def _force(record: AxisRecord) -> np.ndarray:
     return command
 
 
-def _force_pictures(record: AxisRecord, fit: InverseDynamicsFit) -> tuple[Picture, ...]:
-    force = {"measured": (fit.time, fit.force), "model": (fit.time, fit.predicted)}
-    rest = fit.force - fit.predicted
-    over_time = Graph("time [s]", "force [N]", {"residual": (fit.time, rest)})
-    over_speed = Graph("velocity [mm/s]", "force [N]", {"residual": (1e3 * fit.velocity, rest)})
-    return (
-        Picture("force", f"Force of axis {record.axis}, {record.source}", (Graph("time [s]", "force [N]", force),)),
-        Picture("residual", "Force residual", (over_time,)),
-        Picture("residual-speed", "Force residual over velocity", (over_speed,)),
-    )
-
-
 # --- gain and damping ----------------------------------------------------------------------------------------------------------------
 
 FROM_COMMAND = "from the command before the observer, with noise and friction; --position-gain and --velocity-gain select eq 18"
 
 
-def identify_open_loop(record: AxisRecord) -> Identified:
+def identify_open_loop(records: Sequence[AxisRecord], options: Identify) -> Identification:
     """Identify v' = -b v + a (u - friction) of an axis in open loop.
 
     Parameters
     ----------
-    record : AxisRecord
-        With command and position.
+    records : sequence of AxisRecord
+        One, with command and position.
 
     Raises
     ------
@@ -149,57 +146,57 @@ def identify_open_loop(record: AxisRecord) -> Identified:
     ParameterError
         See `contourlab.analysis.identification.first_order.identify_first_order`.
     """
+    (record,) = records
     fit = identify_first_order(record.time, record.driven(), record.position)
-    unit, forces = record.unit, forces_of([record])
+    unit, forces = record.unit, forces_of(records)
 
     def numbers(x: Mapping[str, float]) -> dict[str, float]:
         held = (("friction.coulomb", "friction", 1.0), ("disturbance.force", "offset", -1.0))
         delay = {"drive.delay": x["delay"]} if "delay" in x else {}
         return plant_numbers(forces, x["a"], x["b"]) | {name: sign * x[key] / forces.one for name, key, sign in held if key in x} | delay
 
-    estimate = fit.found
-    tables: Tables = {}
-    uncertainty = propagate(numbers, estimate.names, estimate.values, estimate.robust_deviations, estimate.correlation, record.source)
+    uncertainty, tables = propagate(numbers, fit, record.source), Tables()
     if fit.usable:
         friction = friction_tables(fit["friction"] / forces.one, -(fit["offset"] / forces.one), forces.unit, uncertainty.origin)
         held = fit["friction"] + abs(fit["offset"])
-        tables = rigid_tables([record], forces, fit["a"], fit["b"], uncertainty.origin, held=held, delay=fit["delay"], friction=friction)
+        tables = rigid_tables(records, fit["a"], fit["b"], uncertainty.origin, held=held, delay=fit["delay"], friction=friction)
     on_mass, possible = mass_findings(1.0 / fit["a"]) if unit == "N" else ([], True)
-    units = {"a": f"m/s^2/{unit}".rstrip("/"), "b": "1/s", "friction": unit, "offset": unit, "delay": "s", "start": "m/s"}
-    steady = f"steady {1e3 * fit['a'] / max(fit['b'], 1e-12):.4g} mm/s per {unit or 'command'}"
-    return Identified(
+    return Identification(
         "first-order",
         record.axis,
         (record.source,),
-        figures(estimate.names, estimate.values, estimate.deviations, estimate.robust_deviations, units.__getitem__),
-        estimate.fit,
+        figures(fit, {"a": f"m/s^2/{unit}".rstrip("/"), "b": "1/s", "friction": unit, "offset": unit, "delay": "s", "start": "m/s"}),
+        fit.fit,
         fit.usable and possible,
         (*fit.findings, *on_mass),
-        details={"condition_number": estimate.condition_number, "smoothing": fit.smoothing},
-        lines=(f"velocity over {fit.smoothing} sample{'s' * (fit.smoothing > 1)}; {steady}",),
+        details={"condition_number": fit.condition_number, "smoothing": fit.smoothing},
+        lines=(
+            f"velocity over {fit.smoothing} sample{'s' * (fit.smoothing > 1)}; "
+            f"steady {1e3 * fit['a'] / max(fit['b'], 1e-12):.4g} mm/s per {unit or 'command'}",
+        ),
         tables=tables,
         correlations=uncertainty.correlations if fit.usable else (),
-        pictures=_pictures(fit, "velocity", f"Velocity of axis {record.axis}, {record.source}", ("velocity [mm/s]", command_label(unit))),
+        charts=_charts(fit, record, "velocity [mm/s]", command_label(unit)),
     )
 
 
-def identify_behind_observer(record: AxisRecord, gains: tuple[float, float, str] | None) -> Identified:
+def identify_behind_observer(records: Sequence[AxisRecord], options: Identify) -> Identification:
     """Identify a' and b' of an axis behind its disturbance observer.
 
     Parameters
     ----------
-    record : AxisRecord
-        With reference and position if gains are given; else with the command and the disturbance estimate subtracted from it.
-    gains : (K_P, K_V, unit of the command) or None [command/m, command s/m]
-        Gains of the recorded loop (eq 18); None to identify from the command before the observer to the position.
+    records : sequence of AxisRecord
+        One, with reference and position if the options give the gains of the recorded loop (eq 18); else with the command before the
+        observer as command and disturbance estimate.
 
     Raises
     ------
     ResultError
         If a signal is missing.
     ParameterError
-        See `contourlab.analysis.identification.first_order`.
+        See `contourlab.analysis.identification.first_order`; if a gain is missing, or no command per length or speed.
     """
+    (record,), gains = records, _loop_gains(options)
     if gains is not None:
         fit = identify_closed_loop(record.time, record.asked(), record.position, *gains[:2])
         unit, labels, start = gains[2], ("position [mm]", "reference [mm]"), "eq 18, from the reference"
@@ -211,29 +208,46 @@ def identify_behind_observer(record: AxisRecord, gains: tuple[float, float, str]
             )
         fit = identify_first_order(record.time, record.driven() + record.estimate, record.position, friction=False)
         unit, labels, start = record.unit, ("velocity [mm/s]", command_label(record.unit)), FROM_COMMAND
-    estimate, key = fit.found, labels[0].partition(" ")[0]
-    units = {"a'": f"m/s^2/{unit}".rstrip("/"), "b'": "1/s", "delay": "s", "start": "m/s"}
-    names = [{"a": "a'", "b": "b'"}.get(name, name) for name in estimate.names]
-    return Identified(
+    primed = replace(fit, names=tuple(f"{name}'" if name in ("a", "b") else name for name in fit.names))
+    return Identification(
         "closed-loop",
         record.axis,
         (record.source,),
-        figures(names, estimate.values, estimate.deviations, estimate.robust_deviations, units.__getitem__),
-        estimate.fit,
+        figures(primed, {"a'": f"m/s^2/{unit}".rstrip("/"), "b'": "1/s", "delay": "s", "start": "m/s"}),
+        fit.fit,
         fit.usable,
         fit.findings,
-        details={"condition_number": estimate.condition_number},
+        details={"condition_number": fit.condition_number},
         lines=(start, "use them as model_gain and model_damping of a controller, not in a plant"),
-        pictures=_pictures(fit, key, f"{key.capitalize()} of axis {record.axis}, {record.source}", labels),
+        charts=_charts(fit, record, *labels),
     )
 
 
-def _pictures(fit: FirstOrderFit, key: str, title: str, labels: tuple[str, str]) -> tuple[Picture, ...]:
-    time, measured, model = fit.time, 1e3 * fit.found.measured, 1e3 * fit.found.predicted
-    given = 1e3 * fit.command if labels[1].endswith("[mm]") else fit.command
-    output = Graph("time [s]", labels[0], {"measured": (time, measured), "model": (time, model)})
-    residual = Graph("time [s]", f"residual {labels[0].partition(' ')[2]}", {"residual": (time, measured - model)})
+def _loop_gains(options: Identify) -> tuple[float, float, str] | None:
+    """Return K_P [command/m] and K_V [command s/m] of the recorded loop, and the unit of the command, taken from K_P."""
+    position, velocity = options.position_gain, options.velocity_gain
+    if position is None and velocity is None:
+        return None
+    if position is None or velocity is None:
+        option = "--position-gain" if position is None else "--velocity-gain"
+        raise ParameterError(option, "missing", "given with the other one: eq 18 needs both K_P and K_V")
+    option, text, wanted = "--position-gain", position, 'command per length, such as "4 full_scale/mm"'
+    try:
+        unit = split(position)[1].partition("/")[0].strip()
+        proportional = to_si(position, f"{unit}/m")
+        option, text, wanted = "--velocity-gain", velocity, f'command per speed, such as "0.1 {unit}*s/mm"'
+        return proportional, to_si(velocity, f"{unit}*s/m"), unit
+    except UnitError as error:
+        raise ParameterError(option, repr(text), wanted) from error
+
+
+def _charts(fit: FirstOrderFit, record: AxisRecord, output: str, command: str) -> tuple[Chart, ...]:
+    """Return the output with the given command below it, and the residual; the labels are those of their axes."""
+    time, measured, model = fit.time, 1e3 * fit.measured, 1e3 * fit.predicted
+    given = 1e3 * fit.command if command.endswith("[mm]") else fit.command
+    key, _, unit = output.partition(" ")
+    panels = {output: {"measured": (time, measured), "model": (time, model)}, command: {"given": (time, given)}}
     return (
-        Picture(key, title, (output, Graph("time [s]", labels[1], {"given": (time, given)}))),
-        Picture("residual", f"Residual of {key}", (residual,)),
+        chart(key, f"{key.capitalize()} of axis {record.axis}, {record.source}", "time [s]", panels),
+        chart("residual", f"Residual of {key}", "time [s]", {f"residual {unit}": {"residual": (time, measured - model)}}),
     )

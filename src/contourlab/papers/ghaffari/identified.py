@@ -61,7 +61,7 @@ def identified(table: dict[int, Gains], reading: Reading, sticking: bool = True)
     position, command = run_bench(axes, controllers, period, 0, steps, ("position", "command"))
     time, identifications = period * np.arange(steps.size), {}
     for column, number in enumerate(AXES):
-        fit = identify_closed_loop(time, steps, position[:, column], POSITION_GAIN / _MM, VELOCITY_GAIN / _MM).found
+        fit = identify_closed_loop(time, steps, position[:, column], POSITION_GAIN / _MM, VELOCITY_GAIN / _MM)
         deviations, largest = (fit.deviation("a") / _MM, fit.deviation("b")), float(np.abs(command[:, column]).max())
         identifications[number] = Identification(fit["a"] / _MM, fit["b"], *deviations, fit.fit, largest)
     return identifications

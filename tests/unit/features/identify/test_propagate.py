@@ -5,7 +5,12 @@ import math
 import numpy as np
 import pytest
 
+from contourlab.analysis.identification.least_squares import Estimate
 from contourlab.features.identify.result import propagate
+
+
+def estimate(values: list[float], deviations: list[float], correlation: np.ndarray) -> Estimate:
+    return Estimate(("a", "b"), np.array(values), np.array(deviations), np.array(deviations), correlation)
 
 
 def test_mass_and_damping_from_a_and_b() -> None:
@@ -13,10 +18,7 @@ def test_mass_and_damping_from_a_and_b() -> None:
     a, b, da, db, r = 2.0, 6.0, 0.02, 0.3, 0.6
     found = propagate(
         lambda x: {"plant.mass": 1.0 / x["a"], "plant.damping": x["b"] / x["a"]},
-        ("a", "b"),
-        np.array([a, b]),
-        np.array([da, db]),
-        np.array([[1.0, r], [r, 1.0]]),
+        estimate([a, b], [da, db], np.array([[1.0, r], [r, 1.0]])),
     )
     both = r * da * db
     mass, damping = da / a**2, math.sqrt((b * da / a**2) ** 2 + (db / a) ** 2 - 2.0 * b / a**3 * both)
@@ -28,5 +30,5 @@ def test_mass_and_damping_from_a_and_b() -> None:
 
 
 def test_a_parameter_without_deviation_adds_no_variance_or_correlation() -> None:
-    found = propagate(lambda x: {"p": x["a"], "q": x["b"]}, ("a", "b"), np.array([1.0, 0.0]), np.array([0.1, 0.0]), np.eye(2))
+    found = propagate(lambda x: {"p": x["a"], "q": x["b"]}, estimate([1.0, 0.0], [0.1, 0.0], np.eye(2)))
     assert found.deviations == {"p": pytest.approx(0.1), "q": 0.0} and found.correlations == ()
