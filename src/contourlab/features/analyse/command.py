@@ -29,7 +29,6 @@ from contourlab.errors import ComponentError
 from contourlab.features.analyse.options import Analyse
 from contourlab.features.learn.foretold import learning_findings
 from contourlab.features.run.command import file_names
-from contourlab.features.run.outcome import coupling_findings
 from contourlab.features.run.source import Source, scenario_asked
 from contourlab.figures import NONE, listing, number
 from contourlab.findings import Finding, finding
@@ -250,7 +249,7 @@ def _slow(learning: LearningAnalysis) -> bool:
 
 def _coupling_findings(stability: InternalStability | None) -> Iterator[Finding]:
     if stability is not None:
-        yield from coupling_findings(stability)
+        yield from stability.findings
         if stability.stable and not math.isnan(stability.lap):
             yield finding("CL351", left=stability.lap)
 

@@ -103,12 +103,12 @@ class PlannedMotion:
             self._travel = TravelCheck(self._machine)
 
     def _plan(self, program: Program) -> None:
-        from contourlab.feed import blended, route_from_program
+        from contourlab.feed import blended
         from contourlab.feed.planner import plan_profile
         from contourlab.geometry.path import boxes
-        from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
+        from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE, program_route
 
-        route = route_from_program(program, self._machine.axis_names, default_tolerance=DEFAULT_CORNER_TOLERANCE)
+        route = program_route(program, self._machine.axis_names)
         low, high = boxes(route.path)
         limits = self._machine.planner_limits()
         cycle_time = plan_profile(blended(route, limits), limits).duration

@@ -89,8 +89,8 @@ class MeasuredRuns(Answer):
     @property
     def text(self) -> str:
         """Tables and findings; files and the next command once it is saved."""
+        from contourlab.rendering.comparison import comparison_text
         from contourlab.rendering.page_tables import reversal_text
-        from contourlab.rendering.tables import comparison_text
 
         data = self.data
         reversals = reversal_text(data)

@@ -111,9 +111,10 @@ class Runs(Answer):
     @property
     def text(self) -> str:
         """Tables, verdicts and findings; files and the next command once it is saved."""
+        from contourlab.rendering.comparison import comparison_text
+        from contourlab.rendering.learning_pictures import trials_text
         from contourlab.rendering.page_tables import reversal_text
         from contourlab.rendering.switching import switch_lines
-        from contourlab.rendering.tables import comparison_text, trials_text
 
         data, outcomes = self.data, self.outcomes
         reversals = reversal_text(data) if any(map(_shows_reversals, outcomes)) else ""

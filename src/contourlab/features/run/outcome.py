@@ -11,8 +11,7 @@ from time import perf_counter
 import numpy as np
 
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis, learning_analysis
-from contourlab.analysis.linear.contour_transfer import InternalStability, internal_stability
-from contourlab.analysis.linear.margins import doubling
+from contourlab.analysis.linear.contour_transfer import internal_stability
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.arrays import Array, free_memory
 from contourlab.components.supervisor.pre_routed import PreRouted
@@ -38,7 +37,6 @@ from contourlab.metrics.judge import check_follows
 from contourlab.rendering.data import ClosedLoop
 from contourlab.result import Result
 from contourlab.scenario import Case, PartProgram
-from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 from contourlab.study import Setting
 
 KEPT_REPORTS = 16
@@ -190,7 +188,7 @@ def _remarks(case: Case, reference: Reference, foretold: LearningAnalysis | None
     """Yield what a person should know before trusting a run; with `coupling` its stability too."""
     if coupling and case.controller.coupling is not None:
         with suppress(ComponentError):  # not linear
-            yield from coupling_findings(internal_stability(case.machine, case.controller))
+            yield from internal_stability(case.machine, case.controller).findings
     for axis in case.machine.axes:
         loop = case.controller.axes[axis.name]
         shifts = loop.compensation is not None and any(port.name == "reference_shift" for port in loop.compensation.outputs)
@@ -202,7 +200,7 @@ def _remarks(case: Case, reference: Reference, foretold: LearningAnalysis | None
     if case.motion.file is not None:
         yield from travel_unknown(case.machine)
     if isinstance(case.motion, PartProgram) and case.feed.path_control == "program":
-        yield from path_mode_assumed(case.motion.program.moves, case.feed.corner_tolerance or DEFAULT_CORNER_TOLERANCE)
+        yield from path_mode_assumed(case.motion.program.moves, case.feed.default_tolerance)
     last = reference.n_sample * reference.servo_period
     for change in case.changes:
         if change.sample(reference.servo_period) >= reference.n_sample:
@@ -221,19 +219,6 @@ def _feed_never_reached(case: Case, reference: Reference) -> Iterator[Finding]:
     best = int(np.argmax(used))
     if 0.0 < used[best] < NEAR_FEED:
         yield finding("CL105", feed=float(route.feedrate[curve[best]]), reached=float(profile.v0[best]))
-
-
-def coupling_findings(stability: InternalStability) -> Iterator[Finding]:
-    """Yield why a coupling of stable axes is unstable; nothing where it is stable."""
-    if not all(stability.axes.values()) or stability.directions is None:
-        return
-    if not stability.directions.stable:
-        parts = zip(stability.axes, stability.directions.modulus_direction, strict=True)
-        direction = [f"{axis} {part:.2f}" for axis, part in parts]
-        hertz, time = stability.directions.modulus_frequency / (2.0 * math.pi), stability.directions.doubling
-        yield finding("CL206", frequency=hertz, direction=direction, doubling=time)
-    elif stability.lap >= 1.0:
-        yield finding("CL207", growth=stability.lap - 1.0, doubling=doubling(stability.lap))
 
 
 def _unreached(name: str, supervisor: PreRouted, reference: Reference) -> Iterator[Finding]:

@@ -80,7 +80,6 @@ class NearestLimit:
 
     Attributes
     ----------
-    axis : str
     value, limit : float [m/s, m/s^2 or m/s^3]
         The limit is null if there is none.
     ratio : float
@@ -90,12 +89,12 @@ class NearestLimit:
         Program line; 0 for none.
     """
 
+    json_form: ClassVar = (
+        {"axis": "axis"} | {name: f"worst.{name}" for name in ("value", "limit", "ratio", "time")} | {"line": "worst.source_line"}
+    )
+
     axis: str
-    value: float
-    limit: float
-    ratio: float
-    time: float
-    line: int
+    worst: Worst
 
 
 @dataclass(frozen=True)
@@ -277,11 +276,5 @@ def _switches(switches: Switches) -> SwitchSummary:
 
 def _limits(report: LimitReport, axes: Sequence[str]) -> LimitSummary:
     """Return for each kind of limit the axis that comes nearest to it; None where the motion has nothing of the kind."""
-
-    def summary(worst: Worst | None) -> NearestLimit | None:
-        if worst is None:
-            return None
-        return NearestLimit(axes[worst.axis], worst.value, worst.limit, worst.ratio, worst.time, worst.source_line)
-
-    kinds = (report.velocity, report.acceleration, report.jerk, report.curvature_step, report.kink)
-    return LimitSummary(*(summary(nearest(entries)) for entries in kinds))
+    worsts = map(nearest, report.kinds)
+    return LimitSummary(*(None if worst is None else NearestLimit(axes[worst.axis], worst) for worst in worsts))
