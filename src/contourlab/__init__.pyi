@@ -38,9 +38,9 @@ from contourlab.features.precompensate.result import Precompensated as Precompen
 from contourlab.features.refine.command import Refinement as Refinement
 from contourlab.features.run.command import Planned as Planned
 from contourlab.features.run.command import Runs as Runs
+from contourlab.features.run.command import learn as learn
 from contourlab.features.run.record import simulate_to_file as simulate_to_file
 from contourlab.features.run.report import report as report
-from contourlab.features.run.schemes import learn as learn
 from contourlab.features.run.source import Source as Source
 from contourlab.features.run.verdict import verdict as verdict
 from contourlab.features.sensitivity.command import Sensitivity as Sensitivity

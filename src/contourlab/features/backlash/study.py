@@ -18,7 +18,7 @@ from contourlab.components.contract import Component
 from contourlab.components.gap_observer.multiple_model import MultipleModel
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.errors import ComponentError, DivergenceError, ParameterError, ResultError
-from contourlab.features.run.causes.remedies import lost_motion_of, offset_of
+from contourlab.features.run.remedies import lost_motion_of, offset_of
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.loop import Axis, AxisController, Controller, Machine, simulate

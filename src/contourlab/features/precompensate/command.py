@@ -17,7 +17,8 @@ from contourlab.features.precompensate.passes import STATE, digest_of, load, sav
 from contourlab.features.precompensate.result import Precompensated
 from contourlab.features.precompensate.runs import Measured, open_run, simulated
 from contourlab.features.precompensate.work import Settings, Work
-from contourlab.features.run.inputs import scenario_of
+from contourlab.features.run import options
+from contourlab.features.run.source import scenario_of
 from contourlab.findings import Finding, finding
 from contourlab.loop import Machine
 from contourlab.program import Reading
@@ -112,9 +113,8 @@ def _log_findings(measured: Measured, run: Run, rest: float | None, machine: Mac
 
 def _simulated(part: Path, settings: Precompensate, reading: Reading, session: Session) -> Precompensated:
     """Simulate pass after pass."""
-    keys = {"require_end": False, "dialect": settings.dialect}
-    parts = {"machine": settings.machine, "controller": settings.controller, "program": keys, "plugins": settings.plugin}
-    scenario = scenario_of(part, **parts)  # type: ignore[arg-type]
+    parts = {name: getattr(settings, name) for name in ("machine", "controller", "dialect", "plugin")}
+    scenario = scenario_of(part, options.Run(**parts, no_require_end=True))
     machine, controller = scenario.machine, scenario.controller
     axes = tuple(axis for axis in machine.axis_names if axis in "xyz")
     work = Work(part, axes, _limits(settings), reading, machine, max(NODE_TIME, machine.servo_period))

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 from contourlab.errors import ContourlabError
-from contourlab.features.run.causes.causes import WOULD_HELP, Rerun, causes
-from contourlab.features.run.causes.remedies import remedies
+from contourlab.features.run.causes import WOULD_HELP, Rerun, causes
+from contourlab.features.run.remedies import remedies
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine, simulate
