@@ -17,7 +17,7 @@ def results() -> dict[str, Any]:
     from contourlab.features.components.description import ComponentDescription
     from contourlab.features.export.command import Exported
     from contourlab.features.identify.result import Identified
-    from contourlab.features.interpolate.study import Interpolated
+    from contourlab.features.interpolate.command import Interpolated
     from contourlab.features.limits.result import LimitTest
     from contourlab.features.link.result import LinkResult
     from contourlab.features.machines.command import Shipped
