@@ -53,7 +53,7 @@ def test_a_part_longer_than_the_travel_is_refused(
     moves: str, line: int, axis: str, length: float, size: int, router: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Also at the ends of an arc's bulge, and in whatever parts a check plans."""
-    monkeypatch.setattr("contourlab.features.check.planned_motion.PART", size)
+    monkeypatch.setattr("contourlab.features.check.program_check.PART", size)
     part = program(tmp_path, moves)
     (found,) = check(part, machine=router).findings
     assert (found.code, found.place) == ("CL478", f"axis {axis}")

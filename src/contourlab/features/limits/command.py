@@ -13,7 +13,7 @@ from contourlab.app.results import check_file
 from contourlab.app.session import QUIET, Session, question
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import LogError, ParameterError, ResultError, UnitError
-from contourlab.features.check.planned_motion import DEFAULT_MACHINE
+from contourlab.features.check.program_check import DEFAULT_MACHINE
 from contourlab.features.check.reading import reading_of, refuse_drawing
 from contourlab.features.limits.log_limits import KINDS, AxisPeak, control_samples, course, moving_part
 from contourlab.features.limits.options import Limits
@@ -31,8 +31,7 @@ from contourlab.logs import Log
 from contourlab.logs.load import about
 from contourlab.loop import Machine
 from contourlab.program import Reading, read_program
-from contourlab.scenario import load_machine
-from contourlab.scenario.load import named_file
+from contourlab.scenario.load import machine_of
 from contourlab.scenario.values import program_motion, program_route
 from contourlab.units import to_si
 
@@ -123,7 +122,7 @@ def _by_axis(option: str, text: str, unit: str, axes: Sequence[str], example: st
 def _planned(file: Path, options: Limits, tolerance: float, reading: Reading) -> LimitTest:
     """Check what the planner would command."""
     refuse_drawing(file)
-    machine = load_machine(DEFAULT_MACHINE if options.machine is None else named_file(options.machine))
+    machine = machine_of(DEFAULT_MACHINE if options.machine is None else options.machine)
     asked = _limits(options, machine.axis_names, machine)
     limits = AxisLimits(*(asked[kind] for kind in KINDS))
     given = tuple(kind for kind in KINDS if getattr(options, kind) is not None)
@@ -180,7 +179,7 @@ def _logged(choice: LogChoice, options: Limits, tolerance: float, reading: Readi
         moves = moving_part(position)
     if not moves.any():
         raise LogError("nothing moves: position or reference is the same at all samples", file=log.record.file)
-    machine = None if options.machine is None else load_machine(named_file(options.machine))
+    machine = None if options.machine is None else machine_of(options.machine)
     if machine is not None and (unlike := [axis for axis in axes if axis not in machine.axis_names]):
         raise ParameterError("--axes", ", ".join(unlike), f"axes of {machine.name}: {', '.join(machine.axis_names)}")
     limits = _limits(options, axes, machine)

@@ -22,8 +22,7 @@ from contourlab.features.run.source import scenario_of
 from contourlab.findings import Finding, finding
 from contourlab.loop import Machine
 from contourlab.program import Reading
-from contourlab.scenario import load_machine
-from contourlab.scenario.load import named_file
+from contourlab.scenario.load import machine_of
 
 NODE_TIME = 1e-3
 """Least time between nodes at the programmed feed [s]."""
@@ -60,7 +59,7 @@ def precompensate(part: str | Path, *, settings: Precompensate, session: Session
         return _simulated(Path(part), settings, reading, session)
     if settings.passes is not None:
         check_file(settings.passes / STATE, given, "--passes")
-    machine = None if settings.machine is None else load_machine(named_file(settings.machine), plugins=settings.plugin)
+    machine = None if settings.machine is None else machine_of(settings.machine, settings.plugin)
     opened = [open_run(choice, machine) for choice in choices]
     measured, axes, _ = opened[0]
     if any(other[1] != axes for other in opened):

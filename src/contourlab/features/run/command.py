@@ -206,8 +206,8 @@ class Runs(Answer):
                     write_text_atomic(stage / "proposed" / f"{name}.toml", text)
                     files[f"{outcome.name}, changed controller"] = f"proposed/{name}.toml"
                 if outcome.switches is not None:
-                    with switch_file(stage / "switches" / f"{name}.csv") as listed:
-                        listed.append(outcome.switches)
+                    with switch_file(stage / "switches" / f"{name}.csv") as write_switches:
+                        write_switches(outcome.switches)
             write_json(stage / "summary.json", self.summary)
             begin_stage("writing the report")
             steps = tuple(next_steps(self.outcomes, self.command, out, list(files.values())))

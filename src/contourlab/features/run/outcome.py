@@ -20,7 +20,7 @@ from contourlab.arrays import Array, free_memory
 from contourlab.components.supervisor.pre_routed import PreRouted
 from contourlab.engine.runner import make_group
 from contourlab.errors import ComponentError, ResultError
-from contourlab.features.check.remarks import path_mode_assumed, travel_unknown
+from contourlab.features.check.program_check import path_mode_assumed, travel_unknown
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
 from contourlab.features.learn.foretold import learning_findings
 from contourlab.features.run.trust import numbers_of, part_interval, trust_of
