@@ -27,7 +27,7 @@ from schemes import TRIALS, compared
 
 from contourlab.components.registry import component
 from contourlab.features.learn import LearningRun, Stopping, learn
-from contourlab.features.run.schemes import learn_schemes
+from contourlab.features.run.command import learn_schemes
 from contourlab.feed import Reference, uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine

@@ -25,8 +25,8 @@ from contourlab.features.check.program_check import Checked as Checked
 from contourlab.features.circle.result import CircleTest as CircleTest
 from contourlab.features.commission.command import Commissioned as Commissioned
 from contourlab.features.export.command import Exported as Exported
-from contourlab.features.identify.result import Identification as Identification
-from contourlab.features.interpolate.command import Counts as Counts
+from contourlab.features.identify.command import Identification as Identification
+from contourlab.features.interpolate.command import Interpolated as Interpolated
 from contourlab.features.learn.stopping import Stopping as Stopping
 from contourlab.features.learn.table import LearnedTable as LearnedTable
 from contourlab.features.limits.result import LimitTest as LimitTest
@@ -38,18 +38,18 @@ from contourlab.features.precompensate.result import Precompensated as Precompen
 from contourlab.features.refine.command import Refinement as Refinement
 from contourlab.features.run.command import Planned as Planned
 from contourlab.features.run.command import Runs as Runs
+from contourlab.features.run.command import learn as learn
 from contourlab.features.run.record import simulate_to_file as simulate_to_file
 from contourlab.features.run.report import report as report
-from contourlab.features.run.schemes import learn as learn
 from contourlab.features.run.source import Source as Source
 from contourlab.features.run.verdict import verdict as verdict
 from contourlab.features.sensitivity.command import Sensitivity as Sensitivity
 from contourlab.features.swap.report import SwapResult as SwapResult
 from contourlab.features.sweep.command import Rows as Rows
-from contourlab.features.sweep.command import Search as Search
+from contourlab.features.sweep.optimise import Search as Search
 from contourlab.features.sweep.query import Export as ExportedRows
-from contourlab.features.sweep.query import SweepSummary as SweepSummary
 from contourlab.features.sweep.report import SweepReport as SweepReport
+from contourlab.features.sweep.summary import SweepSummary as SweepSummary
 from contourlab.features.tune.command import Calibration as Calibration
 from contourlab.feed.blending import blended as blended
 from contourlab.feed.limits import AxisLimits as AxisLimits
@@ -193,7 +193,7 @@ def analyse(*source: Source, whole: bool = ..., schemes: str | Sequence[str] = .
 
 def backlash(*source: Source, quick: bool = ..., schemes: str | Sequence[str] = ..., plugin: str | File | Sequence[str | File] = ...) -> BacklashOutcome: ...
 
-def check(file: str | File, *, machine: str | None = ..., dialect: str = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ...) -> Checked: ...
+def check(file: str | File, *, machine: str | Machine | None = ..., dialect: str = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ...) -> Checked: ...
 
 def circle(*logs: str | File, tolerance: str | None = ..., radius: str | None = ..., feed: str | None = ..., pitch: str | None = ..., axes: str | Sequence[str] = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> CircleTest: ...
 
@@ -203,9 +203,9 @@ def export(file: str | File, *, to: str, machine: str | None = ..., scheme: str 
 
 def identify(*logs: str | File, model: str = ..., axis: str | None = ..., gain: str | None = ..., full_scale: str | None = ..., cutoff: str = ..., slowest: str | None = ..., decimation: int = ..., validation: str | File | None = ..., position_gain: str | None = ..., velocity_gain: str | None = ..., lead: str | None = ..., motor_inertia: str | None = ..., side: str = ..., excitation: str = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> Identification: ...
 
-def interpolate(file: str | File, *, pitch: str = ..., resolution: str = ..., columns: str | None = ..., reference: str | None = ..., forgetting: float | None = ...) -> Counts: ...
+def interpolate(file: str | File, *, pitch: str = ..., resolution: str = ..., columns: str | None = ..., reference: str | None = ..., forgetting: float | None = ...) -> Interpolated: ...
 
-def limits(file: str | File, *, machine: str | None = ..., velocity: str | None = ..., acceleration: str | None = ..., jerk: str | None = ..., tolerance: str | None = ..., program: str | File | None = ..., line_column: str | None = ..., dialect: str = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ..., axes: str | Sequence[str] = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> LimitTest: ...
+def limits(file: str | File, *, machine: str | Machine | None = ..., velocity: str | None = ..., acceleration: str | None = ..., jerk: str | None = ..., tolerance: str | None = ..., program: str | File | None = ..., line_column: str | None = ..., dialect: str = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ..., axes: str | Sequence[str] = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> LimitTest: ...
 
 def link(*source: Source, vary: str | Sequence[str] = ..., axes: str | Sequence[str] = ..., figure: str = ..., tolerance: str | None = ..., extrapolate: bool = ..., seeds: int | None = ..., quick: bool = ..., division: str | Sequence[str] = ..., ways: str | Sequence[str] = ..., within: str | None = ..., message_period: str | None = ..., delay: str | None = ..., jitter: str | None = ..., loss: str | None = ..., longest: str | None = ..., schemes: str | Sequence[str] = ..., plugin: str | File | Sequence[str | File] = ...) -> LinkResult: ...
 
@@ -221,7 +221,7 @@ def refine(scenario: str | File, *, log: str | File | Sequence[str | File], para
 
 def run(*source: Source, check: bool = ..., machine: str | None = ..., controller: str | None = ..., tolerance: str | None = ..., fit: bool = ..., no_require_end: bool = ..., dialect: str | None = ..., judge: str | None = ..., plugin: str | File | Sequence[str | File] = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ..., interval: bool | None = ...) -> Runs | Planned: ...
 
-def sensitivity(*source: Source, width: float = ..., scheme: str = ..., distribution: str = ..., deviation: str | Sequence[str] = ..., servo_period: str | None = ..., quick: bool = ..., figure: str = ..., parts: str | Sequence[str] = ..., values: int = ..., base: int = ..., second_order: bool = ..., trajectories: int = ..., transform: str = ..., seed: int = ..., executor: str = ..., workers: int | None = ..., parameter: str | Sequence[str] = ..., judge: str | None = ..., plugin: str | File | Sequence[str | File] = ...) -> Sensitivity: ...
+def sensitivity(*source: Source, width: float = ..., scheme: str = ..., figure: str = ..., parts: str | Sequence[str] = ..., values: int = ..., base: int = ..., second_order: bool = ..., trajectories: int = ..., distribution: str = ..., deviation: str | Sequence[str] = ..., transform: str = ..., servo_period: str | None = ..., quick: bool = ..., executor: str = ..., workers: int | None = ..., seed: int = ..., parameter: str | Sequence[str] = ..., judge: str | None = ..., plugin: str | File | Sequence[str | File] = ...) -> Sensitivity: ...
 
 def swap(*source: Source, within: str = ..., longest: str = ..., axis: str | Sequence[str], with_: str | Sequence[str], scheme: str | None = ..., objective: str = ..., floor: str | None = ..., local: str | Sequence[str] = ..., exhaustive: bool = ..., from_: str | Sequence[str] = ..., budget: int = ..., quick: bool = ..., region: str | Sequence[str] = ..., tolerance: str | None = ..., places: int | None = ..., linear: str | Sequence[str] = ..., division: str | Sequence[str] = ..., ways: str | Sequence[str] = ..., message_period: str | None = ..., delay: str | None = ..., jitter: str | None = ..., loss: str | None = ..., executor: str = ..., workers: int | None = ..., seed: int = ..., parameter: str | Sequence[str] = ..., width: float = ..., gain_margin: float = ..., phase_margin: float = ..., plugin: str | File | Sequence[str | File] = ...) -> SwapResult: ...
 

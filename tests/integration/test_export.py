@@ -10,7 +10,8 @@ import pytest
 from tests.helpers.typed_commands import invoke
 
 from contourlab.app.results import SAFETY
-from contourlab.features.export.command import TARGETS, export
+from contourlab.features.export.command import export
+from contourlab.features.export.options import LANGUAGES
 
 SCENARIO = """
 name = "circle"
@@ -45,7 +46,7 @@ def test_files_and_json(tmp_path: Path, scenario: Path) -> None:
     assert len((tmp_path / "code" / "axis_y_run.csv").read_text().splitlines()) == 2001
 
 
-@pytest.mark.parametrize("to", sorted(TARGETS))
+@pytest.mark.parametrize("to", sorted(LANGUAGES))
 def test_every_exported_controller_says_that_it_is_no_safety_function(tmp_path: Path, scenario: Path, to: str) -> None:
     exported = export(scenario, to=to, axis="y").save(tmp_path / "code")
     texts = {}

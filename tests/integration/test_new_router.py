@@ -11,7 +11,7 @@ from reference_data import reference_file
 import contourlab as cl
 from contourlab.features.machines.answers import read_answers
 from contourlab.features.machines.new_machine import new_machine, write_machine
-from contourlab.features.run.trust.interval import part_interval
+from contourlab.features.run.trust import part_interval
 from contourlab.scenario import Case, scenario_from_parts
 from contourlab.study import Setting
 

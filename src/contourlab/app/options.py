@@ -45,6 +45,8 @@ class Option:
         Whether the command line takes it by its place.
     listed : bool
         Whether several values may be one text with commas.
+    objects : str
+        Class of which an object may stand in Python in place of the text.
     advanced : bool
         Whether it is for experts.
     name : str
@@ -60,6 +62,7 @@ class Option:
     metavar: str = ""
     argument: bool = False
     listed: bool = False
+    objects: str = ""
     advanced: bool = False
     name: str = ""
 
@@ -151,8 +154,14 @@ class Part:
             return tuple(self._one(item) for item in values)
         return self._one(value)
 
+    def is_object(self, value: Any) -> bool:
+        """Return whether a value is an object in place of a text."""
+        return type(value).__name__ == self.option.objects
+
     def _one(self, value: Any) -> Any:
         limits, (read, wanted) = self.option, KINDS[self.kind]
+        if self.is_object(value):
+            return value
         try:
             value = read(value)
         except (TypeError, ValueError):
@@ -166,7 +175,7 @@ class Part:
 
     def words(self, value: Any) -> Iterator[str]:
         """Yield the words that give a value, nothing for the default."""
-        if value == self.default or value is None:
+        if value == self.default or value is None or self.is_object(value):
             return
         if self.option.argument:
             yield from map(str, value) if self.many else (str(value),)

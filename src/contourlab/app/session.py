@@ -248,6 +248,7 @@ def _default(part: Part) -> Any:
 def annotation(part: Part) -> str:
     """Return the type of an option in Python, as text."""
     kind = "str | Path" if part.kind is Path else part.kind.__name__
+    kind += f" | {part.option.objects}" if part.option.objects else ""
     if part.many:
         return f"{kind} | Sequence[{kind}]"
     return f"{kind} | None" if part.default is None else kind

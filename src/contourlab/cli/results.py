@@ -18,15 +18,17 @@ def results() -> dict[str, Any]:
     from contourlab.features.export.command import Exported
     from contourlab.features.identify.result import Identification
     from contourlab.features.interpolate.study import Interpolated
+    from contourlab.features.identify.result import Identified
+    from contourlab.features.interpolate.command import Interpolated
     from contourlab.features.limits.result import LimitTest
     from contourlab.features.link.result import LinkResult
     from contourlab.features.machines.command import Shipped
-    from contourlab.features.measure.summary import MeasuredSummary
+    from contourlab.features.measure.command import MeasuredRuns
     from contourlab.features.notch.command import Notched
     from contourlab.features.precompensate.result import Precompensated
     from contourlab.features.refine.command import Refinement
-    from contourlab.features.run.demo import Demo
-    from contourlab.features.run.summary import Summary
+    from contourlab.features.run.command import Runs
+    from contourlab.features.run.demo import Demonstration
     from contourlab.features.sensitivity.command import Sensitivity
     from contourlab.features.swap.report import SwapResult
     from contourlab.features.sweep.command import Search
@@ -43,25 +45,25 @@ def results() -> dict[str, Any]:
         "check": Checked,
         "circle": CircleTest,
         "commission": Commissioned,
-        "compare": Summary | MeasuredSummary,
+        "compare": Runs | MeasuredRuns,
         "components": tuple[ComponentDescription, ...],
-        "demo": Demo,
+        "demo": Demonstration,
         "explain": tuple[Entry, ...],
         "export": Exported,
         "identify": Identification,
         "interpolate": Interpolated,
-        "learn": Summary,
+        "learn": Runs,
         "limits": LimitTest,
         "link": LinkResult,
         "machines": Shipped | tuple[Shipped, ...] | tuple[Path, ...],
-        "measure": MeasuredSummary,
+        "measure": MeasuredRuns,
         "notch": Notched,
         "precompensate": Precompensated,
         "refine": Refinement,
         "reproduce": tuple[Row, ...],
-        "run": Summary,
+        "run": Runs,
         "sensitivity": Sensitivity,
         "swap": SwapResult,
-        "sweep": SweepSummary | SweepReport | Search | Export | Summary | tuple[dict[str, Any], ...],
+        "sweep": SweepSummary | SweepReport | Search | Export | Runs | tuple[dict[str, Any], ...],
         "tune": Calibration,
     }

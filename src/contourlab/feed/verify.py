@@ -7,6 +7,7 @@ references. Differences are weighted means of the derivatives over the samples t
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -107,9 +108,14 @@ class LimitReport:
         kept = size > self.jerk[axis].limit * servo_period
         return CurvatureSteps(sample[kept], size[kept])
 
+    @property
+    def kinds(self) -> tuple[tuple[Worst, ...], ...]:
+        """The entries of each kind, in the order of `KINDS`."""
+        return self.velocity, self.acceleration, self.jerk, self.curvature_step, self.kink
+
     def all(self) -> tuple[Worst, ...]:
         """Return every entry: velocity, acceleration, jerk, curvature step, kink."""
-        return (*self.velocity, *self.acceleration, *self.jerk, *self.curvature_step, *self.kink)
+        return tuple(chain(*self.kinds))
 
 
 KINDS = ("velocity", "acceleration", "jerk", "curvature step", "kink")

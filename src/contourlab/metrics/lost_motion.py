@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -47,6 +47,8 @@ class LostMotion:
     lost_motion_at, deviation_at : ndarray (n_bin,) [m]
         Lost motion there, and its standard deviation (nan without repetitions).
     """
+
+    json_form: ClassVar = {"lost_motion": "lost_motion", "deviation": "lost_motion_deviation", "gap": "gap"}
 
     lost_motion: float
     lost_motion_deviation: float

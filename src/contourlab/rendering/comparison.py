@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from contourlab.figures import NONE, figure, listing, number
 from contourlab.metrics.run_figures import FIGURES, PART, figures_of_run
 from contourlab.rendering.data import JudgedRun, ReportData
+from contourlab.rendering.table import Column, Table, paragraphs
 
 UM = 1e6
 
@@ -218,3 +219,15 @@ def _figures(data: ReportData, scheme: JudgedRun) -> Iterator[Figure]:
     yield Figure("cycle time", metrics.cycle_time, 1.0, "s")
     if scheme.tick is not None:
         yield Figure("computing time per servo tick", scheme.tick, 1e9, "ns", lower_is_better=False)
+
+
+def comparison_text(data: ReportData, width: int | None = None) -> str:
+    """Return the comparison for the terminal."""
+    comparison = compare(data)
+    table = Table([Column("figure", left=True), *(Column(head.name) for head in comparison.heads)], data.title)
+    if comparison.has_change:
+        table.columns = [*table.columns, Column("change")]
+    for row in comparison.rows:
+        label = f"{row.label} [{row.unit}]" if row.unit else row.label
+        table.add(label, *(cell.text for cell in row.cells), *([row.change.text] if comparison.has_change else []))
+    return f"{table.text(width)}\n\n{paragraphs(filter(None, [comparison.note, *comparison.notes]), width)}"

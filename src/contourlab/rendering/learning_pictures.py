@@ -8,10 +8,11 @@ import numpy as np
 
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis
 from contourlab.arrays import Array
-from contourlab.figures import figure
+from contourlab.figures import figure, number
 from contourlab.rendering.charts import Chart, Curve, Level, Panel, Tick
 from contourlab.rendering.data import ReportData, TrialCourse
 from contourlab.rendering.style import scheme_style
+from contourlab.rendering.table import Column, Table
 
 
 def trial_charts(data: ReportData) -> tuple[Chart, ...]:
@@ -50,6 +51,18 @@ def trial_rows(course: TrialCourse) -> list[tuple[int, float, float]]:
     step = max(5, -(-last // 10))
     shown = sorted({*range(min(last, 5) + 1), *range(0, last + 1, step), course.best, last})
     return [(i, float(course.contour_rms[i]), float(course.whole_rms[i])) for i in shown]
+
+
+def trials_text(data: ReportData) -> str:
+    """Return the trials of each scheme that learns; empty if none learns."""
+    tables = []
+    for scheme in data.schemes:
+        if scheme.trials is not None:
+            table = Table([Column("trial"), Column("contour rms [um]"), Column("tracking rms [um]"), Column("", left=True)], scheme.name)
+            for trial, contour, tracking in trial_rows(scheme.trials):
+                table.add(str(trial), number(contour * 1e6, 4), number(tracking * 1e6, 4), "best" if trial == scheme.trials.best else "")
+            tables.append(table.text())
+    return "\n\n".join(tables)
 
 
 def _drawn(rms: Array) -> Array:

@@ -66,7 +66,8 @@ def draw_chart(charts: Iterable[Any], key: str = "", place: Axes | None = None) 
     return place
 
 
-def _figure(height: float) -> Figure:
+def new_figure(height: float) -> Figure:
+    """Return an empty figure over the width of two columns."""
     from matplotlib.figure import Figure
 
     return Figure(figsize=(WIDTH, height), layout="constrained")
@@ -86,7 +87,7 @@ def escaped(text: str) -> str:
 def _line_drawing(chart: Chart) -> Figure:
     """Return panels under one another with one x axis."""
     count = len(chart.panels)
-    figure = _figure(0.9 + chart.panel_height / 130.0 * count if chart.panel_height else 2.9 if count == 1 else 0.7 + 1.45 * count)
+    figure = new_figure(0.9 + chart.panel_height / 130.0 * count if chart.panel_height else 2.9 if count == 1 else 0.7 + 1.45 * count)
     axes = figure.subplots(count, 1, sharex=True, squeeze=False)[:, 0]
     for place, panel in zip(axes, chart.panels, strict=True):
         draw_panel(place, panel)
@@ -95,11 +96,11 @@ def _line_drawing(chart: Chart) -> Figure:
     axes[0].set_title(escaped(chart.title), pad=6)
     axes[-1].set_xlabel(chart.panels[-1].x_label)
     figure.align_ylabels(list(axes))
-    _legend(figure, 3)
+    legend(figure, 3)
     return figure
 
 
-def _legend(figure: Figure, columns: int) -> None:
+def legend(figure: Figure, columns: int) -> None:
     """Add a legend with one entry for each name of all panels."""
     entries: dict[str, Any] = {}
     for place in figure.axes:
@@ -188,7 +189,7 @@ def _ticks(place: Axes, panel: Panel) -> None:
 
 def _polar_drawing(chart: PolarChart) -> Figure:
     """Return a ball-bar plot: the ring at 0 is the nominal circle."""
-    figure = _figure(5.4)
+    figure = new_figure(5.4)
     place: Any = figure.add_subplot(projection="polar")
     place.spines["polar"].set_visible(True)
     for curve in chart.curves:
@@ -209,7 +210,7 @@ def _polar_drawing(chart: PolarChart) -> Figure:
 
 def _path_drawing(chart: PathChart) -> Figure:
     """Return the path with magnified errors; the magnification is in the title."""
-    figure = _figure(5.6)
+    figure = new_figure(5.6)
     draw_path(figure.add_subplot(), chart)
     figure.legend(loc="outside lower left", ncols=2)
     return figure
@@ -239,7 +240,7 @@ def _multiples_drawing(chart: Multiples) -> Figure:
     """Return small pictures side by side, all with one y axis."""
     columns = min(TILES, len(chart.tiles))
     rows = -(-len(chart.tiles) // columns)
-    figure = _figure(0.9 + 1.75 * rows)
+    figure = new_figure(0.9 + 1.75 * rows)
     axes = figure.subplots(rows, columns, sharey=True, squeeze=False)
     for place, tile in zip(axes.ravel(), chart.tiles, strict=False):
         _tile(place, tile)
@@ -248,7 +249,7 @@ def _multiples_drawing(chart: Multiples) -> Figure:
     _logarithmic(axes[0, 0])
     figure.suptitle(escaped(chart.title), fontsize=9.5, fontweight="bold", x=0.01, ha="left")
     figure.supylabel(escaped(chart.y_label), fontsize=8.5)
-    _legend(figure, 5)
+    legend(figure, 5)
     return figure
 
 
@@ -274,7 +275,7 @@ def _tile(place: Axes, tile: Tile) -> None:
 def _bars_drawing(chart: Bars) -> Figure:
     """Return bars beside their names, with their intervals."""
     n, m = len(chart.names), len(chart.series)
-    figure = _figure(1.2 + 0.28 * n)
+    figure = new_figure(1.2 + 0.28 * n)
     place = figure.add_subplot()
     height = 0.8 / m
     for i, series in enumerate(chart.series):
@@ -294,7 +295,7 @@ def _bars_drawing(chart: Bars) -> Figure:
 def _matrix_drawing(chart: Matrix) -> Figure:
     """Return a matrix in colours, with numbers if there is room."""
     n = len(chart.names)
-    figure = _figure(max(SMALLEST, 1.6 + 0.36 * n))
+    figure = new_figure(max(SMALLEST, 1.6 + 0.36 * n))
     place = figure.add_subplot()
     # Outliers would leave the other cells without colour.
     top = float(np.nanpercentile(np.abs(chart.values), 95.0)) if np.isfinite(chart.values).any() else 1.0

@@ -473,6 +473,11 @@ def named_file(reference: str | Path, part: str = "machine") -> str:
     return text
 
 
+def machine_of(given: str | Path | Machine, plugins: Sequence[str | Path] = ()) -> Machine:
+    """Return a machine that is given as its file, the name of a shipped one, or itself; raises as `load_machine`."""
+    return given if isinstance(given, Machine) else load_machine(named_file(given), plugins)
+
+
 def parse_scenario(text: str, name: str = "<text>", plugins: Sequence[str | Path] = ()) -> Scenario:
     """Read a scenario from TOML text; relative file names start at the working folder.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path as File
@@ -31,6 +31,23 @@ DISTANCE = setting("m", "um", minimum=0.0, maximum=1.0, exclusive=True)
 
 DEFAULT_CORNER_TOLERANCE = 1e-5
 """Corner tolerance of G64 without P [m]."""
+
+
+def program_route(program: Program, axes: Sequence[str], tolerance: float = DEFAULT_CORNER_TOLERANCE) -> Route:
+    """Return the path of a program with its feedrates; `tolerance` [m] is that of G64 without P."""
+    return route_from_program(program, axes, default_tolerance=tolerance)
+
+
+def program_motion(program: Program, axes: Sequence[str], limits: AxisLimits, servo_period: float) -> Reference:
+    """Return the motion of a program, planned within limits.
+
+    Raises
+    ------
+    ProgramError, FeedError
+        If it cannot be planned.
+    """
+    return plan(blended(program_route(program, axes), limits), limits, servo_period)
+
 
 MOST_NOTICES = 5
 """Most reader notices that are listed."""
@@ -123,7 +140,7 @@ class PartProgram:
     def route(self, corner_tolerance: float) -> Route:
         """Return the path of the program with its feedrates; `corner_tolerance` [m] is that of G64 without P."""
         if corner_tolerance not in self._routes:
-            self._routes[corner_tolerance] = route_from_program(self.program, self.letters, default_tolerance=corner_tolerance)
+            self._routes[corner_tolerance] = program_route(self.program, self.letters, corner_tolerance)
         return self._routes[corner_tolerance]
 
     @property
@@ -176,6 +193,11 @@ class FeedSettings:
     corner_tolerance: float | None = field(default=None, metadata=DISTANCE)
     merge_tolerance: float | None = field(default=None, metadata=setting("m", "um", minimum=0.0))
     curvature_step: float = field(default=1.0, metadata=setting(minimum=0.0, maximum=1.0))
+
+    @property
+    def default_tolerance(self) -> float:
+        """Corner tolerance of G64 without P [m]."""
+        return DEFAULT_CORNER_TOLERANCE if self.corner_tolerance is None else self.corner_tolerance
 
 
 JUDGED_LINES = re.compile(r"lines ([1-9]\d{0,8})(?:-([1-9]\d{0,8}))?")
@@ -423,7 +445,7 @@ class Case:
         return self._route(self.feed.override)
 
     def _route(self, factor: float) -> Route:
-        tolerance = DEFAULT_CORNER_TOLERANCE if self.feed.corner_tolerance is None else self.feed.corner_tolerance
+        tolerance = self.feed.default_tolerance
         if isinstance(self.motion, Contour):
             assert self.feed.feedrate is not None  # checked by the reader
             route = route_from_path(self.motion.path, self.feed.feedrate)

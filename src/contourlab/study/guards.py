@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -198,33 +199,22 @@ class Guards:
     def _badness(self, margins: Margins) -> tuple[float, float]:
         return self.bounds.missing(margins), -margins.modulus if margins.stable else 0.0
 
-    def uncoupled(self, values: Mapping[str, float]) -> str:
-        """Return the verdict on a coupling that is unstable with values [SI]; empty if the coupling is stable or absent."""
-        for case in self.cases:
-            machine, controller = with_values(*case, values)
-            if controller.coupling is None or self.unknown:
-                continue
-            try:
-                stability = internal_stability(machine, controller)
-            except ComponentError:
-                continue
-            if not stability.stable:
-                return str(stability.verdict)
-        return ""
-
     def broken(
         self, values: Mapping[str, float], limited: float, largest: float, exact: Mapping[str, Margins] | None = None
     ) -> tuple[str, ...]:
         """Return all guards that values [SI] break, from the exact analysis; `exact` gives margins that are already known."""
         margins = self.exact(values) if exact is None else exact
         found = [f"axis {axis}: {words}" for axis, of_axis in margins.items() if (words := self.bounds.broken(of_axis))]
-        coupled = self.uncoupled(values)
-        found += [f"coupling: {coupled}"] if coupled else []
+        for case in () if self.unknown else self.cases:
+            machine, controller = with_values(*case, values)
+            if controller.coupling is not None:
+                with suppress(ComponentError):  # not linear
+                    found += [f"coupling: {cause.text}" for cause in internal_stability(machine, controller).findings]
         if limited > self.bounds.limited + ROUNDING:
             found.append(f"at a limit of a drive for {100.0 * limited:.3g} % of the time")
         if largest > self.bounds.command * (1.0 + ROUNDING):
             found.append(f"a command of {100.0 * largest:.3g} % of the drive")
-        return tuple(found)
+        return tuple(dict.fromkeys(found))
 
 
 SPEEDS = 96

@@ -16,7 +16,6 @@ from contourlab.components.coupling.cross_coupled_filter import CrossCoupledFilt
 from contourlab.components.coupling.modified_reference import ModifiedError, ModifiedReference
 from contourlab.components.estimator.local import Tangent
 from contourlab.errors import ComponentError
-from contourlab.features.run.outcome import coupling_findings
 from contourlab.feed import uniform
 from contourlab.geometry import Line, Path, contour
 from contourlab.loop import Controller, Learned, simulate
@@ -148,20 +147,21 @@ def test_a_turning_normal_may_be_unstable_where_every_fixed_one_is_stable() -> N
     found = internal_stability(machine, controller, reference)
     assert not found.stable
     assert found.lap == pytest.approx(fast, rel=1e-6)
-    assert "too fast" in found.verdict
+    (one,) = found.findings
+    assert one.code == "CL207"
 
 
-def test_results_are_described_in_words() -> None:
+def test_an_unstable_coupling_is_a_finding() -> None:
     reference = uniform(contour("circle", radius=0.02), 1.0, 2, 1e-3)
     found = internal_stability(*stages(0.1, 15e-3, coupling=CrossCoupled(gain=5.0)), reference)
     assert found.stable
     assert 0.0 < found.lap < 1e-3
-    assert "every direction" in found.verdict
+    assert not found.findings
     bad = internal_stability(*stages(0.1, 15e-3, coupling=CrossCoupled(gain=500.0)), reference)
     assert not bad.stable
-    assert "gain" in bad.verdict
+    assert [one.code for one in bad.findings] == ["CL206"]
     machine, controller = stages(5e-3, 15e-3)
-    assert "own controller" in internal_stability(machine, controller).verdict
+    assert not all(internal_stability(machine, controller).axes.values())
 
 
 @pytest.mark.parametrize("gain", [80.0, 500.0])
@@ -173,14 +173,14 @@ def test_an_unstable_coupling_doubles_an_error_in_the_time_it_states(gain: float
     along = np.tile([-normal[1], normal[0]], (400, 1))
     growth = np.abs(np.linalg.eigvals(TrialMap(coupled_loop(machine, controller), along).monodromy())).max()
     assert growth == pytest.approx(2.0 ** (400 * machine.servo_period / found.doubling), rel=1e-3)
-    (one,) = coupling_findings(internal_stability(machine, controller))
+    (one,) = internal_stability(machine, controller).findings
     assert (one.code, one.values["doubling"]) == ("CL206", found.doubling)
 
 
 def test_growth_per_lap_has_its_doubling() -> None:
     machine, controller = unlike(2, CrossCoupled(gain=4000.0))
     lap = internal_stability(machine, controller, uniform(contour("circle", radius=0.02), 1.0 / 0.12, 2, 1e-3))
-    (one,) = coupling_findings(lap)
+    (one,) = lap.findings
     assert (one.code, one.values["growth"]) == ("CL207", lap.lap - 1.0)
     assert lap.lap ** one.values["doubling"] == pytest.approx(2.0)
 

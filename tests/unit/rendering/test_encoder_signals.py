@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from contourlab.features.interpolate.text import lissajous_png
+from contourlab.features.interpolate.command import lissajous_png
 
 
 def picture(gap: bool = False) -> bytes:

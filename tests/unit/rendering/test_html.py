@@ -172,7 +172,7 @@ def test_markup_in_foreign_text_is_escaped(circle):
 
 
 def test_drawing_libraries_are_imported_only_when_used():
-    modules = "contourlab.rendering.html, contourlab.rendering.plots, contourlab.rendering.tables"
+    modules = "contourlab.rendering.html, contourlab.rendering.plots, contourlab.rendering.learning_pictures"
     code = f"import sys, {modules}; print(sorted({{'plotly', 'matplotlib', 'jinja2', 'rich'}} & set(sys.modules)))"
     told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert told.stdout.strip() == "[]"

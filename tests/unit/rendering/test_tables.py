@@ -9,8 +9,7 @@ import synthetic
 
 from contourlab.feed import AxisLimits, Judged, plan, route_from_path
 from contourlab.geometry import Line, Path
-from contourlab.rendering.comparison import compare
-from contourlab.rendering.tables import comparison_text
+from contourlab.rendering.comparison import compare, comparison_text
 from contourlab.result import Status
 
 

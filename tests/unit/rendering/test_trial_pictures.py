@@ -11,9 +11,8 @@ import pytest
 from contourlab.rendering.comparison import compare
 from contourlab.rendering.data import ReportData, TrialCourse
 from contourlab.rendering.html import render_html
-from contourlab.rendering.learning_pictures import trial_charts, trial_rows
+from contourlab.rendering.learning_pictures import trial_charts, trial_rows, trials_text
 from contourlab.rendering.plots import write_plots
-from contourlab.rendering.tables import trials_text
 
 
 def course(n: int = 31, best: int = 17, status: str = "converged") -> TrialCourse:

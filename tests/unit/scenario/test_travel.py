@@ -14,7 +14,7 @@ from contourlab.features.check.program_check import check
 from contourlab.features.machines.answers import preset_file, read_answers
 from contourlab.features.machines.new_machine import new_machine, write_machine
 from contourlab.features.run.outcome import run_case
-from contourlab.features.run.trust.provenance import numbers_of_machine
+from contourlab.features.run.trust import numbers_of_machine
 from contourlab.geometry.path import boxes
 from contourlab.loop import Limits
 from contourlab.scenario import Scenario, dump, load_machine, parse_scenario, scenario_from_parts
@@ -53,7 +53,7 @@ def test_a_part_longer_than_the_travel_is_refused(
     moves: str, line: int, axis: str, length: float, size: int, router: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Also at the ends of an arc's bulge, and in whatever parts a check plans."""
-    monkeypatch.setattr("contourlab.features.check.planned_motion.PART", size)
+    monkeypatch.setattr("contourlab.features.check.program_check.PART", size)
     part = program(tmp_path, moves)
     (found,) = check(part, machine=router).findings
     assert (found.code, found.place) == ("CL478", f"axis {axis}")

@@ -26,6 +26,7 @@ from contourlab.analysis.linear.tick_map import poles_of
 from contourlab.arrays import Array, Complex
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.feed import Reference
+from contourlab.findings import Finding, finding
 from contourlab.loop.machine import Controller, Machine
 
 LEFT_STANDING = 1e-7
@@ -250,27 +251,15 @@ class InternalStability:
         return all(self.axes.values()) and frozen and not self.lap >= 1.0
 
     @property
-    def verdict(self) -> str:
-        """The result as a sentence."""
-        bad = [name for name, stable in self.axes.items() if not stable]
-        if bad:
-            return f"axis {', '.join(bad)} is unstable under its own controller: stabilise it before coupling"
-        if self.directions is None:
-            return "every axis is stable, and nothing couples them"
+    def findings(self) -> tuple[Finding, ...]:
+        """Why the coupling of stable axes is unstable; nothing where it is stable."""
+        if not all(self.axes.values()) or self.directions is None:
+            return ()
         if not self.directions.stable:
-            worst = ", ".join(f"{name} {part:.2f}" for name, part in zip(self.axes, self.directions.modulus_direction, strict=True))
-            return f"the coupling is unstable in the direction ({worst}), near {self._hertz:.3g} Hz: lower its gain"
-        at_rest = f"stable in every direction at rest, never nearer to -1 than {self.directions.modulus:.2f}, at {self._hertz:.3g} Hz"
-        if math.isnan(self.lap):
-            return f"{at_rest}; a path that turns fast may differ"
-        if self.lap >= 1.0:
-            growth = f"{100.0 * (self.lap - 1.0):.3g} % per lap"
-            return f"{at_rest}, but unstable on this path: an error grows by {growth}, because the path turns too fast"
-        return f"{at_rest}, and on this path: one lap leaves {self.lap:.2g} of an error"
-
-    @property
-    def _hertz(self) -> float:
-        return (self.directions.modulus_frequency if self.directions is not None else math.nan) / (2.0 * math.pi)
+            direction = [f"{axis} {part:.2f}" for axis, part in zip(self.axes, self.directions.modulus_direction, strict=True)]
+            hertz = self.directions.modulus_frequency / (2.0 * math.pi)
+            return (finding("CL206", frequency=hertz, direction=direction, doubling=self.directions.doubling),)
+        return (finding("CL207", growth=self.lap - 1.0, doubling=doubling(self.lap)),) if self.lap >= 1.0 else ()
 
 
 def internal_stability(machine: Machine, controller: Controller, reference: Reference | None = None) -> InternalStability:

@@ -14,7 +14,6 @@ from contourlab.analysis.learning.learning_analysis import LearningAnalysis, lea
 from contourlab.analysis.linear.contour_transfer import (
     ContourMargins,
     ContourTransfer,
-    InternalStability,
     contour_transfer,
     internal_stability,
 )
@@ -29,7 +28,6 @@ from contourlab.errors import ComponentError
 from contourlab.features.analyse.options import Analyse
 from contourlab.features.learn.foretold import learning_findings
 from contourlab.features.run.command import file_names
-from contourlab.features.run.outcome import coupling_findings
 from contourlab.features.run.source import Source, scenario_asked
 from contourlab.figures import NONE, listing, number
 from contourlab.findings import Finding, finding
@@ -66,6 +64,12 @@ class Learning:
     worst_frequency: float
     path_radius: float | None
     path_norm: float | None
+
+    @classmethod
+    def of(cls, analysis: LearningAnalysis) -> Learning:
+        """Return the figures of an analysis."""
+        whole = (None, None) if analysis.lifted is None else (analysis.lifted.radius, analysis.lifted.norm)
+        return cls(analysis.converges, analysis.monotone, analysis.worst_factor, analysis.worst_frequency / (2.0 * math.pi), *whole)
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,7 +108,7 @@ class Analysis(Answer):
     @property
     def passed(self) -> bool:
         """Whether all schemes are good."""
-        return self.good
+        return all(scheme.good for scheme in self.schemes.values())
 
     @property
     def findings(self) -> tuple[Finding, ...]:
@@ -121,7 +125,20 @@ class Analysis(Answer):
         ]
 
     def _charts(self) -> Iterator[Chart]:
-        yield from _charts(self.schemes)
+        """Yield the charts of each coupling, and those of learning for all schemes together."""
+        from contourlab.rendering.learning_pictures import learning_charts, singular_value_chart
+
+        names = file_names(list(self.schemes))
+        for name, scheme in self.schemes.items():
+            for chart in () if scheme.transfer is None else contour_transfer_charts(scheme.transfer):
+                yield replace(chart, key=f"{chart.key}-{names[name]}", title=f"{chart.title}, {name}")
+        learning = {name: scheme.foretold for name, scheme in self.schemes.items() if scheme.foretold is not None}
+        if learning:
+            yield from learning_charts(learning)
+        lifted = ((name, analysis.lifted) for name, analysis in learning.items())
+        short = {name: whole.singular_values for name, whole in lifted if whole is not None and whole.singular_values is not None}
+        if short:
+            yield singular_value_chart(short)
 
     def save(self, folder: str | Path = "results", *, plots: Sequence[str] = ()) -> Analysis:
         """Write pictures into a folder.
@@ -150,11 +167,6 @@ class Analysis(Answer):
     def _next(self, asked: Asked) -> Sequence[object]:
         """Run the schemes."""
         return ["compare", *asked.inputs, "--schemes", ",".join(asked.settings.schemes) or None]
-
-    @property
-    def good(self) -> bool:
-        """Whether all schemes are good."""
-        return all(scheme.good for scheme in self.schemes.values())
 
     @property
     def text(self) -> str:
@@ -199,79 +211,40 @@ def _analyse(case: Case, whole: bool) -> SchemeAnalysis:
             margins[axis.name] = loop.margins()
         except ComponentError as error:
             unknown.append(finding("CL350", place=f"axis {axis.name}", reason=str(error)))
-    transfer = stability = growth = learning = None
+    findings = [finding("CL205", place=f"axis {axis}") for axis, of_axis in margins.items() if not of_axis.stable]
+    transfer = coupling = growth = learning = foretold = None
+    good = not findings
     try:
         reference = case.reference() if whole and not unknown else None
         if controller.coupling is not None and not unknown:
             transfer = contour_transfer(machine, controller)
             stability = internal_stability(machine, controller, reference if reference is not None and reference.laps else None)
+            coupling, good = Coupling(stability.stable, stability.lap, transfer.margins()), good and stability.stable
+            findings += stability.findings
+            findings += [finding("CL351", left=stability.lap)] if stability.stable and not math.isnan(stability.lap) else []
         if any(loop.link is not None for loop in controller.axes.values()) and not unknown:
             growth = link_growth(machine, controller)
+            good &= growth < 1.0
+            period = machine.servo_period
+            if growth >= 1.0:
+                findings.append(finding("CL353", doubling=period * doubling(growth)))
+            else:
+                findings.append(finding("CL352", time=period / abs(math.log(growth)) if growth > 0.0 else 0.0))
         if case.learning is not None and not unknown:
-            learning = learning_analysis(machine, controller, case.learning.law, reference)
+            foretold = learning_analysis(machine, controller, case.learning.law, reference)
+            learning, learns = Learning.of(foretold), bool(foretold.response.radius.min() < 1.0 - NOTHING)
+            slow = max(learning.worst_factor, learning.path_radius or 0.0) <= 1.0 + SLOW
+            good &= learns and (learning.converges or slow)
+            if not learns:
+                findings.append(finding("CL355"))
+            elif learning.converges:
+                findings.append(finding("CL354", left=learning.worst_factor, frequency=learning.worst_frequency))
+            if foretold.lifted is not None:
+                findings.append(finding("CL356", left=foretold.lifted.radius, most=foretold.lifted.norm))
+            findings += learning_findings(foretold)
     except ComponentError as error:
         unknown.append(finding("CL350", reason=str(error)))
-    found = [
-        *(finding("CL205", place=f"axis {axis}") for axis, loop_margins in margins.items() if not loop_margins.stable),
-        *_coupling_findings(stability),
-        *_link_findings(growth, machine.servo_period),
-        *_learning_findings(learning),
-        *unknown,
-    ]
-    good = all(entry.stable for entry in margins.values()) and (stability is None or stability.stable) and (growth is None or growth < 1.0)
-    return SchemeAnalysis(
-        good=good and (learning is None or (not _idle(learning) and (learning.converges or _slow(learning)))),
-        margins=margins,
-        coupling=None if transfer is None or stability is None else Coupling(stability.stable, stability.lap, transfer.margins()),
-        link_growth=growth,
-        learning=None if learning is None else _learning(learning),
-        findings=tuple(found),
-        transfer=transfer,
-        foretold=learning,
-    )
-
-
-def _learning(analysis: LearningAnalysis) -> Learning:
-    lifted = analysis.lifted
-    whole = (None, None) if lifted is None else (lifted.radius, lifted.norm)
-    return Learning(analysis.converges, analysis.monotone, analysis.worst_factor, analysis.worst_frequency / (2.0 * math.pi), *whole)
-
-
-def _idle(learning: LearningAnalysis) -> bool:
-    """Return whether the error falls at no frequency."""
-    return bool(learning.response.radius.min() >= 1.0 - NOTHING)
-
-
-def _slow(learning: LearningAnalysis) -> bool:
-    """Return whether growth is too slow to show in a realistic number of trials."""
-    whole = 0.0 if learning.lifted is None else learning.lifted.radius
-    return max(learning.worst_factor, whole) <= 1.0 + SLOW
-
-
-def _coupling_findings(stability: InternalStability | None) -> Iterator[Finding]:
-    if stability is not None:
-        yield from coupling_findings(stability)
-        if stability.stable and not math.isnan(stability.lap):
-            yield finding("CL351", left=stability.lap)
-
-
-def _link_findings(growth: float | None, period: float) -> Iterator[Finding]:
-    if growth is not None and growth >= 1.0:
-        yield finding("CL353", doubling=period * doubling(growth))
-    elif growth is not None:
-        yield finding("CL352", time=period / abs(math.log(growth)) if growth > 0.0 else 0.0)
-
-
-def _learning_findings(learning: LearningAnalysis | None) -> Iterator[Finding]:
-    if learning is None:
-        return
-    if _idle(learning):
-        yield finding("CL355")
-    elif learning.converges:
-        yield finding("CL354", left=learning.worst_factor, frequency=learning.worst_frequency / (2.0 * math.pi))
-    if learning.lifted is not None:
-        yield finding("CL356", left=learning.lifted.radius, most=learning.lifted.norm)
-    yield from learning_findings(learning)
+    return SchemeAnalysis(good, margins, coupling, growth, learning, (*findings, *unknown), transfer, foretold)
 
 
 def _table(name: str, scheme: SchemeAnalysis) -> str:
@@ -287,22 +260,6 @@ def _table(name: str, scheme: SchemeAnalysis) -> str:
     elif scheme.coupling is not None:
         table.add("coupling, worst direction", "unstable", NONE, NONE, NONE)
     return table.text()
-
-
-def _charts(schemes: Mapping[str, SchemeAnalysis]) -> list[Chart]:
-    """Return the charts of each coupling, and those of learning for all schemes together."""
-    from contourlab.rendering.learning_pictures import learning_charts, singular_value_chart
-
-    charts: list[Chart] = []
-    names = file_names(list(schemes))
-    for name, scheme in schemes.items():
-        if scheme.transfer is not None:
-            named = contour_transfer_charts(scheme.transfer)
-            charts += [replace(chart, key=f"{chart.key}-{names[name]}", title=f"{chart.title}, {name}") for chart in named]
-    learning = {name: scheme.foretold for name, scheme in schemes.items() if scheme.foretold is not None}
-    lifted = {name: analysis.lifted.singular_values for name, analysis in learning.items() if analysis.lifted is not None}
-    short = {name: values for name, values in lifted.items() if values is not None}
-    return [*charts, *(learning_charts(learning) if learning else ()), *([singular_value_chart(short)] if short else ())]
 
 
 FAR = 3.0  # loop gains larger than this are not drawn

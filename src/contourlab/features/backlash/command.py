@@ -97,7 +97,7 @@ def _texts(name: str, study: BacklashStudy, period: float) -> Iterator[str]:
     cycles = Table([Column("axis", left=True), Column("limit cycle", left=True), Column("frequency [Hz]"), Column("amplitude [um]")])
     for axis, gap in study.axes.items():
         pair, alone = gap.from_motor_and_load, gap.from_motor_alone
-        seen = NONE if pair is None else _plus_minus(pair.lost_motion, pair.deviation)
+        seen = NONE if pair is None else _plus_minus(pair.lost_motion, pair.lost_motion_deviation)
         cells = [NONE, NONE] if alone is None else [_plus_minus(alone.gap, alone.deviation), f"{alone.confidence:.2f}"]
         left = [] if study.on_circle is None else [number(1e6 * on_circle[axis]) if axis in on_circle else NONE]
         gaps.add(axis, number(1e6 * gap.backlash_gap), number(1e6 * gap.lost_motion), seen, *cells, *left)

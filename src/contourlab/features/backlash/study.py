@@ -18,12 +18,12 @@ from contourlab.components.contract import Component
 from contourlab.components.gap_observer.multiple_model import MultipleModel
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.errors import ComponentError, DivergenceError, ParameterError, ResultError
-from contourlab.features.run.causes.remedies import lost_motion_of, offset_of
+from contourlab.features.run.remedies import lost_motion_of, offset_of
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
-from contourlab.loop import Axis, AxisController, Controller, Machine, simulate
+from contourlab.loop import Axis, Controller, Machine, simulate
 from contourlab.loop.sensing import SURE
-from contourlab.metrics import CircleBacklash, backlash_of_runs, circles_of, judge, lost_motion_from_pair, summarise
+from contourlab.metrics import CircleBacklash, LostMotion, backlash_of_runs, circles_of, judge, lost_motion_from_pair, summarise
 from contourlab.result import Result
 from contourlab.scenario.dump import component_table
 from contourlab.scenario.toml_text import toml
@@ -48,28 +48,20 @@ def observer_of(axis: Axis, servo_period: float, carried_mass: float = 0.0) -> M
     known |= {name: part.values()["coulomb"] for name, part in friction.items() if "coulomb" in part.parameters}
     if "resolution" in axis.motor_sensor.parameters:
         known["resolution"] = axis.motor_sensor.values()["resolution"]
-    known |= {"unmodelled_force": _unmodelled(axis), "uncertainty": UNCERTAINTY}
+    friction_of_load, forces = axis.friction.values(), [1.0]
+    forces.append(STRIBECK * (float(friction_of_load.get("breakaway", 0.0)) - float(friction_of_load.get("coulomb", 0.0))))
+    if axis.disturbance is not None:
+        kinds = axis.disturbance.parameters
+        given = (value for name, value in axis.disturbance.values().items() if kinds[name].unit == "{force}")
+        forces += [float(np.abs(np.ravel(force)).max(initial=0.0)) for force in given]
+    known |= {"unmodelled_force": max(forces), "uncertainty": UNCERTAINTY}
     known["largest_gap"] = max(MultipleModel.parameters["largest_gap"].default, 5.0 * plant.widest_gap)
     # Hypotheses at most 15 % apart. Only two possible numbers, because each is compiled separately.
     known["hypotheses"] = 32.0 if known["largest_gap"] < 4e-4 else 64.0
-    known["load_damping"] += float(axis.friction.values().get("viscous", 0.0)) * (plant.lead / (2.0 * math.pi)) ** 2
+    known["load_damping"] += float(friction_of_load.get("viscous", 0.0)) * (plant.lead / (2.0 * math.pi)) ** 2
     values = plant.constants()
     fast = math.sqrt(values.stiffness_value * (values.motor_mobility + values.load_mobility)) * servo_period
     return MultipleModel(**known, substeps=float(min(max(math.ceil(fast / 0.25), 1), 32)))
-
-
-def _unmodelled(axis: Axis) -> float:
-    friction = axis.friction.values()
-    coulomb = float(friction.get("coulomb", 0.0))
-    beyond = STRIBECK * max(float(friction.get("breakaway", 0.0)) - coulomb, 0.0)
-    return max(1.0, beyond, 0.0 if axis.disturbance is None else _largest_force(axis.disturbance))
-
-
-def _largest_force(disturbance: Component) -> float:
-    """Return the largest force [N] among the parameters of a disturbance."""
-    kinds, values = disturbance.parameters, disturbance.values()
-    forces = [values[name] for name, kind in kinds.items() if kind.unit == "{force}" and name in values]
-    return max((float(np.abs(np.ravel(force)).max(initial=0.0)) for force in forces), default=0.0)
 
 
 SIGNALS = ("reference", "arc_length", "axis_position", "axis_velocity", "tool_position", "motor_position", "applied_command")
@@ -78,15 +70,6 @@ RUNS = 2
 """Runs without a gap observer, one after another: as it is, and two compensations side by side."""
 WORTH = 0.02
 """Smallest share of the error that a recommended compensation must remove."""
-
-
-@dataclass(frozen=True)
-class FromPair:
-    """Lost motion from the positions of motor and load, its standard deviation, and its free travel [m] (nan if unknown)."""
-
-    lost_motion: float
-    deviation: float
-    gap: float
 
 
 @dataclass(frozen=True)
@@ -107,6 +90,11 @@ class Cycle:
     stable: bool
     validity: str = ""
 
+    @classmethod
+    def of(cls, cycle: LimitCycle | PeriodicOrbit) -> Cycle:
+        """Return the figures of a cycle."""
+        return cls(cycle.frequency / (2.0 * math.pi), cycle.amplitude, cycle.stable, getattr(cycle, "validity", ""))
+
 
 @dataclass(frozen=True)
 class AxisGap:
@@ -118,7 +106,7 @@ class AxisGap:
         Free travel in the machine file, averaged over the reversals of the axis.
     lost_motion : float [m]
         Free travel plus the wind-up by friction in both directions.
-    from_motor_and_load : FromPair or None
+    from_motor_and_load : LostMotion or None
     from_motor_alone : FromMotor or None
     describing_function : tuple of Cycle or None
         None for a loop that switches its controller or has no linear model.
@@ -130,7 +118,7 @@ class AxisGap:
 
     backlash_gap: float
     lost_motion: float
-    from_motor_and_load: FromPair | None
+    from_motor_and_load: LostMotion | None
     from_motor_alone: FromMotor | None
     describing_function: tuple[Cycle, ...] | None
     limit_cycles: tuple[Cycle, ...] | None
@@ -245,8 +233,16 @@ def backlash_study(
     judged = judge(result, reference)
     first = summarise(judged, reference).part_error
     begin(f"simulating {name} with compensations")
-    tried = in_threads(lambda one: _tried(*one, lambda: run(_with(controller, one[1]), reference), reference), _candidates(machine, axes))
-    trials = [Trial("as it is", first.rms, first.max), *tried]
+
+    def tried(name: str, parts: Mapping[str, Component]) -> Trial:
+        changed = {axis: replace(loop, compensation=parts.get(axis, loop.compensation)) for axis, loop in controller.axes.items()}
+        try:
+            error = summarise(judge(run(replace(controller, axes=changed), reference), reference), reference).part_error
+        except DivergenceError:
+            return Trial(name, None, None, parts)
+        return Trial(name, error.rms, error.max, parts)
+
+    trials = [Trial("as it is", first.rms, first.max), *in_threads(lambda candidate: tried(*candidate), _candidates(machine, axes))]
     best = min(trials, key=lambda trial: math.inf if trial.part_error_rms is None else trial.part_error_rms)
     if best.part_error_rms is None or best.part_error_rms > (1.0 - WORTH) * first.rms:
         best = trials[0]
@@ -279,14 +275,6 @@ def _on_circles(judged: Result, reference: Reference, machine: Machine) -> Circl
         return None
 
 
-def _tried(name: str, parts: Mapping[str, Component], run: Callable[[], Result], reference: Reference) -> Trial:
-    try:
-        error = summarise(judge(run(), reference), reference).part_error
-    except DivergenceError:
-        return Trial(name, None, None, parts)
-    return Trial(name, error.rms, error.max, parts)
-
-
 def _watched(machine: Machine, controller: Controller, loose: list[Axis]) -> tuple[Controller, list[str]]:
     """Add a gap observer to each axis with backlash that has none; skip and return the axes where it would change the run."""
     changed = dict(controller.axes)
@@ -295,19 +283,15 @@ def _watched(machine: Machine, controller: Controller, loose: list[Axis]) -> tup
         loop = controller.axes[axis.name]
         if loop.gap_observer is not None:
             continue
-        if loop.feedback == "motor" and _uses_load(loop):
+        parts = [*loop.controllers.values(), loop.supervisor, loop.compensation]
+        read = {port.name for part in parts if part is not None for port in part.inputs}
+        # An observer would replace the load or the gap that a part reads.
+        if loop.feedback == "motor" and read & {"load_position", "load_velocity", "gap_estimate"}:
             refused.append(axis.name)
         else:
             observer = observer_of(axis, machine.servo_period, machine.carried_mass(axis.name))
             changed[axis.name] = replace(loop, gap_observer=observer)
     return (controller if changed == dict(controller.axes) else replace(controller, axes=changed)), refused
-
-
-def _uses_load(loop: AxisController) -> bool:
-    """Return whether a part of the loop reads the load or the gap, which an observer would replace."""
-    parts = [*loop.controllers.values(), loop.supervisor, loop.compensation]
-    ports = {port.name for part in parts if part is not None for port in part.inputs}
-    return bool(ports & {"load_position", "load_velocity", "gap_estimate"})
 
 
 def _axis_gap(
@@ -321,20 +305,19 @@ def _axis_gap(
     pair = alone = predicted = orbits = None
     try:
         friction, stiffness = _friction_of(axis, plant, velocity)
-        seen = lost_motion_from_pair(motor, load, friction=friction, stiffness=stiffness)
-        pair = FromPair(seen.lost_motion, seen.lost_motion_deviation, seen.gap)
+        pair = lost_motion_from_pair(motor, load, friction=friction, stiffness=stiffness)
     except ResultError as error:
         findings.append(finding("CL381", place=place, reason=str(error)))
-    if observed is not None and "gap_estimate" in observed.signals:
+    if observed is not None and OBSERVED[0] in observed.signals:
         alone = FromMotor(*(float(observed[name][-1, j]) for name in OBSERVED))
         if alone.confidence >= SURE and abs(alone.gap - gap) > max(3.0 * alone.deviation, 0.25 * gap):
             findings.append(finding("CL382", place=place, seen=alone.gap, gap=gap))
     try:
         model = axis_backlash_loop(axis, loop, machine.servo_period, machine.carried_mass(axis.name))
         prediction = predict_limit_cycles(model) if model.contact_a is None else None
-        predicted = None if prediction is None else tuple(_cycle(cycle, cycle.validity) for cycle in prediction)
+        predicted = None if prediction is None else tuple(map(Cycle.of, prediction))
         if exact:
-            orbits = tuple(_cycle(orbit) for orbit in find_orbits(model, prediction=prediction))
+            orbits = tuple(map(Cycle.of, find_orbits(model, prediction=prediction)))
     except ComponentError as error:
         findings.append(finding("CL383", place=place, reason=str(error)))
     return AxisGap(gap, lost_motion_of(axis), pair, alone, predicted, orbits, loop.feedback)
@@ -356,10 +339,6 @@ def _gap_where_it_turns(plant: TwoInertia, velocity: Array, position: Array) -> 
     return float(np.mean([plant.gap_at(float(place)) for place in turns])) if turns.size else plant.widest_gap
 
 
-def _cycle(cycle: LimitCycle | PeriodicOrbit, validity: str = "") -> Cycle:
-    return Cycle(cycle.frequency / (2.0 * math.pi), cycle.amplitude, cycle.stable, validity)
-
-
 def _candidates(machine: Machine, axes: Mapping[str, AxisGap]) -> Iterator[tuple[str, dict[str, Component]]]:
     """Yield compensations for the axes with motor feedback of the position loop."""
     loose = {axis: gap for axis, gap in axes.items() if gap.feedback == "motor" and gap.estimate > 0.0}
@@ -367,11 +346,6 @@ def _candidates(machine: Machine, axes: Mapping[str, AxisGap]) -> Iterator[tuple
         parts = {axis: offset_of(machine.axis(axis), gap.estimate) for axis, gap in loose.items()}
         yield "backlash-offset", {axis: offset for axis, (offset, _) in parts.items()}
         yield "backlash-inverse", {axis: inverse for axis, (_, inverse) in parts.items()}
-
-
-def _with(controller: Controller, parts: Mapping[str, Component]) -> Controller:
-    changed = {axis: replace(loop, compensation=parts.get(axis, loop.compensation)) for axis, loop in controller.axes.items()}
-    return replace(controller, axes=changed)
 
 
 def _conclusions(axes: Mapping[str, AxisGap], others: list[str]) -> Iterator[Finding]:
@@ -387,22 +361,15 @@ def _conclusions(axes: Mapping[str, AxisGap], others: list[str]) -> Iterator[Fin
 
 
 def _toml(parts: Mapping[str, Component], machine: Machine) -> str:
-
-    def units(name: str) -> tuple[str, str]:
+    """Return the compensation of each axis for a scenario, its values rounded to three digits in display units."""
+    axes = {}
+    for name, part in parts.items():
         plant = machine.axis(name).plant
-        return plant.command_unit, plant.force_unit
-
-    axes = {name: {"compensation": component_table(_rounded(part, units(name)), units(name))} for name, part in parts.items()}
+        units = plant.command_unit, plant.force_unit
+        rounded = {}
+        for key, parameter in ((key, known.for_plant(*units)) for key, known in type(part).parameters.items()):
+            value, shown = getattr(part, key), parameter.display or parameter.unit
+            if isinstance(value, float) and math.isfinite(value) and not parameter.whole:
+                rounded[key] = to_si(f"{from_si(value, shown):.3g} {shown}", parameter.unit) if shown else float(f"{value:.3g}")
+        axes[name] = {"compensation": component_table(part.replace(**rounded), units)}
     return toml({"controller": {"axes": axes}})
-
-
-def _rounded(part: Component, units: tuple[str, str]) -> Component:
-    """Return a component with values rounded to three digits in display units."""
-    rounded = {}
-    for name, parameter in ((name, known.for_plant(*units)) for name, known in type(part).parameters.items()):
-        value = getattr(part, name)
-        if isinstance(value, float) and math.isfinite(value) and not parameter.whole:
-            shown = parameter.display or parameter.unit
-            rounded[name] = to_si(f"{from_si(value, shown):.3g} {shown}", parameter.unit) if shown else float(f"{value:.3g}")
-    made: Component = part.replace(**rounded)
-    return made

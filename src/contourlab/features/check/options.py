@@ -15,6 +15,7 @@ class Check(Dialect):
         None,
         "Machine for cycle time and travel: a file, or the name of a shipped one. By default builtin:xyz; "
         "moves beyond its travel are then not faults.",
+        objects="Machine",
     )
 
 

@@ -2,22 +2,32 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
 
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.errors import ContourlabError, ProgramError
 from contourlab.features.check.options import Check
-from contourlab.features.check.planned_motion import PlannedMotion, parts
 from contourlab.features.check.reading import reading_of
-from contourlab.findings import Finding
-from contourlab.program import Arc, Dwell, Feed, Program, Spline, Traverse, open_program
+from contourlab.findings import Finding, finding
+from contourlab.loop import Machine
+from contourlab.program import Arc, Dwell, Feed, Move, Program, Reader, Spline, Traverse, open_program
 from contourlab.program.reader import NO_END
 from contourlab.rendering.table import paragraphs
 
+if TYPE_CHECKING:
+    from contourlab.scenario.placing import TravelCheck
+
+DEFAULT_MACHINE = "builtin:xyz"
+PART = 2_500
+"""Moves after which a part ends at the next stop, or at twice as many without one."""
 FAULTY = 2
 MOST_FEEDS = 12
 """Largest number of feedrates to print one by one."""
@@ -91,10 +101,9 @@ class Checked(Answer):
         """Run the program."""
         if self.faults:
             return None
-        machine = asked.settings.machine
+        machine, has_end = asked.settings.machine, not any(notice.message.startswith(NO_END) for notice in self.notices)
         parts = ["--machine", machine or "xyz", "--controller", None if machine else "xyz-controller"]
-        end = [] if self.has_end else ["--no-require-end"]
-        return ["run", *asked.inputs, *parts, *asked.settings.words("machine"), *end]
+        return ["run", *asked.inputs, *parts, *asked.settings.words("machine"), *([] if has_end else ["--no-require-end"])]
 
     @property
     def faults(self) -> int:
@@ -102,15 +111,9 @@ class Checked(Answer):
         return len(self.problems) + sum(found.entry.severity == "error" for found in self.findings)
 
     @property
-    def has_end(self) -> bool:
-        """Whether the program ends with M2, M30 or %."""
-        return not any(notice.message.startswith(NO_END) for notice in self.notices)
-
-    @property
     def text(self) -> str:
         """Return the result for the terminal."""
-        lines = [message.text(self.program) for message in self.problems]
-        lines += [message.text(self.program, "note: ") for message in self.notices]
+        lines = [fault.text(self.program) for fault in self.problems] + [notice.text(self.program, "note: ") for notice in self.notices]
         lines += [paragraphs(map(str, self.findings))] if self.findings else []
         lines.append(f"{self.faults} fault{'s' * (self.faults > 1)}" if self.faults else "no fault in the program")
         return "\n".join([*lines, paragraphs([f"{name:<12}{value}" for name, value in self._rows()], indent=" " * 12)])
@@ -219,3 +222,160 @@ def _duration(seconds: float) -> str:
     minutes, rest = divmod(round(seconds), 60)
     hours, minutes = divmod(minutes, 60)
     return (f"{hours} h " if hours else "") + f"{minutes} min {rest} s"
+
+
+# --- cycle time and extent of a program of any length, planned part by part ---
+
+
+class Part(NamedTuple):
+    """Moves and events of a part; whether the stop at its end is an added one."""
+
+    program: Program
+    cut: bool
+
+
+def parts(reader: Reader, problems: list[ProgramError]) -> Iterator[Part]:
+    """Yield a program in parts that end where the motion stops, or at `2 * PART` moves; a fatal fault goes to `problems`."""
+    moves: list[Move] = []
+    first = 0
+    try:
+        for move in reader.moves():
+            if len(moves) >= PART:
+                stops = _stops(moves[-1], move)
+                if stops or len(moves) >= 2 * PART:
+                    yield _part(reader, moves, first, cut=not stops)
+                    first, moves = first + len(moves), []
+            moves.append(move)
+    except ProgramError as error:
+        problems.append(error)
+    yield _part(reader, moves, first, cut=False)
+
+
+def _stops(before: Move, after: Move) -> bool:
+    """Return whether the motion certainly stops between two moves."""
+    if isinstance(before, Dwell):
+        return True
+    if isinstance(after, Dwell):  # it belongs to the motion before it
+        return False
+    return before.mode.control == "exact_stop" or isinstance(before, Traverse) != isinstance(after, Traverse)
+
+
+def _part(reader: Reader, moves: list[Move], first: int, *, cut: bool) -> Part:
+    """Take moves and their events out of a reader; the moves before it are `first`."""
+    events = reader.state.events
+    mine = tuple(replace(event, after=event.after - first) for event in events)
+    events.clear()
+    return Part(Program(Path(reader.name).name, tuple(moves), (), mine), cut)
+
+
+class PlannedMotion:
+    """Lengths, extent and times of the motion on a machine, summed over the parts of a program.
+
+    Parameters
+    ----------
+    given : str, Path or Machine, optional
+        As for `contourlab.check`.
+    """
+
+    def __init__(self, given: str | Path | Machine | None) -> None:
+        self._given = given
+        self.problems: list[ContourlabError] = []
+        self._sums = np.zeros(5)  # feed and rapid length, cycle time, dwells, time of the feed moves at their feedrates
+        self._stops = 0
+        self._assumed: dict[str, Finding] = {}
+
+    @cached_property
+    def machine(self) -> Machine:
+        """The machine; read when something moves."""
+        from contourlab.scenario.load import machine_of
+
+        return machine_of(DEFAULT_MACHINE if self._given is None else self._given)
+
+    @cached_property
+    def travel(self) -> TravelCheck:
+        """What the motion leaves of the travel."""
+        from contourlab.scenario.placing import TravelCheck
+
+        return TravelCheck(self.machine)
+
+    def add(self, part: Part) -> None:
+        """Plan a part; after a fault nothing more is planned."""
+        if self.problems:
+            return
+        if all(isinstance(move, Dwell) for move in part.program.moves):
+            self._sums[2:4] += sum(move.seconds for move in part.program.moves if isinstance(move, Dwell))
+            return
+        machine = self.machine
+        try:
+            self._plan(part.program, machine)
+        except ContourlabError as error:
+            self.problems.append(error)
+        self._stops += part.cut
+
+    def _plan(self, program: Program, machine: Machine) -> None:
+        from contourlab.feed import blended
+        from contourlab.feed.planner import plan_profile
+        from contourlab.geometry.path import boxes
+        from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE, program_route
+
+        route, limits = program_route(program, machine.axis_names), machine.planner_limits()
+        cycle_time = plan_profile(blended(route, limits), limits).duration
+        self._assumed = {found.code: found for found in path_mode_assumed(program.moves, DEFAULT_CORNER_TOLERANCE)} | self._assumed
+        self.travel.add(*boxes(route.path), ~route.rapid, route.source_line)
+        lengths, feed = np.diff(route.path.breaks), ~route.rapid
+        dwell = float(route.dwell.sum()) + route.dwell_before
+        at_feedrate = (lengths[feed] / route.feedrate[feed]).sum()
+        self._sums += [lengths[feed].sum(), lengths[~feed].sum(), cycle_time, dwell, at_feedrate]
+
+    @property
+    def complete(self) -> bool:
+        """Whether something moves, and all of it has been planned."""
+        return "machine" in vars(self) and not self.problems
+
+    def results(self) -> dict[str, Any]:
+        """Return the fields of `Checked` that describe the motion."""
+        from contourlab.scenario.load import named_file
+
+        feed, rapid, cycle_time, dwell, at_feedrate = self._sums.tolist()
+        extent = zip(self.travel.low.tolist(), self.travel.high.tolist(), strict=True)
+        file = "" if isinstance(self._given, Machine) else DEFAULT_MACHINE if self._given is None else named_file(self._given)
+        return {
+            "findings": (*self._outside(), *travel_unknown(self.machine), *self._assumed.values()),
+            "length": {"feed": feed, "rapid": rapid},
+            "box": dict(zip(self.machine.axis_names, extent, strict=True)),
+            "cycle_time": cycle_time,
+            "dwell": dwell,
+            "feed_time_without_acceleration": at_feedrate,
+            "machine": {"name": self.machine.name, "file": file},
+            "added_stops": self._stops,
+        }
+
+    def _outside(self) -> Iterator[Finding]:
+        """Yield a finding for each axis that leaves the machine's travel."""
+        travel, machine = self.travel, self.machine
+        for name, line in travel.left.items():
+            j, limits = machine.axis_names.index(name), machine.axis(name).limits
+            values = {"line": line, "machine": machine.name}
+            if math.isfinite(limits.extent):
+                yield finding("CL478", f"axis {name}", length=travel.cut_high[j] - travel.cut_low[j], travel=limits.extent, **values)
+                continue
+            values |= dict(zip(("low", "high", "start", "stop"), (travel.low[j], travel.high[j], *limits.ends), strict=True))
+            yield finding("CL471" if self._given is None else "CL470", f"axis {name}", **values)
+
+
+# --- what `run` says too about a program on a machine ---
+
+
+def travel_unknown(machine: Machine) -> Iterator[Finding]:
+    """Yield a finding that names the axes without a travel, if there are any."""
+    if unknown := [axis.name for axis in machine.axes if not axis.limits.bounded]:
+        yield finding("CL479", axes=unknown, machine=machine.name)
+
+
+def path_mode_assumed(moves: Iterable[Move], tolerance: float) -> Iterator[Finding]:
+    """Yield a finding for the first cut without G61 or G64, and for the first under a G64 without P, met within `tolerance` [m]."""
+    modes = [(move.mode, move.source_line) for move in moves if not isinstance(move, Dwell | Traverse)]
+    if line := next((line for mode, line in modes if mode.control is None), 0):
+        yield finding("CL110", line=line)
+    if line := next((line for mode, line in modes if mode.control == "blend" and mode.tolerance is None), 0):
+        yield finding("CL111", line=line, tolerance=tolerance)

@@ -373,9 +373,9 @@ def planned_commands(program: Path, setup: Setup) -> dict[str, Array]:
     ProgramError, FeedError
         If the program cannot be read or planned.
     """
-    from contourlab.feed import AxisLimits, blended, plan, route_from_program
+    from contourlab.feed import AxisLimits
     from contourlab.program import Arc, Dwell, Reading, read_program
-    from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
+    from contourlab.scenario.values import program_motion
 
     made = read_program(program, reading=Reading(require_end=False))
     letters = [letter for letter in "xyz" if _limits(setup, letter) is not None]
@@ -384,8 +384,7 @@ def planned_commands(program: Path, setup: Setup) -> dict[str, Array]:
     straight = [any(not isinstance(move, Arc | Dwell) and move.start[k] != move.end[k] for move in made.moves) for k in range(3)]
     pairs[:, 1] *= [1.0 if straight["xyz".index(letter)] else 0.5 for letter in letters]
     limits = AxisLimits(pairs[:, 0], pairs[:, 1])
-    route = blended(route_from_program(made, letters, default_tolerance=DEFAULT_CORNER_TOLERANCE), limits)
-    reference = plan(route, limits, setup.period)
+    reference = program_motion(made, letters, limits, setup.period)
     position = reference.block(0, reference.n_sample).position
     rest = round(0.2 / setup.period)
     return {letter: np.pad(position[:, k], rest, mode="edge") for k, letter in enumerate(letters)}

@@ -114,19 +114,18 @@ def axis_control(machine: Machine, controller: Controller, axis: str) -> AxisCon
     names = tuple(node.name for node in loop.nodes[: loop.record_point] if node.name not in outside)
     measured: dict[str, str] = {}
     velocity = controller.axes[axis].velocity
-    cut, after, further = (
-        _cut(whole, names, axis, measured, velocity.at_rest(at)) for whole, at in ((loop, 0.0), (moved, 1.0), (third, -2.5))
-    )
-    group, later, last = (InterpretedGroup(schedule, 1, slice(0, 1)) for schedule in (cut, after, further))
-    rest, at_1, further_on = (at.memory[:, 0] for at in (group, later, last))
+    wholes = ((loop, 0.0), (moved, 1.0), (third, -2.5))
+    cut, *others = (_cut(whole, names, axis, measured, velocity.at_rest(at)) for whole, at in wholes)
+    group, *later = (InterpretedGroup(schedule, 1, slice(0, 1)) for schedule in (cut, *others))
+    rest, at_1, further_on = (at.memory[:, 0] for at in (group, *later))
     slope = np.subtract(at_1, rest, out=np.zeros(rest.size), where=at_1 != rest)  # parameters may be infinite
     if not np.array_equal(further_on, rest - 2.5 * slope):
         raise ParameterError(f"controller.axes.{axis}", "a state", "linear in the position where the axis rests")
-    text = dump(machine) + dump(controller, machine)
-    digest = hashlib.sha256(text.encode()).hexdigest()
-    parts = _parts(alone, steered, axis)
-    signal = f"{axis}.drive.{accepted_output(machine.axis(axis).drive)}"
-    unit, limit = machine.axis(axis).plant.command_unit, float(getattr(machine.axis(axis).drive, "limit", math.inf))
+    digest = hashlib.sha256((dump(machine) + dump(controller, machine)).encode()).hexdigest()
+    drive, unit = machine.axis(axis).drive, machine.axis(axis).plant.command_unit
+    used = {slot: part for slot, part in steered.axes[axis].parts.items() if slot != "velocity" or part.kind != "true"}
+    parts = {slot.replace("filters.", "filter_").replace("others.", "other_"): part for slot, part in used.items()} | {"drive": drive}
+    signal, limit = f"{axis}.drive.{accepted_output(drive)}", float(getattr(drive, "limit", math.inf))
     kinds = tuple(f"{slot}: {part.kind}" for slot, part in parts.items())
     adjustable, fixed = _described(parts, axis, machine)
     command = Field("command", unit, "command to the drive, within its limit")
@@ -170,6 +169,8 @@ def _cut(loop: Schedule, names: tuple[str, ...], axis: str, measured: dict[str, 
     """
     nodes = [node for node in loop.nodes if node.name in names]
     needed: dict[str, None] = dict.fromkeys(EXTERNALS)
+    ports = {f"{axis}.plant.{port}": port for port in MEASURED}
+    ports |= {f"{axis}.sensor.position": "position", f"{axis}.motor_sensor.position": "motor_position"}
 
     def wire(old: Any, node: str) -> Any:
         if isinstance(old, tuple):
@@ -177,7 +178,7 @@ def _cut(loop: Schedule, names: tuple[str, ...], axis: str, measured: dict[str, 
         signal = old.signal if isinstance(old, Late) else old
         if not isinstance(signal, str) or signal.rpartition(".")[0] in names:
             return old
-        port = _measured(signal, axis) or re.sub(r"\[\d+\]$", "", signal.removeprefix("in."))
+        port = ports.get(signal) or re.sub(r"\[\d+\]$", "", signal.removeprefix("in."))
         if port not in INPUTS:
             slot = node.partition(".")[2]
             raise ParameterError(f"controller.axes.{axis}.{slot}", slot, f"left out: it needs {port}")
@@ -190,21 +191,6 @@ def _cut(loop: Schedule, names: tuple[str, ...], axis: str, measured: dict[str, 
     speeds = [f"{axis}.{name}velocity" for name in ("", "motor_", "load_")]
     made = [replace(node, initial=velocity[0], start=velocity[1]) if node.name in speeds else node for node in made]
     return Schedule(tuple(made), tuple(Port(name) for name in needed), loop.period, len(made))
-
-
-def _measured(signal: str, axis: str) -> str:
-    """Return the input that stands for a measured signal; empty if it is none."""
-    known = {f"{axis}.plant.{port}": port for port in MEASURED}
-    known |= {f"{axis}.sensor.position": "position", f"{axis}.motor_sensor.position": "motor_position"}
-    return known.get(signal, "")
-
-
-def _parts(machine: Machine, controller: Controller, axis: str) -> dict[str, Component]:
-    """Return the components by node, without the name of the axis."""
-    used = {slot: part for slot, part in controller.axes[axis].parts.items() if slot != "velocity" or part.kind != "true"}
-    return {slot.replace("filters.", "filter_").replace("others.", "other_"): part for slot, part in used.items()} | {
-        "drive": machine.axis(axis).drive
-    }
 
 
 def _described(parts: Mapping[str, Component], axis: str, machine: Machine) -> tuple[dict[str, Field], dict[str, Field]]:
@@ -232,12 +218,11 @@ def _described(parts: Mapping[str, Component], axis: str, machine: Machine) -> t
 def _notes(machine: Machine, axis: str, parts: tuple[str, ...], digest: str, limit: float, unit: str) -> tuple[str, ...]:
     from importlib.metadata import version
 
-    limits, own = machine.axis(axis).limits, machine.axis(axis)
-    bounds = {"velocity": (limits.velocity, "m/s"), "acceleration": (limits.acceleration, "m/s^2"), "jerk": (limits.jerk, "m/s^3")}
+    own = machine.axis(axis)
+    bounds = {name: (getattr(own.limits, name), what) for name, what in (("velocity", "m/s"), ("acceleration", "m/s^2"), ("jerk", "m/s^3"))}
+    bounds["command"] = limit, unit
     known = [f"{name} {value:g} {what}" for name, (value, what) in bounds.items() if math.isfinite(value)]
-    known += [f"command {limit:g} {unit}"] if math.isfinite(limit) else []
-    sensors = [own.sensor, own.motor_sensor]
-    counted = ", ".join(part.kind for part in sensors if not isinstance(part, IdealSensor))
+    counted = ", ".join(part.kind for part in (own.sensor, own.motor_sensor) if not isinstance(part, IdealSensor))
     return (
         f"Controller of axis {axis} of {_line(machine.name)}, written by contourlab {version('contourlab')}.",
         f"SHA-256 of machine and controller: {digest}",

@@ -131,33 +131,19 @@ def _names(fields: Sequence[Field]) -> str:
     return ", ".join(field.name + (f" [{field.unit}]" if field.unit else "") for field in fields) or "none"
 
 
-def _c99(found: AxisControl, motion: Motion) -> dict[str, str | bytes]:
-    name = found.control.name
-    return {
-        f"{name}.h": c99_control.header_of(found.control),
-        f"{name}.c": c99_control.source_of(found.control),
-        f"{name}_bench.c": c99_control.bench_of(found.control),
-        f"{name}_run.csv": record(found, motion(found.axis)).text,
-    }
-
-
-def _hal(found: AxisControl, motion: Motion) -> dict[str, str | bytes]:
-    name = found.control.name
-    return {f"{name}.comp": hal.component_of(found.control), f"{name}.hal": hal.lines_of(found.control, found.number)}
-
-
-def _st(found: AxisControl, motion: Motion) -> dict[str, str | bytes]:
-    name, made = found.control.name, found.control
-    return {f"{name}.st": structured_text.plain(made), f"{name}.TcPOU": structured_text.twincat(made)}
-
-
-def _fmu(found: AxisControl, motion: Motion) -> dict[str, str | bytes]:
-    made = found.control
-    return {f"{made.name}_fmi{version[0]}.fmu": unit_of(made, version) for version in fmi.VERSIONS}
-
-
-TARGETS: dict[str, Callable[[AxisControl, Motion], dict[str, str | bytes]]] = {"c99": _c99, "hal": _hal, "st": _st, "fmu": _fmu}
-"""The files of an axis by name, for each language."""
+def files_of(to: str, axis: AxisControl, motion: Motion) -> dict[str, str | bytes]:
+    """Return the files of an axis by name, in a language of `contourlab.features.export.options.LANGUAGES`."""
+    made, name = axis.control, axis.control.name
+    match to:
+        case "c99":
+            code = {f"{name}.h": c99_control.header_of(made), f"{name}.c": c99_control.source_of(made)}
+            return {**code, f"{name}_bench.c": c99_control.bench_of(made), f"{name}_run.csv": record(axis, motion(axis.axis)).text}
+        case "hal":
+            return {f"{name}.comp": hal.component_of(made), f"{name}.hal": hal.lines_of(made, axis.number)}
+        case "st":
+            return {f"{name}.st": structured_text.plain(made), f"{name}.TcPOU": structured_text.twincat(made)}
+        case _:
+            return {f"{name}_fmi{version[0]}.fmu": unit_of(made, version) for version in fmi.VERSIONS}
 
 
 @question(Export)
@@ -187,7 +173,7 @@ def export(file: str | Path, *, settings: Export, session: Session = QUIET) -> E
         raise ParameterError("axes", ", ".join(found), "named with letters of ASCII, so that their code has different names")
     made: dict[str, str | bytes] = {}
     for control in found.values():
-        made |= TARGETS[to](control, motion)
+        made |= files_of(to, control, motion)
     digest = next(iter(found.values())).digest
     described = {name: _described(control) for name, control in found.items()}
     return Exported(to, digest, (), described, tuple(_findings(steered, found, to)), made, inputs)
@@ -197,7 +183,7 @@ def _read(
     file: str | Path, machine: str | Path | None, scheme: str | None, plugins: Sequence[str | Path]
 ) -> tuple[Machine, Controller, Motion, tuple[Any, ...]]:
     """Return machine, controller, the motion of each axis, and the files read."""
-    from contourlab.scenario import load_controller, load_machine, load_scenario
+    from contourlab.scenario import BUILTIN, builtin_file, load_controller, load_machine, load_scenario
     from contourlab.scenario.load import named_file
 
     if machine is not None:
@@ -207,10 +193,10 @@ def _read(
         loaded = load_machine(stated, plugins)
         steered = load_controller(named_file(file, "controller"), loaded, plugins)
         return loaded, steered, lambda name: there_and_back(loaded.axis(name), loaded.servo_period), (file, stated)
-    _check_scenario(file)
+    if kind_of(builtin_file(str(file)) if str(file).startswith(BUILTIN) else Path(file)) == "a controller":
+        raise ScenarioError("a controller needs its machine: name it with --machine", file=file)
     scenario = load_scenario(file, plugins)
     case = scenario.base if scheme is None else scenario.case(scheme)
-
     planned = cache(case.reference)
 
     def motion(name: str) -> Array:
@@ -218,15 +204,6 @@ def _read(
         return np.column_stack([block.position[:, j], block.velocity[:, j], block.acceleration[:, j]])
 
     return case.machine, case.controller, motion, scenario.inputs
-
-
-def _check_scenario(file: str | Path) -> None:
-    """Refuse a controller without its machine."""
-    from contourlab.scenario.files import BUILTIN, builtin_file
-
-    path = builtin_file(str(file)) if str(file).startswith(BUILTIN) else Path(file)
-    if kind_of(path) == "a controller":
-        raise ScenarioError("a controller needs its machine: name it with --machine", file=file)
 
 
 def _described(found: AxisControl) -> ExportedAxis:

@@ -2,54 +2,99 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import io
+import math
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from contourlab.analysis.encoder import interpolation_order
-from contourlab.app.json_values import json_text
+import numpy as np
+
+from contourlab.analysis.encoder import Subdivisional, interpolation_order
+from contourlab.app.json_values import HIDDEN, json_text
 from contourlab.app.results import spared
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
+from contourlab.arrays import Array
 from contourlab.features.interpolate.options import Interpolate
-from contourlab.features.interpolate.study import Interpolated, Interpolation, read_quadrature
-from contourlab.features.interpolate.text import counts_csv, lissajous_png, text
+from contourlab.features.interpolate.study import Interpolation, line_of, read_quadrature
+from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
+from contourlab.rendering.style import scheme_style
+from contourlab.rendering.table import paragraphs
 
 FILES = {"counts": "interpolated.csv", "picture": "interpolation.png", "summary": "interpolation.json"}
 """Files written into the folder."""
+CONSTANTS = ("offset_1", "offset_2", "amplitude", "ratio", "phase_error")
+WEAK = 0.5
+"""Share of the amplitude below which a signal is weak."""
+POINTS = 6000
+"""Most points of the signals in the picture."""
 
 
 @dataclass(frozen=True, eq=False)
-class Counts(Answer):
-    """Interpolated signals of an encoder.
+class Interpolated(Answer):
+    """Interpolated signals of an encoder; as JSON field by field, in SI.
 
     Attributes
     ----------
-    result : Interpolated
-    interpolation : Interpolation
+    columns : (str, str)
+    pitch, resolution : float [m]
+    order : int
+        Order of the sinusoids.
+    method : str
+        ``"all samples"`` or ``"recursive"``.
+    updates : int or None
+        Number of updates of the recursive fit.
+    constants : dict
+        Offsets, amplitude, ratio and phase error; with their unit.
+    scatter : float
+        Scatter around the ellipse, relative to its radius.
+    subdivisional_error : dict
+        ``against``: "reference" or "shape". Errors ``before`` and ``after``: peak, orders and rest [m]; None if unknown.
+    travel : float [m]
+    fastest : float
+        Largest travel from one sample to the next [pitches].
+    missed : dict
+        Number of samples at which a period was missed, and the line of the first.
+    files : dict of str to str
+        Files that were written.
     """
 
-    result: Interpolated
-    interpolation: Interpolation = field(repr=False)
+    file: str
+    n_sample: int
+    columns: tuple[str, str]
+    pitch: float
+    resolution: float
+    order: int
+    method: str
+    forgetting: float | None
+    updates: int | None
+    settled_from_sample: int
+    constants: dict[str, Any]
+    scatter: float
+    subdivisional_error: dict[str, Any]
+    counts: dict[str, int]
+    travel: float
+    fastest: float
+    missed: dict[str, int | None]
+    weak_samples: int
+    findings: tuple[Finding, ...]
+    files: dict[str, str] = field(default_factory=dict)
+    interpolation: Interpolation = field(kw_only=True, repr=False, metadata=HIDDEN)
 
     @property
     def passed(self) -> bool:
         """Whether no period was missed."""
-        return not self.result.missed["n_sample"]
-
-    @property
-    def json(self) -> Any:
-        """The result."""
-        return self.result
+        return not self.missed["n_sample"]
 
     @property
     def text(self) -> str:
         """The result for the terminal."""
-        return text(self.result)
+        return "\n".join(paragraphs([f"  {name:<22}{value}"], indent=" " * 24) if name else value for name, value in _rows(self))
 
-    def save(self, folder: str | Path | None = "interpolated") -> Counts:
+    def save(self, folder: str | Path | None = "interpolated") -> Interpolated:
         """Write interpolated.csv, interpolation.json and interpolation.png into a folder; all or none.
 
         Parameters
@@ -59,7 +104,7 @@ class Counts(Answer):
 
         Returns
         -------
-        Counts
+        Interpolated
             With the names of its files.
 
         Raises
@@ -67,15 +112,25 @@ class Counts(Answer):
         OutputError
             If a result cannot be written; then nothing is written.
         """
-        return self if folder is None else replace(self, result=_written(Path(folder), self.interpolation, self.result))
+        from contourlab.result.atomic import replacing
+
+        if folder is None:
+            return self
+        saved = replace(self, files={key: str(Path(folder) / name) for key, name in FILES.items()})
+        contents = {"counts": _table(self), "picture": _picture(self), "summary": (json_text(saved) + "\n").encode()}
+        # Put the files in place only after all of them are written.
+        with ExitStack() as stack:
+            for key, content in contents.items():
+                stack.enter_context(replacing(saved.files[key])).write_bytes(content)
+        return saved
 
     def _next(self, asked: Asked) -> Sequence[object]:
         """Save the counts, or use the encoder."""
-        return ["components", "quadrature-encoder"] if self.result.files else asked.again("--out", "interpolated")
+        return ["components", "quadrature-encoder"] if self.files else asked.again("--out", "interpolated")
 
 
 @question(Interpolate)
-def interpolate(file: str | Path, *, settings: Interpolate, session: Session = QUIET) -> Counts:
+def interpolate(file: str | Path, *, settings: Interpolate, session: Session = QUIET) -> Interpolated:
     """Correct, interpolate and count quadrature signals, and measure their errors.
 
     Parameters
@@ -85,7 +140,7 @@ def interpolate(file: str | Path, *, settings: Interpolate, session: Session = Q
 
     Returns
     -------
-    Counts
+    Interpolated
 
     Raises
     ------
@@ -102,34 +157,134 @@ def interpolate(file: str | Path, *, settings: Interpolate, session: Session = Q
     record = read_quadrature(file, settings.columns, settings.reference)
     with about(record.source.file, options=("forgetting",)):
         interpolation = Interpolation(record, period, order, settings.forgetting)
-    return Counts(interpolation.result(), interpolation)
-
-
-def _written(folder: Path, interpolation: Interpolation, result: Interpolated) -> Interpolated:
-    """Write all files or none; return the result with their names."""
-    from contourlab.result.atomic import replacing
-
-    result = replace(result, files={key: str(folder / name) for key, name in FILES.items()})
-    title, after = interpolation.record.source.file.name, interpolation.after[:, interpolation.settled :].T
-    phase, *errors = interpolation.over_phase()
-    names = _legend(result.subdivisional_error)
-    contents = {
-        "counts": counts_csv(result, interpolation.record.time, interpolation.counted.counts, interpolation.position()),
-        "picture": lissajous_png(title, (interpolation.before.T, after), phase, errors, names),
-        "summary": (json_text(result) + "\n").encode(),
+    before, after = interpolation.subdivisional()
+    tracked, counts, constants = interpolation.tracked, interpolation.counted.counts, interpolation.constants
+    marked = np.flatnonzero(interpolation.missed)
+    first_line = line_of(record.source, int(marked[0])) if marked.size else None
+    weak = int(np.count_nonzero(np.hypot(*interpolation.after)[interpolation.settled :] < WEAK))
+    conditions = {
+        "CL450": first_line is not None,
+        "CL451": weak > 0,
+        "CL452": before is None or after is None,
+        "CL453": record.reference is None,
+        "CL454": interpolation.settled > 0,
     }
-    # Put the files in place only after all of them are written.
-    with ExitStack() as stack:
-        for key, content in contents.items():
-            stack.enter_context(replacing(result.files[key])).write_bytes(content)
-    return result
-
-
-def _legend(errors: dict[str, Any]) -> tuple[str, str]:
-    known = errors["against"] == "reference"
-    labels = ("before", "after") if known else ("before, by the fitted constants", "after, off the circle")
-    before, after = (
-        f"{label}: {1e9 * errors[key]['peak']:.3g} nm peak" if errors[key] else label
-        for key, label in zip(("before", "after"), labels, strict=True)
+    values: dict[str, Any] = {"samples": int(marked.size), "line": first_line, "weak": weak, "settled": interpolation.settled}
+    return Interpolated(
+        file=str(record.source.file),
+        n_sample=int(counts.size),
+        columns=record.names,
+        pitch=period,
+        resolution=interpolation.resolution,
+        order=order,
+        method="all samples" if tracked is None else "recursive",
+        forgetting=settings.forgetting,
+        updates=None if tracked is None else int(tracked.updated.sum()),
+        settled_from_sample=interpolation.settled,
+        constants={**{name: getattr(constants, name) for name in CONSTANTS}, "unit": record.unit},
+        scatter=interpolation.fit.scatter,
+        subdivisional_error={
+            "against": "shape" if record.reference is None else "reference",
+            "before": _figures(before),
+            "after": _figures(after),
+        },
+        counts={"first": int(counts[0]), "last": int(counts[-1]), "least": int(counts.min()), "greatest": int(counts.max())},
+        travel=float(np.ptp(counts)) * interpolation.resolution,
+        fastest=float(np.abs(np.diff(counts, prepend=counts[:1])).max()) / (4 * order),
+        missed={"n_sample": int(marked.size), "first_line": first_line},
+        weak_samples=weak,
+        findings=tuple(finding(code, **values) for code, holds in conditions.items() if holds),
+        interpolation=interpolation,
     )
-    return before, after
+
+
+def _figures(error: Subdivisional | None) -> dict[str, Any] | None:
+    return None if error is None else {"peak": error.peak, "orders": list(error.orders), "rest_rms": error.rest}
+
+
+def _rows(r: Interpolated) -> Iterator[tuple[str, str]]:
+    constants, errors, counts = r.constants, r.subdivisional_error, r.counts
+    unit = f" {constants['unit']}".rstrip()
+    yield "", f"{r.file}: {r.n_sample} samples of {' and '.join(r.columns)}"
+    yield "pitch", f"{1e6 * r.pitch:.6g} um; travel {r.travel / r.pitch:.5g} pitches ({1e3 * r.travel:.6g} mm)"
+    yield "resolution", f"{1e9 * r.resolution:.6g} nm: {r.order} sine periods per pitch, counted fourfold"
+    if r.method == "recursive":
+        yield "fit", f"recursive, forgetting {r.forgetting:g}, {r.updates} updates; final constants:"
+    else:
+        yield "fit", "one ellipse through all samples:"
+    yield "  offsets", f"{constants['offset_1']:.5g} and {constants['offset_2']:.5g}{unit}"
+    yield "  amplitude", f"{constants['amplitude']:.5g}{unit}, {constants['ratio']:.6g} times that of the second signal"
+    yield "  phase error", f"{math.degrees(constants['phase_error']):.4g} deg"
+    yield "  scatter", f"{100.0 * r.scatter:.3g} % of the radius, rms around the ellipse through all samples"
+    for name in ("before", "after"):
+        if (error := errors[name]) is not None:
+            orders = ", ".join(f"{1e9 * value:.3g}" for value in error["orders"][:4])
+            yield f"error {name}", f"{1e9 * error['peak']:.4g} nm peak within a pitch; orders 1 to 4 of a pitch: {orders} nm"
+    yield "counts", f"from {counts['first']} to {counts['last']}, smallest {counts['least']}, largest {counts['greatest']}"
+    yield "fastest", f"{r.fastest:.3g} pitches per sample; counting works up to 0.5"
+    for file in r.files.values():
+        yield "written", file
+    if r.findings:
+        yield "", paragraphs(map(str, r.findings))
+
+
+def _table(r: Interpolated) -> bytes:
+    """Return the table of counts and positions, with pitch and constants in its head."""
+    counts, time = r.interpolation.counted.counts, r.interpolation.record.time
+    constants = ", ".join(f"{name} {value!r}" for name, value in r.constants.items() if name != "unit")
+    unit = f" ({r.constants['unit']})" if r.constants["unit"] else ""
+    head = [f"# pitch {r.pitch:.12g} m, resolution {r.resolution:.12g} m, fit: {r.method}", f"# {constants}{unit}"]
+    rows = [f"{n},{x:.12g}" for n, x in zip(counts.tolist(), (r.resolution * counts).tolist(), strict=True)]
+    if time is not None:
+        rows = [f"{t:.12g},{row}" for t, row in zip(time.tolist(), rows, strict=True)]
+    return ("\n".join([*head, "count,position [m]" if time is None else "t [s],count,position [m]", *rows]) + "\n").encode()
+
+
+def _picture(r: Interpolated) -> bytes:
+    """Return the signals against each other before and after correction, and the error over a period."""
+    interpolation, known = r.interpolation, r.subdivisional_error["against"] == "reference"
+    labels = {"before": "before" if known else "before, by the fitted constants", "after": "after" if known else "after, off the circle"}
+    for key, label in labels.items():
+        if error := r.subdivisional_error[key]:
+            labels[key] = f"{label}: {1e9 * error['peak']:.3g} nm peak"
+    phase, *errors = interpolation.over_phase()
+    signals = interpolation.before.T, interpolation.after[:, interpolation.settled :].T
+    return lissajous_png(interpolation.record.source.file.name, signals, phase, errors, list(labels.values()))
+
+
+def lissajous_png(title: str, signals: Sequence[Array], phase: Array, errors: Sequence[Array], names: Sequence[str]) -> bytes:
+    """Return the picture as a PNG of 200 dpi; equal data give equal bytes.
+
+    Parameters
+    ----------
+    title : str
+    signals : sequence of ndarray (n, 2)
+        As measured, and corrected; both divided by the amplitude.
+    phase : ndarray (m,) [deg]
+    errors : sequence of ndarray (m,) [nm]
+        Over the phase, before and after correction.
+    names : sequence of str
+        Of the two errors, for the legend.
+    """
+    import matplotlib
+
+    from contourlab.rendering.matplotlib_view import LOOKS, legend, new_figure
+
+    with matplotlib.rc_context(fname=LOOKS):
+        figure = new_figure(3.6)
+        left, right = figure.subplots(1, 2, width_ratios=(1.0, 1.25))
+        every = max(1, len(signals[0]) // POINTS)
+        turn = np.linspace(0.0, 2.0 * np.pi, 361)
+        left.plot(np.cos(turn), np.sin(turn), color="#8a949e", linewidth=0.8)
+        for i, points in enumerate(signals):
+            style = {"linestyle": "none", "marker": ".", "markersize": 1.6, "color": scheme_style(i, 2)[0]}
+            left.plot(points[::every, 0], points[::every, 1], **style)
+        left.set_aspect("equal", adjustable="datalim")
+        left.set(xlabel="u1 / amplitude", ylabel="u2 / amplitude", title=title.replace("$", "\\$"))
+        for i, (name, error) in enumerate(zip(names, errors, strict=True)):
+            right.plot(phase, error, color=scheme_style(i, 2)[0], linewidth=1.1, label=name)
+        right.set(xlabel="phase [deg]", ylabel="error within a pitch [nm]", xlim=(0.0, 360.0), xticks=range(0, 361, 90))
+        legend(figure, 2)
+        buffer = io.BytesIO()
+        figure.savefig(buffer, format="png")
+    return buffer.getvalue()

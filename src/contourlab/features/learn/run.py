@@ -6,7 +6,6 @@ import math
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, fields, replace
-from functools import partial
 from typing import ClassVar, Literal
 
 import numpy as np
@@ -139,12 +138,13 @@ class _Course:
         elif status == "interrupted":
             status += f", trial {best} kept"
         if growth is not None:
-            band = {"low": growth.low, "high": growth.high, "peak": growth.peak}
-            band |= {"growth": growth.factor - 1.0, "doubling": doubling(growth.factor)}
-            findings.append(finding("CL309", place=f"axis {growth.axis}", **band))
+            band = {"low": growth.low, "high": growth.high, "peak": growth.peak, "growth": growth.factor - 1.0}
+            findings.append(finding("CL309", place=f"axis {growth.axis}", doubling=doubling(growth.factor), **band))
         if isinstance(self.law, BasisFunctions) and self.law.target == "command":
             findings += _feedforwards(self.law.gains(learned, problem), runner.machine, runner.controller)
-        table = LearnedTable.of(learned.copy(), runner.machine, runner.controller, runner.reference, self.law, _columns(figures))
+        names = [part.name for part in fields(TrialFigures) if part.name not in ("trial", "failed")]
+        columns = {name: np.array([getattr(trial, name) for trial in figures], dtype=float) for name in names}
+        table = LearnedTable.of(learned.copy(), runner.machine, runner.controller, runner.reference, self.law, columns)
         positions, contours = zip(first, last, strict=True)
         times = (time.perf_counter() - began, runner.engine_seconds, runner.judge_seconds)
         split = self.memory.split(self.law, problem)
@@ -208,8 +208,16 @@ def learn(
     """
     if trials < 0:
         raise ParameterError("trials", f"{trials}", "0 or more")
-    _check_start(start, law, machine, controller, reference)
-    _check_reach(law, reference)
+    if start is not None:
+        start.check(machine, controller, reference)
+        if start.target != law.target:
+            raise ResultError(f'the learned table is for the {start.target}: set target = "{start.target}" in the law, not "{law.target}"')
+    # A law that reaches further than a trial would learn almost nothing and converge at once.
+    reach, n, period = law.values(), reference.n_sample, reference.servo_period
+    if 2.0 * reach.get("half_width", 0.0) >= n:
+        raise ParameterError("half_width", f"{reach['half_width']:g}", f"less than half of the {n} samples of a trial")
+    if reach.get("lead", 0.0) >= n * period:
+        raise ParameterError("lead", f"{reach['lead']:g} s", f"less than the {n * period:.4g} s that a trial takes")
     began = time.perf_counter()
     settings = stopping or Stopping()
     given = {"target": law.target, "vector": law.needs_contour_error, "seed": seed, "jit": jit, "view": view}
@@ -221,8 +229,7 @@ def learn(
 
     def run_all(table: Array) -> Stop:
         for i in range(trials + 1):
-            report = None if progress is None else partial(_report_trial, progress, i * reference.n_sample)
-            run = runner.run(table, i, report)
+            run = runner.run(table, i, None if progress is None else lambda done: progress(i * reference.n_sample + done))  # noqa: B023
             record = record_of(run, runner, table if law.target == "command" else nothing, beforehand)
             course.note(run, i, table)
             if run.status.ok:
@@ -255,29 +262,3 @@ def _feedforwards(gains: list[dict[str, float]], machine: Machine, controller: C
             learned = {name: value + (present.values()[name] if name in present.unbounded else 0.0) for name, value in learned.items()}
         shown = "".join(f', {name} = "{value:.4g} {units[name].unit}"' for name, value in learned.items())
         yield finding("CL316", place=f"axis {axis.name}", feedforward=f'{{kind = "{InverseDynamics.kind}"{shown}}}')
-
-
-def _report_trial(progress: Callable[[int], None], before: int, done: int) -> None:
-    progress(before + done)
-
-
-def _check_start(start: LearnedTable | None, law: LearningLaw, machine: Machine, controller: Controller, reference: Reference) -> None:
-    if start is None:
-        return
-    start.check(machine, controller, reference)
-    if start.target != law.target:
-        raise ResultError(f'the learned table is for the {start.target}: set target = "{start.target}" in the law, not "{law.target}"')
-
-
-def _check_reach(law: LearningLaw, reference: Reference) -> None:
-    """Refuse a law that reaches further than the length of a trial: it would learn almost nothing and converge at once."""
-    known, n, period = law.values(), reference.n_sample, reference.servo_period
-    if 2.0 * known.get("half_width", 0.0) >= n:
-        raise ParameterError("half_width", f"{known['half_width']:g}", f"less than half of the {n} samples of a trial")
-    if known.get("lead", 0.0) >= n * period:
-        raise ParameterError("lead", f"{known['lead']:g} s", f"less than the {n * period:.4g} s that a trial takes")
-
-
-def _columns(figures: list[TrialFigures]) -> dict[str, Array]:
-    names = [part.name for part in fields(TrialFigures) if part.name not in ("trial", "failed")]
-    return {name: np.array([getattr(trial, name) for trial in figures], dtype=float) for name in names}

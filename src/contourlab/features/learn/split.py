@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import deque
 from dataclasses import dataclass
 
 import numpy as np
@@ -58,46 +59,48 @@ class Memory:
     """
 
     def __init__(self, depth: int) -> None:
-        self.depth = depth
-        self.feedback: list[Array] = []
-        self.tracking: list[Array] = []
-        self.contour: list[Array] = []
+        self.trials: deque[tuple[Array, Array, Array]] = deque(maxlen=depth)
 
     def add(self, feedback: Array, tracking: Array, contour: Array) -> None:
         """Add a trial; the arrays must not change afterwards."""
-        for kept, now in ((self.feedback, feedback), (self.tracking, tracking), (self.contour, contour)):
-            kept.append(now)
-            del kept[: -self.depth]
+        self.trials.append((feedback, tracking, contour))
+
+    @property
+    def tracking(self) -> list[Array]:
+        """The tracking errors, oldest first."""
+        return [tracking for _, tracking, _ in self.trials]
 
     def change(self, tracking: Array, judged: Index) -> float:
         """Return the rms difference over all axes [m] between a tracking error and that of the last trial kept; NaN without one."""
-        if not self.tracking:
+        if not self.trials:
             return math.nan
-        return float(np.sqrt(np.square(tracking[judged] - self.tracking[-1][judged]).sum(axis=1).mean()))
+        return float(np.sqrt(np.square(tracking[judged] - self.trials[-1][1][judged]).sum(axis=1).mean()))
 
     def explained(self) -> bool:
         """Return whether chance explains the change of the tracking error over the trials kept."""
-        if len(self.tracking) < max(self.depth, FEWEST):
+        tracking = self.tracking
+        if len(tracking) < max(self.trials.maxlen or 0, FEWEST):
             return False
-        scatter, change = _scatter(self.tracking[-FEWEST:]), self.tracking[-1] - self.tracking[0]
+        scatter, change = _scatter(tracking[-FEWEST:]), tracking[-1] - tracking[0]
         by_chance = 2.0 * float(np.square(scatter).sum())
         return bool(by_chance > 0.0 and float(np.square(change).sum()) <= EXPLAINED * by_chance)
 
     def split(self, law: LearningLaw, problem: LearningProblem) -> Split | None:
         """Return the estimate; None with fewer than four trials."""
-        if len(self.feedback) < FEWEST:
+        if len(self.trials) < FEWEST:
             return None
-        rest = _rest(self.feedback)
-        passed = [law.passed(part, problem.servo_period) for part in (rest if law.target == "command" else _rest(self.tracking))]
-        errors = _rest(self.contour if self.tracking[0].shape[1] > 1 else [part[:, 0] for part in self.tracking])
+        feedback, tracking, contour = map(list, zip(*self.trials, strict=True))
+        rest = _rest(feedback)
+        passed = [law.passed(part, problem.servo_period) for part in (rest if law.target == "command" else _rest(tracking))]
+        errors = _rest(contour if tracking[0].shape[1] > 1 else [part[:, 0] for part in tracking])
         try:
             moved = [np.abs(problem.model.forward(part)).max(axis=0) for part in passed]
             position = tuple(np.max(moved, axis=0).tolist())
         except ComponentError:
             position = None
         return Split(
-            len(self.feedback),
-            tuple(np.sqrt(np.mean(np.square(np.mean(self.feedback, axis=0)), axis=0)).tolist()),
+            len(feedback),
+            tuple(np.sqrt(np.mean(np.square(np.mean(feedback, axis=0)), axis=0)).tolist()),
             tuple(np.sqrt(np.mean(np.square(rest), axis=(0, 1))).tolist()),
             tuple(np.max([np.abs(part).max(axis=0) for part in passed], axis=0).tolist()),
             position,
@@ -166,12 +169,9 @@ def growth_of(errors: list[Array], servo_period: float, axes: tuple[str, ...]) -
     if not grown[k, j] > 0.0:
         return None
     step = 1.0 / (len(errors[0]) * servo_period)
-    column = grown[:, j] >= GROWN * grown[k, j]
-    low, high = int(k), int(k)
-    while low > 0 and column[low - 1]:
-        low -= 1
-    while high + 1 < len(column) and column[high + 1]:
-        high += 1
+    outside = np.flatnonzero(grown[:, j] < GROWN * grown[k, j])
+    low = int(outside[outside < k].max(initial=-1)) + 1
+    high = int(outside[outside > k].min(initial=len(grown))) - 1
     # The weighted middle of the band: single lines of the spectrum depend on the length of the record.
     inside = np.arange(low, high + 1)
     weight = grown[low : high + 1, j]

@@ -22,7 +22,7 @@ from contourlab.scenario.provenance import unstated
 from contourlab.scenario.toml_text import toml
 
 FORMAT = "contourlab-learned/1"
-_TEXTS = ("format", "target", "path", "reference", "machine", "controller", "law", "scheme", "content")
+_TEXTS = ("target", "path", "reference", "machine", "controller", "law", "scheme", "content")
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,6 +65,7 @@ class LearnedTable:
         figures: Mapping[str, Array] | None = None,
     ) -> LearnedTable:
         """Return a table of learned values (n_sample, n_axis) for a motion of a machine under its controller."""
+        plant = machine.axes[0].plant
         return cls(
             values=values,
             target=law.target,
@@ -73,7 +74,7 @@ class LearnedTable:
             path=reference.path.digest,
             reference=reference.digest,
             **_texts(machine, controller),
-            law=_law_text(law, machine),
+            law=toml({"law": component_table(law, (plant.command_unit, plant.force_unit))}),
             figures=figures or {},
         )
 
@@ -135,7 +136,7 @@ class LearnedTable:
             data.dimensions = {"sample": len(self.values), "axis": len(self.axes), **({"trial": n_trial} if n_trial else {})}
             data.create_variable("axis", ("axis",), dtype=text)[:] = np.array(self.axes, dtype=object)
             # Texts are variables, because an attribute holds at most 64 kB.
-            for name, value in (*((name, getattr(self, name)) for name in _TEXTS[1:]), ("format", FORMAT)):
+            for name, value in (*((name, getattr(self, name)) for name in _TEXTS), ("format", FORMAT)):
                 data.create_variable(name, (), dtype=text)[...] = value
             data.create_variable("servo_period", (), float)[...] = self.servo_period
             data.create_variable("values", ("sample", "axis"), float)[...] = self.values
@@ -159,7 +160,7 @@ class LearnedTable:
                 form = _text(data["format"][()]) if "format" in data else None
                 if form != FORMAT:
                     raise ResultError(f"{file}: not a contourlab learned table (format = {form!r})")
-                texts = {name: _text(data[name][()]) for name in _TEXTS[1:]}
+                texts = {name: _text(data[name][()]) for name in _TEXTS}
                 axes = tuple(_text(name) for name in data["axis"][:])
                 period, values = float(data["servo_period"][()]), np.array(data["values"][...])
                 figures = {name.removeprefix("figure_"): np.array(data[name][...]) for name in data if name.startswith("figure_")}
@@ -187,22 +188,14 @@ def _texts(machine: Machine, controller: Controller) -> dict[str, str]:
     return {"machine": dump(plain), "controller": dump(unstated(controller), plain)}
 
 
-def _law_text(law: LearningLaw, machine: Machine) -> str:
-    plant = machine.axes[0].plant
-    return toml({"law": component_table(law, (plant.command_unit, plant.force_unit))})
-
-
 def _first_difference(mine: str, other: str) -> tuple[str, str]:
     """Return the first pair of lines in which two files differ, each with its heading."""
     heading = ""
-    for one, two in zip_longest(mine.splitlines(), other.splitlines(), fillvalue="nothing more"):
-        if one != two:
-            return _shown(heading, one), _shown(heading, two)
-        if one.startswith("["):
-            heading = one.strip("[] ")
+    for pair in zip_longest(mine.splitlines(), other.splitlines(), fillvalue="nothing more"):
+        if pair[0] != pair[1]:
+            plain = (line.partition("#")[0].strip() for line in pair)
+            was, has = (f"[{heading}] {line}" if heading and not line.startswith("[") else line for line in plain)
+            return was, has
+        if pair[0].startswith("["):
+            heading = pair[0].strip("[] ")
     return "other text", "this text"
-
-
-def _shown(heading: str, line: str) -> str:
-    plain = line.partition("#")[0].strip()
-    return f"[{heading}] {plain}" if heading and not plain.startswith("[") else plain

@@ -13,7 +13,7 @@ from contourlab.app.results import check_file
 from contourlab.app.session import QUIET, Session, question
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import LogError, ParameterError, ResultError, UnitError
-from contourlab.features.check.planned_motion import DEFAULT_MACHINE
+from contourlab.features.check.program_check import DEFAULT_MACHINE
 from contourlab.features.check.reading import reading_of, refuse_drawing
 from contourlab.features.limits.log_limits import KINDS, AxisPeak, control_samples, course, moving_part
 from contourlab.features.limits.options import Limits
@@ -22,7 +22,7 @@ from contourlab.features.measure.log_choice import PROGRAMS, LogChoice, open_log
 from contourlab.features.measure.measured_path import progress_along
 from contourlab.features.measure.plausibility import known_signal
 from contourlab.features.measure.study import ACTUAL
-from contourlab.feed import AxisLimits, Reference, Route, blended, plan, route_from_program
+from contourlab.feed import AxisLimits, Reference
 from contourlab.feed.verify import KINDS as ALL_KINDS
 from contourlab.feed.verify import LineUse, Worst, limit_report_by_line
 from contourlab.file_kinds import kind_of
@@ -31,9 +31,8 @@ from contourlab.logs import Log
 from contourlab.logs.load import about
 from contourlab.loop import Machine
 from contourlab.program import Reading, read_program
-from contourlab.scenario import load_machine
-from contourlab.scenario.load import named_file
-from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
+from contourlab.scenario.load import machine_of
+from contourlab.scenario.values import program_motion, program_route
 from contourlab.units import to_si
 
 _UNITS = {"velocity": "m/s", "acceleration": "m/s^2", "jerk": "m/s^3"}
@@ -123,18 +122,17 @@ def _by_axis(option: str, text: str, unit: str, axes: Sequence[str], example: st
 def _planned(file: Path, options: Limits, tolerance: float, reading: Reading) -> LimitTest:
     """Check what the planner would command."""
     refuse_drawing(file)
-    machine = load_machine(DEFAULT_MACHINE if options.machine is None else named_file(options.machine))
+    machine = machine_of(DEFAULT_MACHINE if options.machine is None else options.machine)
     asked = _limits(options, machine.axis_names, machine)
     limits = AxisLimits(*(asked[kind] for kind in KINDS))
     given = tuple(kind for kind in KINDS if getattr(options, kind) is not None)
     within = limits if options.machine is None else machine.planner_limits()
-    route = route_from_program(read_program(file, reading=reading), machine.axis_names, default_tolerance=DEFAULT_CORNER_TOLERANCE)
-    reference = plan(blended(route, within), within, machine.servo_period)
+    reference = program_motion(read_program(file, reading=reading), machine.axis_names, within, machine.servo_period)
     report, use = limit_report_by_line(reference, limits)
-    by_axis = zip(report.velocity, report.acceleration, report.jerk, report.curvature_step, report.kink, strict=True)
+    orders = {"velocity": 1, "kink": 1, "acceleration": 2, "curvature step": 2, "jerk": 3}
     peaks = [
-        _peak(worst, kind, machine.axis_names, machine.servo_period)
-        for of_axis in by_axis
+        AxisPeak(machine.axis_names[worst.axis], kind, worst, orders[kind] * machine.servo_period)
+        for of_axis in zip(*report.kinds, strict=True)
         for kind, worst in zip(ALL_KINDS, of_axis, strict=True)
         if worst.sample >= 0 and (worst.value > 0.0 or kind in KINDS)
     ]
@@ -150,13 +148,6 @@ def _sample_lines(reference: Reference) -> Index:
     starts = range(0, reference.n_sample, BLOCK)
     blocks = (reference.block(start, min(start + BLOCK, reference.n_sample)) for start in starts)
     return np.concatenate([reference.source_line(block.arc_length) for block in blocks])
-
-
-def _peak(worst: Worst, kind: str, axes: Sequence[str], period: float) -> AxisPeak:
-    order = {"velocity": 1, "kink": 1, "acceleration": 2, "curvature step": 2, "jerk": 3}[kind]
-    limit = worst.limit if math.isfinite(worst.limit) else None
-    use = None if limit is None else worst.ratio
-    return AxisPeak(axes[worst.axis], kind, worst.value, worst.allowance, order * period, limit, use, worst.time, worst.source_line or None)
 
 
 def _rows(
@@ -188,7 +179,7 @@ def _logged(choice: LogChoice, options: Limits, tolerance: float, reading: Readi
         moves = moving_part(position)
     if not moves.any():
         raise LogError("nothing moves: position or reference is the same at all samples", file=log.record.file)
-    machine = None if options.machine is None else load_machine(named_file(options.machine))
+    machine = None if options.machine is None else machine_of(options.machine)
     if machine is not None and (unlike := [axis for axis in axes if axis not in machine.axis_names]):
         raise ParameterError("--axes", ", ".join(unlike), f"axes of {machine.name}: {', '.join(machine.axis_names)}")
     limits = _limits(options, axes, machine)
@@ -221,8 +212,7 @@ def _lines_of(
     lines = np.zeros(n, dtype=np.int64)
     errors: Array | None = None
     if options.program is not None:
-        program = read_program(Path(options.program), reading=reading)
-        route: Route = route_from_program(program, tuple(axes), default_tolerance=DEFAULT_CORNER_TOLERANCE)
+        route = program_route(read_program(Path(options.program), reading=reading), tuple(axes))
         with about(choice.file):
             along, _ = progress_along(route.path, position)
         lines = np.asarray(route.source_line[route.path.curve_index(along)], dtype=np.int64)
@@ -249,16 +239,12 @@ def _log_peaks(
             found = course(position[:, j], period, order, limit)
             magnitude = np.where(moves & np.isfinite(found.magnitude), found.magnitude, 0.0)
             at = int(np.argmax(magnitude))
-            value, window = float(magnitude[at]), order * found.stride * period
-            share = max(value - found.resolution, 0.0) / limit if math.isfinite(limit) else None
-            line = int(lines[at]) or None
-            known = limit if math.isfinite(limit) else None
-            peaks.append(AxisPeak(axis, kind, value, found.resolution, window, known, share, at * period, line))
-            if share is not None:
-                ratios = np.maximum(magnitude - found.resolution, 0.0)[:, None] / limit
-                by_axis = np.zeros((len(ratios), len(axes)))
-                by_axis[:, j] = ratios[:, 0]
-                use.add(order - 1, by_axis, np.arange(len(ratios)), lines)
+            worst = Worst(j, float(magnitude[at]), limit, found.resolution, at, at * period, source_line=int(lines[at]))
+            peaks.append(AxisPeak(axis, kind, worst, order * found.stride * period))
+            if math.isfinite(limit):
+                ratios = np.zeros((len(magnitude), len(axes)))
+                ratios[:, j] = np.maximum(magnitude - found.resolution, 0.0) / limit
+                use.add(order - 1, ratios, np.arange(len(ratios)), lines)
                 if found.resolution > 0.5 * limit:
                     findings.append(finding("CL474", f"axis {axis}", kind=kind, resolution=found.resolution, limit=limit))
     filtered = [f"{peak.kind} of {peak.axis} over {1e3 * peak.window:.3g} ms" for peak in peaks if peak.window > 3.5 * period]
@@ -267,10 +253,9 @@ def _log_peaks(
 
 def _exceeded(peaks: Sequence[AxisPeak], tolerance: float) -> tuple[Finding, ...]:
     """Return a finding for each limit that is exceeded."""
-    over = [peak for peak in peaks if peak.use is not None and peak.use > 1.0 + tolerance]
+    over = sorted((peak for peak in peaks if (peak.use or 0.0) > 1.0 + tolerance), key=lambda peak: -peak.worst.ratio)
+    places = [f"line {peak.line}" if peak.line else f"axis {peak.axis}" for peak in over]
     return tuple(
-        finding(
-            "CL472", f"line {peak.line}" if peak.line else f"axis {peak.axis}", kind=peak.kind, axis=peak.axis, use=peak.use, time=peak.time
-        )
-        for peak in sorted(over, key=lambda peak: -(peak.use or 0.0))
+        finding("CL472", place, kind=peak.kind, axis=peak.axis, use=peak.use, time=peak.worst.time)
+        for place, peak in zip(places, over, strict=True)
     )

@@ -17,10 +17,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
+from contourlab.feed.verify import Worst
 
 RESOLVED = 0.05
 """Largest share of the limit that the error of the positions may add."""
@@ -48,22 +50,28 @@ class AxisPeak:
     window : float [s]
         Time over which it is a mean.
     limit : float or None
-    use : float or None
-        (value - resolution) / limit; above 1 the limit is exceeded.
     time : float [s]
-    line : int or None
-        Line of the program.
     """
+
+    json_form: ClassVar = {
+        "axis": "axis", "kind": "kind", "value": "worst.value", "resolution": "worst.allowance", "window": "window", "limit": "worst.limit",
+        "use": "use", "time": "worst.time", "line": "line",
+    }  # fmt: skip
 
     axis: str
     kind: str
-    value: float
-    resolution: float
+    worst: Worst
     window: float
-    limit: float | None
-    use: float | None
-    time: float
-    line: int | None = None
+
+    @property
+    def use(self) -> float | None:
+        """(value - resolution) / limit; above 1 the limit is exceeded; None without a limit."""
+        return self.worst.ratio if math.isfinite(self.worst.limit) else None
+
+    @property
+    def line(self) -> int | None:
+        """Line of the program."""
+        return self.worst.source_line or None
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,7 +13,7 @@ from contourlab.app.shared_options import Dialect, LogAxes, Shown
 class Limits(Dialect, LogAxes):
     """Compare commanded velocity, acceleration and jerk with the limits of a machine; show the worst program lines."""
 
-    machine: str | None = option(None, "Machine whose limits hold; by default a program keeps those given, else of xyz.")
+    machine: str | None = option(None, "Machine whose limits hold; by default a program keeps those given, else of xyz.", objects="Machine")
     velocity: str | None = option(None, 'Limit, e.g. "200 mm/s" or "x=200 mm/s, y=100 mm/s".')
     acceleration: str | None = option(None, 'Limit, e.g. "2 m/s^2".')
     jerk: str | None = option(None, 'Limit, e.g. "50 m/s^3".')

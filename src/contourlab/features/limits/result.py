@@ -1,21 +1,25 @@
-"""Result of a check of limits: figures of each axis and the worst program lines, as JSON and as text."""
+"""Result of a check of limits: figures of each axis and the worst program lines, as JSON, as text, and as comments in the program."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import io
+import math
+import re
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from contourlab.app.json_values import HIDDEN, json_values
 from contourlab.app.session import Answer, Asked
-from contourlab.errors import ParameterError
-from contourlab.features.limits.annotate import write_annotated
+from contourlab.errors import ParameterError, ProgramError
+from contourlab.features.check.canon import Listed
 from contourlab.features.limits.log_limits import KINDS, AxisPeak
 from contourlab.figures import NONE, figure, listing, number
 from contourlab.findings import Finding, finding
 from contourlab.program import Reading
 from contourlab.rendering.table import Column, Table, paragraphs
+from contourlab.result import write_bytes_atomic
 
 MOST_LINES = 8
 """Most program lines in the table."""
@@ -170,13 +174,12 @@ class LimitTest(Answer):
         heads = [Column("axis", left=True), Column("", left=True), *map(Column, ("largest", "limit", "use", "at", "line"))]
         table = Table(heads, keys=2)
         for peak in self.peaks:
-            unit = UNITS[peak.kind]
-            limit = NONE if peak.limit is None else figure(peak.limit, unit)
-            use = NONE if peak.use is None else f"{100.0 * peak.use:.0f} %"
-            resolution = figure(peak.resolution, unit, 2) if 0.0 < 1e-3 * peak.value < peak.resolution else ""
-            largest = figure(peak.value, unit)
-            cells = (f"{largest.split()[0]} +- {resolution}" if resolution else largest, limit, use, f"{number(peak.time, 5)} s")
-            table.add(peak.axis, peak.kind, *cells, _line(peak.line))
+            unit, worst = UNITS[peak.kind], peak.worst
+            limit = figure(worst.limit, unit) if math.isfinite(worst.limit) else NONE
+            largest = figure(worst.value, unit)
+            if 0.0 < 1e-3 * worst.value < worst.allowance:
+                largest = f"{largest.split()[0]} +- {figure(worst.allowance, unit, 2)}"
+            table.add(peak.axis, peak.kind, largest, limit, _percent(peak.use), f"{number(worst.time, 5)} s", str(peak.line or NONE))
         return table
 
     def _lines(self) -> Table:
@@ -185,14 +188,13 @@ class LimitTest(Answer):
         table = Table([Column(head, left=head == "limit") for head in shown], "Worst lines of the program")
         for row in self.worst:
             error = NONE if row.error is None else number(1e6 * row.error)
-            use = NONE if row.use is None else f"{100.0 * row.use:.0f} %"
-            cells = (str(row.line), use, f"{row.kind} {row.axis}", number(row.start, 5), number(row.duration), error)
+            cells = (str(row.line), _percent(row.use), f"{row.kind} {row.axis}", number(row.start, 5), number(row.duration), error)
             table.add(*cells[: len(shown)])
         return table
 
 
-def _line(line: int | None) -> str:
-    return NONE if not line else str(line)
+def _percent(use: float | None) -> str:
+    return NONE if use is None else f"{100.0 * use:.0f} %"
 
 
 def comments(lines: tuple[ProgramLine, ...]) -> Iterator[tuple[int, str]]:
@@ -202,3 +204,74 @@ def comments(lines: tuple[ProgramLine, ...]) -> Iterator[tuple[int, str]]:
         words += [f"{row.kind} {row.axis} {100.0 * row.use:.0f} %"] if row.use is not None and row.kind else []
         words += [f"error {number(1e6 * row.error)} um"] if row.error is not None else []
         yield row.line, ", ".join(words)
+
+
+# --- comments in a part program, whose moves stay the same ---
+
+LONGEST = 255
+"""Characters in a line that LinuxCNC reads."""
+_ACTIVE = re.compile(rb"[(;]\s*(msg|debug|print|log|probe|py|abort|hide)", re.IGNORECASE)
+"""Comments that act: with another comment behind them they may not."""
+_PLAIN = re.compile(rb"\s*([(/;%]|n\d|[a-z]\s*[-+.\d\[#]|#)", re.IGNORECASE)
+_O_WORD = re.compile(rb"\s*(n\s*[\d.]+\s*)?o\s*[<\d#\[]", re.IGNORECASE)
+
+
+def annotated(program: Path, texts: Iterable[tuple[int, str]]) -> tuple[bytes, int]:
+    """Return a program with comments at the ends of its lines, and how many lines stay without.
+
+    Parameters
+    ----------
+    program : Path
+    texts : iterable of (int, str)
+        Line, from 1, and its comment.
+
+    Notes
+    -----
+    No line is inserted, so line numbers stay. A line that is an O-word, holds an active comment, has a comment without end, or would be
+    longer than `LONGEST` stays as it is.
+    """
+    lines = program.read_bytes().splitlines(keepends=True)
+    skipped = 0
+    for place, text in texts:
+        line = lines[place - 1] if 0 < place <= len(lines) else b""
+        body = line.rstrip(b"\r\n")
+        end, comment = line[len(body) :], f"({text})".encode("ascii")
+        body = body.rstrip()
+        is_open = body.count(b"(") != body.count(b")")
+        longer = len(body) + 1 + len(comment) > LONGEST
+        if not _PLAIN.match(body) or _O_WORD.match(body) or _ACTIVE.search(body) or is_open or longer:
+            skipped += 1
+            continue
+        lines[place - 1] = body + b" " + comment + end
+    return b"".join(lines), skipped
+
+
+def write_annotated(program: Path, out: Path, texts: Iterable[tuple[int, str]], reading: Reading) -> int:
+    """Write an annotated program; return how many lines stay without a comment.
+
+    Raises
+    ------
+    ProgramError
+        If the written program would not have the same moves; it is then not written.
+    OutputError
+        If the file cannot be written.
+    """
+    import tempfile
+
+    content, skipped = annotated(program, texts)
+    # Subprogram files lie beside the program.
+    beside = replace(reading, folder=program.parent) if reading.folder is None else reading
+    with tempfile.TemporaryDirectory() as folder:
+        trial = Path(folder) / program.name
+        trial.write_bytes(content)
+        if moves_of(trial, beside) != moves_of(program, beside):
+            raise ProgramError("comments would change its moves: it is not annotated", file=program)
+    write_bytes_atomic(out, content)
+    return skipped
+
+
+def moves_of(program: Path, reading: Reading) -> str:
+    """Return the moves of a program as canonical text."""
+    text = io.StringIO()
+    Listed(program, reading).write(text, as_json=True)
+    return text.getvalue()

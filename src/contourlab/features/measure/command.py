@@ -7,10 +7,11 @@ import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 
+from contourlab import __version__
 from contourlab.app.command_line import as_typed, chosen_options
 from contourlab.app.json_values import json_values, write_json
 from contourlab.app.results import staged
@@ -26,20 +27,71 @@ from contourlab.features.measure.log_choice import (
     reference_columns,
 )
 from contourlab.features.measure.options import Measure
-from contourlab.features.measure.study import gap_findings
+from contourlab.features.measure.study import Measured, gap_findings
 from contourlab.features.measure.study import measure as judged_log
-from contourlab.features.measure.summary import MeasuredRun, MeasuredSummary
-from contourlab.features.run.command import Runs, file_names
+from contourlab.features.run.command import SCHEMA, Runs, compare_schemes, file_names
 from contourlab.features.run.options import Compare
-from contourlab.features.run.schemes import compare_schemes
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import Log, about
+from contourlab.logs import Log
+from contourlab.logs.load import about
 from contourlab.rendering.data import Provenance, ReportData
 from contourlab.units import to_si
 
 _OF_COLUMNS = ("--column", "--columns", "--format", "--period")
 """Options that say how to read a log."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class MeasuredRun(Measured):
+    """One measured run.
+
+    Listed are the keys of its JSON, see `json_form`; its Python attributes are those of `JudgedRun`.
+
+    Attributes
+    ----------
+    file : Path
+        The log.
+    format : str
+        Format of the log.
+    servo_period : float [s]
+    shift : mapping of str to float [m], or None
+        Shift of the path in the coordinates of the log, by axis; null without --shift.
+    circles : tuple of CircleFigures
+        Each full circle of the path, with the figures of ISO 230-4.
+    clock : mapping of str to ClockReport
+        Clock by column.
+    columns : tuple of Column
+        Columns used.
+    notes : tuple of str
+        Texts of the findings.
+    """
+
+    json_form: ClassVar = {
+        "file": "log.record.file",
+        "format": "log.record.format",
+        "axes": "result.axes",
+        "servo_period": "result.servo_period",
+        "n_sample": "result.n_sample",
+        "shift": "shift",
+        "metrics": "metrics",
+        "circles": "circles",
+        "reversals": "spikes",
+        "reversal_figures": "reversal_figures",
+        "clock": "log.clocks",
+        "columns": "log.columns",
+        "notes": "notes",
+        "findings": "findings",
+    }
+
+    log: Log
+    inputs: tuple[str | Path, ...]
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Texts of the findings."""
+        return tuple(finding.text for finding in self.findings)
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,20 +100,25 @@ class MeasuredRuns(Answer):
 
     Attributes
     ----------
-    title : str
     runs : tuple of MeasuredRun
     tolerance : float or None [m]
     command : str
         The command that does the same.
     files : dict of str to str
         What was saved, and where.
+    version : str
+        Version of contourlab.
     """
+
+    json_form: ClassVar = {"name": "title"} | {name: name for name in ("command", "tolerance", "passed", "schemes", "schema", "version")}
 
     title: str
     runs: tuple[MeasuredRun, ...]
     tolerance: float | None
     command: str
     files: Mapping[str, str] = field(default_factory=dict)
+    schema: str = SCHEMA
+    version: str = __version__
 
     @property
     def passed(self) -> bool | None:
@@ -75,9 +132,9 @@ class MeasuredRuns(Answer):
         return tuple({str(one): one for run in self.runs for one in run.findings}.values())
 
     @property
-    def json(self) -> Any:
-        """The summary."""
-        return MeasuredSummary(self.title, self.command, self.tolerance, self.passed, {run.name: run for run in self.runs})
+    def schemes(self) -> dict[str, MeasuredRun]:
+        """The runs by name."""
+        return {run.name: run for run in self.runs}
 
     @property
     def data(self) -> Any:
@@ -89,8 +146,8 @@ class MeasuredRuns(Answer):
     @property
     def text(self) -> str:
         """Tables and findings; files and the next command once it is saved."""
+        from contourlab.rendering.comparison import comparison_text
         from contourlab.rendering.page_tables import reversal_text
-        from contourlab.rendering.tables import comparison_text
 
         data = self.data
         reversals = reversal_text(data)
@@ -102,7 +159,7 @@ class MeasuredRuns(Answer):
     @property
     def rows(self) -> list[dict[str, Any]]:
         """The figures of each run, one run a row."""
-        return [{"run": name, **json_values(scheme)} for name, scheme in self.json.schemes.items()]
+        return [{"run": name, **json_values(scheme)} for name, scheme in self.schemes.items()]
 
     def _charts(self) -> Iterator[Any]:
         from contourlab.rendering.plots import charts_of
@@ -148,7 +205,7 @@ class MeasuredRuns(Answer):
         with staged(folder, *_outputs(self.runs), inputs=[file for run in self.runs for file in run.inputs]) as stage:
             for run in self.runs:
                 run.result.save(stage / "signals" / f"{files[run.name]}.nc")
-            write_json(stage / "summary.json", self.json)
+            write_json(stage / "summary.json", self)
             write_html(self.data, stage / "report.html")
             if plots:
                 from contourlab.rendering.plots import write_plots

@@ -140,9 +140,7 @@ def reference_columns(reference: str, choice: LogChoice) -> tuple[Column, ...]:
 
 def program_path(program: str, axes: Sequence[str]) -> Contour:
     """Return the path of a part program in the coordinates of the log's axes."""
-    from contourlab.feed import route_from_program
     from contourlab.program import Reading, read_program
-    from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
+    from contourlab.scenario.values import program_route
 
-    read = read_program(Path(program), reading=Reading(require_end=False))
-    return route_from_program(read, tuple(axes), default_tolerance=DEFAULT_CORNER_TOLERANCE).path
+    return program_route(read_program(Path(program), reading=Reading(require_end=False)), tuple(axes)).path

@@ -17,12 +17,12 @@ from contourlab.features.precompensate.passes import STATE, digest_of, load, sav
 from contourlab.features.precompensate.result import Precompensated
 from contourlab.features.precompensate.runs import Measured, open_run, simulated
 from contourlab.features.precompensate.work import Settings, Work
-from contourlab.features.run.inputs import scenario_of
+from contourlab.features.run import options
+from contourlab.features.run.source import scenario_of
 from contourlab.findings import Finding, finding
 from contourlab.loop import Machine
 from contourlab.program import Reading
-from contourlab.scenario import load_machine
-from contourlab.scenario.load import named_file
+from contourlab.scenario.load import machine_of
 
 NODE_TIME = 1e-3
 """Least time between nodes at the programmed feed [s]."""
@@ -59,7 +59,7 @@ def precompensate(part: str | Path, *, settings: Precompensate, session: Session
         return _simulated(Path(part), settings, reading, session)
     if settings.passes is not None:
         check_file(settings.passes / STATE, given, "--passes")
-    machine = None if settings.machine is None else load_machine(named_file(settings.machine), plugins=settings.plugin)
+    machine = None if settings.machine is None else machine_of(settings.machine, settings.plugin)
     opened = [open_run(choice, machine) for choice in choices]
     measured, axes, _ = opened[0]
     if any(other[1] != axes for other in opened):
@@ -112,9 +112,8 @@ def _log_findings(measured: Measured, run: Run, rest: float | None, machine: Mac
 
 def _simulated(part: Path, settings: Precompensate, reading: Reading, session: Session) -> Precompensated:
     """Simulate pass after pass."""
-    keys = {"require_end": False, "dialect": settings.dialect}
-    parts = {"machine": settings.machine, "controller": settings.controller, "program": keys, "plugins": settings.plugin}
-    scenario = scenario_of(part, **parts)  # type: ignore[arg-type]
+    parts = {name: getattr(settings, name) for name in ("machine", "controller", "dialect", "plugin")}
+    scenario = scenario_of(part, options.Run(**parts, no_require_end=True))
     machine, controller = scenario.machine, scenario.controller
     axes = tuple(axis for axis in machine.axis_names if axis in "xyz")
     work = Work(part, axes, _limits(settings), reading, machine, max(NODE_TIME, machine.servo_period))

@@ -16,13 +16,13 @@ from contourlab.features.measure.log_choice import LogChoice
 from contourlab.features.measure.measured_path import moving, progress_along
 from contourlab.features.precompensate.law import Loop, Run, fit_loop
 from contourlab.features.precompensate.writing import Contour, Written, chunks
-from contourlab.feed import LimitReport, Reference, blended, limit_report, plan, route_from_program
+from contourlab.feed import LimitReport, Reference, limit_report
 from contourlab.logs import Column, Columns, Log, read_columns, read_record, result_of
 from contourlab.logs.load import LONG_GAP, about
 from contourlab.logs.mapping import once, parse_columns
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.program import Program
-from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
+from contourlab.scenario.values import program_motion
 
 NAMES = (
     ("reference", ("{}_cmd", "{}-cmd", "{}_command")),
@@ -233,9 +233,7 @@ def planned(program: Program, machine: Machine) -> Reference:
     ProgramError, FeedError
         If it cannot be planned.
     """
-    limits = machine.planner_limits()
-    route = route_from_program(program, machine.axis_names, default_tolerance=DEFAULT_CORNER_TOLERANCE)
-    return plan(blended(route, limits), limits, machine.servo_period)
+    return program_motion(program, machine.axis_names, machine.planner_limits(), machine.servo_period)
 
 
 def limits_of(program: Program, machine: Machine) -> LimitReport:

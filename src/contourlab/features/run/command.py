@@ -1,38 +1,47 @@
-"""``contourlab run``: a scenario, or a part program on a machine, through to its report."""
+"""``contourlab run``, ``compare`` and ``learn``: a scenario, or a part program on a machine, through to its report."""
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import count
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any, ClassVar
 
-from contourlab.app.json_values import write_json
+from contourlab import __version__
+from contourlab.app.command_line import as_typed, chosen_options
+from contourlab.app.json_values import json_values, write_json
 from contourlab.app.results import proposed, staged
 from contourlab.app.session import QUIET, Answer, Session, question
 from contourlab.components.friction.laws import NoFriction
-from contourlab.errors import DivergenceError
-from contourlab.features.run.next_step import next_steps
-from contourlab.features.run.options import Run
-from contourlab.features.run.outcome import run_case
+from contourlab.errors import DivergenceError, ScenarioError
+from contourlab.features.learn import learn as learn_machine
+from contourlab.features.run.options import Compare, Learn, Run
+from contourlab.features.run.outcome import Outcome, run_case
 from contourlab.features.run.record import switch_file
 from contourlab.features.run.source import Source, scenario_asked
-from contourlab.features.run.summary import Outcome, summary_of
-from contourlab.features.run.trust.provenance import numbers_of
+from contourlab.features.run.trust import numbers_of
 from contourlab.figures import figure
 from contourlab.findings import Finding
 from contourlab.metrics import judged_part
 from contourlab.rendering.stages import begin_stage
 from contourlab.rendering.table import paragraphs
-from contourlab.result import write_text_atomic
+from contourlab.result import Status, write_text_atomic
+from contourlab.scenario import Case, Scenario
 
-if TYPE_CHECKING:
-    from contourlab.scenario import Case, Scenario
-
+SCHEMA = "contourlab-summary/1"
 FIRST, LEARNING = ("planning", 1.0), (("analysing", 4.0), ("learning", 30.0))
 DRAWING, WRITING = ("drawing", 20.0), (("writing signals", 1.5), ("writing the report", 2.5))
 """First words of stages and their work, roughly as measured."""
+
+
+@dataclass(frozen=True)
+class DivergedScheme:
+    """A scheme that diverged."""
+
+    status: Status
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,8 +55,12 @@ class Runs(Answer):
         Of the schemes that ended, in their order.
     diverged : dict of str to DivergenceError
         Schemes that ran away.
+    name : str
+        Of the scenario.
     command : str
         The command that does the same.
+    version : str
+        Of contourlab.
     interrupted : bool
         Whether Ctrl-C ended the work before the last scheme.
     files : dict of str to str
@@ -57,6 +70,9 @@ class Runs(Answer):
     """
 
     SILENT = True
+    json_form: ClassVar = {"name": "scenario.name"} | {
+        name: name for name in ("command", "notes", "passed", "schemes", "schema", "version")
+    }
 
     scenario: Scenario
     outcomes: tuple[Outcome, ...]
@@ -65,11 +81,14 @@ class Runs(Answer):
     interrupted: bool = False
     files: Mapping[str, str] = field(default_factory=dict)
     steps: tuple[tuple[str, str], ...] = ()
+    schema: str = SCHEMA
+    version: str = __version__
 
     @cached_property
     def summary(self) -> dict[str, Any]:
         """The figures of all schemes, as in ``summary.json``."""
-        return summary_of(self.scenario.name, self.outcomes, self.command, self.diverged)
+        values: dict[str, Any] = json_values(self)
+        return values
 
     @property
     def json(self) -> dict[str, Any]:
@@ -77,10 +96,21 @@ class Runs(Answer):
         return self.summary
 
     @property
+    def schemes(self) -> dict[str, Outcome | DivergedScheme]:
+        """The schemes by name; of those that diverged the status only."""
+        lost = {name: DivergedScheme(Status(False, error.sample, error.axis, str(error))) for name, error in self.diverged.items()}
+        return {outcome.name: outcome for outcome in self.outcomes} | lost
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """On the motion: leniency of the program's reader, scaling, contours from files."""
+        return self.outcomes[0].case.notes if self.outcomes else ()
+
+    @property
     def passed(self) -> bool | None:
-        """Whether every verdict passed; None without a verdict."""
-        passed: bool | None = self.summary["passed"]
-        return passed
+        """Whether every verdict passed; None without a tolerance."""
+        verdicts = [outcome.verdict.passed for outcome in self.outcomes if outcome.verdict is not None]
+        return False if self.diverged else all(verdicts) if verdicts else None
 
     @property
     def findings(self) -> tuple[Finding, ...]:
@@ -111,9 +141,10 @@ class Runs(Answer):
     @property
     def text(self) -> str:
         """Tables, verdicts and findings; files and the next command once it is saved."""
+        from contourlab.rendering.comparison import comparison_text
+        from contourlab.rendering.learning_pictures import trials_text
         from contourlab.rendering.page_tables import reversal_text
         from contourlab.rendering.switching import switch_lines
-        from contourlab.rendering.tables import comparison_text, trials_text
 
         data, outcomes = self.data, self.outcomes
         reversals = reversal_text(data) if any(map(_shows_reversals, outcomes)) else ""
@@ -175,8 +206,8 @@ class Runs(Answer):
                     write_text_atomic(stage / "proposed" / f"{name}.toml", text)
                     files[f"{outcome.name}, changed controller"] = f"proposed/{name}.toml"
                 if outcome.switches is not None:
-                    with switch_file(stage / "switches" / f"{name}.csv") as listed:
-                        listed.append(outcome.switches)
+                    with switch_file(stage / "switches" / f"{name}.csv") as write_switches:
+                        write_switches(outcome.switches)
             write_json(stage / "summary.json", self.summary)
             begin_stage("writing the report")
             steps = tuple(next_steps(self.outcomes, self.command, out, list(files.values())))
@@ -273,20 +304,20 @@ def run_schemes(
     session.will_write(scenario.inputs, *_outputs(scenario, bool(session.saving.get("pdf"))))
     cases, outcomes = scenario.cases(), list[Outcome]()
     diverged: dict[str, DivergenceError] = {}
-    stopped = False
-    stages = session.stages()
+    stages, stopped = session.stages(), False
     stages.expect(_work(cases, interval))
     for case in cases:
         try:
-            asked: dict[str, Any] = {"costs": costs, "foretell": foretell, "interval": interval}
-            outcomes.append(run_case(case, progress=stages.advance, stage=stages.begin, **asked))
+            shown: dict[str, Any] = {"progress": stages.advance, "stage": stages.begin}
+            outcomes.append(run_case(case, costs=costs, foretell=foretell, interval=interval, **shown))
         except DivergenceError as error:
             diverged[case.name] = error
         except KeyboardInterrupt:
             if not outcomes:
                 raise
             stopped = True
-        stopped = stopped or (bool(outcomes) and _interrupted(outcomes[-1]))
+        learned = outcomes[-1].learning if outcomes else None
+        stopped = stopped or (learned is not None and learned.status.startswith("interrupted"))
         if stopped:
             break
     if diverged and not outcomes:
@@ -313,10 +344,6 @@ def _work(cases: Sequence[Case], interval: bool | None) -> list[tuple[str, float
     return [*work, *((words, amount * len(cases)) for words, amount in WRITING)]
 
 
-def _interrupted(outcome: Outcome) -> bool:
-    return outcome.learning is not None and outcome.learning.status.startswith("interrupted")
-
-
 def _write_signals(outcome: Outcome, file: Path, wanted: Sequence[str]) -> None:
     judged = judged_part(outcome.result, outcome.reference).text  # so that a comparison of finished runs judges the same samples
     result = replace(outcome.result, attributes={**outcome.result.attributes, "judged": judged})
@@ -332,13 +359,10 @@ def file_names(names: Sequence[str]) -> dict[str, str]:
     taken: set[str] = set()
     for name in names:
         words = "".join(c if c.isalnum() or c in "-_." else " " for c in name).split()
-        stem = file = "-".join(words).strip("-.") or "scheme"
-        number = 1
-        while file.casefold() in taken:
-            number += 1
-            file = f"{stem}-{number}"
-        taken.add(file.casefold())
-        chosen[name] = file
+        stem = "-".join(words).strip("-.") or "scheme"
+        candidates = (stem if number == 1 else f"{stem}-{number}" for number in count(1))
+        chosen[name] = next(file for file in candidates if file.casefold() not in taken)
+        taken.add(chosen[name].casefold())
     return chosen
 
 
@@ -366,3 +390,126 @@ def _ending(outcome: Outcome, shared: Sequence[Finding]) -> Iterator[str]:
         if main:
             yield f"{outcome.name}: causes there: {', '.join(main)}"
     yield from (f"{outcome.name}: {finding}" for finding in outcome.findings if finding not in shared)
+
+
+def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: Sequence[str]) -> list[tuple[str, str]]:
+    """Return what to do next, and the command for it, the most useful first.
+
+    Parameters
+    ----------
+    outcomes : sequence of Outcome
+        At least one.
+    command : str
+        As typed.
+    out : Path
+        Folder of the results.
+    proposed : sequence of str
+        Files with a changed controller, relative to the folder.
+    """
+    file, *options = (word for word in shlex.split(command)[2:] if word not in ("--interval", "--no-interval"))
+    part = "--controller" in options or "--machine" in options
+
+    def step(title: str, *words: str) -> tuple[str, str]:
+        return title, as_typed(["contourlab", words[0], file, *words[1:]])
+
+    quick = ["sensitivity", "--quick", *chosen_options(options, "--plugin")]
+    judged = [outcome for outcome in outcomes if outcome.verdict is not None]
+    if not judged:
+        limit = max(2.0 * min(outcome.metrics.part_error.max for outcome in outcomes), 1e-9)  # not the rounding of a straight line
+        if part:
+            return [step("Judge it against a tolerance:", "run", *options, "--tolerance", f"{float(f'{1e6 * limit:.1g}'):g} um")]
+        return [step("Find what the error depends on:", *quick)]
+    if all(any(finding.code == "CL208" for finding in outcome.findings) for outcome in judged):
+        return [("Change the plan, not the gains:", as_typed(["contourlab", "explain", "CL208"]))]
+    passes = any(outcome.verdict is not None and outcome.verdict.passed for outcome in judged)
+    steps: list[tuple[str, str]] = []
+    if proposed and part and not passes:
+        changed = ["--controller", str(out / proposed[0]), "--out", f"{out}-changed"]
+        steps.append(step("Run it with the changed controller:", "run", *_without(options, "--controller", "--out"), *changed))
+    scheme = [] if outcomes[-1].name == "base" else ["--scheme", min(judged, key=lambda one: one.metrics.part_error.max).name]
+    if passes and not part:
+        return [*steps, step("Find what the error depends on:", *quick[:2], *scheme, *quick[2:])]
+    return [*steps, step("Search all gains:", "tune", *_without(options, "--schemes", "--trials", "--table"), *scheme)]
+
+
+def _without(options: Sequence[str], *names: str) -> list[str]:
+    """Return the options of a command without some that have a value."""
+    starts = [i for i, word in enumerate(options) if word in names]
+    return [word for i, word in enumerate(options) if i not in starts and i - 1 not in starts]
+
+
+# --- schemes side by side, and schemes that learn ---
+
+
+def compare_schemes(source: Sequence[Any], settings: Compare, session: Session) -> Runs:
+    """Run schemes of a scenario side by side and time the servo tick of each; schemes that learn run trial after trial."""
+    scenario = _with_settings(scenario_asked(source, settings), settings.trials)
+    return run_schemes(scenario, session, interval=settings.interval, costs=True)
+
+
+@question(Learn, "learn")
+def learn_schemes(*source: Any, settings: Learn, session: Session = QUIET) -> Runs:
+    """Run the schemes that learn, trial after trial, beside the same without learning.
+
+    Parameters
+    ----------
+    *source : str, Path or Scenario
+        A scenario, as a file or read; by default all of its schemes that learn.
+
+    Returns
+    -------
+    Runs
+
+    Raises
+    ------
+    ScenarioError
+        If none of the schemes learns.
+    """
+    scenario = scenario_asked(source, settings)
+    learning = tuple(case for case in scenario.cases() if case.learning is not None)
+    if not learning:
+        example = '[learning]\nlaw = {kind = "zero-phase", gain = 0.2, half_width = 11}\ntrials = 30'
+        raise ScenarioError(f"no scheme learns: add a law, for example:\n\n{example}\n", file=scenario.file)
+    scenario = _with_settings(replace(scenario, all_cases=_with_first(learning)), settings.trials, settings.table)
+    return run_schemes(scenario, session, interval=settings.interval, foretell=True)
+
+
+def learn(*source: Any, **options: Any) -> Any:
+    """Learn from trial to trial: the schemes of a scenario that learn, or one machine with a law.
+
+    Parameters
+    ----------
+    *source : str, Path or Scenario; or Machine, Controller, Reference and LearningLaw
+        A scenario, as a file or read; or what `contourlab.features.learn.learn` takes.
+    **options : object
+        Those of ``contourlab learn``; or the keywords of `contourlab.features.learn.learn`.
+
+    Returns
+    -------
+    Runs or LearningRun
+        `LearningRun` of a machine.
+
+    Raises
+    ------
+    ScenarioError
+        If none of the schemes learns.
+    """
+    if source and isinstance(source[0], str | Path | Scenario):
+        return learn_schemes(*source, **options)
+    return learn_machine(*source, **options)
+
+
+def _with_first(cases: Sequence[Case]) -> tuple[Case, ...]:
+    """Put a copy that does not learn before each case."""
+    pairs: list[Case] = []
+    for case in cases:
+        name = "before learning" if len(cases) == 1 else f"{case.name}, before"
+        pairs += [replace(case, name=name, learning=None), case if case.name != "base" else replace(case, name="after learning")]
+    return tuple(pairs)
+
+
+def _with_settings(scenario: Scenario, trials: int | None, table: Path | None = None) -> Scenario:
+    """Change the number of trials and the first table, where given, in all cases that learn."""
+    given: dict[str, Any] = {name: value for name, value in (("trials", trials), ("table", table)) if value is not None}
+    cases = (case if case.learning is None else replace(case, learning=replace(case.learning, **given)) for case in scenario.cases())
+    return replace(scenario, all_cases=tuple(cases)) if given else scenario

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import ClassVar
 
 from contourlab.app.command_line import as_typed
 from contourlab.app.json_values import write_json
@@ -14,23 +13,13 @@ from contourlab.app.results import staged
 from contourlab.app.session import Answer, Session
 from contourlab.features.run import options
 from contourlab.features.run.command import Runs, run_schemes
-from contourlab.features.run.summary import Summary
+from contourlab.features.run.outcome import Outcome
 from contourlab.figures import figure, listing, number
 from contourlab.rendering.overview import write_overview
 from contourlab.rendering.stages import part_of_command
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.scenario import builtin_file, load_scenario
 from contourlab.study.checkpoint import noted
-
-
-@dataclass(frozen=True)
-class Demo:
-    """The results of ``demo``: whether the last scheme of each part passed, and the summary of each part."""
-
-    passed: bool
-    parts: Mapping[str, Summary]
-    schema: str = "contourlab-demo/1"
-
 
 DEMOS = {
     "stage-a3a1": "ghaffari/demo-stage",
@@ -45,26 +34,35 @@ NEXT = "contourlab new machine --preset mill --out mill && contourlab run mill"
 
 @dataclass(frozen=True, eq=False)
 class Demonstration(Answer):
-    """The parts of the demonstration: it has passed when the last (best) scheme of every part is within its tolerance."""
+    """The parts of the demonstration, each judged by its last (best) scheme."""
 
-    parts: Mapping[str, Runs]
+    json_form: ClassVar = {"passed": "passed", "parts": "parts", "schema": "schema"}
+
+    parts: dict[str, Runs]
     page: str
+    schema: str = "contourlab-demo/1"
 
     @property
     def passed(self) -> bool:
         """Whether the last scheme of every part is within its tolerance."""
-        return all(_last(runs.summary)["verdict"]["passed"] for runs in self.parts.values())
+        return all(_passes(runs.outcomes[-1]) for runs in self.parts.values())
 
     @property
-    def json(self) -> Demo:
-        """The summary of each part."""
-        return Demo(self.passed, {name: runs.summary for name, runs in self.parts.items()})  # type: ignore[misc]
+    def sentence(self) -> str:
+        """The largest errors with the first and with the last controller of each case, and how many pass."""
+
+        def sizes(which: int) -> str:
+            outcomes = [runs.outcomes[which] for runs in self.parts.values()]
+            largest = listing([number(1e6 * outcome.metrics.part_error.max) for outcome in outcomes])
+            return f"{largest} um: {sum(map(_passes, outcomes))} of {len(outcomes)} cases pass"
+
+        return f"With the position loop alone the tool strays by up to {sizes(0)}. With the best controllers by up to {sizes(-1)}."
 
     @property
     def text(self) -> str:
         """A table of each part, the answer, and the next command."""
-        tables = [_table(runs.data.title, runs.summary) for runs in self.parts.values()]
-        verdict = paragraphs([f"{'PASS' if self.passed else 'FAIL'}: {_answer(self.json.parts)}"])
+        tables = [_table(runs) for runs in self.parts.values()]
+        verdict = paragraphs([f"{'PASS' if self.passed else 'FAIL'}: {self.sentence}"])
         return "\n\n".join([*tables, verdict, f"report: {self.page}\nnext: {NEXT}"])
 
     def save(self, folder: str | Path = "results") -> Demonstration:
@@ -75,51 +73,37 @@ class Demonstration(Answer):
 def demo(settings: options.Demo, session: Session) -> Demonstration:
     """Run the demonstration: a folder for each part, an index page and a summary of the whole."""
     folder = session.saving["out"]
-    parts: dict[str, Runs] = {}
-    kept: list[str] = []
-    page = folder / "report.html"
-    with noted(lambda: f"Kept the parts before: {', '.join(kept)}" if kept else ""), staged(folder, "summary.json", "report.html") as stage:
+    answer = Demonstration({}, str(folder / "report.html"))
+
+    def kept() -> str:
+        return f"Kept the parts before: {', '.join(runs.files['report'] for runs in answer.parts.values())}" if answer.parts else ""
+
+    with noted(kept), staged(folder, "summary.json", "report.html") as stage:
         for (name, shipped), share in zip(DEMOS.items(), pairwise(SHARES), strict=True):
-            one = replace(
-                session, saving={"out": folder / name}, command=as_typed(["contourlab", "run", f"builtin:{shipped}", *settings.words()])
-            )
+            command = as_typed(["contourlab", "run", f"builtin:{shipped}", *settings.words()])
+            own = replace(session, saving={"out": folder / name}, command=command)
             with part_of_command(*share):
-                runs = run_schemes(load_scenario(builtin_file(shipped)), one, interval=settings.interval).save(folder / name)
+                runs = run_schemes(load_scenario(builtin_file(shipped)), own, interval=settings.interval).save(folder / name)
             if runs.stopped is not None:
                 raise runs.stopped
-            parts[name] = runs
-            kept.append(runs.files["report"])
-        answer = Demonstration(parts, str(page))
-        write_json(stage / "summary.json", answer.json)
-        reports = {f"{name}/report.html": runs.data for name, runs in parts.items()}
-        write_overview(stage / "report.html", _answer(answer.json.parts), reports, NEXT)
+            answer.parts[name] = runs
+        write_json(stage / "summary.json", answer)
+        reports = {f"{name}/report.html": runs.data for name, runs in answer.parts.items()}
+        write_overview(stage / "report.html", answer.sentence, reports, NEXT)
     return answer
 
 
-def _answer(summaries: Mapping[str, Any]) -> str:
-    """Return the sentence on top: the largest errors with the first and with the last controller of each case, and how many pass."""
-
-    def told(which: int) -> str:
-        schemes = [list(summary["schemes"].values())[which] for summary in summaries.values()]
-        sizes = listing([number(1e6 * scheme["metrics"]["part_error"]["max"]) for scheme in schemes])
-        passed = sum(scheme["verdict"]["passed"] for scheme in schemes)
-        return f"{sizes} um: {passed} of {len(schemes)} cases pass"
-
-    return f"With the position loop alone the tool strays by up to {told(0)}. With the best controllers by up to {told(-1)}."
+def _passes(outcome: Outcome) -> bool:
+    return outcome.verdict is not None and outcome.verdict.passed
 
 
-def _last(summary: dict[str, Any]) -> dict[str, Any]:
-    scheme: dict[str, Any] = list(summary["schemes"].values())[-1]
-    return scheme
-
-
-def _table(title: str, summary: dict[str, Any]) -> str:
+def _table(runs: Runs) -> str:
     """Return the part errors of all schemes of a run."""
-    title = f"{title}: part error against {figure(_last(summary)['verdict']['tolerance'], 'um')}"
     keys = ("max", "rms", "mean", "signed_mean", "integral")
     heads = [Column(f"{key.replace('_', ' ')} [{'um s' if key == 'integral' else 'um'}]") for key in keys]
+    title = f"{runs.data.title}: part error against {figure(runs.data.tolerance, 'um')}"
     table = Table([Column("scheme", left=True), *heads, Column("verdict", left=True)], title)
-    for name, scheme in summary["schemes"].items():
-        error, passed = scheme["metrics"]["part_error"], scheme["verdict"]["passed"]
-        table.add(name, *(number(1e6 * error[key]) for key in keys), "pass" if passed else "fail")
+    for outcome in runs.outcomes:
+        errors = (number(1e6 * getattr(outcome.metrics.part_error, key)) for key in keys)
+        table.add(outcome.name, *errors, "pass" if _passes(outcome) else "fail")
     return table.text()

@@ -98,6 +98,6 @@ class DemoFiles(Saved):
 COMMANDS = {
     "run": Command("contourlab.features.run.command:run", Run, RunFiles),
     "compare": Command("contourlab.features.measure.command:compare", Compare, CompareFiles),
-    "learn": Command("contourlab.features.run.schemes:learn_schemes", Learn, LearnFiles),
+    "learn": Command("contourlab.features.run.command:learn_schemes", Learn, LearnFiles),
     "demo": Command("contourlab.features.run.demo:demo", Demo, DemoFiles),
 }

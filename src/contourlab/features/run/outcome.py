@@ -1,44 +1,46 @@
-"""One case: simulate, or learn from trial to trial; judge; sum up; give a verdict."""
+"""One case: simulate, or learn from trial to trial; judge; sum up; give a verdict. Its outcome, as in summary.json."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
+from dataclasses import dataclass, field
 from functools import partial
 from time import perf_counter
+from typing import Any, ClassVar
 
 import numpy as np
 
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis, learning_analysis
-from contourlab.analysis.linear.contour_transfer import InternalStability, internal_stability
-from contourlab.analysis.linear.margins import doubling
+from contourlab.analysis.linear.contour_transfer import internal_stability
+from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.arrays import Array, free_memory
 from contourlab.components.supervisor.pre_routed import PreRouted
 from contourlab.engine.runner import make_group
 from contourlab.errors import ComponentError, ResultError
-from contourlab.features.check.remarks import path_mode_assumed, travel_unknown
+from contourlab.features.check.program_check import path_mode_assumed, travel_unknown
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
 from contourlab.features.learn.foretold import learning_findings
-from contourlab.features.run.summary import Outcome
-from contourlab.features.run.trust.interval import part_interval
-from contourlab.features.run.trust.provenance import numbers_of, trust_of
+from contourlab.features.run.trust import numbers_of, part_interval, trust_of
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import LimitReport, Reference, limit_report
 from contourlab.feed.planner import NEAR_FEED
+from contourlab.feed.verify import Worst
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.loop.feeding import Feed
 from contourlab.loop.simulate import sampler
-from contourlab.loop.switches import switches_of
+from contourlab.loop.switches import Switch, switches_of
 from contourlab.loop.template import build
 from contourlab.metrics import Spike, circles_of, judge, judged_part, reversal_spikes, summarise
+from contourlab.metrics.circles import Bidirectional, pairs
 from contourlab.metrics.judge import check_follows
-from contourlab.rendering.data import ClosedLoop
+from contourlab.rendering.data import ClosedLoop, JudgedRun
+from contourlab.rendering.page_tables import nearest
 from contourlab.result import Result
 from contourlab.scenario import Case, PartProgram
-from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 from contourlab.study import Setting
 
 KEPT_REPORTS = 16
@@ -50,6 +52,199 @@ TICKS, SECONDS, FEWEST = 20_000, 0.3, 7
 """For the cost of a tick: most ticks of a run, total time of the runs, fewest runs."""
 GAP_POINTS = 201
 """Places at which a picture evaluates the free travel of an axis."""
+
+
+LISTED = 100
+"""Switches that are listed one by one."""
+
+
+@dataclass(frozen=True)
+class SwitchCount:
+    """Switches of one kind: controllers before and after, reason, and how many."""
+
+    before: str = field(metadata={"json": "from"})
+    after: str = field(metadata={"json": "to"})
+    reason: str
+    count: int
+
+
+@dataclass(frozen=True)
+class AxisSwitches:
+    """The switches of one axis.
+
+    Attributes
+    ----------
+    count : int
+    first : str
+        The controller that was active at the start.
+    active : mapping of str to float [s]
+        Time for which each controller was active.
+    kinds : tuple of SwitchCount
+        The most frequent first.
+    """
+
+    count: int
+    first: str
+    active: Mapping[str, float]
+    kinds: tuple[SwitchCount, ...]
+
+
+@dataclass(frozen=True)
+class SwitchSummary:
+    """Switches between the controllers of an axis.
+
+    Attributes
+    ----------
+    axes : mapping of str to AxisSwitches
+    listed : tuple of Switch
+        The first 100.
+    left_out : int
+        Switches that are not listed; ``switches/NAME.csv`` has them all.
+    """
+
+    axes: Mapping[str, AxisSwitches]
+    listed: tuple[Switch, ...]
+    left_out: int
+
+
+@dataclass(frozen=True)
+class NearestLimit:
+    """The axis nearest to its limit, or furthest beyond.
+
+    Attributes
+    ----------
+    value, limit : float [m/s, m/s^2 or m/s^3]
+        The limit is null if there is none.
+    ratio : float
+        Value over limit, without what rounding explains; above 1 the limit is violated.
+    time : float [s]
+    line : int
+        Program line; 0 for none.
+    """
+
+    json_form: ClassVar = (
+        {"axis": "axis"} | {name: f"worst.{name}" for name in ("value", "limit", "ratio", "time")} | {"line": "worst.source_line"}
+    )
+
+    axis: str
+    worst: Worst
+
+
+@dataclass(frozen=True)
+class LimitSummary:
+    """The planned motion against the limits of the axes, checked from its samples alone; null for a kind that does not occur.
+
+    Attributes
+    ----------
+    curvature_step : NearestLimit or None
+        Steps of acceleration where the curvature jumps; `jerk` leaves them out.
+    kink : NearestLimit or None
+        Steps of velocity where the direction jumps slightly.
+    """
+
+    velocity: NearestLimit | None
+    acceleration: NearestLimit | None
+    jerk: NearestLimit | None
+    curvature_step: NearestLimit | None
+    kink: NearestLimit | None
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Outcome(JudgedRun):
+    """A judged case; of a case that learns, its best trial.
+
+    Listed are the keys of its JSON, see `json_form`; its Python attributes are those of `JudgedRun`.
+
+    Attributes
+    ----------
+    machine : str
+    servo_period : float [s]
+    path_digest : str
+        Hash of the planned path's geometry.
+    verdict : Verdict or None
+        Null without a tolerance.
+    circles : tuple of CircleFigures
+        Each full circle of the path, with the figures of ISO 230-4.
+    circles_both_ways : mapping of str to Bidirectional
+        Circles that run in both directions.
+    switches : SwitchSummary or None
+        Null if no axis has several controllers.
+    margins : mapping of str to Margins
+        Of the sampled loop of each axis; all but `stable` are null if it is unstable.
+    limits : LimitSummary or None
+        Null under the uniform law.
+    learning : LearningRun or None
+        All other figures are those of its best trial.
+    warnings : tuple of str
+        Texts of the findings of severity "warning".
+    tick : float or None [s]
+        Time that one servo tick takes to compute, under `compare`.
+    trust : Trust or None
+        Sources of the numbers, and the interval of the part error, where asked for.
+    """
+
+    json_form: ClassVar = {
+        "machine": "case.machine.name",
+        "axes": "result.axes",
+        "servo_period": "result.servo_period",
+        "seed": "case.seed",
+        "n_sample": "result.n_sample",
+        "path_digest": "path_digest",
+        "status": "result.status",
+        "metrics": "metrics",
+        "verdict": "verdict",
+        "circles": "circles",
+        "circles_both_ways": "circles_both_ways",
+        "reversals": "spikes",
+        "reversal_figures": "reversal_figures",
+        "switches": "switch_summary",
+        "margins": "margins",
+        "limits": "limit_summary",
+        "learning": "learning",
+        "warnings": "warnings",
+        "findings": "findings",
+        "tick": "tick",
+        "trust": "trust",
+    }
+
+    case: Case
+    learning: LearningRun | None
+
+    @property
+    def circles_both_ways(self) -> dict[str, Bidirectional]:
+        """Circles that run in both directions."""
+        return pairs(self.circles)
+
+    @property
+    def margins(self) -> dict[str, Margins]:
+        """Margins of the sampled loop of each axis."""
+        return {axis: loop.margins for axis, loop in self.bode.items()}
+
+    @property
+    def switch_summary(self) -> SwitchSummary | None:
+        """How often and why controllers were switched."""
+        if self.switches is None:
+            return None
+        switches, kinds = self.switches, self.switches.counts().items()
+        axes = {}
+        for axis, held in switches.active.items():
+            counts = tuple(SwitchCount(kind.before, kind.after, kind.reason, count) for kind, count in kinds if kind.axis == axis)
+            active = {name: samples * switches.servo_period for name, samples in held.items()}
+            axes[axis] = AxisSwitches(sum(kind.count for kind in counts), switches.first[axis], active, counts)
+        return SwitchSummary(axes, tuple(switches.rows(LISTED)), max(len(switches) - LISTED, 0))
+
+    @property
+    def limit_summary(self) -> LimitSummary | None:
+        """The axis nearest to each kind of limit."""
+        if self.limits is None:
+            return None
+        worsts = map(nearest, self.limits.kinds)
+        return LimitSummary(*(None if worst is None else NearestLimit(self.result.axes[worst.axis], worst) for worst in worsts))
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Texts of the findings of severity "warning"."""
+        return tuple(finding.text for finding in self.findings if finding.entry.severity == "warning")
 
 
 def run_case(
@@ -87,11 +282,13 @@ def run_case(
     MemoryError
         Before the run, if its signals do not fit into the memory that is free.
     """
-    begin = stage or (lambda name: None)
+    begin, machine, controller = stage or (lambda name: None), case.machine, case.controller
     begin(f"planning {case.name}")
     reference = case.reference()
-    machine, controller = case.machine, case.controller
-    _check_memory(reference)
+    free, needed = free_memory(), reference.n_sample * (BYTES + BYTES_PER_AXIS * reference.n_axis)
+    if needed > free:  # the system would end the run
+        need, have = f"{needed / 1e9:.3g} GB", f"{free / 1e9:.3g} GB"
+        raise MemoryError(f"{reference.n_sample} samples of {reference.n_axis} axes need about {need}, {have} are free")
 
     def report_progress(done: int) -> None:
         if progress is not None:
@@ -106,46 +303,35 @@ def run_case(
         begin(f"learning, {case.name}")
         learned = _learned(case, reference, report_progress)
     begin(f"simulating {case.name}" + ("" if learned is None else f", trial {learned.best}"))
-    table, trial = (None, 0) if learned is None else (learned.table.learned, learned.best)
-    given = {"seed": case.seed, "learned": table, "moving": case.moving, "changes": case.changes}
-    shown = report_progress if learned is None else None
-    result = simulate(machine, controller, reference, scheme=case.name, trial=trial, progress=shown, **given)  # type: ignore[arg-type]
+    noise: dict[str, Any] = {"seed": case.seed, "moving": case.moving}
+    given: dict[str, Any] = {"learned": None if learned is None else learned.table.learned, "changes": case.changes}
+    shown = {"progress": report_progress} if learned is None else {"trial": learned.best}
+    result = simulate(machine, controller, reference, scheme=case.name, **noise, **given, **shown)
     begin(f"judging {case.name}")
     judged = judge(result, reference)
     check_follows(judged, reference)
     figures = summarise(judged, reference)
-    explain = explain and case.tolerance is not None and figures.part_error.max > case.tolerance and learned is None
-    if explain:
-        begin(f"looking for the causes of the error of {case.name}")
-    answer = None if case.tolerance is None else verdict(
-        machine, controller, reference, judged, case.tolerance,
-        lines=case.lines, slower=case.reference, closer=case.closer, explain=explain,
-        rerun=partial(simulate, seed=case.seed, moving=case.moving),
-    )  # fmt: skip
-    sampled = None
+    answer = sampled = None
+    if case.tolerance is not None:
+        explain = explain and figures.part_error.max > case.tolerance and learned is None
+        if explain:
+            begin(f"looking for the causes of the error of {case.name}")
+        ways: dict[str, Any] = {"slower": case.reference, "closer": case.closer, "rerun": partial(simulate, **noise)}
+        answer = verdict(machine, controller, reference, judged, case.tolerance, lines=case.lines, explain=explain, **ways)
     if interval is not False:
         if any(number.drawn for number in numbers_of(machine, controller)):
             begin(f"drawing machines from the deviations, {case.name}")
-        setting, others = Setting(machine, controller, reference, case.seed, case.moving), {"changes": case.changes, "learned": table}
-        sampled = part_interval(setting, tolerance=case.tolerance, progress=progress, **others)  # type: ignore[arg-type]
+        setting = Setting(machine, controller, reference, **noise)
+        sampled = part_interval(setting, tolerance=case.tolerance, progress=progress, **given)
     begin(f"checking limits and margins of {case.name}")
     bode = bode_of(machine, controller)
     findings = [*_remarks(case, reference, foretold, costs or foretell)]
     findings += [finding("CL205", place=f"axis {axis}") for axis, loop in bode.items() if not loop.margins.stable]
     findings += [noted for part in (learned, answer, sampled) if part is not None for noted in part.findings]
+    of_run = (case.name, reference, judged, figures, answer, circles_of(judged, reference), judged_spikes(judged, reference))
     return Outcome(
-        name=case.name,
+        *of_run, tuple(findings), machine, bode, limits_of(case, reference),
         case=case,
-        reference=reference,
-        result=judged,
-        metrics=figures,
-        verdict=answer,
-        circles=circles_of(judged, reference),
-        spikes=judged_spikes(judged, reference),
-        findings=tuple(findings),
-        machine=machine,
-        bode=bode,
-        limits=limits_of(case, reference),
         learning=learned,
         trials=None if learned is None else learned.course,
         foretold=foretold,
@@ -154,7 +340,7 @@ def run_case(
         gaps=_gaps(machine, judged),
         trust=trust_of(machine, controller, sampled),
         lines=reference.source_line(judged["arc_length"]) if case.lines else None,
-    )
+    )  # fmt: skip
 
 
 def _gaps(machine: Machine, result: Result) -> dict[str, tuple[Array, Array]]:
@@ -177,72 +363,41 @@ def judged_spikes(judged: Result, reference: Reference) -> tuple[Spike, ...]:
     return tuple(spike for spike in spikes if counts[spike.sample])
 
 
-def _check_memory(reference: Reference) -> None:
-    """Refuse a run that the system would end for want of memory."""
-    free = free_memory()
-    needed = reference.n_sample * (BYTES + BYTES_PER_AXIS * reference.n_axis)
-    if needed > free:
-        need, have = f"{needed / 1e9:.3g} GB", f"{free / 1e9:.3g} GB"
-        raise MemoryError(f"{reference.n_sample} samples of {reference.n_axis} axes need about {need}, {have} are free")
-
-
 def _remarks(case: Case, reference: Reference, foretold: LearningAnalysis | None, coupling: bool) -> Iterator[Finding]:
     """Yield what a person should know before trusting a run; with `coupling` its stability too."""
     if coupling and case.controller.coupling is not None:
         with suppress(ComponentError):  # not linear
-            yield from coupling_findings(internal_stability(case.machine, case.controller))
+            yield from internal_stability(case.machine, case.controller).findings
     for axis in case.machine.axes:
         loop = case.controller.axes[axis.name]
         shifts = loop.compensation is not None and any(port.name == "reference_shift" for port in loop.compensation.outputs)
         if shifts and loop.feedback == "load" and axis.plant.two_sided:
             yield finding("CL101", place=f"axis {axis.name}")
-        if isinstance(loop.supervisor, PreRouted):
-            yield from _unreached(axis.name, loop.supervisor, reference)
-    yield from _feed_never_reached(case, reference)
+        supervisor = loop.supervisor
+        if isinstance(supervisor, PreRouted):
+            if supervisor.by == "line" and not reference.source_lines.any():
+                yield finding("CL102", place=f"axis {axis.name}")
+            end = float(reference.block(reference.n_sample - 1, reference.n_sample).arc_length[0])
+            beyond = [place for place in supervisor.places if place > end] if supervisor.by == "arc-length" else []
+            if beyond:
+                yield finding("CL103", place=f"axis {axis.name}", place_at=beyond[0], end=end)
+    profile, route = reference.profile, case.route()
+    if profile is not None and route is not None:
+        curve = reference.path.curve_index(profile.s0)
+        used = np.where(route.rapid[curve], 0.0, profile.v0 / route.feedrate[curve])
+        best = int(np.argmax(used))
+        if 0.0 < used[best] < NEAR_FEED:
+            yield finding("CL105", feed=float(route.feedrate[curve[best]]), reached=float(profile.v0[best]))
     if case.motion.file is not None:
         yield from travel_unknown(case.machine)
     if isinstance(case.motion, PartProgram) and case.feed.path_control == "program":
-        yield from path_mode_assumed(case.motion.program.moves, case.feed.corner_tolerance or DEFAULT_CORNER_TOLERANCE)
+        yield from path_mode_assumed(case.motion.program.moves, case.feed.default_tolerance)
     last = reference.n_sample * reference.servo_period
     for change in case.changes:
         if change.sample(reference.servo_period) >= reference.n_sample:
             yield finding("CL104", time=change.time, end=last)
     if foretold is not None:
         yield from learning_findings(foretold)
-
-
-def _feed_never_reached(case: Case, reference: Reference) -> Iterator[Finding]:
-    """Yield a finding where the programmed feed is nowhere reached on a feed move."""
-    profile, route = reference.profile, case.route()
-    if profile is None or route is None:
-        return
-    curve = reference.path.curve_index(profile.s0)
-    used = np.where(route.rapid[curve], 0.0, profile.v0 / route.feedrate[curve])
-    best = int(np.argmax(used))
-    if 0.0 < used[best] < NEAR_FEED:
-        yield finding("CL105", feed=float(route.feedrate[curve[best]]), reached=float(profile.v0[best]))
-
-
-def coupling_findings(stability: InternalStability) -> Iterator[Finding]:
-    """Yield why a coupling of stable axes is unstable; nothing where it is stable."""
-    if not all(stability.axes.values()) or stability.directions is None:
-        return
-    if not stability.directions.stable:
-        parts = zip(stability.axes, stability.directions.modulus_direction, strict=True)
-        direction = [f"{axis} {part:.2f}" for axis, part in parts]
-        hertz, time = stability.directions.modulus_frequency / (2.0 * math.pi), stability.directions.doubling
-        yield finding("CL206", frequency=hertz, direction=direction, doubling=time)
-    elif stability.lap >= 1.0:
-        yield finding("CL207", growth=stability.lap - 1.0, doubling=doubling(stability.lap))
-
-
-def _unreached(name: str, supervisor: PreRouted, reference: Reference) -> Iterator[Finding]:
-    if supervisor.by == "line" and not reference.source_lines.any():
-        yield finding("CL102", place=f"axis {name}")
-    end = float(reference.block(reference.n_sample - 1, reference.n_sample).arc_length[0])
-    beyond = [place for place in supervisor.places if place > end] if supervisor.by == "arc-length" else []
-    if beyond:
-        yield finding("CL103", place=f"axis {name}", place_at=beyond[0], end=end)
 
 
 def _learned(case: Case, reference: Reference, report_progress: Callable[[int], None]) -> LearningRun:

@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from typing import Any, TextIO
+from typing import Any
 
 import numpy as np
 
@@ -89,7 +89,7 @@ def simulate_to_file(
             part = judge(made, reference, **errors)
             writer.append(part.signals)
             if listed is not None:
-                listed.append(log.add(part))
+                listed(log.add(part))
             start += part.n_sample
             if progress is not None:
                 progress(start)
@@ -109,23 +109,9 @@ def _largest(machine: Machine, controller: Controller, reference: Reference, giv
     return {"error": error, "planning": planning}
 
 
-class SwitchWriter:
-    """Write the switches of block after block to an open file."""
-
-    def __init__(self, stream: TextIO) -> None:
-        self._rows = csv.writer(stream, lineterminator="\n")
-        self._rows.writerow(SWITCH_COLUMNS)
-
-    def append(self, switches: Switches) -> None:
-        """Write the switches of the next block."""
-        for one in switches.rows():
-            place = f"{one.arc_length:.12g}" if math.isfinite(one.arc_length) else ""
-            self._rows.writerow((f"{one.time:.12g}", one.sample, one.axis, one.before, one.after, one.reason, place, one.line or ""))
-
-
 @contextmanager
-def switch_file(file: str | Path) -> Iterator[SwitchWriter]:
-    """Open a CSV file of switches, written whole when the block ends well, else not at all.
+def switch_file(file: str | Path) -> Iterator[Callable[[Switches], None]]:
+    """Yield what writes the switches of the next block to a CSV file, written whole when the block ends well, else not at all.
 
     Raises
     ------
@@ -133,4 +119,12 @@ def switch_file(file: str | Path) -> Iterator[SwitchWriter]:
         If it cannot be written.
     """
     with replacing(file) as temporary, temporary.open("w", encoding="utf-8", errors="replace", newline="") as stream:
-        yield SwitchWriter(stream)
+        rows = csv.writer(stream, lineterminator="\n")
+        rows.writerow(SWITCH_COLUMNS)
+
+        def write(switches: Switches) -> None:
+            for each in switches.rows():
+                place = f"{each.arc_length:.12g}" if math.isfinite(each.arc_length) else ""
+                rows.writerow((f"{each.time:.12g}", each.sample, each.axis, each.before, each.after, each.reason, place, each.line or ""))
+
+        yield write

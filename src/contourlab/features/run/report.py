@@ -8,8 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from contourlab.errors import ParameterError
-from contourlab.features.run.outcome import judged_spikes
-from contourlab.features.run.summary import Outcome
+from contourlab.features.run.outcome import Outcome, judged_spikes
 from contourlab.features.run.verdict import unexplained
 from contourlab.feed import Reference
 from contourlab.feed.planner import Binding, limiting

@@ -1,18 +1,30 @@
-"""What a question is asked about: a file with the options that say how to read it, or objects."""
+"""What a question is asked about: a scenario, the folder of a machine, or a part program on a machine, as a file or read; or objects."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, TypeAlias
 
 from contourlab.contours import ContourReading
-from contourlab.errors import ParameterError
-from contourlab.features.run.inputs import loaded, scenario_of
+from contourlab.errors import ParameterError, ProgramEndError, ScenarioError
+from contourlab.features.check.reading import refuse_drawing
 from contourlab.feed import Reference
+from contourlab.file_kinds import mistaken
 from contourlab.loop import Controller, Machine
-from contourlab.scenario import Case, Scenario
+from contourlab.scenario import (
+    BUILTIN,
+    Case,
+    Scenario,
+    builtin_file,
+    chosen,
+    load_controller,
+    load_scenario,
+    scenario_from_parts,
+    shipped_hint,
+)
+from contourlab.scenario.load import named_file
 from contourlab.scenario.values import Contour, FeedSettings, RunSettings
 
 Source: TypeAlias = "str | Path | Scenario | Case | Machine | Controller | Reference"
@@ -47,11 +59,8 @@ def scenario_asked(inputs: Sequence[Source], settings: Any) -> Scenario:
         If the file cannot be read, or an option does not fit it.
     """
     match inputs:
-        case [str() | Path() as file] if hasattr(settings, "program"):
-            parts = {name: getattr(settings, name) for name in ("machine", "controller", "tolerance", "program")}
-            scenario = scenario_of(file, **parts, plugins=settings.plugin)
         case [str() | Path() as file]:
-            scenario = loaded(file, getattr(settings, "schemes", ()), settings.plugin)
+            scenario = scenario_of(file, settings)
         case [Scenario() as scenario]:
             pass
         case [Case() as case]:
@@ -71,3 +80,72 @@ def case_asked(inputs: Sequence[Source], settings: Any) -> tuple[Scenario, Case]
     """Return the scenario that a question is asked about, and its case: that of the option ``scheme``, or its base."""
     scenario = scenario_asked(inputs, settings)
     return scenario, scenario.base if not settings.scheme else scenario.case(settings.scheme)
+
+
+def scenario_of(file: str | Path, settings: Any) -> Scenario:
+    """Read a scenario, or make one from a part program where the options have a program's.
+
+    Parameters
+    ----------
+    file : str or Path
+        ``.toml``: a scenario; a folder: its ``scenario.toml``; anything else is a part program.
+    settings : Options
+        See `scenario_asked`. A part program needs ``machine`` and ``controller``; the folder of a machine stands for both. A scenario runs
+        under the controller that is given, without its schemes.
+
+    Raises
+    ------
+    ScenarioError, ProgramError
+        If the content is invalid, or an option does not fit the file.
+    """
+    path, of_program = Path(file), hasattr(settings, "program")
+    if (str(file).startswith(BUILTIN) and path.suffix != ".ngc") or path.suffix.lower() == ".toml" or path.is_dir():
+        try:
+            scenario = load_scenario(file, plugins=settings.plugin)
+        except ProgramEndError as error:
+            error.add_note("To run it to its last line: write require_end = false under [program] in the scenario.")
+            raise
+        if of_program:
+            _refuse_options(path, settings)
+            return scenario if settings.controller is None else _under(scenario, settings)
+        schemes = getattr(settings, "schemes", ())
+        return chosen(scenario, schemes) if schemes else scenario
+    machine, controller = (getattr(settings, name, None) for name in ("machine", "controller"))
+    if of_program:
+        refuse_drawing(path, machine, controller)
+    if not path.exists():
+        raise ScenarioError(f"no such file{shipped_hint(file)}", file=file)
+    if not of_program:
+        raise ScenarioError(mistaken(file, "a scenario") or "not a scenario: its name must end in .toml", file=file)
+    if words := mistaken(path, "a part program"):
+        raise ScenarioError(words, file=path)
+    if machine is not None and controller is None and Path(machine).is_dir():
+        controller = machine
+    if machine is None or controller is None:
+        alone = "" if machine is None else f"; {machine} is not a folder, which would give both"
+        raise ScenarioError(f"a part program needs --machine and --controller{alone}; a scenario ends in .toml", file=path)
+    run = {} if settings.tolerance is None else {"tolerance": settings.tolerance}
+    try:
+        return scenario_from_parts(path, machine, controller, run=run, options=settings.program, plugins=settings.plugin)
+    except ProgramEndError as error:
+        error.add_note("To run it to its last line: add --no-require-end.")
+        raise
+
+
+def _under(scenario: Scenario, settings: Any) -> Scenario:
+    """Return the scenario under another controller, without its schemes."""
+    name = named_file(settings.controller, "controller")
+    file = builtin_file(name) if name.startswith(BUILTIN) else Path(name)
+    base = replace(scenario.base, controller=load_controller(file, scenario.machine, settings.plugin))
+    return replace(scenario, base=base, all_cases=(), files=(*scenario.files, file))
+
+
+def _refuse_options(path: Path, settings: Any) -> None:
+    """Refuse the options of part programs beside a scenario; name the key to write there."""
+    keys = {"--machine": (settings.machine, "machine"), "--tolerance": (settings.tolerance, "tolerance under [run]")}
+    for name, value in settings.program.items():
+        setting = f" = {str(value).lower()}" if isinstance(value, bool) else ""
+        keys[f"--{'no-' if value is False else ''}{name.replace('_', '-')}"] = value, f"{name}{setting} under [program]"
+    for option, (value, key) in keys.items():
+        if value is not None:
+            raise ScenarioError(f"{option} is for part programs: write {key} in the scenario", file=path)

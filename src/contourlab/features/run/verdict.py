@@ -6,15 +6,16 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
 
 from contourlab.errors import ContourlabError
-from contourlab.features.run.causes.causes import WOULD_HELP, Rerun, causes
-from contourlab.features.run.causes.remedies import remedies
+from contourlab.features.run.causes import WOULD_HELP, Rerun, causes
+from contourlab.features.run.remedies import remedies
 from contourlab.feed import Reference
-from contourlab.findings import Finding, finding
+from contourlab.findings import finding
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.metrics import judge, judged_part
 from contourlab.metrics.figures import left_out
@@ -88,7 +89,8 @@ def verdict(
     else:
         best = advice(machine, start, tolerance, {**plans, **near}, rerun)
     if best is not start:
-        findings.append(proposal(start, best))
+        times: dict[str, Any] = {"time_before": start.reference.duration, "time_after": best.reference.duration}
+        findings.append(finding("CL203", change=", then ".join(best.changes), before=start.worst, after=best.worst, **times))
     if best.worst > tolerance:
         last = machine, best.controller, best.reference
         left = ranked if best is start else causes(*last, *judged_run(*last, rerun), rerun)[0]
@@ -100,9 +102,13 @@ def verdict(
 
 def unexplained(reference: Reference, judged: Result, tolerance: float, lines: tuple[str, ...] = ()) -> Verdict:
     """Return the verdict on a judged run without causes and advice; arguments as for `verdict`."""
-    samples = judged_part(judged, reference).samples
-    worst = _place(judged, reference, int(samples[np.argmax(np.abs(judged["part_error"][samples]))]), lines)
-    skipped = _skipped(judged, reference, tolerance)
+    part = judged_part(judged, reference)
+    worst = _place(judged, reference, int(part.samples[np.argmax(np.abs(judged["part_error"][part.samples]))]), lines)
+    longest, at_end = left_out(judged, reference, part)
+    asked = np.abs(np.diff(reference.programmed_arc_length(judged["arc_length"])))
+    step = 3.0 * float(asked[part.samples[:-1]].max(initial=0.0))
+    # At a sharp corner a tool within the tolerance may skip several times as much, but not at the end.
+    skipped = longest if longest > max(10.0 * tolerance, step) else at_end if at_end > max(2.0 * tolerance, step) else 0.0
     planned, line = _planned(reference, judged)
     findings = [finding("CL201", length=skipped)] if skipped else []
     if planned > tolerance:
@@ -116,17 +122,6 @@ def _planned(reference: Reference, judged: Result) -> tuple[float, int]:
     off = np.abs(judged["planning_deviation"][samples])
     line = reference.source_line(judged["arc_length"][samples[off.argmax()]][None])[0]
     return float(off.max()), int(line)
-
-
-def _skipped(judged: Result, reference: Reference, tolerance: float) -> float:
-    part = judged_part(judged, reference)
-    longest, at_end = left_out(judged, reference, part)
-    asked = np.abs(np.diff(reference.programmed_arc_length(judged["arc_length"])))
-    step = 3.0 * float(asked[part.samples[:-1]].max(initial=0.0))
-    # At a sharp corner a tool within the tolerance may skip several times as much, but not at the end.
-    if longest > max(10.0 * tolerance, step):
-        return longest
-    return at_end if at_end > max(2.0 * tolerance, step) else 0.0
 
 
 def _place(judged: Result, reference: Reference, sample: int, lines: tuple[str, ...]) -> Worst:
@@ -182,8 +177,8 @@ def advice(
     """
     frontier = [start]
     if closer:
-        frontier = sorted(_trials(machine, start, closer, {}, rerun), key=_worst)[:WIDTH] or frontier
-    best, planned = min(frontier, key=_worst), [trial.reference for trial in frontier]
+        frontier = sorted(_trials(machine, start, closer, {}, rerun), key=attrgetter("worst"))[:WIDTH] or frontier
+    best, planned = min(frontier, key=attrgetter("worst")), [trial.reference for trial in frontier]
     for _ in range(MOST_CHANGES):
         if best.worst <= tolerance:
             break
@@ -195,13 +190,9 @@ def advice(
             tried += [trial for trial in trials if trial.worst < HELPS * before.worst]
         if not tried:
             break
-        frontier = sorted(tried, key=_worst)[:WIDTH]
-        best = min(best, frontier[0], key=_worst)
+        frontier = sorted(tried, key=attrgetter("worst"))[:WIDTH]
+        best = min(best, frontier[0], key=attrgetter("worst"))
     return best if best.worst < start.worst else start
-
-
-def _worst(trial: Trial) -> float:
-    return trial.worst
 
 
 def _trials(
@@ -220,9 +211,3 @@ def _trials(
     changes = [(name, before.controller, plan) for name, plan in plans.items()]
     changes += [(name, changed, lambda: before.reference) for name, changed in controllers.items()]
     return [trial for trial in in_threads(attempt, changes) if trial is not None]
-
-
-def proposal(start: Trial, best: Trial) -> Finding:
-    """Return the finding that proposes the changes."""
-    times: dict[str, Any] = {"time_before": start.reference.duration, "time_after": best.reference.duration}
-    return finding("CL203", change=", then ".join(best.changes), before=start.worst, after=best.worst, **times)

@@ -35,7 +35,7 @@ def program(folder: Path, moves: str) -> Path:
 def test_check_says_what_it_assumed(
     moves: str, expected: dict[str, tuple[int, float | None]], size: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("contourlab.features.check.planned_motion.PART", size)
+    monkeypatch.setattr("contourlab.features.check.program_check.PART", size)
     found = check(program(tmp_path, moves), machine="xyz").findings
     assert assumed(found) == expected and {one.entry.severity for one in found} <= {"info"}
 

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from contourlab.features.limits.annotate import annotated
 from contourlab.features.limits.log_limits import AxisPeak, control_samples, course, moving_part, position_error
-from contourlab.features.limits.result import LimitTest
+from contourlab.features.limits.result import LimitTest, annotated
+from contourlab.feed.verify import Worst
 
 PERIOD = 1e-3
 TIME = PERIOD * np.arange(4000)
@@ -96,6 +96,6 @@ def test_comments_leave_active_lines_alone(tmp_path: object) -> None:
     ("value", "resolution", "has_interval"), [(0.0, 4e-6, False), (0.0, 0.0, False), (2.0, 0.1, True), (2.0, 1e-3, False)]
 )
 def test_an_axis_at_rest_has_no_interval(value: float, resolution: float, has_interval: bool) -> None:
-    peak = AxisPeak("z", "jerk", value, resolution, PERIOD, 100.0, value / 100.0, 0.0)
+    peak = AxisPeak("z", "jerk", Worst(2, value, 100.0, resolution), PERIOD)
     test = LimitTest("part.ngc", "plan", ("z",), PERIOD, 1.0, "m", 0.005, True, (peak,), (), ())
     assert ("+-" in test.text) == has_interval

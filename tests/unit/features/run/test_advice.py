@@ -12,8 +12,8 @@ from component_rig import make
 
 import contourlab as cl
 from contourlab.analysis.linear.sampled_loop import sampled_loop
-from contourlab.features.run.causes.remedies import remedies
 from contourlab.features.run.outcome import run_case
+from contourlab.features.run.remedies import remedies
 from contourlab.features.run.verdict import Trial, advice
 from contourlab.scenario import scenario_from_parts
 

@@ -12,7 +12,7 @@ import pytest
 from component_rig import make
 
 import contourlab as cl
-from contourlab.features.run.causes.causes import causes
+from contourlab.features.run.causes import causes
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import AxisLimits, Reference, plan, route_from_path
 from contourlab.geometry import Line, Path

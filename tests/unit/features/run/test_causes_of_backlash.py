@@ -12,9 +12,8 @@ from contourlab.components.compensation.backlash_offset import BacklashOffset
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.two_inertia import TwoInertia
-from contourlab.features.run.causes.causes import causes
-from contourlab.features.run.causes.idealise import without_backlash
-from contourlab.features.run.causes.remedies import remedies
+from contourlab.features.run.causes import causes, without_backlash
+from contourlab.features.run.remedies import remedies
 from contourlab.features.run.verdict import Trial, advice
 
 PERIOD = 1e-3

@@ -133,7 +133,7 @@ def test_names_with_spreadsheet_separators_survive_a_round_trip(tmp_path: Path) 
     one = np.zeros(1, dtype=np.int64)
     found = Switches(("x",), PERIOD, kinds, one, one + 3, np.array([np.nan]), one + 12, {}, {})
     with switch_file(tmp_path / "switches.csv") as listed:
-        listed.append(found)
+        listed(found)
     with (tmp_path / "switches.csv").open(encoding="utf-8", newline="") as stream:
         (row,) = csv.DictReader(stream)
     assert (row["from"], row["to"], row["reason"]) == ('a, "b"', "line\nbreak", "because; of")

@@ -1,22 +1,23 @@
-"""The interval of part error that the stated deviations of the machine's numbers imply.
+"""How far the figures can be trusted: the sources of all numbers, and the interval of part error that their stated deviations imply.
 
-64 machines are drawn from the deviations, run in lanes and judged there. The points are a scrambled Sobol sequence that depends on the seed
-only: the figures are the same for any number of threads.
+For the interval 64 machines are drawn from the deviations, run in lanes and judged there. The points are a scrambled Sobol sequence that
+depends on the seed only: the figures are the same for any number of threads.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 
 from contourlab.arrays import Array, Flags
 from contourlab.components.contract import Component
+from contourlab.components.origin import Origin
 from contourlab.errors import ContourlabError
-from contourlab.features.run.trust.provenance import numbers_of
-from contourlab.findings import Finding, finding
-from contourlab.loop import Controller, Learned, Machine, parameters_of
-from contourlab.rendering.judgement import Interval, Number, Rank, Spread
+from contourlab.findings import finding
+from contourlab.loop import Axis, Controller, Learned, Machine, parameters_of
+from contourlab.loop.machine import AXIS_SLOTS
+from contourlab.rendering.judgement import Interval, Number, Rank, Spread, Trust
 from contourlab.study import Setting
 from contourlab.study.space import Distribution
 
@@ -73,12 +74,9 @@ def part_interval(
         return Interval(findings=(finding("CL222"),))
     columns = draw(uncertain, machine, controller, setting.seed, n)
 
-    def report_progress(done: int) -> None:
-        if progress is not None:
-            progress(done, setting.reference.n_sample)
-
+    report = None if progress is None else lambda done: progress(done, setting.reference.n_sample)
     try:
-        batch = setting.batch(columns, ["part_error_max"], progress=report_progress, threads=threads, learned=learned)
+        batch = setting.batch(columns, ["part_error_max"], progress=report, threads=threads, learned=learned)
     except ContourlabError as error:
         return Interval(findings=(finding("CL224", reason=str(error)),))
     figures = {name: batch.figures[f"part_error_{name}"] for name in ("rms", "max")}
@@ -89,8 +87,11 @@ def part_interval(
     ranks = _ranks(columns, figures, ~bad)
     chance = noticeable(len(ranks), n - failed)
     main = main_contributor(ranks, chance)
-    findings = tuple(_findings(n, rms, largest, failed, beyond, main))
-    return Interval(n, rms, largest, failed, beyond, ranks, chance, main, findings, columns, figures)
+    findings = [finding("CL225", rms_low=rms.low, rms_high=rms.high, max_low=largest.low, max_high=largest.high, samples=n)]
+    findings += [finding("CL226", failed=failed, samples=n)] if failed else []
+    findings += [finding("CL227", beyond=beyond, samples=n)] if beyond else []
+    findings += [finding("CL228", number=main)] if main else []
+    return Interval(n, rms, largest, failed, beyond, ranks, chance, main, tuple(findings), columns, figures)
 
 
 def noticeable(numbers: int, samples: int) -> float:
@@ -110,16 +111,6 @@ def main_contributor(ranks: Sequence[Rank], chance: float) -> str:
     return ranks[0].name if ranks and max(abs(ranks[0].rms), abs(ranks[0].max)) >= chance else ""
 
 
-def _findings(n: int, rms: Spread, largest: Spread, failed: int, beyond: int | None, main: str) -> Iterator[Finding]:
-    yield finding("CL225", rms_low=rms.low, rms_high=rms.high, max_low=largest.low, max_high=largest.high, samples=n)
-    if failed:
-        yield finding("CL226", failed=failed, samples=n)
-    if beyond:
-        yield finding("CL227", beyond=beyond, samples=n)
-    if main:
-        yield finding("CL228", number=main)
-
-
 def _spread(values: Array) -> Spread:
     """Return median and ends; a failed sample counts as infinite."""
     with np.errstate(invalid="ignore"):
@@ -130,8 +121,8 @@ def _spread(values: Array) -> Spread:
 def _ranks(columns: Mapping[str, Array], figures: Mapping[str, Array], kept: Flags) -> tuple[Rank, ...]:
     from scipy.stats import rankdata
 
-    def correlation(one: Array, other: Array) -> float:
-        a, b = (rankdata(values[kept]) for values in (one, other))
+    def correlation(*pair: Array) -> float:
+        a, b = (rankdata(values[kept]) for values in pair)
         if a.size < 3 or np.ptp(a) == 0.0 or np.ptp(b) == 0.0:
             return 0.0
         return float(np.corrcoef(a, b)[0, 1])
@@ -155,12 +146,12 @@ def draw(uncertain: Sequence[Number], machine: Machine, controller: Controller, 
     share = np.clip(share, 0.5**31, 1.0 - 0.5**31)
     mixed = ndtr(ndtri(share) @ _root(uncertain, machine).T)
     known = parameters_of(machine, controller)
-    return {number.name: _distribution(number, known[number.name]).values(mixed[:, i]) for i, number in enumerate(uncertain)}
+    return {number.name: _distribution(number, *known[number.name]).values(mixed[:, i]) for i, number in enumerate(uncertain)}
 
 
-def _distribution(number: Number, place: tuple[Component, str]) -> Distribution:
+def _distribution(number: Number, part: Component, name: str) -> Distribution:
     """Return the distribution of a number."""
-    parameter = place[0].parameters[place[1]]
+    parameter = part.parameters[name]
     if number.range is not None:
         return Distribution("uniform", number.range)
     assert number.deviation is not None and isinstance(number.value, float)
@@ -184,3 +175,80 @@ def _root(uncertain: Sequence[Number], machine: Machine) -> Array:
     # Rounded coefficients may leave an eigenvalue just below zero; each number keeps its own deviation.
     scaled: Array = root / np.linalg.norm(root, axis=1, keepdims=True)
     return scaled
+
+
+# --- the source of every number of a machine and its controller ---
+
+
+def trust_of(machine: Machine, controller: Controller, interval: Interval | None = None) -> Trust:
+    """Return the sources of the numbers, with the interval of the part error where one was asked for."""
+    numbers = numbers_of(machine, controller)
+    return Trust(stated(numbers), tuple(number.name for number in numbers if not number.is_stated), interval)
+
+
+def stated(numbers: Iterable[Number]) -> tuple[Number, ...]:
+    """Return the numbers whose source is stated."""
+    return tuple(number for number in numbers if number.is_stated)
+
+
+def numbers_of(machine: Machine, controller: Controller) -> tuple[Number, ...]:
+    """Return the numbers of a machine, then those of its controller; a default only where its source is stated."""
+    numbers = [*numbers_of_machine(machine)]
+    units = {axis.name: (axis.plant.command_unit, axis.plant.force_unit) for axis in machine.axes}
+    first = units[machine.axis_names[0]]
+    for name in machine.axis_names:
+        for slot, part in controller.axes[name].parts.items():
+            numbers += _component(f"controller.axes.{name}.{slot}", part, units[name])
+    for slot in ("estimator", "coupling"):
+        numbers += _component(f"controller.{slot}", getattr(controller, slot), first)
+    return tuple(numbers)
+
+
+def numbers_of_machine(machine: Machine) -> tuple[Number, ...]:
+    """Return the numbers of a machine, as `numbers_of` does."""
+    numbers = [_number("machine.servo_period", machine.servo_period, "s", "ms", machine.origins.get("servo_period"))]
+    for pair, angle in machine.squareness.items():
+        key = "squareness." + "-".join(pair)
+        numbers.append(_number(f"machine.{key}", angle, "rad", "um/m", machine.origins.get(key)))
+    return (*numbers, *(number for axis in machine.axes for number in _axis(axis, f"axes.{axis.name}.")))
+
+
+def numbers_of_axis(axis: Axis) -> tuple[Number, ...]:
+    """Return the numbers of one axis, named as in its own file."""
+    return tuple(_axis(axis, ""))
+
+
+def _axis(axis: Axis, head: str) -> Iterator[Number]:
+    units = (axis.plant.command_unit, axis.plant.force_unit)
+    if axis.stage_mass:
+        yield _number(f"{head}stage_mass", axis.stage_mass, "kg", "kg", axis.origins.get("stage_mass"))
+    for slot in AXIS_SLOTS:
+        yield from _component(f"{head}{slot}", getattr(axis, slot), units, drawn=True)
+    # Limits and error tables: only where a source is stated.
+    shown = {"velocity": ("m/s", "mm/min"), "acceleration": ("m/s^2", "m/s^2"), "jerk": ("m/s^3", "m/s^3")}
+    for name, origin in axis.limits.origins.items():
+        unit, display = shown.get(name, ("m", "mm"))
+        yield _number(f"{head}limits.{name}", getattr(axis.limits, name), unit, display, origin)
+    for name, origin in axis.error.origins.items():
+        value = getattr(axis.error, name)
+        yield _number(f"{head}error.{name}", value if isinstance(value, float) else tuple(value.tolist()), "m", "um", origin)
+
+
+def _component(head: str, part: Component | None, units: tuple[str, str], *, drawn: bool = False) -> Iterator[Number]:
+    if part is None:
+        return
+    for name, value in part.values().items():
+        parameter = part.parameters[name].for_plant(*units)
+        origin = part.origins.get(name)
+        if parameter.choices or (origin is None and value == parameter.default):
+            continue
+        varied = drawn and name in part.numeric() and not parameter.whole
+        yield _number(f"{head}.{name}", value, parameter.unit, parameter.display, origin, varied)
+
+
+def _number(name: str, value: float | tuple[float, ...], unit: str, display: str, origin: Origin | None, simulated: bool = False) -> Number:
+    if origin is None:
+        return Number(name, value, unit, display, simulated=simulated)
+    drawn = simulated and origin.uncertain
+    stated = (origin.source, origin.deviation, origin.span, origin.reference, origin.note)
+    return Number(name, value, unit, display, *stated, drawn, simulated)
