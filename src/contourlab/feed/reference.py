@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
@@ -170,6 +170,10 @@ class Reference:
         if self.rapid is not None and 0 < np.count_nonzero(self.rapid) < len(self.rapid):
             return Judged(self.of_curves(~self.rapid), CUTTING)
         return Judged(((0, self.n_sample),), WHOLE)
+
+    def blocks(self, size: int) -> Iterator[tuple[int, int]]:
+        """Yield the samples [start, stop) of all blocks of at most `size` samples."""
+        return pairwise([*range(0, self.n_sample, size), self.n_sample])
 
     def of_curves(self, curves: Flags) -> tuple[tuple[int, int], ...]:
         """Return the sample ranges of some curves (n_curve,) of a planned motion of one lap; a rest belongs to the curve before it."""
