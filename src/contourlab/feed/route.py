@@ -430,8 +430,7 @@ def junctions(route: Route) -> Junctions:
     no axis velocity jumps by more than its acceleration limit times `KINK_TIME`, or times the time to the nearer junction if this is less.
     """
     turn = direction_jump(route.path)
-    angle = np.linalg.norm(turn, axis=1)
-    stop = (route.dwell > 0.0) | route.exact_stop | (route.rapid != np.roll(route.rapid, -1)) | (angle > MOST_KINK)
+    stop = (route.dwell > 0.0) | route.exact_stop | (route.rapid != np.roll(route.rapid, -1)) | (np.linalg.norm(turn, axis=1) > MOST_KINK)
     stop[-1] |= not route.path.closed
     length = np.diff(np.asarray(route.path.breaks))
     return Junctions(stop, curvature_jump(route.path), np.where(stop[:, None], 0.0, turn), np.minimum(length, np.roll(length, -1)))

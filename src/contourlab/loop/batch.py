@@ -138,8 +138,7 @@ def simulate_batch(
     loop = build(
         machine, controller, reference.path, **begin, overrides=columns, view=view, extra=extra, seed=seeds, fed=feed.names
     )  # fmt: skip
-    workers = threads or os.cpu_count() or 1
-    device = gpu_of_process() if gpu else None
+    workers, device = threads or os.cpu_count() or 1, gpu_of_process() if gpu else None
     lanes = lanes_of(n, sum(memory_rows(loop.schedule))) if gpu else LANES
     groups = [make_group(loop.schedule, lanes, slice(i, i + lanes), compiled, device) for i in range(0, n, lanes)]
     for name in keep:

@@ -128,8 +128,7 @@ class _LinkInsertion:
         builder = self.builder
         part = getattr(builder.controller.axes[axis].link, direction)
         if part is None:
-            wanted = f"a link, because the base needs {signal} of the axis"
-            raise ParameterError(f"controller.axes.{axis}.link.up", '"none"', wanted)
+            raise ParameterError(f"controller.axes.{axis}.link.up", '"none"', f"a link, because the base needs {signal} of the axis")
         if isinstance(part, IdealLink):
             return wire
         label = re.sub(r"\[\d+\]", "", signal.partition(".")[2]).replace(".", "_")

@@ -239,9 +239,7 @@ class _Labels:
 
     def controller(self, number: int) -> str:
         name = self.names[number] if 0 <= number < len(self.names) else f"number {number}"
-        if not self.label:
-            return name
-        return f"{self.label}: {name}" if len(self.names) > 1 else self.label
+        return name if not self.label else f"{self.label}: {name}" if len(self.names) > 1 else self.label
 
     def reason(self, number: int, after: int) -> str:
         if not 1 <= number <= len(self.reasons):

@@ -324,10 +324,9 @@ class _Slots(Builder):
         for port in part.inputs:
             if port.name in offered:
                 wires[port.name] = offered[port.name]
-            elif port.name.startswith(("motor_", "load_")):
-                wires[port.name] = seen.both_sides(port.name)
             else:
-                wires[port.name] = seen.observed_gap(port.name)
+                measured = port.name.startswith(("motor_", "load_"))
+                wires[port.name] = seen.both_sides(port.name) if measured else seen.observed_gap(port.name)
         return wires
 
     def decide(self, name: str, at: float, offered: Mapping[str, Any]) -> None:

@@ -115,8 +115,7 @@ class Trials:
         self.machine, self.controller, self.reference, self.seed = machine, controller, reference, seed
         check_view(view, reference.path)
         compiled = jit_enabled(jit)
-        self.judged = reference.judged.samples
-        n = reference.n_sample
+        self.judged, n = reference.judged.samples, reference.n_sample
         self._feed = Feed(machine, controller, reference, Learned(**{target: np.zeros((n, reference.n_axis))}), sampler(compiled))
         self._fed = LEARNED_COMMAND if target == "command" else LEARNED_REFERENCE
         blocks = [self._feed.block(*samples) for samples in reference.blocks(BLOCK)]

@@ -79,8 +79,7 @@ def read_o_word(line: str, parameters: Parameters, *, skipping: bool = False) ->
         cursor.take(NUMBER)
     column = cursor.column
     cursor.at += 1  # the O
-    label = _label(cursor, parameters)
-    keyword = cursor.take(_KEYWORD)
+    label, keyword = _label(cursor, parameters), cursor.take(_KEYWORD)
     if not keyword and cursor.next:
         raise BlockError(f"O{label} needs a keyword: write one of {', '.join(KEYWORDS)}", cursor.column)
     if skipping:
@@ -249,8 +248,7 @@ class Walker:
     @property
     def main_line(self) -> int:
         """Line number in the main file; while a subprogram in another file runs, the line of the call."""
-        name = self.main.name
-        return next(frame.index for frame in reversed(self._frames) if frame.tape.name == name)
+        return next(frame.index for frame in reversed(self._frames) if frame.tape.name == self.main.name)
 
     @property
     def in_subprogram(self) -> bool:
@@ -395,8 +393,7 @@ class Walker:
         self._skip_to(word.label, (_ENDS[loop.kind],), word)
 
     def _continue(self, word: OWord) -> None:
-        loop = self._leave_inner(word)
-        self._skip_to(word.label, (_ENDS[loop.kind],), word)
+        self._skip_to(word.label, (_ENDS[self._leave_inner(word).kind],), word)
         self.frame.index -= 1  # execute the closing line
 
     def _innermost(self, label: str) -> _Loop | None:

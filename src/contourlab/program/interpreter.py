@@ -37,8 +37,7 @@ _FIXTURE = 9
 
 def select_system(state: ModalState, code: int) -> None:
     """Select a work coordinate system (G54 to G59.3); a system already selected is not reloaded."""
-    system = SYSTEMS.index(code) + 1
-    frame = state.frame
+    system, frame = SYSTEMS.index(code) + 1, state.frame
     if system == frame.system:
         return
     axes = state.axes
@@ -141,10 +140,7 @@ def _set_tool(words: dict[str, Word], state: ModalState, level: int, number: int
     if all(value is None for value in given) and "R" not in words:
         raise BlockError(f"G10 L{level} sets nothing: write the tool's offset, as in Z25", words["P"].column)
     old = state.tools.offset(number)
-    if level == 1:
-        state.tools.offsets[number] = updated(old, given)
-    else:
-        state.tools.offsets[number] = _touched_off(state, given, old, level)
+    state.tools.offsets[number] = updated(old, given) if level == 1 else _touched_off(state, given, old, level)
     if "R" in words:
         state.tools.diameters[number] = 2.0 * state.length(words["R"].value)
     if number == state.tools.current:
@@ -157,8 +153,7 @@ def _touched_off(state: ModalState, given: list[float | None], old: Point, level
     origin, rotation = origin_of(state.parameters, system)
     shift = ORIGIN if level == 11 else state.frame.shift
     seen = less(turn(less(state.axes, origin), -rotation), shift)
-    kept = turn(old, -rotation)
-    x, y, z = (before if new is None else point - new for before, point, new in zip(kept, seen, given, strict=True))
+    x, y, z = (before if new is None else point - new for before, point, new in zip(turn(old, -rotation), seen, given, strict=True))
     return turn((x, y, z), rotation)
 
 
@@ -297,9 +292,7 @@ def _motion_to_be(block: Block, state: ModalState) -> int | None:
             word = next(words[letter] for letter in "XYZ@^" if letter in words)
             raise BlockError(f"{word.letter} has no motion code: write G0, G1, G2 or G3 before it", word.column)
         return state.motion
-    if state.motion in ARCS and ("I" in words or "J" in words or "K" in words):
-        return state.motion
-    return None
+    return state.motion if state.motion in ARCS and ("I" in words or "J" in words or "K" in words) else None
 
 
 def _check_letters(block: Block, motion: int | None) -> None:
@@ -388,8 +381,7 @@ def _motion(block: Block, state: ModalState, line: int, before: int | None) -> l
         return moves
     state.tangent = None
     other = block.codes.get("other")
-    in_machine = other is not None and other.number == 530
-    end = machine_target(block, state) if in_machine else state.target(block.words)
+    end = machine_target(block, state) if other is not None and other.number == 530 else state.target(block.words)
     if motion == 0:
         return state.straight(end, line)
     if motion == 10:

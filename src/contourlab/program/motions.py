@@ -297,8 +297,7 @@ class _Cycle:
         state.cycle.millimetres = state.millimetres
         self.words, self.state, self.line, self.again = block.words, state, line, again
         self.code, self.name = state.motion, g_name(state.motion)
-        self.column = block.column
-        self.axes = PLANE_AXES[state.plane]
+        self.column, self.axes = block.column, PLANE_AXES[state.plane]
         self.moves: list[Move] = []
         self.u, self.v = (state.position[axis] for axis in self.axes[:2])
         self.clearance = self.depth = self.back = 0.0
@@ -308,8 +307,7 @@ class _Cycle:
 
     def run(self) -> None:
         """Make the moves of all repeats."""
-        here = self.state.position[self.axes[2]]
-        level = self._read_levels()
+        here, level = self.state.position[self.axes[2]], self._read_levels()
         self._read_dwell_and_peck()
         bore = self._read_bore() if self.code == 870 else None
         if self.code in _TURNING:

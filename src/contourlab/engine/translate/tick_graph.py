@@ -108,8 +108,7 @@ class _Builder:
             graph.scope = i, part
             passed = graph.arithmetic("fmul", part, held)
             at = graph.arithmetic("fadd", time, passed) if node.repeat > 1 else time
-            clock = Clock(tick, at, held)  # type: ignore[arg-type]
-            following, after = step_once(self.run, node.step, par, before, members, inputs, clock)
+            following, after = step_once(self.run, node.step, par, before, members, inputs, Clock(tick, at, held))  # type: ignore[arg-type]
             self.borders += (passed, *following, *after)
             return [*following, *after]
 
