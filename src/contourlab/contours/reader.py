@@ -147,7 +147,7 @@ def _checked(path: File, given: ContourOptions) -> str:
     if suffix not in SUFFIXES:
         raise GeometryError(f"{path}: unknown suffix: use one of {', '.join(SUFFIXES)}")
     for name in ("layer", "chain", "axes", "ignore", "corner_angle"):
-        if getattr(given, name) not in (None, (), []) and name not in SUFFIXES[suffix]:
+        if (ignore if name == "ignore" else getattr(given, name) is not None) and name not in SUFFIXES[suffix]:
             raise GeometryError(f"{path}: {name} does not apply to a {suffix} file: delete it")
     if not (scale > 0.0 and math.isfinite(scale)):
         raise GeometryError(f"scale = {scale!r}: must be > 0 and finite")

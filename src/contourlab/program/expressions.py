@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping
 from itertools import chain
 from typing import TypeAlias
 
-from contourlab.program.vocabulary import BlockError
+from contourlab.program.vocabulary import BlockError, refuse
 
 LARGEST_PARAMETER = 5601
 SELECTED_SYSTEM = 5220
@@ -254,8 +254,7 @@ def _number(cursor: Cursor) -> float:
     if digits in ("", "."):
         what = f"found '{cursor.next}'" if cursor.next else "the line ends here"
         raise BlockError(f"a number is missing: {what}; write for example 10.5, #1 or [1 + 2]", column)
-    if len(digits) > 100:
-        raise BlockError("the number has more than 100 digits: shorten it", column)
+    refuse(len(digits) > 100, "the number has more than 100 digits: shorten it", column)
     return float(digits)
 
 
