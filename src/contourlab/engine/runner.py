@@ -13,7 +13,7 @@ from contourlab.arrays import Array, Flags, Index, aligned
 from contourlab.engine.gpu import Gpu
 from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Bank, Port, pack, record, rows, unpack
-from contourlab.engine.translate.tick_graph import Rows
+from contourlab.engine.translate.step_graph import Rows
 from contourlab.engine.translate.tick_loop import VECTOR
 from contourlab.errors import EngineError
 from contourlab.primitives import Clock
@@ -187,12 +187,16 @@ class InterpretedGroup(Group):
             for n in range(len(self.schedule.nodes) + 1):
                 if n == self.schedule.record_point:
                     log[step] = self.signals[log_rows]
-                repeat = self.schedule.nodes[n].repeat if n < len(self.schedule.nodes) else 0
-                held = self.schedule.period / max(repeat, 1)
-                for r, lane in product(range(repeat), range(self.width)):
-                    self._run_lane(n, lane, Clock(float(self.tick), self.tick * self.schedule.period + r * held, held))
+                if n < len(self.schedule.nodes):
+                    self._run_node(n)
             self.tick += 1
         return log
+
+    def _run_node(self, n: int) -> None:
+        node = self.schedule.nodes[n]
+        held = self.schedule.period / node.repeat
+        for r, lane in product(range(node.repeat), range(self.width)):
+            self._run_lane(n, lane, Clock(float(self.tick), self.tick * self.schedule.period + r * held, held))
 
     def _run_lane(self, n: int, lane: int, clock: Clock) -> None:
         step = self.schedule.nodes[n].step

@@ -10,7 +10,7 @@ from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import rows
 from contourlab.engine.translate.graph import Op, prune
 from contourlab.engine.translate.maths import EXACT
-from contourlab.engine.translate.tick_graph import Rows, TickGraph, tick_graph
+from contourlab.engine.translate.step_graph import Rows, TickGraph, tick_graph
 
 LIBRARY = ("exp", "log", "tanh", "sin", "cos")
 """Operations that a mathematical library computes, each within about 1 ulp; all others are exact everywhere."""

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from contourlab.engine.translate.graph import Op
 from contourlab.engine.translate.llvm_ir import Writer
-from contourlab.engine.translate.tick_graph import TickGraph
+from contourlab.engine.translate.step_graph import TickGraph
 
 VECTOR = 16
 """Lanes that run together: two of the longest registers; with more of them the processor runs out of registers."""
