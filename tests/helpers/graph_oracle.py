@@ -13,7 +13,7 @@ from fractions import Fraction
 from typing import Any
 
 from contourlab.engine.translate.graph import Block, Op
-from contourlab.engine.translate.tick_graph import TickGraph
+from contourlab.engine.translate.step_graph import TickGraph
 from contourlab.primitives import uniform
 
 _SIGNS: dict[str, Callable[[Any, Any], bool]] = {

@@ -13,8 +13,7 @@ from contourlab.engine.runner import InterpretedGroup
 from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Step, rows
 from contourlab.engine.translate import llvm_ir
-from contourlab.engine.translate.step_graph import StepGraph, graph_of
-from contourlab.engine.translate.tick_graph import ring_row
+from contourlab.engine.translate.step_graph import StepGraph, graph_of, ring_row
 
 Maker = Callable[[StepGraph], Any]
 

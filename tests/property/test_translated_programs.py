@@ -25,8 +25,7 @@ from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Step
 from contourlab.engine.translate import c99, llvm_ir, tick_loop
 from contourlab.engine.translate.maths import EXACT, LANES, SINGLE
-from contourlab.engine.translate.step_graph import StepGraph, graph_of
-from contourlab.engine.translate.tick_graph import TickGraph, tick_graph
+from contourlab.engine.translate.step_graph import StepGraph, TickGraph, graph_of, tick_graph
 from contourlab.errors import EngineError
 
 N_LANE, TICKS, FIRST, PROGRAMS = 32, 3, 4711, 8

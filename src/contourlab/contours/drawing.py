@@ -64,9 +64,7 @@ class Strand:
 
 
 def _end(curve: Curve, s: float) -> Array:
-    if isinstance(curve, Line):
-        return np.asarray(curve.end if s else curve.start)
-    return np.asarray(curve.derivatives([s], 0)[0, 0])
+    return np.asarray(curve.end if s else curve.start) if isinstance(curve, Line) else np.asarray(curve.derivatives([s], 0)[0, 0])
 
 
 @dataclass(frozen=True, eq=False)
@@ -300,10 +298,9 @@ class Drawing:
             layers = f"; its layers are {', '.join(self.layers)}" if self.layers else ""
             notes = f"; notes: {_some(self.notes)}" if self.notes else ""
             raise GeometryError(f"{self.file}: contains no contour{layers}{notes}")
-        if chain is None and len(self.chains) == 1:
-            return self.chains[0]
-        if chain is not None and 1 <= chain <= len(self.chains):
-            return self.chains[chain - 1]
+        number = 1 if chain is None and len(self.chains) == 1 else chain
+        if number is not None and 1 <= number <= len(self.chains):
+            return self.chains[number - 1]
         if chain is not None:
             raise GeometryError(f"{self.file}: chain = {chain} does not exist: {self._listed()}")
         layer = ', layer = "..."' if len(self.layers) > 1 else ""
@@ -314,10 +311,8 @@ class Drawing:
         for number, chain in enumerate(self.chains, 1):
             place = ", ".join(f"{1e3 * x:.6g}" for x in chain.start)
             layers = f", layer {' and '.join(chain.layers)}" if any(chain.layers) else ""
-            kind = "closed" if chain.closed else "open"
-            rows.append(f"{number}: {kind}, {1e3 * chain.length:.6g} mm long, from ({place}) mm{layers}")
-        count = "there is 1 chain" if len(rows) == 1 else f"there are {len(rows)} separate chains"
-        return f"{count}: {_some(rows)}"
+            rows.append(f"{number}: {'closed' if chain.closed else 'open'}, {1e3 * chain.length:.6g} mm long, from ({place}) mm{layers}")
+        return f"{'there is 1 chain' if len(rows) == 1 else f'there are {len(rows)} separate chains'}: {_some(rows)}"
 
 
 def _some(rows: Sequence[str]) -> str:

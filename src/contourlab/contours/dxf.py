@@ -97,8 +97,7 @@ def _opened(path: File) -> Any:
             end = stream.read()
     except OSError as error:
         # ezdxf raises an OSError for other kinds of files too.
-        reason = error.strerror or "it is not a DXF drawing"
-        raise GeometryError(f"{path}: cannot be read: {reason}") from error
+        raise GeometryError(f"{path}: cannot be read: {error.strerror or 'it is not a DXF drawing'}") from error
     except Exception as error:  # ezdxf may raise anything for a damaged file
         raise _damaged(path, error) from error
     if not end.rstrip(b"\x00\x1a \t\r\n").endswith(b"EOF"):
@@ -123,11 +122,8 @@ def _unit_of(document: Any, path: File, unit: str | None) -> float:
 
 
 def _check_flat(path: File, entities: list[tuple[list[Shape], str, str]], size: float) -> None:
-    low, high = math.inf, -math.inf
-    for shapes, _, _ in entities:
-        for shape in shapes:
-            bounds = shape.extent()
-            low, high = min(low, size * float(bounds[0][2])), max(high, size * float(bounds[1][2]))
+    heights = [size * float(bound[2]) for shapes, _, _ in entities for shape in shapes for bound in shape.extent()]
+    low, high = min(heights, default=0.0), max(heights, default=0.0)
     if high - low > FLAT:
         raise GeometryError(
             f"{path}: its z runs from {1e3 * low:.6g} to {1e3 * high:.6g} mm: write axes = 3 for a contour in space, or choose a flat layer"
@@ -195,9 +191,8 @@ class _Entities:
 
 def _check_finite(shapes: Iterable[Shape]) -> None:
     for shape in shapes:
-        low, high = shape.extent()
         angles = (shape.start, shape.end) if isinstance(shape, ConicShape) else ()
-        if not (np.isfinite(low).all() and np.isfinite(high).all() and np.isfinite(angles).all()):
+        if not all(np.isfinite(part).all() for part in (*shape.extent(), angles)):
             raise GeometryError("a coordinate or angle is not finite: correct the drawing")
 
 

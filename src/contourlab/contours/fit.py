@@ -11,7 +11,7 @@ import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
+from itertools import chain, pairwise
 from typing import Any, TypeVar
 
 import numpy as np
@@ -120,8 +120,7 @@ class Polygon:
         """Return the ratios of each chord to the ones before and after it; 0 across corners and ends."""
         before, after = self._sides(self.length)
         low = np.where(self._shut[:-1], 0.0, self.length / before[:-1])
-        high = np.where(self._shut[1:], 0.0, self.length / after[1:])
-        return low, high
+        return low, np.where(self._shut[1:], 0.0, self.length / after[1:])
 
     def straights(self) -> list[tuple[int, int]]:
         """Return the straight stretches as pairs of chords (first, last); across the start of a closed polygon last < first.
@@ -168,8 +167,7 @@ class Polygon:
 
     def tangent(self, i: int) -> Array:
         """Return the tangent at a point between chords: of a much finer side if there is one, else of an arc through three points."""
-        n = len(self.length)
-        before, after = (i - 1) % n, i % n
+        before, after = (i - 1) % len(self.length), i % len(self.length)
         ratio = self.length[after] / self.length[before]
         if ratio >= LONG and self._off_start[after] <= self.turn[i]:
             return np.asarray(self._tangents[0][i])
@@ -251,9 +249,7 @@ class FittedSpline:
     @cached_property
     def curve(self) -> Curve:
         """The curve by arc length; raises a GeometryError for a cusp."""
-        if not self.knots.size:
-            return Line(self.points[0], self.points[1])
-        return BSpline(self.degree, self.points, self.knots)
+        return BSpline(self.degree, self.points, self.knots) if self.knots.size else Line(*self.points)
 
     def values(self, chords: slice, parts: Array, order: int = 0) -> Array:
         """Return positions, or derivatives by the parameter, at fractions of the chords' intervals (n_chord, n_part, n_axis)."""
@@ -563,13 +559,12 @@ class _Fitting:
             ends = [*order, order[0] + self.n] if order and self.polygon.closed else order
             self.spans = list(pairwise(ends)) if order else [(0, self.n)]
             self.kept = {span: self.kept[span] for span in self.spans if span in self.kept}
-            loose = [self._fit_span(span, everywhere=turn >= ROUNDS) for span in self.spans if span not in self.kept]
-            loose = [points for points in loose if points]
+            divided = [self._fit_span(span, everywhere=turn >= ROUNDS) for span in self.spans if span not in self.kept]
+            loose = list(chain.from_iterable(divided))
             if not loose:
                 break
-            for points in loose:
-                for i in points:
-                    self.marks.setdefault(i, self.polygon.tangent(i))
+            for i in loose:
+                self.marks.setdefault(i, self.polygon.tangent(i))
         self.splines = [self.kept[span][0] for span in self.spans]
         self.bulge = max(self.kept[span][1] for span in self.spans)
 

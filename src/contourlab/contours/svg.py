@@ -32,6 +32,8 @@ _BLANKS = " \t\n\f\r"
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 _COUNT = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
 """Number of arguments of each command."""
+_MORE = frozenset("+-.,0123456789")
+"""Characters with which further arguments begin."""
 
 
 class _DataError(Exception):
@@ -74,29 +76,19 @@ def path_shapes(data: str) -> tuple[list[list[Shape]], str | None]:
 
 def _segments(data: str) -> Iterator[tuple[str, list[float]]]:
     """Yield each command with its numbers, once per repetition."""
-    at, first = _after_blanks(data, 0), True
+    first = at = _after_blanks(data, 0)
     while at < len(data):
-        command = data[at]
+        command, again = data[at], False
         if command.upper() not in _COUNT:
             raise _DataError(at, f"expected a command, not {command!r}")
-        if first and command not in "Mm":
+        if at == first and command not in "Mm":
             raise _DataError(at, f"expected M or m before {command!r}")
-        first = False
         at += 1
-        if command in "Zz":
-            yield command, []
-            at = _after_blanks(data, at)
-            continue
-        again = False
-        while True:
+        while not again or (command not in "Zz" and data[at : at + 1] in _MORE):
             numbers, at = _numbers(data, at, command.upper(), again)
             yield command, numbers
             # Further pairs of a move are lines.
-            command, again = {"M": "L", "m": "l"}.get(command, command), True
-            after = _after_blanks(data, at)
-            if after == len(data) or data[after] not in "+-.,0123456789":
-                at = after
-                break
+            command, again, at = {"M": "L", "m": "l"}.get(command, command), True, _after_blanks(data, at)
 
 
 def _numbers(data: str, at: int, command: str, again: bool) -> tuple[list[float], int]:
@@ -144,8 +136,7 @@ class _Pen:
         return [shapes for shapes in (*self.done, self.open) if shapes]
 
     def draw(self, command: str, numbers: list[float]) -> None:
-        origin = self.here if command.islower() else np.zeros(2)
-        kind = command.upper()
+        origin, kind = self.here if command.islower() else np.zeros(2), command.upper()
         family, self.family = self.family, {"S": "C", "T": "Q"}.get(kind, kind) if kind in "CSQT" else ""
         if kind == "H":
             self._line_to(np.array([origin[0] + numbers[0], self.here[1]]))
@@ -160,7 +151,9 @@ class _Pen:
             if kind in "ST":
                 # The control point is reflected only after a command of the same family.
                 points.insert(0, 2.0 * self.here - self.control if family == self.family else self.here)
-            self._bezier(points)
+            if any(np.any(point != self.here) for point in points):
+                self.open.append(SplineShape.bezier(self.here, *points))
+            self.control, self.here = points[-2], points[-1]
         else:
             if kind == "Z":
                 self._line_to(self.start)
@@ -173,11 +166,6 @@ class _Pen:
         if np.any(end != self.here):
             self.open.append(LineShape(self.here, end))
         self.here = end
-
-    def _bezier(self, points: list[Array]) -> None:
-        if any(np.any(point != self.here) for point in points):
-            self.open.append(SplineShape.bezier(self.here, *points))
-        self.control, self.here = points[-2], points[-1]
 
     def _arc(self, end: Array, rx: float, ry: float, turn: float, large: float, sweep: float) -> None:
         rx, ry = abs(rx), abs(ry)
@@ -201,8 +189,7 @@ def _arc_shape(start: Array, end: Array, radii: tuple[float, float], turn: float
     height = math.sqrt(max(0.0, 1.0 - reach**2)) / reach * (1.0 if large != sweep else -1.0)
     centre = height * np.array([half[1], -half[0]])
     first = math.atan2(half[1] - centre[1], half[0] - centre[0])
-    last = math.atan2(-half[1] - centre[1], -half[0] - centre[0])
-    angle = (last - first) % (2.0 * math.pi) or 2.0 * math.pi
+    angle = (math.atan2(-half[1] - centre[1], -half[0] - centre[0]) - first) % (2.0 * math.pi) or 2.0 * math.pi
     if not sweep:
         angle = angle - 2.0 * math.pi if angle < 2.0 * math.pi else -angle
     p, q = radii[0] * axes[0], radii[1] * axes[1]
@@ -340,12 +327,11 @@ def _parsed(path: File) -> Element:
     tag = root.tag.rpartition("}")[2]
     if tag != "svg":
         raise GeometryError(f"{path}: is not an SVG drawing: its root is <{tag}>")
-    level, depth = [root], 0
-    while level:
-        depth += 1
-        if depth > DEEPEST:
-            raise GeometryError(f"{path}: has elements nested more than {DEEPEST} deep: ungroup them")
+    level = [root]
+    for _ in range(DEEPEST):
         level = [child for element in level for child in element]
+    if level:
+        raise GeometryError(f"{path}: has elements nested more than {DEEPEST} deep: ungroup them")
     return root
 
 
@@ -355,10 +341,8 @@ def _parsed(path: File) -> Element:
 def _pixels(root: Element, name: str, path: File) -> float | None:
     """Return a length of the root in pixels of 1/96 inch; None if it is missing or a percentage."""
     text = root.get(name, "auto")
-    if text.strip() in ("", "auto"):
-        return None
     match = LENGTH.match(text)
-    if match and match[2] == "%":
+    if text.strip() in ("", "auto") or (match and match[2] == "%"):
         return None
     if not match or match[2].lower() not in PIXELS or not float(match[1]) > 0.0:
         raise GeometryError(f'{path}: {name} = "{text}" is not a size: write unit = "mm", or the unit of its coordinates')
@@ -449,10 +433,9 @@ class _Painter:
             self._draw(child, context)
 
     def _draw(self, element: Element, around: _Context) -> None:
-        tag = self._tag(element)
+        tag, style = self._tag(element), self._style(element)
         if tag in UNDRAWN:
             return
-        style = self._style(element)
         context = self._inside(element, style, around)
         values = self._lengths(element, style, context.viewport)
         if tag == "use":
@@ -523,8 +506,7 @@ class _Painter:
         href = next((values[name] for name in HREFS if name in values), None)
         target = self.by_id.get(href[1:]) if href and href.startswith("#") else None
         if target is None:
-            why = f"{href!r} is not in the drawing" if href else "it refers to nothing"
-            self.notes.append(f"use: left out, because {why}")
+            self.notes.append(f"use: left out, because {f'{href!r} is not in the drawing' if href else 'it refers to nothing'}")
             return
         x, y = _number(values, "x", 0.0), _number(values, "y", 0.0)
         if x or y:

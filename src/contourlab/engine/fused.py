@@ -14,9 +14,9 @@ from contourlab import primitives
 from contourlab.engine.gpu import Gpu
 from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Step
-from contourlab.engine.translate import llvm_ir, maths, tick_graph, tick_loop
+from contourlab.engine.translate import llvm_ir, maths, step_graph, tick_loop
 from contourlab.engine.translate.outer import Reads
-from contourlab.engine.translate.tick_graph import Rows
+from contourlab.engine.translate.step_graph import Rows
 from contourlab.engine.translate.tick_loop import VECTOR
 from contourlab.native import store
 
@@ -75,7 +75,7 @@ def tick_loop_of(schedule: Schedule, places: Rows, log_rows: tuple[int, ...], wi
             reads.again(trace)
             key = _digest(key, reads.words)
         reads = Reads(roots)
-        made = tick_graph.tick_graph(schedule, places, log_rows, maths.SINGLE if width == 1 else maths.LANES, reads=reads)
+        made = step_graph.tick_graph(schedule, places, log_rows, maths.SINGLE if width == 1 else maths.LANES, reads=reads)
         if gpu is None:
             code = llvm_ir.object_code(tick_loop.source_of(made, min(width, VECTOR), width))
         else:

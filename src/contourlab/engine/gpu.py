@@ -141,8 +141,7 @@ class Gpu:
 
 def lanes_of(n: int, n_row: int) -> int:
     """Return the lanes of each group for n variants with this many rows of memory: a power of two."""
-    most = min(LANES, 1 << (BYTES // (8 * n_row)).bit_length() - 1)
-    return max(min(1 << (n - 1).bit_length(), most), THREADS)
+    return max(min(1 << (n - 1).bit_length(), LANES, 1 << (BYTES // (8 * n_row)).bit_length() - 1), THREADS)
 
 
 @cache

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from itertools import accumulate, pairwise
+from itertools import accumulate, pairwise, product
 from time import perf_counter
 from typing import Any
 
@@ -13,7 +13,7 @@ from contourlab.arrays import Array, Flags, Index, aligned
 from contourlab.engine.gpu import Gpu
 from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import Bank, Port, pack, record, rows, unpack
-from contourlab.engine.translate.tick_graph import Rows
+from contourlab.engine.translate.step_graph import Rows
 from contourlab.engine.translate.tick_loop import VECTOR
 from contourlab.errors import EngineError
 from contourlab.primitives import Clock
@@ -124,7 +124,6 @@ class CompiledGroup(Group):
         super().__init__(schedule, width, lanes)
         self._tables = [np.ascontiguousarray(node.tables[name], dtype=float) for node in schedule.nodes for name in node.step.tables]
         self._tables_at = np.array([(table.ctypes.data, table.size) for table in self._tables], dtype=np.int64)
-
         self._loops: dict[tuple[int, ...], Any] = {}
 
     def restore(self, saved: tuple[int, Array]) -> None:
@@ -196,10 +195,8 @@ class InterpretedGroup(Group):
     def _run_node(self, n: int) -> None:
         node = self.schedule.nodes[n]
         held = self.schedule.period / node.repeat
-        for r in range(node.repeat):
-            clock = Clock(float(self.tick), self.tick * self.schedule.period + r * held, held)
-            for lane in range(self.width):
-                self._run_lane(n, lane, clock)
+        for r, lane in product(range(node.repeat), range(self.width)):
+            self._run_lane(n, lane, Clock(float(self.tick), self.tick * self.schedule.period + r * held, held))
 
     def _run_lane(self, n: int, lane: int, clock: Clock) -> None:
         step = self.schedule.nodes[n].step
@@ -212,11 +209,8 @@ class InterpretedGroup(Group):
         states, par = state_type(*unpack(step.own_states, kept.tolist())), self._par[n][lane]
         found = (self._run_bank(step.bank, kept[rows(step.own_states) :], par, states, inputs, clock),) if step.bank else ()
         x_next, y = step.function(par, states, inputs, clock, *found)
-        own = pack(step.own_states, x_next)
-        kept[: len(own)] = own
-        first = self._first[n]
-        flat = pack(step.outputs, y)
-        self.signals[first : first + len(flat), lane] = flat
+        own, flat, first = pack(step.own_states, x_next), pack(step.outputs, y), self._first[n]
+        kept[: len(own)], self.signals[first : first + len(flat), lane] = own, flat
 
     @staticmethod
     def _run_bank(bank: Bank, kept: Array, par: object, states: object, inputs: object, clock: Clock) -> tuple[float, ...]:

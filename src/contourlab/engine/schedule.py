@@ -160,9 +160,6 @@ def _spread(wire: Wire | tuple[Wire, ...], port: Port) -> tuple[Wire, ...]:
         return wire
     if not port.size:
         return (wire,)
-    if isinstance(wire, _NUMBER):
-        return (float(wire),) * port.size
-    late = isinstance(wire, Late)
-    signal = wire.signal if isinstance(wire, Late) else wire
-    rows = (f"{signal}[{i}]" for i in range(port.size))
-    return tuple(Late(row) if late else row for row in rows)
+    if isinstance(wire, Late):
+        return tuple(Late(f"{wire.signal}[{i}]") for i in range(port.size))
+    return (float(wire),) * port.size if isinstance(wire, _NUMBER) else tuple(f"{wire}[{i}]" for i in range(port.size))

@@ -100,8 +100,7 @@ class Step:
     _hash: int = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        fields = (*self.parameters, *self.tables, *(("ring",) if self.ring else ()))
-        object.__setattr__(self, "par_type", record(fields))
+        object.__setattr__(self, "par_type", record((*self.parameters, *self.tables, *(("ring",) if self.ring else ()))))
         object.__setattr__(self, "n_state", rows(self.states))
         # A run looks up the compiled form of each of its steps: the deep hash is computed once.
         object.__setattr__(self, "_hash", hash((self.name, self.function, self.bank, self.layout)))

@@ -72,8 +72,7 @@ def merged(route: Route) -> Route:
     if not many.any():
         return route
     made = iter(Line.many(points[first[many]], points[last[many] + 1]))
-    curves = [next(made) if joined else path.curves[i] for i, joined in zip(first.tolist(), many.tolist(), strict=True)]
-    planned = Path(curves, path.closed)
+    planned = Path([next(made) if joined else path.curves[i] for i, joined in zip(first.tolist(), many.tolist(), strict=True)], path.closed)
     run = np.repeat(np.arange(first.size), last - first + 1)
     # Where the start of each old line lies along the new line of its run, and how far from it.
     direction, away = planned.starts[1][run], points[:-1] - points[first[run]]
@@ -97,8 +96,7 @@ def merged(route: Route) -> Route:
 
 def _linked(route: Route) -> Flags:
     """Return which curves may be merged with the next."""
-    straight = np.array([type(curve) is Line for curve in route.path.curves], dtype=bool)
-    usable = straight & ~route.rapid & (route.merge_tolerance > 0.0)
+    usable = np.array([type(curve) is Line for curve in route.path.curves], dtype=bool) & ~route.rapid & (route.merge_tolerance > 0.0)
     linked = usable & np.roll(usable, -1) & (route.dwell == 0.0) & ~route.exact_stop
     for name in ("feedrate", "merge_tolerance", "corner_tolerance"):
         values = getattr(route, name)
@@ -257,8 +255,7 @@ def largest_reach(path: Path, corners: Corners, tolerance: Array, room: Array) -
 def _measured_reach(path: Path, corners: Corners, tolerance: Array, most: Array) -> Array:
     """Return reaches whose measured deviation is just below the tolerance; the deviation is almost proportional to the reach."""
     low, high = np.zeros_like(most), most.copy()
-    reach = most.copy()
-    on = np.arange(most.size)
+    reach, on = most.copy(), np.arange(most.size)
     for _ in range(_ROUNDS):
         off = _deviation(path, corners.only(on), reach[on])
         good = off <= _ENOUGH * tolerance[on]
@@ -283,8 +280,7 @@ def _deviation(path: Path, corners: Corners, reach: Array) -> Array:
     missed = np.linalg.norm(at - path.starts[0][corners.after][:, None, :], axis=2).min(axis=1)
     # The distance has a peak between samples where the nearer curve changes.
     top = _GRID[np.argmax(away, axis=1)]
-    step = _GRID[1] * np.linspace(-1.0, 1.0, 17)
-    fine, _ = _distances(path, points, np.clip(top[:, None] + step, 0.0, 1.0), corner, reach)
+    fine, _ = _distances(path, points, np.clip(top[:, None] + _GRID[1] * np.linspace(-1.0, 1.0, 17), 0.0, 1.0), corner, reach)
     # A blend must not turn back on itself.
     forward = np.einsum("ijk,ik->ij", np.diff(at, axis=1), points[:, 5] - points[:, 0]).min(axis=1) > 0.0
     return np.where(forward, np.maximum(missed, np.maximum(away.max(axis=1), fine.max(axis=1))), np.inf)
@@ -296,8 +292,7 @@ def _distances(path: Path, points: Array, u: Array, corner: Array, reach: Array)
     weights = np.stack([w**5, 5.0 * u * w**4, 10.0 * u**2 * w**3, 10.0 * u**3 * w**2, 5.0 * u**4 * w, u**5], axis=2)
     at = np.einsum("nmk,nkj->nmj", weights, points)
     m = u.shape[1]
-    feet = path.foot_point(at.reshape(-1, path.n_axis), np.repeat(corner, m), np.repeat(reach, m))
-    return feet.distance.reshape(u.shape), at
+    return path.foot_point(at.reshape(-1, path.n_axis), np.repeat(corner, m), np.repeat(reach, m)).distance.reshape(u.shape), at
 
 
 # --- blend or stop -------------------------------------------------------------------------------------------------------------------

@@ -61,8 +61,7 @@ def ramps(low: Array, high: Array, acceleration: Array, rise: Array, taper: Arra
     acceleration : ndarray (n,) [m/s^2], > 0; may be inf where the jerks are finite
     rise, taper : ndarray (n,) [m/s^3], > 0; may be inf
     """
-    gain = np.maximum(high - low, 0.0)
-    softness = 1.0 / rise + 1.0 / taper
+    gain, softness = np.maximum(high - low, 0.0), 1.0 / rise + 1.0 / taper
     with np.errstate(divide="ignore", invalid="ignore"):
         peak = np.where(gain > 0.0, np.minimum(acceleration, np.sqrt(2.0 * gain / softness)), 0.0)
         total = np.where(gain > 0.0, gain / peak, 0.0)
@@ -209,8 +208,7 @@ def move_spans(
     # An infinite jerk acts for no time; write it as 0 to avoid inf * 0.
     rise, taper = np.where(np.isinf(rise), 0.0, rise), np.where(np.isinf(taper), 0.0, taper)
     j = np.stack([rise, zero, -taper, zero, -taper, zero, rise], -1)
-    low = start + 0.5 * up.peak * up.rise_time
-    exit_ = end + 0.5 * down.peak * down.rise_time
+    low, exit_ = start + 0.5 * up.peak * up.rise_time, end + 0.5 * down.peak * down.rise_time
     v0 = np.stack([start, low, low + up.peak * up.hold_time, peak, peak, exit_ + down.peak * down.hold_time, exit_], -1)
     step = duration * (v0 + duration * (a0 / 2.0 + duration * j / 6.0))
     s0 = np.zeros_like(step)

@@ -97,8 +97,7 @@ def _first_nodes(route: Route, kind: Kinds, curves: Index) -> Nodes:
     sweep = np.linalg.norm(middle.second, axis=1) * (route.path.breaks[curves + 1] - route.path.breaks[curves])
     of_arc = np.maximum(6, 2 + np.ceil(NODES_ARC * sweep / (2.0 * np.pi)))
     count = np.choose(kind[curves], [2, of_arc, NODES_FIRST, NODES_BLEND]).astype(np.intp)
-    place = ranges(np.zeros_like(count), count) / np.repeat(count - 1.0, count)
-    return evaluate_nodes(route, np.repeat(curves, count), place)
+    return evaluate_nodes(route, np.repeat(curves, count), ranges(np.zeros_like(count), count) / np.repeat(count - 1.0, count))
 
 
 def sample_nodes(route: Route, kind: Kinds, limits: AxisLimits, curves: Index) -> Nodes:
@@ -128,8 +127,7 @@ def _piece_ends(nodes: Nodes, kind: Kinds, permitted: Array, joined: Flags) -> I
     """Return the node at which each piece ends; `joined` lines share a piece with the next curve."""
     end_of_curve = np.append(nodes.curve[1:] != nodes.curve[:-1], True)
     ends = np.array(end_of_curve & ~joined[nodes.curve], dtype=np.int64)
-    undivided = np.array(end_of_curve | (kind[nodes.curve] < GENERAL), dtype=np.int64)
-    _divide(undivided, permitted, ends)
+    _divide(np.array(end_of_curve | (kind[nodes.curve] < GENERAL), dtype=np.int64), permitted, ends)
     return np.flatnonzero(ends)
 
 
@@ -180,16 +178,14 @@ def cut(route: Route, surveyed: Survey, limits: AxisLimits, wanted: Flags) -> Pi
     """
     junction, kind = surveyed.junctions, surveyed.kind
     nodes = sample_nodes(route, kind, limits, np.flatnonzero(wanted))
-    samples = _samples(route, nodes)
-    line = kind == LINE
+    samples, line = _samples(route, nodes), kind == LINE
     joined = ~junction.stop & ~np.any(junction.kink != 0.0, axis=1) & line & np.roll(line, -1)
     joined &= route.feedrate == np.roll(route.feedrate, -1)
     joined[-1] = False
     last = _piece_ends(nodes, kind, speed_limit(samples, limits, SHARES[0]), joined)
     within = np.append(nodes.curve[1:] == nodes.curve[:-1], False)[last]  # the piece ends inside a curve
     first = np.concatenate([[0], np.where(within[:-1], last[:-1], last[:-1] + 1)])
-    curve = nodes.curve[last]
-    breaks = np.asarray(route.path.breaks)
+    curve, breaks = nodes.curve[last], np.asarray(route.path.breaks)
     end = np.where(within, breaks[curve] + np.diff(breaks)[curve] * nodes.place[last], breaks[curve + 1])
     start = np.where(np.append(False, within[:-1]), np.append(0.0, end[:-1]), breaks[nodes.curve[first]])
     stop = junction.stop[curve] & ~within
@@ -327,8 +323,7 @@ def sample_segments(route: Route, surveyed: Survey, limits: AxisLimits, segments
     """Sample some segments (rising numbers)."""
     n_curve, n_chosen = route.n_curve, segments.after[chosen] - segments.first[chosen]
     lap, curve = np.divmod(ranges(segments.first[chosen], n_chosen), n_curve)
-    once = np.unique(curve)
-    longest = _longest_intervals(route, surveyed, limits)
+    once, longest = np.unique(curve), _longest_intervals(route, surveyed, limits)
     windows = [_window(route, surveyed, limits, longest, once[i : i + WINDOW]) for i in range(0, once.size, WINDOW)]
     count_once, arc_length, ceiling, *derivatives = _joined(windows)
     of_curve = np.zeros(n_curve, dtype=np.intp)

@@ -165,10 +165,9 @@ def plan(route: Route, limits: AxisLimits, servo_period: float, *, laps: int = 1
         If the route and the limits have different numbers of axes, or an axis has neither an acceleration nor a jerk limit.
     """
     profile = plan_profile(route, limits, laps=laps, curvature_step=curvature_step)
-    n_sample = whole_samples(profile.duration, servo_period)
     return Reference(
         servo_period=servo_period,
-        n_sample=n_sample,
+        n_sample=whole_samples(profile.duration, servo_period),
         path=route.path,
         programmed=route.programmed,
         correspondence=route.correspondence,

@@ -138,8 +138,7 @@ class Judged(NamedTuple):
     def parse(cls, text: str) -> Judged:
         """Return the ranges of a `text`; ValueError if it is none."""
         basis, _, listed = text.rpartition(": ")
-        pairs = (part.split("-") for part in listed.split(", "))
-        return cls(tuple((int(start), int(stop)) for start, stop in pairs), basis)
+        return cls(tuple((int(start), int(stop)) for start, stop in (part.split("-") for part in listed.split(", "))), basis)
 
     @property
     def samples(self) -> Index:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
@@ -93,10 +93,8 @@ def lap_ranges(profile: Profile, lap_length: float, laps: int, servo_period: flo
 
 def _differences(position: Array, servo_period: float, start: int, stop: int) -> tuple[Array, Array]:
     """Return velocity and acceleration of recorded positions by central differences; before and after the samples the motion rests."""
-    index = np.clip(np.arange(start - 1, stop + 1), 0, position.shape[0] - 1)
-    around = position[index]
-    velocity = (around[2:] - around[:-2]) / (2.0 * servo_period)
-    return velocity, np.diff(around, 2, axis=0) / servo_period**2
+    around = position[np.clip(np.arange(start - 1, stop + 1), 0, position.shape[0] - 1)]
+    return (around[2:] - around[:-2]) / (2.0 * servo_period), np.diff(around, 2, axis=0) / servo_period**2
 
 
 def along_path(path: Path, arc_length: Array, speed: Array, acceleration: Array, rows: Array) -> None:
@@ -170,6 +168,10 @@ class Reference:
         if self.rapid is not None and 0 < np.count_nonzero(self.rapid) < len(self.rapid):
             return Judged(self.of_curves(~self.rapid), CUTTING)
         return Judged(((0, self.n_sample),), WHOLE)
+
+    def blocks(self, size: int) -> Iterator[tuple[int, int]]:
+        """Yield the samples [start, stop) of all blocks of at most `size` samples."""
+        return pairwise([*range(0, self.n_sample, size), self.n_sample])
 
     def of_curves(self, curves: Flags) -> tuple[tuple[int, int], ...]:
         """Return the sample ranges of some curves (n_curve,) of a planned motion of one lap; a rest belongs to the curve before it."""
@@ -435,10 +437,8 @@ def uniform(path: Path, frequency: float, laps: int, servo_period: float) -> Ref
             f"use frequency = {1.0 / (per_lap * period):.12g} Hz or servo_period = {1.0 / (per_lap * frequency):.12g} s"
         )
     per_lap = n_sample // laps
-    whole = per_lap * laps == n_sample
-    ranges = tuple((lap * per_lap, (lap + 1) * per_lap) for lap in range(laps)) if whole else ((0, n_sample),)
-    zero = np.zeros(1)
-    length = float(path.length)
+    ranges = tuple((lap * per_lap, (lap + 1) * per_lap) for lap in range(laps)) if per_lap * laps == n_sample else ((0, n_sample),)
+    zero, length = np.zeros(1), float(path.length)
     profile = Profile(zero, zero, np.array([length * frequency]), zero, zero, duration=laps / frequency, length=laps * length)
     return Reference(
         servo_period=period,

@@ -218,17 +218,12 @@ def _point(values: Sequence[float], columns: list[int]) -> Array:
     return np.array([values[column] for column in columns])
 
 
-def _moved(move: Any) -> list[int]:
-    """Return the axes (0 = x, 1 = y, 2 = z) that a move moves."""
-    if isinstance(move, ArcMove):
-        return [i for i in range(3) if any(unit[i] for unit in move.directions()[:2]) or move.start[i] != move.end[i]]
-    points = (*move.points, move.end) if isinstance(move, Spline) else (move.end,)
-    return [i for i in range(3) if any(point[i] != move.start[i] for point in points)]
-
-
 def _check_axes(program: Program, move: Any, columns: list[int]) -> None:
-    """Raise an error for a move of an axis that the machine lacks."""
-    missing = [] if len(columns) == 3 else [column for column in _moved(move) if column not in columns]
+    """Raise an error for a move of an axis (0 = x, 1 = y, 2 = z) that the machine lacks."""
+    turning = move.directions()[:2] if isinstance(move, ArcMove) else ()
+    points = (*move.points, move.end) if isinstance(move, Spline) else (move.end,)
+    absent = (i for i in range(3) if i not in columns)
+    missing = [i for i in absent if any(unit[i] for unit in turning) or any(point[i] != move.start[i] for point in points)]
     if missing:
         names, have = (", ".join("XYZ"[column] for column in some) for some in (missing, columns))
         raise ProgramError(
@@ -430,8 +425,7 @@ def junctions(route: Route) -> Junctions:
     no axis velocity jumps by more than its acceleration limit times `KINK_TIME`, or times the time to the nearer junction if this is less.
     """
     turn = direction_jump(route.path)
-    angle = np.linalg.norm(turn, axis=1)
-    stop = (route.dwell > 0.0) | route.exact_stop | (route.rapid != np.roll(route.rapid, -1)) | (angle > MOST_KINK)
+    stop = (route.dwell > 0.0) | route.exact_stop | (route.rapid != np.roll(route.rapid, -1)) | (np.linalg.norm(turn, axis=1) > MOST_KINK)
     stop[-1] |= not route.path.closed
     length = np.diff(np.asarray(route.path.breaks))
     return Junctions(stop, curvature_jump(route.path), np.where(stop[:, None], 0.0, turn), np.minimum(length, np.roll(length, -1)))

@@ -282,8 +282,8 @@ def _report(reference: Reference, limits: AxisLimits, use: LineUse | None) -> Li
     bends = _jumps(path, curvature, np.any(curvature != 0.0, axis=1))
     kinks = _jumps(path, direction, (angle > 0.0) & (angle <= MOST_KINK))
     n_kink, steps = 0, []
-    for start in range(0, reference.n_sample, BLOCK):
-        passed, kinked = _check_block(reference, start, min(start + BLOCK, reference.n_sample), records, bends, kinks, eased, wide)
+    for start, stop in reference.blocks(BLOCK):
+        passed, kinked = _check_block(reference, start, stop, records, bends, kinks, eased, wide)
         n_kink += kinked
         steps.append(passed)
     velocity, acceleration, jerk, step, kink = (record.located(reference) for record in records)

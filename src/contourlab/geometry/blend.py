@@ -77,8 +77,7 @@ def shapes(coefficients: Array, u: Array) -> tuple[Array, Array]:
     n, m, n_axis = len(coefficients), u.size, coefficients.shape[2]
     raw = _powers(np.moveaxis(coefficients, 0, 2)[..., None], u)  # (4, n_axis, n, m)
     derivatives = np.moveaxis(raw, 1, 3).reshape(4, n * m, n_axis)
-    speed = np.linalg.norm(derivatives[1], axis=1).reshape(n, m)
-    return by_arc_length(derivatives, 3).reshape(4, n, m, n_axis), speed
+    return by_arc_length(derivatives, 3).reshape(4, n, m, n_axis), np.linalg.norm(derivatives[1], axis=1).reshape(n, m)
 
 
 def _speeds(c: Array, u: Array) -> Array:

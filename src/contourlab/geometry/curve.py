@@ -214,8 +214,7 @@ class CurveSequence:
         self.curves = tuple(curves)
         if not self.curves:
             raise GeometryError("a path needs at least one curve")
-        self.n_axis = self.curves[0].n_axis
-        self.closed = closed
+        self.n_axis, self.closed = self.curves[0].n_axis, closed
         if any(curve.n_axis != self.n_axis for curve in self.curves):
             raise GeometryError("the curves of a path must all have the same number of coordinates")
         self.breaks = np.concatenate([[0.0], np.cumsum([curve.length for curve in self.curves])])

@@ -70,10 +70,8 @@ def curves_in_reach(path: CurveSequence, points: Array, around: Array, window: A
 
 def _numbers(path: CurveSequence, s: Array) -> Index:
     """Return the curve of each arc length, counted over laps."""
-    m = len(path.curves)
-    lap = np.floor(s / path.length) if path.closed else np.zeros(s.size)
-    curve = np.searchsorted(path.breaks, s - lap * path.length, side="right") - 1
-    return np.clip(curve, 0, m - 1) + (lap * m).astype(np.int64)
+    m, lap = len(path.curves), np.floor(s / path.length) if path.closed else np.zeros(s.size)
+    return np.clip(np.searchsorted(path.breaks, s - lap * path.length, side="right") - 1, 0, m - 1) + (lap * m).astype(np.int64)
 
 
 def _searched(path: CurveSequence, points: Array, begin: Index, end: Index) -> tuple[Index, Index]:
@@ -185,8 +183,7 @@ class Bends:
         self.table = table
         h = np.diff(table.start)[:, None, None] * np.linspace(0.0, 1.0, 5)[:, None]
         c = np.moveaxis(table.coefficients, 2, 0)[:, :, None, :]
-        second = 2.0 * c[2] + h * (6.0 * c[3] + h * (12.0 * c[4] + h * 20.0 * c[5]))
-        levels = [np.linalg.norm(second, axis=2).max(axis=1)]
+        levels = [np.linalg.norm(2.0 * c[2] + h * (6.0 * c[3] + h * (12.0 * c[4] + h * 20.0 * c[5])), axis=2).max(axis=1)]
         while len(levels[-1]) > (step := 1 << (len(levels) - 1)):
             levels.append(np.maximum(levels[-1][:-step], levels[-1][step:]))
         self._levels = np.array([np.pad(level, (0, len(levels[0]) - len(level))) for level in levels])
@@ -432,5 +429,4 @@ def _result(path: CurveSequence, points: Array, progress: Array, curve: Index, l
         usable = at_end & (path.closed | ((other >= 0) & (other < m)))
         tangent = np.where(usable[:, None], tangent + edge[1][np.mod(other, m)], tangent)
     gap = points - feet
-    side = tangent[:, 0] * gap[:, 1] - tangent[:, 1] * gap[:, 0]
-    return FootPoint(progress, feet, distance, np.copysign(distance, side))
+    return FootPoint(progress, feet, distance, np.copysign(distance, tangent[:, 0] * gap[:, 1] - tangent[:, 1] * gap[:, 0]))

@@ -93,8 +93,7 @@ class Lines(CurveBatch):
     def __init__(self, curves: Sequence[Line]) -> None:
         super().__init__(curves)
         self.start, self.direction = rows(curves, "start"), rows(curves, "direction")
-        self.sixth = np.zeros(len(curves))
-        self.direct = np.ones(len(curves), dtype=bool)
+        self.sixth, self.direct = np.zeros(len(curves)), np.ones(len(curves), dtype=bool)
 
     def derivatives(self, slot: Index, along: Array, order: int) -> Array:
         result = np.zeros((order + 1, self.n_axis, along.size))

@@ -131,8 +131,7 @@ class Nurbs(_Knotted):
         a, w = [x[:, :-1] for x in lifted], [x[:, -1:] for x in lifted]
         result: list[Array] = []
         for k in range(order + 1):
-            rest = a[k] - sum((math.comb(k, i) * w[i] * result[k - i] for i in range(1, k + 1)), np.zeros_like(a[k]))
-            result.append(rest / w[0])
+            result.append((a[k] - sum((math.comb(k, i) * w[i] * result[k - i] for i in range(1, k + 1)), np.zeros_like(a[k]))) / w[0])
         result[0] = result[0] + self.points[0]
         return np.array(result)
 
@@ -166,8 +165,7 @@ def _insert(degree: int, points: Array, t: Array, u: float) -> tuple[Array, Arra
     i = np.arange(k - degree + 1, k - count + 1)
     alpha = ((u - t[i]) / (t[i + degree] - t[i]))[:, None]
     between = alpha * points[i] + (1.0 - alpha) * points[i - 1]
-    fresh = np.concatenate([points[: k - degree + 1], between, points[k - count :]])
-    return fresh, np.concatenate([t[: k + 1], [u], t[k + 1 :]])
+    return np.concatenate([points[: k - degree + 1], between, points[k - count :]]), np.concatenate([t[: k + 1], [u], t[k + 1 :]])
 
 
 def split_at(degree: int, points: Array, t: Array, places: Array) -> list[tuple[Array, Array]]:

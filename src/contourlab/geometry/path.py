@@ -56,8 +56,7 @@ class Path(CurveSequence):
     @cached_property
     def corners(self) -> Array:
         """Arc lengths (n,) [m] at which the tangent jumps, rising; on a closed path 0 is the closing point."""
-        turn = np.linalg.norm(self.ends[1][:-1] - self.starts[1][1:], axis=1)
-        corners = self.breaks[1:-1][turn > CORNER_ANGLE]
+        corners = self.breaks[1:-1][np.linalg.norm(self.ends[1][:-1] - self.starts[1][1:], axis=1) > CORNER_ANGLE]
         if self.closed and np.linalg.norm(self.ends[1][-1] - self.starts[1][0]) > CORNER_ANGLE:
             corners = np.concatenate([[0.0], corners])
         return np.asarray(corners)
@@ -135,8 +134,7 @@ class Path(CurveSequence):
         return sha.hexdigest()
 
 
-_SAMPLES = 513
-_HALVINGS = 45
+_SAMPLES, _HALVINGS = 513, 45
 
 
 def boxes(path: Path) -> tuple[Array, Array]:

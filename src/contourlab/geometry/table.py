@@ -214,5 +214,4 @@ def _cells(start: Array, length: float) -> tuple[Array, float, int]:
     # Find the piece at the left edge of each cell with the rounding of a look-up.
     cell = np.maximum(np.searchsorted(start[:-1] * inverse, np.arange(n), side="right") - 1, 0)
     cell = np.append(cell, pieces - 1)
-    halvings = 0 if plain else int(np.diff(cell).max()).bit_length()
-    return cell.astype(float), inverse, halvings
+    return cell.astype(float), inverse, 0 if plain else int(np.diff(cell).max()).bit_length()

@@ -17,7 +17,6 @@ from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.geometry.line_and_arc import Arc
 from contourlab.geometry.path import Path
-from contourlab.native.generated import generated
 from contourlab.primitives import clip, cos, dot, floor, lookup, maximum, select, sin, sub
 
 
@@ -135,18 +134,8 @@ def _quintic(table: Any, base: float, h: float) -> Any:
     return value, first, second
 
 
-def _gather(n_axis: int) -> Callable[..., Any]:
-    """Return a function that evaluates all axes of a piece, unrolled, because lanes have no loops."""
-    lines = [f"    a{j} = quintic(table, base + {6.0 * j}, h)" for j in range(n_axis)]
-    values = ", ".join(f"({', '.join(f'a{j}[{d}]' for j in range(n_axis))},)" for d in range(3))
-    scope: dict[str, Any] = {"quintic": _quintic, "__name__": __name__}
-    source = "def gather(table, base, h):\n" + "\n".join(lines) + f"\n    return {values}\n"
-    return generated(source, scope, "gather")  # type: ignore[no-any-return]
-
-
 @cache
 def _table_evaluator(n_axis: int, halvings: int = 0) -> Callable[[Any, float], Any]:
-    gather, stride = _gather(n_axis), 6.0 * n_axis
     find = _finder(halvings) if halvings else _find
 
     def evaluate(par: Any, s: float) -> Any:
@@ -154,7 +143,8 @@ def _table_evaluator(n_axis: int, halvings: int = 0) -> Callable[[Any, float], A
         along = s - par.path_wrap * par.path_length * floor(s * par.path_inverse_length)
         along = clip(along, 0.0, par.path_length)
         piece = find(par, along, clip(floor(along * par.path_inverse_cell), 0.0, par.path_last_cell))
-        return gather(par.path_coefficients, stride * piece, along - lookup(par.path_start, piece))
+        base, h = 6.0 * n_axis * piece, along - lookup(par.path_start, piece)
+        return tuple(zip(*(_quintic(par.path_coefficients, base + 6.0 * j, h) for j in range(n_axis)), strict=True))
 
     return evaluate
 

@@ -26,12 +26,11 @@ from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, check_view, view_of
 from contourlab.loop.batch_result import BatchResult
 from contourlab.loop.builder import Signals
-from contourlab.loop.doubtful import judge_doubtful
-from contourlab.loop.feeding import Feed, Learned
-from contourlab.loop.judging import JUDGE, PART, WATCH, effort_node, error_figures, judge_node, part_nodes, sums_of
+from contourlab.loop.feeding import BLOCK, Feed, Learned
+from contourlab.loop.judging import JUDGE, PART, WATCH, effort_node, error_figures, judge_doubtful, judge_node, part_nodes, sums_of
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.parameters import matching, parameter_names, parameters_of
-from contourlab.loop.simulate import BLOCK, check_kinds, jit_enabled, sampler
+from contourlab.loop.simulate import check_kinds, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
 from contourlab.metrics.judge import stands_still
 from contourlab.metrics.run_figures import EFFORT, FIGURES
@@ -129,29 +128,30 @@ def simulate_batch(
     view = view or view_of(reference.path)
     compiled = jit_enabled(jit)
     feed = Feed(machine, controller, reference, learned, sampler(compiled))
-    first, _ = feed.block(0, min(BLOCK, reference.n_sample))
+    begin = feed.first(moving=moving)
     extra: tuple[Node | Callable[[Signals], Node], ...] = (judge_node(machine, reference, view),) if judge else ()
     blended = part and reference.programmed is not reference.path
     if blended:
         extra += part_nodes(machine, reference)
     if effort:
         extra += (lambda signals: effort_node(machine, reference, signals["command"], columns),)
-    start, progress_at = first.position[0], float(first.arc_length[0])
-    speed = first.velocity[0] if moving else None
-    loop = build(machine, controller, reference.path, start, progress_at, columns, view, extra, seeds, fed=feed.names, velocity=speed)
-    workers = threads or os.cpu_count() or 1
-    device = gpu_of_process() if gpu else None
+    loop = build(
+        machine, controller, reference.path, **begin, overrides=columns, view=view, extra=extra, seed=seeds, fed=feed.names
+    )  # fmt: skip
+    workers, device = threads or os.cpu_count() or 1, gpu_of_process() if gpu else None
     lanes = lanes_of(n, sum(memory_rows(loop.schedule))) if gpu else LANES
     groups = [make_group(loop.schedule, lanes, slice(i, i + lanes), compiled, device) for i in range(0, n, lanes)]
-    rows = [loop.schedule.row(signal) for name in keep for signal in _signal(loop, name)]
+    for name in keep:
+        if name not in loop.signals:
+            raise ParameterError("keep", name, "one of " + ", ".join(loop.signals))
+    rows = [loop.schedule.row(signal) for name in keep for signal in loop.signals[name]]
     shape = (len(groups), reference.n_sample, len(rows), lanes)
     log = reuse.log if reuse is not None and reuse.log.shape == shape else aligned(shape)
     failed = _advance_all(groups, feed, rows, log, 1 if gpu else workers, progress)[:n]
     sums = {name: sums_of(groups, name, n) for name in (JUDGE,) * judge + (PART,) * blended}
     if judge:
-        still = stands_still(reference, np.sqrt(sums[JUDGE][-1]))
-        failed = np.where((failed < 0) & still, reference.n_sample - 1, failed)
-    unsure = judge_doubtful(loop, machine, feed, sums, failed, compiled, workers, LANES)
+        failed = np.where((failed < 0) & stands_still(reference, np.sqrt(sums[JUDGE][-1])), reference.n_sample - 1, failed)
+    unsure = judge_doubtful(loop.schedule, loop.signals["axis_position"], machine, feed, sums, failed, compiled, workers, LANES)
     figures = error_figures(sums[JUDGE], failed, machine.servo_period) if judge else {}
     if part:
         figures |= error_figures(sums[PART if blended else JUDGE], failed, machine.servo_period, OF_PART)
@@ -175,8 +175,8 @@ def _advance_all(
 
     workers = min(threads, len(groups))
     with ThreadPoolExecutor(workers) if workers > 1 else nullcontext() as pool:
-        for k in range(0, feed.reference.n_sample, BLOCK):
-            _, external = feed.block(k, min(k + BLOCK, feed.reference.n_sample))
+        for k, stop in feed.reference.blocks(BLOCK):
+            _, external = feed.block(k, stop)
             work = partial(advance, external=external, k=k)
             for done, _ in enumerate((pool.map if pool is not None else map)(work, range(len(groups))), 1):
                 if progress is not None:
@@ -277,19 +277,8 @@ def _check_substeps(machine: Machine, columns: Mapping[str, Array]) -> None:
                 raise ParameterError(f"axes.{axis.name}.substeps", f"{axis.substeps}", bound)
 
 
-def _signal(loop: Loop, name: str) -> tuple[str, ...]:
-    if name not in loop.signals:
-        raise ParameterError("keep", name, "one of " + ", ".join(loop.signals))
-    return loop.signals[name]
-
-
 def _split(kept: Array, n: int, keep: Sequence[str], loop: Loop) -> dict[str, Array]:
-    signals, column = {}, 0
-    for name in keep:
-        width = len(loop.signals[name])
-        part = kept[:, :, column : column + width]
-        # One group is a view; several are concatenated.
-        joined = part[0] if len(part) == 1 else np.concatenate(list(part), axis=2)
-        signals[name] = joined[:, :, :n]
-        column += width
-    return signals
+    parts = np.split(kept, np.cumsum([0, *(len(loop.signals[name]) for name in keep)])[1:-1], axis=2)
+    # One group is a view; several are concatenated.
+    joined = (part[0] if len(part) == 1 else np.concatenate(list(part), axis=2) for part in parts)
+    return {name: part[:, :, :n] for name, part in zip(keep, joined, strict=False)}

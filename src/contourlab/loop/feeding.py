@@ -13,6 +13,8 @@ from contourlab.errors import ParameterError
 from contourlab.feed import Reference, ReferenceBlock
 from contourlab.loop.machine import Controller, Machine
 
+BLOCK = 1 << 16
+"""Samples of a block."""
 LEARNED_COMMAND, LEARNED_REFERENCE, AHEAD = "learned_command", "learned_reference", "reference_ahead"
 SOURCE_LINE = "source_line"
 
@@ -89,6 +91,12 @@ class Feed:
         }
         self.names = tuple(name for name, wanted in fed.items() if wanted)
 
+    def first(self, size: int = BLOCK, *, moving: bool = False) -> dict[str, Any]:
+        """Return what the first block tells `contourlab.loop.template.build`; axes that are `moving` start at the reference's velocity."""
+        first, _ = self.block(0, min(size, self.reference.n_sample))
+        speed = first.velocity[0] if moving else None
+        return {"start": first.position[0], "progress": float(first.arc_length[0]), "velocity": speed}
+
     def block(self, start: int, stop: int) -> tuple[ReferenceBlock, Array]:
         """Return all inputs of a block: (n, n_external), each signal contiguous."""
         asked = self.reference.block(start, stop, self._fill)
@@ -106,8 +114,7 @@ class Feed:
 
     def _coming(self, start: int, stop: int) -> Array:
         """Return the reference positions of later ticks; the last position holds beyond the end."""
-        last = self.reference.n_sample
-        far = min(stop + max(self._ahead), last)
+        far = min(stop + max(self._ahead), self.reference.n_sample)
         position = self.reference.block(start, far, self._fill).position
         index = np.arange(stop - start)
         return np.column_stack([position[np.minimum(index + ticks, far - start - 1), j] for j, ticks in enumerate(self._ahead)])

@@ -1,4 +1,4 @@
-"""Nodes that judge and watch a run without acting on it, their figures, and the judge of a finished trial."""
+"""Nodes that judge and watch a run without acting on it, their figures, and the exact judge of finished trials and doubtful samples."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ import math
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import cache, lru_cache
+from functools import cache, lru_cache, partial
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -15,17 +16,17 @@ from contourlab.arrays import Array, Index
 from contourlab.components.estimator.newton import Newton
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Late, Node, Schedule
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Port, Step, ports
 from contourlab.feed import Reference
 from contourlab.geometry import Path
 from contourlab.geometry.clearance import clearance
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.builder import accepted_output
+from contourlab.loop.feeding import BLOCK, Feed
 from contourlab.loop.machine import Axis, Machine
 from contourlab.metrics.judge import MARGIN, planning_deviation, reach
 from contourlab.metrics.run_figures import CONTOUR, EFFORT, figures_from
 from contourlab.metrics.streaming import EFFORT_SUMS, SUMS, effort_step, judge_step
-from contourlab.native.generated import generated
 from contourlab.primitives import fabs, lookup, select
 from contourlab.result import Status
 from contourlab.threads import in_threads
@@ -56,18 +57,12 @@ def part_nodes(machine: Machine, reference: Reference) -> tuple[Node, Node]:
 @lru_cache(maxsize=4)
 def _planned(reference: Reference) -> tuple[float, Array]:
     """Return the largest planning deviation [m], and the place (n_sample,) [m] of the reference on the programmed path."""
-    blocks = (reference.block(k, min(k + _PLACES, reference.n_sample)) for k in range(0, reference.n_sample, _PLACES))
+    blocks = (reference.block(*samples) for samples in reference.blocks(BLOCK))
     planning, place = zip(*(planning_deviation(reference, block.position, block.arc_length) for block in blocks), strict=True)
     return max(float(np.abs(part).max()) for part in planning), np.concatenate(place)
 
 
-def _place_step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-    return (), (lookup(par.place, clock.k),)
-
-
-_PLACES = 1 << 16
-"""Samples of the reference in memory at once."""
-_PLACE_STEP = Step(PLACE, _place_step, (), ("place",), "", (), (), (Port("arc_length"),))
+_PLACE_STEP = Step(PLACE, lambda par, x, inp, clock: ((), (lookup(par.place, clock.k),)), tables=("place",), outputs=ports("arc_length"))
 
 
 def _judge_node(
@@ -106,10 +101,9 @@ def effort_node(machine: Machine, reference: Reference, commands: Sequence[str],
 
 def _rate(axis: Axis, columns: Mapping[str, Array]) -> float | Array:
     """Return one over the limit of a drive, an array if it differs between variants; 1 without a limit."""
-    limit = columns.get(f"axes.{axis.name}.drive.limit", getattr(axis.drive, "limit", math.inf))
-    if isinstance(limit, np.ndarray):
-        return np.where(np.isfinite(limit), 1.0 / limit, 1.0)
-    return 1.0 / limit if math.isfinite(limit) else 1.0
+    limit = np.asarray(columns.get(f"axes.{axis.name}.drive.limit", getattr(axis.drive, "limit", math.inf)))
+    rate = np.where(np.isfinite(limit), 1.0 / limit, 1.0)
+    return rate if rate.ndim else float(rate)
 
 
 def sums_of(groups: list[Group], node: str, n: int) -> Array:
@@ -119,31 +113,28 @@ def sums_of(groups: list[Group], node: str, n: int) -> Array:
 
 def error_figures(sums: Array, failed: Index, period: float, source: str = CONTOUR) -> dict[str, Array]:
     """Return the figures of a source from its node's states in all lanes (n_state, n); NaN for a lane that failed."""
-    states = EFFORT_SUMS if source == EFFORT else ("foot", *SUMS)
-    figures = figures_from(source, dict(zip(states, sums, strict=True)), period)
+    figures = figures_from(source, dict(zip(EFFORT_SUMS if source == EFFORT else ("foot", *SUMS), sums, strict=True)), period)
     return {name: np.where(failed < 0, values, np.nan) for name, values in figures.items()}
 
 
 WATCH = "watch"
-_STATES = (Port("first"), Port("axis"), Port("gap"))
 
-_AXIS = """
-    gap = fabs(inp.reference[{i}] - inp.position[{i}])
-    # A number that is not finite fails both comparisons.
-    sound = select(gap <= par.limit_{i}, select(inp.command[{i}] - inp.command[{i}] == 0.0, 1.0, 0.0), 0.0)
-    fresh = select(x_first < 0.0, 1.0 - sound, 0.0) > 0.5
-    x_first, x_axis, x_gap = select(fresh, clock.k, x_first), select(fresh, {i}.0, x_axis), select(fresh, gap, x_gap)
-"""
+
+def _watch(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+    first, axis, largest = x
+    for i in range(len(par)):
+        gap = fabs(inp.reference[i] - inp.position[i])
+        # A number that is not finite fails both comparisons.
+        sound = select(gap <= par[i], select(inp.command[i] - inp.command[i] == 0.0, 1.0, 0.0), 0.0)
+        fresh = select(first < 0.0, 1.0 - sound, 0.0) > 0.5
+        first, axis, largest = select(fresh, clock.k, first), select(fresh, float(i), axis), select(fresh, gap, largest)
+    return (first, axis, largest), ()
 
 
 @cache
 def _watch_step(n_axis: int) -> Step:
-    body = "".join(_AXIS.format(i=i) for i in range(n_axis))
-    source = f"def step(par, x, inp, clock):\n    x_first, x_axis, x_gap = x{body}    return (x_first, x_axis, x_gap), ()\n"
-    scope: dict[str, Any] = {"__name__": __name__, "fabs": fabs, "select": select}
-    step = generated(source, scope, "step")
-    inputs = tuple(Port(name, n_axis) for name in ("reference", "position", "command"))
-    return Step(WATCH, step, tuple(f"limit_{i}" for i in range(n_axis)), (), "", _STATES, inputs, ())
+    inputs = ports("reference", "position", "command", size=n_axis)
+    return Step(WATCH, _watch, tuple(f"limit_{i}" for i in range(n_axis)), (), "", ports("first", "axis", "gap"), inputs, ())
 
 
 def watch_node(machine: Machine, commands: tuple[str, ...]) -> Node:
@@ -171,6 +162,14 @@ def watched(group: Group, machine: Machine, lane: int = 0) -> Status:
     if limit < gap < float("inf"):
         reason = f"following error {gap * 1e3:.4g} mm exceeds the limit of {limit * 1e3:.4g} mm"
     return Status(ok=False, sample=int(first), axis=machine.axis_names[int(axis)], reason=reason)
+
+
+def all_finite(group: Group, sample: int) -> Status:
+    """Return the failure of a group with a signal or state that is not finite after a sample."""
+    if group.finite().all():
+        return Status(ok=True)
+    node = group.first_bad_node()
+    return Status(ok=False, sample=sample, axis=node.split(".")[0], reason=f"{node} produced a value that is not finite")
 
 
 STRETCHES = 8
@@ -218,10 +217,9 @@ class TrialJudge:
         if vector:
             part = Newton(window=reach(reference.path, most_error(machine)), iterations=3.0)
             step, values = part.path_step(view, n), {**part.block(machine.servo_period), **view.parameters}
-            measured = {"position": "in.measured", "arc_length": "in.arc_length"}
-            nodes.append(Node("vector", step, measured, values, view.tables))
-        ports = (Port("position", n), Port("measured", n), Port("reference", n), Port("arc_length"))
-        schedule = Schedule(tuple(nodes), ports, machine.servo_period, len(nodes))
+            nodes.append(Node("vector", step, {"position": "in.measured", "arc_length": "in.arc_length"}, values, view.tables))
+        externals = (*ports("position", "measured", "reference", size=n), Port("arc_length"))
+        schedule = Schedule(tuple(nodes), externals, machine.servo_period, len(nodes))
         self._external = np.empty((3 * n + 1, n_sample))
         self._external[2 * n : 3 * n], self._external[3 * n] = position.T, arc_length
         self._rows = [schedule.row("judge.contour_error"), schedule.row("judge.doubt")]
@@ -266,3 +264,84 @@ class TrialJudge:
         group.restore(fresh)
         cut = slice(self._borders[i], self._borders[i + 1])
         group.run(self._external.T[cut], self._rows, self._log[cut])
+
+
+_AT_ONCE = 1 << 13
+"""Samples of a lane that are judged exactly at once."""
+_ROW = {name: 1 + i for i, name in enumerate(SUMS)}
+
+
+def judge_doubtful(
+    schedule: Schedule,
+    positions: Sequence[str],
+    machine: Machine,
+    feed: Feed,
+    sums: Mapping[str, Array],
+    failed: Index,
+    jit: bool,
+    threads: int,
+    lanes: int,
+) -> Array:
+    """Run all variants with doubtful samples again, unless they failed, and judge these samples exactly.
+
+    Parameters
+    ----------
+    schedule : Schedule
+        With the judges.
+    positions : sequence of str
+        Signals of the axes' true positions.
+    sums : mapping of str to ndarray (n_state, n)
+        The states of each judge in all variants: those of variants with doubtful samples are replaced.
+    failed : ndarray (n,) of int
+        -1 for a variant that did not fail.
+
+    Returns
+    -------
+    ndarray (n,)
+        Samples that nobody has judged exactly, of variants that failed.
+    """
+    unsure: Array = sum((total[_ROW["unsure"]] for total in sums.values()), np.zeros(failed.size))
+    doubtful = np.flatnonzero((unsure > 0.0) & (failed < 0))
+    if not doubtful.size:
+        return unsure
+    reference, n = feed.reference, feed.reference.n_axis
+    rows = [schedule.row(signal) for signal in (*positions, *(f"{name}.doubt" for name in sums))]
+    paths = {JUDGE: reference.path, PART: reference.programmed}
+    nodes = {node.name: node for node in schedule.nodes}
+    for name in sums:
+        numbers, cells = room_for(paths[name], most_error(machine), float(nodes[name].parameters["planning"]))
+        wide: dict[str, Any] = {"parameters": {**nodes[name].parameters, **numbers}, "tables": {**nodes[name].tables, **cells}}
+        nodes[name] = replace(nodes[name], **wide)
+    schedule = replace(schedule, nodes=tuple(nodes.values()))
+    groups = [make_group(schedule, lanes, doubtful[i : i + lanes], jit) for i in range(0, doubtful.size, lanes)]
+
+    def again(group: Group, k: int, external: Array, arc_length: Array) -> None:
+        log, samples = group.run(external, rows), slice(k, k + len(external))
+        for (j, name), (lane, variant) in product(enumerate(sums, n), enumerate(np.asarray(group.lanes).tolist())):
+            here = np.flatnonzero(nodes[name].tables["counts"][samples] * log[:, j, lane])
+            if here.size:
+                path, around = paths[name], nodes[PLACE].tables["place"][samples] if name == PART else arc_length
+                window = reach(path, float(np.sqrt(sums[name][-1, variant]))) + float(nodes[name].parameters["planning"])
+                # Each lane on its own: the last digits of a foot point depend on what is searched together.
+                feet = path.foot_point(log[here, :n, lane], around[here], window)
+                _add(group.state_of(name)[:, lane], feet.signed if path.is_planar else feet.distance, k + here)
+
+    for first, stop in reference.blocks(BLOCK):
+        asked, external = feed.block(first, stop)
+        for k in range(0, len(external), _AT_ONCE):
+            cut = slice(k, k + _AT_ONCE)
+            in_threads(partial(again, k=first + k, external=external[cut], arc_length=asked.arc_length[cut]), groups, threads)
+    for name, total in sums.items():
+        total[:, doubtful] = sums_of(groups, name, doubtful.size)
+    unsure[doubtful] = 0.0
+    return unsure
+
+
+def _add(states: Array, error: Array, samples: Index) -> None:
+    """Add the exact errors (n,) of some samples to the states of a judge in one lane."""
+    size = np.abs(error)
+    for name, values in (("sum_magnitude", size), ("sum_square", size**2), ("sum_signed", error)):
+        states[_ROW[name]] += values.sum()
+    worst, largest = int(np.argmax(size)), [_ROW["largest"], _ROW["largest_at"]]
+    if (size[worst], -samples[worst]) > (states[largest[0]], -states[largest[1]]):
+        states[largest] = size[worst], samples[worst]

@@ -24,14 +24,17 @@ _STANDING = re.compile(r"(^|_)(position|reference|reference_total|reference_ahea
 """Signals that equal the axis' initial position before the first message."""
 
 
-def _subtract(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-    return (), (inp.command - inp.estimate,)
+_COMPENSATED = Step(
+    "compensated",
+    lambda par, x, inp, clock: ((), (inp.command - inp.estimate,)),
+    inputs=ports("command", "estimate"),
+    outputs=ports("command"),
+)
 
 
 def subtract_node(axis: str, command: str) -> Node:
     """Return the node in the axis that subtracts its observer's estimate from the base's command."""
-    step = Step("compensated", _subtract, (), (), "", (), ports("command", "estimate"), ports("command"))
-    return Node(f"{axis}.compensated", step, {"command": command, "estimate": f"{axis}.observer.disturbance_estimate"})
+    return Node(f"{axis}.compensated", _COMPENSATED, {"command": command, "estimate": f"{axis}.observer.disturbance_estimate"})
 
 
 def _keep(par: Any, x: Any, inp: Any, clock: Any) -> Any:
@@ -44,12 +47,8 @@ def _take(par: Any, x: Any, inp: Any, clock: Any) -> Any:
     return (), (select(inp.short > 0.5, inp.taken, inp.own),)
 
 
-def _echo(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-    return (), (inp.own,)
-
-
 _KEPT = Step("kept", _keep, (), (), "", (), ports("received", "command", "accepted", "estimate"), ports("taken", "short"))
-_ECHO = Step("echo", _echo, (), (), "", (), ports("own"), ports("accepted"))
+_ECHO = Step("echo", lambda par, x, inp, clock: ((), (inp.own,)), inputs=ports("own"), outputs=ports("accepted"))
 _TAKEN = Step("taken", _take, (), (), "", (), ports("own", "taken", "short"), ports("accepted"))
 
 
@@ -127,11 +126,9 @@ class _LinkInsertion:
     def link(self, axis: str, direction: str, wire: Any, signal: str, n: int) -> Any:
         """Add a node of a link and return the wire after it."""
         builder = self.builder
-        division = builder.controller.axes[axis].link
-        part = getattr(division, direction)
+        part = getattr(builder.controller.axes[axis].link, direction)
         if part is None:
-            wanted = f"a link, because the base needs {signal} of the axis"
-            raise ParameterError(f"controller.axes.{axis}.link.up", '"none"', wanted)
+            raise ParameterError(f"controller.axes.{axis}.link.up", '"none"', f"a link, because the base needs {signal} of the axis")
         if isinstance(part, IdealLink):
             return wire
         label = re.sub(r"\[\d+\]", "", signal.partition(".")[2]).replace(".", "_")

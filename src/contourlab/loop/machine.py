@@ -298,8 +298,7 @@ class AxisController:
             raise ParameterError("others", f"{len(self.others)} controllers", bound)
         uses = any(part is not None and part.takes("velocity") for part in (self.controller, self.observer))
         if self.predictor is not None and uses and isinstance(self.velocity, TrueVelocity):
-            wanted = 'computed from the predicted position, for example by "filtered-difference"'
-            raise ParameterError("velocity", '"true"', wanted)
+            raise ParameterError("velocity", '"true"', 'computed from the predicted position, for example by "filtered-difference"')
         if self.link is not None:
             self._check_link(self.link)
 

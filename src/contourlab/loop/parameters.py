@@ -23,23 +23,14 @@ def parameters_of(machine: Machine, controller: Controller) -> Known:
 
     Names read ``axes.x.plant.gain``, ``controller.axes.x.observer.bandwidth``, ``controller.coupling.weight``.
     """
-    parameters: Known = {}
-
-    def collect(prefix: str, part: Any) -> None:
-        if part is not None:
-            parameters.update({f"{prefix}.{name}": (part, name) for name in part.numeric()})
-
+    parts: dict[str, Any] = {}
     for axis in machine.axes:
-        for slot in AXIS_SLOTS:
-            collect(f"axes.{axis.name}.{slot}", getattr(axis, slot))
-        parts = controller.axes[axis.name]
-        for slot, part in parts.parts.items():
-            collect(f"controller.axes.{axis.name}.{slot}", part)
-        for direction in ("down", "up") if parts.link is not None else ():
-            collect(f"controller.axes.{axis.name}.link.{direction}", getattr(parts.link, direction))
-    collect("controller.estimator", controller.estimator)
-    collect("controller.coupling", controller.coupling)
-    return parameters
+        own = controller.axes[axis.name]
+        parts |= {f"axes.{axis.name}.{slot}": getattr(axis, slot) for slot in AXIS_SLOTS}
+        parts |= {f"controller.axes.{axis.name}.{slot}": part for slot, part in own.parts.items()}
+        parts |= {f"controller.axes.{axis.name}.link.{way}": getattr(own.link, way, None) for way in ("down", "up")}
+    parts |= {"controller.estimator": controller.estimator, "controller.coupling": controller.coupling}
+    return {f"{prefix}.{name}": (part, name) for prefix, part in parts.items() if part is not None for name in part.numeric()}
 
 
 def parameter_names(machine: Machine, controller: Controller) -> dict[str, str]:

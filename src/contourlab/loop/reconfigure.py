@@ -98,8 +98,7 @@ def prepared(
         for name in machine.axis_names:
             # Messages on their way in a link could not be taken over.
             if name in change.controller.axes and change.controller.axes[name].link != controller.axes[name].link:
-                bound = "with the link of the first controller"
-                raise ParameterError("changes", f"a new link of axis {name} at {change.time:g} s", bound)
+                raise ParameterError("changes", f"a new link of axis {name} at {change.time:g} s", "with the link of the first controller")
         if sample < reference.n_sample:
             first = reference.block(0, 1).position[0]
             loop = build(machine, change.controller, reference.path, first, handover_time=change.handover_time, **given)

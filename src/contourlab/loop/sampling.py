@@ -43,8 +43,7 @@ def _in_reach(path: Path, progress: Array) -> tuple[Index, Array]:
     m, ends = len(path.curves), progress[[0, -1]]
     lap = np.floor(ends / path.length).astype(np.int64) if path.closed else np.zeros(2, dtype=np.int64)
     first, last = lap * m + path.curve_index(ends) + (-1, 1)
-    number = np.arange(first, last + 1) if path.closed else np.arange(max(first, 0), min(last, m - 1) + 1)
-    lap, curve = np.divmod(number, m)
+    lap, curve = np.divmod(np.arange(first, last + 1) if path.closed else np.arange(max(first, 0), min(last, m - 1) + 1), m)
     return curve, lap * path.length + path.breaks[curve]
 
 

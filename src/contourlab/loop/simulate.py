@@ -15,8 +15,8 @@ from contourlab.engine.runner import Group, make_group
 from contourlab.errors import DivergenceError, ParameterError
 from contourlab.feed import Reference, ReferenceBlock
 from contourlab.geometry.view import PathView, check_view
-from contourlab.loop.feeding import Feed, Learned
-from contourlab.loop.judging import watched
+from contourlab.loop.feeding import BLOCK, Feed, Learned
+from contourlab.loop.judging import all_finite, watched
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.parameters import with_values
 from contourlab.loop.reconfigure import Change, prepared, taken_over
@@ -24,8 +24,6 @@ from contourlab.loop.template import Loop, build
 from contourlab.loop.tool import ToolPosition
 from contourlab.result import Result, Signal, Status
 
-BLOCK = 1 << 16
-"""Samples of a block."""
 LONG_BLOCK = 1 << 20
 """Samples of a block where all signals stay in memory anyway: a run of one block is not copied."""
 
@@ -130,11 +128,11 @@ def simulate(
     if on_failure not in ("raise", "return"):
         raise ParameterError("on_failure", repr(on_failure), "'raise' or 'return'")
     kept: dict[str, Array] = {}
-    status = Status(ok=True)
-    done = 0
-    given: dict[str, Any] = {"seed": seed, "jit": jit, "view": view, "signals": signals, "learned": learned, "trial": trial}
-    given |= {"moving": moving, "changes": changes, "block": LONG_BLOCK}
-    for block, now in simulate_blocks(machine, controller, reference, **given):
+    status, done = Status(ok=True), 0
+    for block, now in simulate_blocks(
+        machine, controller, reference, seed=seed, jit=jit, view=view, signals=signals, block=LONG_BLOCK, learned=learned, trial=trial,
+        moving=moving, changes=changes,
+    ):  # fmt: skip
         status, before = now, done
         done += len(next(iter(block.values())))
         if before == 0:
@@ -170,13 +168,13 @@ def result_of(
     start: int = 0,
 ) -> Result:
     """Return the arrays of a run, or of a block that begins at sample `start`, as a labelled result."""
-    units = [axis.plant.command_unit for axis in machine.axes]
-    command_unit = units[0] if len(set(units)) == 1 else ", ".join(units)
+    commands = [axis.plant.command_unit for axis in machine.axes]
+    units = {unit: unit for unit in _OF_UNIT} | {"command": commands[0] if len(set(commands)) == 1 else ", ".join(commands)}
     return Result(
         scheme=scheme,
         axes=machine.axis_names,
         servo_period=machine.servo_period,
-        signals={name: make_signal(name, data, command_unit) for name, data in signals.items()},
+        signals={name: Signal(data, ("sample", "axis")[: data.ndim], units[UNITS[name]]) for name, data in signals.items()},
         status=status,
         attributes={
             "machine": machine.name,
@@ -187,13 +185,6 @@ def result_of(
         start=start,
         motion=reference,
     )
-
-
-def make_signal(name: str, data: Array, command_unit: str) -> Signal:
-    """Return an array as a labelled signal."""
-    unit = UNITS[name]
-    dims = ("sample", "axis") if data.ndim == 2 else ("sample",)
-    return Signal(data, dims, command_unit if unit == "command" else unit)
 
 
 def simulate_blocks(
@@ -219,11 +210,8 @@ def simulate_blocks(
     check_view(view, reference.path)
     compiled = jit_enabled(jit)
     feed = Feed(machine, controller, reference, learned, sampler(compiled))
-    first, _ = feed.block(0, min(block, reference.n_sample))
-    start_at: dict[str, Any] = {"start": first.position[0], "progress": float(first.arc_length[0])}
-    start_at["velocity"] = first.velocity[0] if moving else None
     given: dict[str, Any] = {"view": view, "seed": seed, "trial": trial, "fed": feed.names}
-    loop = build(machine, controller, reference.path, **start_at, **given)
+    loop = build(machine, controller, reference.path, **feed.first(block, moving=moving), **given)
     group = make_group(loop.schedule, 1, slice(0, 1), compiled)
     due = prepared(changes, machine, controller, reference, given, compiled)
     tool = ToolPosition(machine, seed, trial)
@@ -287,7 +275,6 @@ def _first_non_finite(group: Group, saved: Any, fed: Array, start: int) -> Statu
     group.restore(saved)
     for k, row in enumerate(fed):
         group.run(row[None, :], [])
-        if not group.finite().all():
-            node = group.first_bad_node()
-            return Status(ok=False, sample=start + k, axis=node.split(".")[0], reason=f"{node} produced a value that is not finite")
+        if not (status := all_finite(group, start + k)).ok:
+            return status
     return Status(ok=True)

@@ -182,8 +182,8 @@ class SwitchLog:
         return made
 
     def _axes(self, result: Result) -> list[str]:
-        some = [name for name in result.axes if any(one.axes[name].supervisor is not None for one in self._controllers)]
-        return list(result.axes) if self.changes else some
+        led = (name for name in result.axes if any(one.axes[name].supervisor is not None for one in self._controllers))
+        return list(result.axes if self.changes else led)
 
     def _stretches(self, result: Result, axis: str) -> list[tuple[int, int, _Labels, str]]:
         """Return the stretches of a block with one set of controllers: samples, names, and the reason of the take-over."""
@@ -191,9 +191,8 @@ class SwitchLog:
         for change in sorted(self.changes, key=lambda one: one.time):
             sample = change.sample(self.servo_period)
             label = Path(change.file).stem or f"from {change.time:g} s"
-            edges.append(
-                (sample, _Labels(change.controller.axes[axis], label), f"the controller of {change.file or 'a change'} takes over")
-            )
+            why = f"the controller of {change.file or 'a change'} takes over"
+            edges.append((sample, _Labels(change.controller.axes[axis], label), why))
         ends = [sample for sample, _, _ in edges[1:]] + [result.start + result.n_sample]
         stretches = []
         for (begin, names, why), end in zip(edges, ends, strict=True):
@@ -239,9 +238,7 @@ class _Labels:
 
     def controller(self, number: int) -> str:
         name = self.names[number] if 0 <= number < len(self.names) else f"number {number}"
-        if not self.label:
-            return name
-        return f"{self.label}: {name}" if len(self.names) > 1 else self.label
+        return name if not self.label else f"{self.label}: {name}" if len(self.names) > 1 else self.label
 
     def reason(self, number: int, after: int) -> str:
         if not 1 <= number <= len(self.reasons):

@@ -23,7 +23,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import cache
 from types import SimpleNamespace
 from typing import Any
 
@@ -38,14 +37,12 @@ from contourlab.engine.step import Port, Step, ports
 from contourlab.errors import ParameterError
 from contourlab.geometry import Path
 from contourlab.geometry.view import PathView, view_of
-from contourlab.loop.builder import ZERO, Builder, Overrides, Signals, sum_step
+from contourlab.loop.builder import ZERO, Builder, Overrides, Sensing, Signals, sum_step
 from contourlab.loop.feeding import AHEAD, LEARNED_COMMAND, LEARNED_REFERENCE, SOURCE_LINE
 from contourlab.loop.judging import watch_node
 from contourlab.loop.link_insertion import add_taken, insert_links, subtract_node
 from contourlab.loop.machine import Axis, Controller, Machine
-from contourlab.loop.sensing import Sensing
 from contourlab.loop.tool import check_seed
-from contourlab.native.generated import generated
 from contourlab.primitives import select
 
 
@@ -55,15 +52,18 @@ def add_plants(builder: Builder) -> None:
         name, prefix = axis.name, f"axes.{axis.name}"
         load: Any = 0.0
         if axis.disturbance is not None:
-            wires = {"position": Late(f"{name}.plant.position")}
-            builder.add(f"{name}.disturbance", axis.disturbance, f"{prefix}.disturbance", wires)
+            builder.add(f"{name}.disturbance", axis.disturbance, f"{prefix}.disturbance", {"position": Late(f"{name}.plant.position")})
             load = f"{name}.disturbance.force"
         # Two modules that move along each other exchange the inertia force of the mass that the upper one moves.
         partners = {a.name: a.alignment * _moved_mass(builder, a) for a in builder.machine.axes if a.mounted_on == name and a.alignment}
         if axis.mounted_on and axis.alignment:
             partners[axis.mounted_on] = axis.alignment * _moved_mass(builder, axis)
         if partners:
-            load = _reaction(builder, name, load, partners)
+            forces: dict[str, Any] = {f"acceleration_{other}": Late(f"{other}.plant.acceleration") for other in partners}
+            masses = {f"mass_{other}": mass for other, mass in partners.items()}
+            step = Step("load", _react, tuple(masses), inputs=ports("load", *forces), outputs=ports("force"))
+            builder.nodes.append(Node(f"{name}.load", step, {"load": load, **forces}, masses))
+            load = f"{name}.load.force"
         rubbing = axis.friction.block(builder.period, builder.changed(f"{prefix}.friction"))
         values = _carrying(builder, axis) | {f"{friction_prefix(axis.plant)}{row}": value for row, value in rubbing.items()}
         on_motor = axis.motor_friction.block(builder.period, builder.changed(f"{prefix}.motor_friction"))
@@ -112,34 +112,22 @@ def _moved_mass(builder: Builder, axis: Axis) -> Any:
     return type(axis.plant).moved_mass(SimpleNamespace(**_carrying(builder, axis)))
 
 
-def _reaction(builder: Builder, name: str, load: Any, partners: Mapping[str, Any]) -> str:
-    """Add the node that sums the loads on an axis: its disturbance, and the inertia of axes that move along it."""
-    step = _reaction_step(tuple(partners))
-    forces: dict[str, Any] = {f"acceleration_{other}": Late(f"{other}.plant.acceleration") for other in partners}
-    builder.nodes.append(Node(f"{name}.load", step, {"load": load, **forces}, {f"mass_{other}": mass for other, mass in partners.items()}))
-    return f"{name}.load.force"
-
-
-@cache
-def _reaction_step(partners: tuple[str, ...]) -> Step:
-    ports = (Port("load"), *(Port(f"acceleration_{name}") for name in partners))
-    terms = "".join(f" - par.mass_{name} * inp.acceleration_{name}" for name in partners)
-    scope: dict[str, Any] = {"__name__": __name__}
-    step = generated(f"def step(par, x, inp, clock):\n    return (), (inp.load{terms},)\n", scope, "step")
-    return Step("load", step, tuple(f"mass_{name}" for name in partners), (), "", (), ports, (Port("force"),))
+def _react(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+    """Sum the loads on an axis: its disturbance, and the inertia of axes that move along it."""
+    load = inp.load
+    for i in range(len(par)):
+        load = load - par[i] * inp[i + 1]
+    return (), (load,)
 
 
 def conditioned(part: Component) -> Component:
     """Return a controller that can run in parallel with others: with back-calculation, since a held integral would not follow."""
-    if "anti_windup" not in part.parameters or part.values()["anti_windup"] != "hold":
-        return part
-    if "back-calculation" not in part.parameters["anti_windup"].choices:
-        return part
-    tracking: Component = part.replace(anti_windup="back-calculation")
-    return tracking
+    held = "anti_windup" in part.parameters and part.values()["anti_windup"] == "hold"
+    if held and "back-calculation" in part.parameters["anti_windup"].choices:
+        part = part.replace(anti_windup="back-calculation")
+    return part
 
 
-@cache
 def handover_step(n: int) -> Step:
     """Return the step that passes on the active one of `n` commands, and hands over without a bump.
 
@@ -147,9 +135,8 @@ def handover_step(n: int) -> Step:
     its own command, minus the hand-over offset. For the others it is the executed command, so that their integrals follow it. The remaining
     difference at a switch becomes an offset, which decays with the supervisor's `handover_time`.
     """
-    inputs = (Port("commands", n), Port("active"), Port("accepted"))
-    outputs = (Port("command"), Port("active"), Port("offset"))
-    return Step("handover", _hand_over, ("kept", "blended"), (), "", (Port("active"), Port("offset")), inputs, outputs)
+    inputs, outputs = (Port("commands", n), *ports("active", "accepted")), ports("command", "active", "offset")
+    return Step("handover", _hand_over, ("kept", "blended"), (), "", ports("active", "offset"), inputs, outputs)
 
 
 def _hand_over(par: Any, x: Any, inp: Any, clock: Any) -> Any:
@@ -163,11 +150,12 @@ def _hand_over(par: Any, x: Any, inp: Any, clock: Any) -> Any:
     return (inp.active, par.kept * offset), (wanted + offset + 0.0 * inp.active, inp.active, offset)
 
 
-def _accept(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-    return (), (inp.accepted - select(inp.active == inp.number, inp.offset, 0.0),)
-
-
-ACCEPTED = Step("told", _accept, (), (), "", (), ports("accepted", "active", "offset", "number"), ports("accepted"))
+ACCEPTED = Step(
+    "told",
+    lambda par, x, inp, clock: ((), (inp.accepted - select(inp.active == inp.number, inp.offset, 0.0),)),
+    inputs=ports("accepted", "active", "offset", "number"),
+    outputs=ports("accepted"),
+)
 """Accepted part of the command of the controller with this number."""
 
 
@@ -246,12 +234,13 @@ class Loop:
     signals: Signals
 
 
-def _unfilter(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+UNFILTERED = Step(
+    "unfiltered",
     # Exactly the command while the drive accepts everything: a filter must not look like a limit.
-    return (), (inp.command - (inp.filtered - inp.accepted),)
-
-
-UNFILTERED = Step("unfiltered", _unfilter, (), (), "", (), ports("command", "filtered", "accepted"), ports("accepted"))
+    lambda par, x, inp, clock: ((), (inp.command - (inp.filtered - inp.accepted),)),
+    inputs=ports("command", "filtered", "accepted"),
+    outputs=ports("accepted"),
+)
 """A command before its filters, less what the drive did not accept of it after them."""
 EXTERNALS = ("reference", "reference_velocity", "reference_acceleration")
 
@@ -305,12 +294,11 @@ class _Slots(Builder):
                 if part is not None:
                     self.add(f"{name}.{slot}", part, f"{prefix}.{slot}", self.wires_of(part, name, offered), float(at))
             here = self.compensated_in_axis(name)
-            subtracted = parts.observer is not None and not here
             offered |= {
                 "reference": self.followed(name, j),
                 "position": seen.position,
                 "velocity": seen.velocity,
-                "disturbance_estimate": f"{name}.observer.disturbance_estimate" if subtracted else 0.0,
+                "disturbance_estimate": f"{name}.observer.disturbance_estimate" if parts.observer is not None and not here else 0.0,
                 "feedforward": self.added(name, j),
             }
             self.decide(name, float(at), offered)
@@ -336,10 +324,9 @@ class _Slots(Builder):
         for port in part.inputs:
             if port.name in offered:
                 wires[port.name] = offered[port.name]
-            elif port.name.startswith(("motor_", "load_")):
-                wires[port.name] = seen.both_sides(port.name)
             else:
-                wires[port.name] = seen.observed_gap(port.name)
+                measured = port.name.startswith(("motor_", "load_"))
+                wires[port.name] = seen.both_sides(port.name) if measured else seen.observed_gap(port.name)
         return wires
 
     def decide(self, name: str, at: float, offered: Mapping[str, Any]) -> None:
@@ -376,8 +363,8 @@ class _Slots(Builder):
         wires = {"commands": commands, "active": active, "accepted": self.accepted(name)}
         # After a take-over from another loop, the active controller is none of this loop.
         before = {} if self.handover_time is None else {"active": -1.0}
-        parameters = handover_parameters(time, self.period)
-        self.nodes.append(Node(f"{name}.handover", handover_step(len(commands)), wires, parameters, initial=before))
+        step, parameters = handover_step(len(commands)), handover_parameters(time, self.period)
+        self.nodes.append(Node(f"{name}.handover", step, wires, parameters, initial=before))
 
     def followed(self, name: str, j: int) -> Any:
         """Return the wire of an axis' reference position."""

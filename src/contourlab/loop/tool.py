@@ -20,8 +20,7 @@ def check_seed(seed: object, name: str = "seed") -> None:
 
 def stream_of(seed: int, *words: object) -> float:
     """Return the number of a noise stream, below 2**48, from a seed and its use (variant, trial, axis, signal)."""
-    digest = hashlib.sha256("/".join(str(word) for word in (seed, *words)).encode()).digest()
-    return float(int.from_bytes(digest[:6], "big"))
+    return float(int.from_bytes(hashlib.sha256("/".join(map(str, (seed, *words))).encode()).digest()[:6], "big"))
 
 
 class ToolPosition:
@@ -58,8 +57,7 @@ class ToolPosition:
     def _approach_offset(self, j: int, velocity: Array, deviation: float) -> Array:
         direction = np.sign(velocity)
         # At rest the last direction of motion holds.
-        moving = np.where(direction != 0.0, np.arange(1, len(direction) + 1), 0)
-        last = np.maximum.accumulate(moving)
+        last = np.maximum.accumulate(np.where(direction != 0.0, np.arange(1, len(direction) + 1), 0))
         direction = np.where(last > 0, direction[np.maximum(last - 1, 0)], self._direction[j])
         before = np.concatenate([[self._direction[j]], direction[:-1]])
         count = self._reversals[j] + np.cumsum((direction != before) & (before != 0.0))

@@ -15,14 +15,14 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.ideal import IdealSensor
-from contourlab.engine.runner import Group, make_group
+from contourlab.engine.runner import make_group
 from contourlab.engine.schedule import Late, Schedule
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, check_view, view_of
-from contourlab.loop.feeding import LEARNED_COMMAND, LEARNED_REFERENCE, Feed, Learned
-from contourlab.loop.judging import TrialJudge, watched
+from contourlab.loop.feeding import BLOCK, LEARNED_COMMAND, LEARNED_REFERENCE, Feed, Learned
+from contourlab.loop.judging import TrialJudge, all_finite, watched
 from contourlab.loop.machine import AxisController, Controller, Machine
-from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
+from contourlab.loop.simulate import jit_enabled, sampler
 from contourlab.loop.template import Loop, build
 from contourlab.loop.tool import ToolPosition
 from contourlab.metrics.judge import furthest, reach
@@ -115,11 +115,10 @@ class Trials:
         self.machine, self.controller, self.reference, self.seed = machine, controller, reference, seed
         check_view(view, reference.path)
         compiled = jit_enabled(jit)
-        self.judged = reference.judged.samples
-        n = reference.n_sample
+        self.judged, n = reference.judged.samples, reference.n_sample
         self._feed = Feed(machine, controller, reference, Learned(**{target: np.zeros((n, reference.n_axis))}), sampler(compiled))
         self._fed = LEARNED_COMMAND if target == "command" else LEARNED_REFERENCE
-        blocks = [self._feed.block(k, min(k + BLOCK, n)) for k in range(0, n, BLOCK)]
+        blocks = [self._feed.block(*samples) for samples in reference.blocks(BLOCK)]
         self._blocks = [fed for _, fed in blocks]
         self.position = np.concatenate([asked.position.T for asked, _ in blocks], axis=1).T
         self.arc_length = np.concatenate([asked.arc_length for asked, _ in blocks])
@@ -134,14 +133,12 @@ class Trials:
         self._drive_limit = np.array([float(getattr(axis.drive, "limit", np.inf)) for axis in machine.axes])
         own = (controller.axes[name].controller for name in machine.axis_names)
         self._own_limit = np.array([float(getattr(part, "command_limit", np.inf)) for part in own])
-        seen = view or view_of(reference.path)
-        self._judge = TrialJudge(machine, reference, seen, self.position, self.arc_length, vector, compiled)
+        self._judge = TrialJudge(machine, reference, view or view_of(reference.path), self.position, self.arc_length, vector, compiled)
         self.engine_seconds = self.judge_seconds = 0.0
 
     def _built(self, trial: int) -> Loop:
-        start, progress = self.position[0], float(self.arc_length[0])
         given: dict[str, Any] = {"view": self._view, "seed": self.seed, "trial": trial, "fed": self._feed.names}
-        return build(self.machine, self.controller, self.reference.path, start, progress, **given)
+        return build(self.machine, self.controller, self.reference.path, **self._feed.first(), **given)
 
     def _wanted(self) -> dict[str, int]:
         """Return the logged signals, and the column of each."""
@@ -174,7 +171,8 @@ class Trials:
             stop = k + len(external)
             external[:, first : first + self.reference.n_axis] = 0.0 if table is None else table[k:stop]
             group.run(external, rows, self._log[k:stop])
-            status, k = self._status(group, stop), stop
+            status, k = watched(group, self.machine), stop
+            status = all_finite(group, stop - 1) if status.ok else status
             if progress is not None:
                 progress(k)
             if not status.ok:
@@ -191,13 +189,6 @@ class Trials:
                 memory[:, 0] = [float(node.parameters[name]) for name in node.step.parameters]
         self._group.refresh()
 
-    def _status(self, group: Group, stop: int) -> Status:
-        status = watched(group, self.machine)
-        if status.ok and not group.finite().all():
-            node = group.first_bad_node()
-            return Status(ok=False, sample=stop - 1, axis=node.split(".")[0], reason=f"{node} produced a value that is not finite")
-        return status
-
     def _trial(self, status: Status, trial: int) -> Trial:
         # Transposed once, so that what follows runs along memory.
         rows = np.ascontiguousarray(self._log[:, :, 0].T)
@@ -211,9 +202,8 @@ class Trials:
             if self._estimate_of(name) in self._column:
                 estimate[:, j] = rows[self._column[self._estimate_of(name)]]
         if not status.ok:
-            nan, no_excess = np.nan, np.zeros_like(command)
-            unknown = np.full(len(position), nan)
-            return Trial(status, position, measured, position, command, no_excess, estimate, None, unknown, nan, nan, nan)
+            unknown = np.full(len(position), np.nan)
+            return Trial(status, position, measured, position, command, np.zeros_like(command), estimate, None, unknown, *[np.nan] * 3)
         beyond = _excess(signal(self._signals["command"]), self._drive_limit)
         excess = np.where(beyond == 0.0, _excess(command, self._own_limit), beyond)
         velocity = signal(self._signals["axis_velocity"]) if self._signals["axis_velocity"][0] in self._column else position
@@ -273,8 +263,7 @@ def feedforward_command(machine: Machine, controller: Controller, reference: Ref
     alone = Controller({name: _undisturbed(controller.axes[name]) for name in machine.axis_names})
     ideal: dict[str, Any] = {"drive": Saturation(), "sensor": IdealSensor(), "motor_sensor": IdealSensor()}
     plain = replace(machine, axes=tuple(replace(axis, **ideal) for axis in machine.axes))
-    first, _ = feed.block(0, min(BLOCK, reference.n_sample))
-    loop = build(plain, alone, reference.path, first.position[0], float(first.arc_length[0]), fed=feed.names)
+    loop = build(plain, alone, reference.path, **feed.first(), fed=feed.names)
     nodes = tuple(
         replace(node, wires={port: _followed(wire, machine.axis_names) for port, wire in node.wires.items()})
         for node in loop.schedule.nodes[: loop.schedule.record_point - 1]
@@ -282,5 +271,4 @@ def feedforward_command(machine: Machine, controller: Controller, reference: Ref
     schedule = Schedule(nodes, loop.schedule.externals, machine.servo_period, len(nodes))
     group = make_group(schedule, 1, slice(0, 1), compiled)
     rows = [schedule.row(signal) for signal in loop.signals["command"]]
-    stops = range(0, reference.n_sample, BLOCK)
-    return np.concatenate([group.run(feed.block(k, min(k + BLOCK, reference.n_sample))[1], rows)[:, :, 0] for k in stops])
+    return np.concatenate([group.run(feed.block(*samples)[1], rows)[:, :, 0] for samples in reference.blocks(BLOCK)])

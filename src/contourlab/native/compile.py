@@ -93,8 +93,7 @@ def _twin(function: Any, done: dict[Any, Any]) -> Any:
     """Return the compiled twin of a function and of those that it calls."""
     if function not in done:
         scope = function.__globals__ | {name: _twin(value, done) for name, value in _called(function).items()}
-        rebuilt = FunctionType(function.__code__, scope, function.__name__, function.__defaults__)
-        done[function] = njit(**OPTIONS, **INNER)(rebuilt)
+        done[function] = njit(**OPTIONS, **INNER)(FunctionType(function.__code__, scope, function.__name__, function.__defaults__))
     return done[function]
 
 
@@ -103,8 +102,7 @@ def _build(function: Any, kinds: list[str]) -> Any:
     exec(compile(_wrapper(function, kinds), f"<{function.__name__}>", "exec"), scope)
     arguments: list[Any] = []
     for kind in kinds:
-        base = _KINDS[kind[:2]][0]
-        dims = kind.count(":")
+        base, dims = _KINDS[kind[:2]][0], kind.count(":")
         arguments += [types.CPointer(base), *(types.int64,) * dims] if dims else [base]
     found = cfunc(types.void(*arguments), **OPTIONS)(scope[function.__name__])
     if "NRT_MemInfo_alloc" in found._library.get_llvm_str():

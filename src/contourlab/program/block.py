@@ -9,7 +9,7 @@ import re
 from typing import NamedTuple
 
 from contourlab.program.expressions import Cursor, Key, Parameters, read_assignment, read_value
-from contourlab.program.vocabulary import G_GROUPS, M_GROUPS, O_WORD_ALONE, USED_LETTERS, BlockError, EndMarkError, g_name, refusal
+from contourlab.program.vocabulary import G_GROUPS, M_GROUPS, O_WORD_ALONE, USED_LETTERS, BlockError, EndMarkError, g_name, refusal, refuse
 
 LARGEST_NUMBER = 1e9
 """Larger numbers are mistakes in any unit."""
@@ -102,10 +102,8 @@ def _words_and_values(line: str, parameters: Parameters) -> list[Word]:
             settings.append(read_assignment(cursor, parameters))
         elif letter in _LETTERS:
             cursor.at += 1
-            if letter == "O":
-                raise BlockError(O_WORD_ALONE, column)
-            if letter == "N" and not cursor.next.isdigit():
-                raise BlockError("a line number must be digits only: write for example N10", column)
+            refuse(letter == "O", O_WORD_ALONE, column)
+            refuse(letter == "N" and not cursor.next.isdigit(), "a line number must be digits only: write for example N10", column)
             value = read_value(cursor, parameters)
             if abs(value) > LARGEST_NUMBER:
                 raise BlockError(f"{letter}{value:g} is too large: keep it below {LARGEST_NUMBER:.0e}", column)
@@ -252,8 +250,7 @@ def _add_g(codes: dict[str, Code], word: Word) -> None:
 
 def _add_m(codes: dict[str, Code], word: Word) -> None:
     number = round(word.value)
-    if word.value != number or number < 0:
-        raise BlockError(f"M{word.value:g} is not a known M-code: write a whole number, 0 or more", word.column)
+    refuse(word.value != number or number < 0, f"M{word.value:g} is not a known M-code: write a whole number, 0 or more", word.column)
     group = M_GROUPS.get(number)
     if group is None:
         raise BlockError(refusal(f"M{number}", "M-code"), word.column)

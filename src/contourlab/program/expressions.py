@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping
 from itertools import chain
 from typing import TypeAlias
 
-from contourlab.program.vocabulary import BlockError
+from contourlab.program.vocabulary import BlockError, refuse
 
 LARGEST_PARAMETER = 5601
 SELECTED_SYSTEM = 5220
@@ -62,8 +62,7 @@ class Parameters:
         self._local: dict[str, float] = {}
         self._callers: list[tuple[dict[str, float], dict[int, float] | None]] = []
         self.returned: float | None = None
-        self.changes = 0
-        self.defining = False
+        self.changes, self.defining = 0, False
 
     @property
     def depth(self) -> int:
@@ -94,9 +93,7 @@ class Parameters:
 
     def number(self, key: int) -> float:
         """Return the value of an existing numbered parameter."""
-        if key in _POSITION:
-            return self.position()[key - _POSITION[0]]
-        return self._numbered.get(key, 0.0)
+        return self.position()[key - _POSITION[0]] if key in _POSITION else self._numbered.get(key, 0.0)
 
     def exists(self, name: str) -> bool:
         """Tell whether a named parameter has a value."""
@@ -235,10 +232,8 @@ def read_value(cursor: Cursor, parameters: Parameters) -> float:
     elif cursor.next == "#":
         cursor.at += 1
         value = parameters.read(_key(cursor, parameters), start)
-    elif cursor.next.isalpha():
-        value = _function(cursor, parameters)
     else:
-        value = _number(cursor)
+        value = _function(cursor, parameters) if cursor.next.isalpha() else _number(cursor)
     if not math.isfinite(value):
         raise BlockError("the value that starts here is too large: make it smaller", start)
     return sign * value
@@ -246,8 +241,7 @@ def read_value(cursor: Cursor, parameters: Parameters) -> float:
 
 def read_assignment(cursor: Cursor, parameters: Parameters) -> tuple[Key, float]:
     """Read ``#1 = 2`` or ``#<name> = 2`` after the #; the caller assigns it at the end of the line."""
-    column = cursor.column
-    key = _key(cursor, parameters)
+    column, key = cursor.column, _key(cursor, parameters)
     parameters.check(key, column)
     if isinstance(key, str) and not parameters.exists(key):
         parameters.write(key, 0.0)  # the name exists at once, as in LinuxCNC
@@ -260,8 +254,7 @@ def _number(cursor: Cursor) -> float:
     if digits in ("", "."):
         what = f"found '{cursor.next}'" if cursor.next else "the line ends here"
         raise BlockError(f"a number is missing: {what}; write for example 10.5, #1 or [1 + 2]", column)
-    if len(digits) > 100:
-        raise BlockError("the number has more than 100 digits: shorten it", column)
+    refuse(len(digits) > 100, "the number has more than 100 digits: shorten it", column)
     return float(digits)
 
 
@@ -285,8 +278,7 @@ def _expression(cursor: Cursor, parameters: Parameters) -> float:
     values = [read_value(cursor, parameters)]
     waiting: list[tuple[str, int]] = []
     while cursor.next != "]":
-        column = cursor.column
-        name = cursor.take(_OPERATION)
+        column, name = cursor.column, cursor.take(_OPERATION)
         if not name:
             what = f"'{cursor.next}'" if cursor.next else "the end of the line"
             raise BlockError(f"an operator or ']' is missing before {what}: write for example [1 + 2]", column)

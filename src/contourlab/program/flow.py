@@ -15,7 +15,7 @@ from typing import NamedTuple
 from contourlab.errors import ProgramError
 from contourlab.program.block import without_blanks
 from contourlab.program.expressions import NUMBER, Cursor, Parameters, read_value
-from contourlab.program.vocabulary import BlockError
+from contourlab.program.vocabulary import BlockError, refuse
 
 KEYWORDS = (
     "elseif", "else", "endif", "endsub", "endwhile", "endrepeat", "sub", "call", "return", "do", "while", "if", "break", "continue",
@@ -79,8 +79,7 @@ def read_o_word(line: str, parameters: Parameters, *, skipping: bool = False) ->
         cursor.take(NUMBER)
     column = cursor.column
     cursor.at += 1  # the O
-    label = _label(cursor, parameters)
-    keyword = cursor.take(_KEYWORD)
+    label, keyword = _label(cursor, parameters), cursor.take(_KEYWORD)
     if not keyword and cursor.next:
         raise BlockError(f"O{label} needs a keyword: write one of {', '.join(KEYWORDS)}", cursor.column)
     if skipping:
@@ -97,14 +96,11 @@ def read_o_word(line: str, parameters: Parameters, *, skipping: bool = False) ->
 
 
 def _check_values(keyword: str, count: int, column: int) -> None:
-    if keyword in _CONDITIONS and count != 1:
-        raise BlockError(f"{keyword} takes one expression: write it in brackets, as in [#1 LT 5]", column)
-    if keyword in _VALUES and count > 1:
-        raise BlockError(f"{keyword} takes at most one value in brackets: delete the others", column)
+    refuse(keyword in _CONDITIONS and count != 1, f"{keyword} takes one expression: write it in brackets, as in [#1 LT 5]", column)
+    refuse(keyword in _VALUES and count > 1, f"{keyword} takes at most one value in brackets: delete the others", column)
     if keyword == "call" and count > MOST_ARGUMENTS:
         raise BlockError(f"a call takes at most {MOST_ARGUMENTS} arguments: pass the rest in #31 and up", column)
-    if keyword not in (*_CONDITIONS, *_VALUES, "call") and count:
-        raise BlockError(f"{keyword or 'O'} takes no value: delete the brackets", column)
+    refuse(keyword not in (*_CONDITIONS, *_VALUES, "call") and count > 0, f"{keyword or 'O'} takes no value: delete the brackets", column)
 
 
 def _label(cursor: Cursor, parameters: Parameters) -> str:
@@ -112,8 +108,7 @@ def _label(cursor: Cursor, parameters: Parameters) -> str:
         return cursor.name("O-word")
     column, digits = cursor.column, cursor.take(_DIGITS)
     if digits:
-        if len(digits) > 9:
-            raise BlockError("the number of an O-word has at most 9 digits: shorten it", column)
+        refuse(len(digits) > 9, "the number of an O-word has at most 9 digits: shorten it", column)
         return str(int(digits))
     value = read_value(cursor, parameters)
     if abs(value - round(value)) > 1e-4 or not 0 <= value <= 1e9:
@@ -249,8 +244,7 @@ class Walker:
     @property
     def main_line(self) -> int:
         """Line number in the main file; while a subprogram in another file runs, the line of the call."""
-        name = self.main.name
-        return next(frame.index for frame in reversed(self._frames) if frame.tape.name == name)
+        return next(frame.index for frame in reversed(self._frames) if frame.tape.name == self.main.name)
 
     @property
     def in_subprogram(self) -> bool:
@@ -363,8 +357,7 @@ class Walker:
     def _turn(self, loop: _Loop, word: OWord) -> None:
         """Refuse a loop whose condition cannot change: a pass sets no parameter and ends at the same position."""
         mark = self.parameters.changes, self.parameters.position()
-        if mark == loop.mark:
-            raise BlockError(f"O{word.label} {loop.kind} never ends: change a parameter or the position in the loop", word.column)
+        refuse(mark == loop.mark, f"O{word.label} {loop.kind} never ends: change a parameter or the position in the loop", word.column)
         loop.mark = mark
 
     def _do(self, word: OWord) -> None:
@@ -395,8 +388,7 @@ class Walker:
         self._skip_to(word.label, (_ENDS[loop.kind],), word)
 
     def _continue(self, word: OWord) -> None:
-        loop = self._leave_inner(word)
-        self._skip_to(word.label, (_ENDS[loop.kind],), word)
+        self._skip_to(word.label, (_ENDS[self._leave_inner(word).kind],), word)
         self.frame.index -= 1  # execute the closing line
 
     def _innermost(self, label: str) -> _Loop | None:
@@ -423,8 +415,7 @@ class Walker:
     # Subprograms
 
     def _sub(self, word: OWord) -> None:
-        if self.in_subprogram:
-            raise BlockError(f"O{word.label} sub is inside another subprogram: move it before or after", word.column)
+        refuse(self.in_subprogram, f"O{word.label} sub is inside another subprogram: move it before or after", word.column)
         if word.label in self._subs:
             cure = "move it before the first call, or after M2"
             raise BlockError(f"O{word.label} sub is defined twice, or the program runs into it after a call: {cure}", word.column)

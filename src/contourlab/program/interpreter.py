@@ -28,7 +28,7 @@ from contourlab.program.state import (
     turn,
     updated,
 )
-from contourlab.program.vocabulary import ARCS, AXIS_WORDS, CYCLES, SPLINES, SYSTEMS, USERS, BlockError, g_name
+from contourlab.program.vocabulary import ARCS, AXIS_WORDS, CYCLES, SPLINES, SYSTEMS, USERS, BlockError, g_name, refuse
 
 _HOMES = {280: 5161, 281: 5161, 300: 5181, 301: 5181}
 _TOOL_LEVELS = (1, 10, 11)
@@ -37,8 +37,7 @@ _FIXTURE = 9
 
 def select_system(state: ModalState, code: int) -> None:
     """Select a work coordinate system (G54 to G59.3); a system already selected is not reloaded."""
-    system = SYSTEMS.index(code) + 1
-    frame = state.frame
+    system, frame = SYSTEMS.index(code) + 1, state.frame
     if system == frame.system:
         return
     axes = state.axes
@@ -135,16 +134,12 @@ def _set_origin(words: dict[str, Word], state: ModalState, level: int, system: i
 
 
 def _set_tool(words: dict[str, Word], state: ModalState, level: int, number: int) -> None:
-    if number < 1:
-        raise BlockError(f"P{number}: G10 L{level} needs a tool number, 1 or more", words["P"].column)
+    refuse(number < 1, f"P{number}: G10 L{level} needs a tool number, 1 or more", words["P"].column)
     given = state.given(words)
     if all(value is None for value in given) and "R" not in words:
         raise BlockError(f"G10 L{level} sets nothing: write the tool's offset, as in Z25", words["P"].column)
     old = state.tools.offset(number)
-    if level == 1:
-        state.tools.offsets[number] = updated(old, given)
-    else:
-        state.tools.offsets[number] = _touched_off(state, given, old, level)
+    state.tools.offsets[number] = updated(old, given) if level == 1 else _touched_off(state, given, old, level)
     if "R" in words:
         state.tools.diameters[number] = 2.0 * state.length(words["R"].value)
     if number == state.tools.current:
@@ -157,8 +152,7 @@ def _touched_off(state: ModalState, given: list[float | None], old: Point, level
     origin, rotation = origin_of(state.parameters, system)
     shift = ORIGIN if level == 11 else state.frame.shift
     seen = less(turn(less(state.axes, origin), -rotation), shift)
-    kept = turn(old, -rotation)
-    x, y, z = (before if new is None else point - new for before, point, new in zip(kept, seen, given, strict=True))
+    x, y, z = (before if new is None else point - new for before, point, new in zip(turn(old, -rotation), seen, given, strict=True))
     return turn((x, y, z), rotation)
 
 
@@ -193,10 +187,8 @@ def machine_target(block: Block, state: ModalState) -> Point:
         If the block is incremental or polar.
     """
     words, column = block.words, block.codes["other"].column
-    if not state.absolute:
-        raise BlockError("G53 (machine coordinates) needs absolute mode: write G90", column)
-    if "@" in words or "^" in words:
-        raise BlockError("G53 does not take polar coordinates: write X, Y and Z", column)
+    refuse(not state.absolute, "G53 (machine coordinates) needs absolute mode: write G90", column)
+    refuse("@" in words or "^" in words, "G53 does not take polar coordinates: write X, Y and Z", column)
     point = state.frame.point(updated(state.axes, state.given(words)))
     state.check_reach(point, words)
     return point
@@ -297,9 +289,7 @@ def _motion_to_be(block: Block, state: ModalState) -> int | None:
             word = next(words[letter] for letter in "XYZ@^" if letter in words)
             raise BlockError(f"{word.letter} has no motion code: write G0, G1, G2 or G3 before it", word.column)
         return state.motion
-    if state.motion in ARCS and ("I" in words or "J" in words or "K" in words):
-        return state.motion
-    return None
+    return state.motion if state.motion in ARCS and ("I" in words or "J" in words or "K" in words) else None
 
 
 def _check_letters(block: Block, motion: int | None) -> None:
@@ -320,8 +310,7 @@ def _dwell(block: Block, state: ModalState, line: int) -> list[Move]:
     word = block.words.get("P")
     if word is None:
         raise BlockError("G4 has no time: write for example G4 P0.5 for half a second", block.codes["other"].column)
-    if not 0.0 <= word.value <= LONGEST_DWELL:
-        raise BlockError(f"G4 P{word.value:g}: write P in seconds, from 0 to {LONGEST_DWELL:g}", word.column)
+    refuse(not 0.0 <= word.value <= LONGEST_DWELL, f"G4 P{word.value:g}: write P in seconds, from 0 to {LONGEST_DWELL:g}", word.column)
     return state.wait(word.value, line)
 
 
@@ -378,8 +367,7 @@ def _motion(block: Block, state: ModalState, line: int, before: int | None) -> l
     if motion in CYCLES:
         return drill(block, state, line, again=before == motion)
     if motion in SPLINES:
-        if state.feed_mode == "inverse_time":
-            raise BlockError("splines cannot use inverse-time feed (G93): write G94 and F", block.column)
+        refuse(state.feed_mode == "inverse_time", "splines cannot use inverse-time feed (G93): write G94 and F", block.column)
         if motion == 52:
             add_control_point(block, state)
             return []
@@ -388,8 +376,7 @@ def _motion(block: Block, state: ModalState, line: int, before: int | None) -> l
         return moves
     state.tangent = None
     other = block.codes.get("other")
-    in_machine = other is not None and other.number == 530
-    end = machine_target(block, state) if in_machine else state.target(block.words)
+    end = machine_target(block, state) if other is not None and other.number == 530 else state.target(block.words)
     if motion == 0:
         return state.straight(end, line)
     if motion == 10:
@@ -424,8 +411,7 @@ def _execute_events(block: Block, state: ModalState, line: int) -> None:
     codes, words = block
     speed, tool = words.get("S"), words.get("T")
     if speed is not None:
-        if speed.value < 0.0:
-            raise BlockError(f"S{speed.value:g}: a spindle speed cannot be negative; M4 turns it the other way", speed.column)
+        refuse(speed.value < 0.0, f"S{speed.value:g}: a spindle speed cannot be negative; M4 turns it the other way", speed.column)
         state.speed = speed.value
         state.tell("S", speed.value, line)
     if tool is not None:
@@ -440,11 +426,9 @@ def _execute_events(block: Block, state: ModalState, line: int) -> None:
 def _execute_event(block: Block, state: ModalState, line: int, code: int, column: int) -> None:
     letter = _LETTER_OF_VALUE.get(code)
     word = block.words.get(letter) if letter else None
-    if word is None and code in _NEEDED:
-        raise BlockError(f"M{code} has no {letter}: write for example {letter}1", column)
+    refuse(word is None and code in _NEEDED, f"M{code} has no {letter}: write for example {letter}1", column)
     index = block.words.get("E") if code in (67, 68) else None
-    if index is None and code in (67, 68):
-        raise BlockError(f"M{code} has no E: write the number of the output", column)
+    refuse(index is None and code in (67, 68), f"M{code} has no E: write the number of the output", column)
     if code == 19:
         _check_orientation(block)
     if code in (6, 61):

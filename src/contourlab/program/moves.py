@@ -138,8 +138,7 @@ class Arc:
     @property
     def sweep(self) -> float:
         """Angle travelled [rad], > 0 counterclockwise, < 0 clockwise; never 0."""
-        spokes = [self._spoke(point) for point in (self.start, self.end)]
-        angles = [math.atan2(second, first) for first, second in spokes]
+        angles = [math.atan2(second, first) for first, second in [self._spoke(point) for point in (self.start, self.end)]]
         sense = 1.0 if self.turns > 0 else -1.0
         once = (sense * (angles[1] - angles[0])) % (2.0 * math.pi)
         if once < FULL_CIRCLE_BELOW:

@@ -55,15 +55,11 @@ class Frame:
 
     def axes(self, point: Point) -> Point:
         """Return the axis positions [m] of a point of the program."""
-        if self.plain:
-            return point
-        return add(add(turn(add(point, self.shift), self.rotation), self.origin), self.tool)
+        return point if self.plain else add(add(turn(add(point, self.shift), self.rotation), self.origin), self.tool)
 
     def point(self, axes: Point) -> Point:
         """Return the point of the program [m] at given axis positions [m]."""
-        if self.plain:
-            return axes
-        return less(turn(less(less(axes, self.tool), self.origin), -self.rotation), self.shift)
+        return axes if self.plain else less(turn(less(less(axes, self.tool), self.origin), -self.rotation), self.shift)
 
 
 def add(a: Point, b: Point) -> Point:

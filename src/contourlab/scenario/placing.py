@@ -19,7 +19,8 @@ from contourlab.geometry.nurbs import BSpline, Nurbs
 from contourlab.geometry.parametric import EllipticalArc
 from contourlab.geometry.path import boxes
 from contourlab.loop import Machine
-from contourlab.loop.simulate import BLOCK, jit_enabled, sampler
+from contourlab.loop.feeding import BLOCK
+from contourlab.loop.simulate import jit_enabled, sampler
 from contourlab.program import Arc as ProgramArc
 from contourlab.program import Dwell, Move, Point, Program, Spline
 

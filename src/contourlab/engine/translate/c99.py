@@ -52,14 +52,13 @@ def source_of(made: StepGraph, name: str = "") -> str:
     arguments += ["const double *const *tables", "const int64_t *sizes"] if step.tables else []
     arguments += ["const double *ring", "int64_t mask"] if step.ring else []
     arguments += ["double *x_next", "double *out"]
+    signals = (("x", step.states), ("inp", step.inputs), ("out", step.outputs))
     unused = "".join(f" (void){argument.split('*')[-1].split()[-1]};" for argument in arguments)
     return "\n".join(
         [
             f"/* {step.name}, written by contourlab. Compile with -ffp-contract=off.",
             *_comment("par", step.parameters),
-            *_comment("x", [port.name for port in step.states for _ in range(port.rows)]),
-            *_comment("inp", [port.name for port in step.inputs for _ in range(port.rows)]),
-            *_comment("out", [port.name for port in step.outputs for _ in range(port.rows)]),
+            *(line for name, ports in signals for line in _comment(name, [port.name for port in ports for _ in range(port.rows)])),
             *_comment("tables, with their sizes", step.tables),
             *([f"   ring: past values of {step.ring}, at index tick & mask; store the present value first."] if step.ring else []),
             "*/",
@@ -131,8 +130,7 @@ class Writer:
 
     def compute(self, op: Op, pad: str) -> None:
         """Write an operation that gives a value."""
-        text = self.text(op, *map(self.value, op.args))
-        self.assign(pad, self._declared(op), text)
+        self.assign(pad, self._declared(op), self.text(op, *map(self.value, op.args)))
 
     def text(self, op: Op, *args: str) -> str:
         """Return the expression of an operation."""

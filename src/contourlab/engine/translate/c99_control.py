@@ -69,16 +69,12 @@ def body_of(made: Control, storage: str = "") -> str:
         for op, row, _ in made.tick.carried
         if id(op) in used
     ]
-    unused = "" if any(op.kind == "parameter" and op.extra in made.parameters for op in made.operations) else "    (void)par;"
-    hashed = [HASH] if any(op.kind == "uniform" for op in made.operations) else []
+    unused = [] if any(op.kind == "parameter" and op.extra in made.parameters for op in made.operations) else ["    (void)par;"]
+    kinds = {op.kind for op in made.operations}
     return "\n".join(
         [
-            *hashed,
-            *(
-                [f"static const double PERIOD = {literal(made.period)};"]
-                if any(op.kind in ("period", "time") for op in made.operations)
-                else []
-            ),
+            *([HASH] if "uniform" in kinds else []),
+            *([f"static const double PERIOD = {literal(made.period)};"] if kinds & {"period", "time"} else []),
             *(f"static const double {c.name} = {literal(c.value)};{_meaning(c)}" for c in made.constants.values()),
             *(
                 f"static const double {table.name}[{len(table.fields)}] = {{{', '.join(literal(field.value) for field in table.fields)}}};"
@@ -100,7 +96,7 @@ def body_of(made: Control, storage: str = "") -> str:
             "",
             f"{storage}double {name}_step({name}_state *state, const {name}_parameters *par, const {name}_inputs *in)",
             "{",
-            *filter(None, [unused]),
+            *unused,
             *loads,
             *writer.lines,
             *after,

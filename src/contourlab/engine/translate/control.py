@@ -10,7 +10,7 @@ from contourlab.engine.schedule import Schedule
 from contourlab.engine.step import rows
 from contourlab.engine.translate.graph import Op, prune
 from contourlab.engine.translate.maths import EXACT
-from contourlab.engine.translate.tick_graph import Rows, TickGraph, tick_graph
+from contourlab.engine.translate.step_graph import Rows, TickGraph, tick_graph
 
 LIBRARY = ("exp", "log", "tanh", "sin", "cos")
 """Operations that a mathematical library computes, each within about 1 ulp; all others are exact everywhere."""
@@ -122,8 +122,7 @@ class Control:
         """Return the table, ring or bank that an operation takes or stores in."""
         if op.kind in ("table", "size"):
             return next(table for table in self.tables if table.first == (op.extra if op.kind == "table" else op.extra[1]))
-        row = op.extra[0]
-        return next(memory for memory in (*self.rings, *self.banks) if 0 <= row - memory.first < len(memory.fields))
+        return next(memory for memory in (*self.rings, *self.banks) if 0 <= op.extra[0] - memory.first < len(memory.fields))
 
     def carried(self) -> list[tuple[int, Op]]:
         """Return the row of each state and its value after the tick."""
@@ -170,7 +169,7 @@ def control_of(
     made = tick_graph(schedule, places, [schedule.row(output)], EXACT, contract=False)
     (result,) = made.log
     prune([made.graph.top, made.body], [*(op for _, _, op in made.carried), result])
-    used = [*made.graph.top.every(), *made.body.every()]
+    used = (*made.graph.top.every(), *made.body.every())
     reached = {(op.kind, op.extra) for op in used if op.kind in ("parameter", "external", "table")}
     free: dict[int, Field] = {}
     fixed: dict[int, Field] = {}
@@ -191,8 +190,7 @@ def control_of(
             row, key = places.parameters[i] + r, f"{node.name}.{parameter}"
             if ("parameter", row) in reached:
                 known = parameters.get(key) or constants.get(key) or Field("")
-                group = free if key in parameters else fixed
-                group[row] = Field(f"{label}_{parameter}", known.unit, known.doc, float(rest[row]))
+                (free if key in parameters else fixed)[row] = Field(f"{label}_{parameter}", known.unit, known.doc, float(rest[row]))
         own = [f"{label}_{row}" for port in node.step.own_states for row in _rows_of(port.name, port.size)]
         states |= {places.states[i] + r: at(state, places.states[i] + r) for r, state in enumerate(own)}
         if node.step.bank:

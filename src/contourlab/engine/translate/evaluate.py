@@ -296,8 +296,7 @@ class Evaluator:
 
     def operation(self, operator: ast.operator, a: Any, b: Any) -> Any:
         """Return the result of an operator; of plain values as Python computes it."""
-        known = not isinstance(a, Op) and not isinstance(b, Op)
-        if known and type(operator) in _PYTHON:
+        if not isinstance(a, Op) and not isinstance(b, Op) and type(operator) in _PYTHON:
             return _PYTHON[type(operator)](a, b)
         kind = _ARITHMETIC.get(type(operator))
         if kind is None:
@@ -391,9 +390,6 @@ class Evaluator:
         frame.origin.now = frame  # a function defined here sees the names as they are now
         return self.call(function, args, named)
 
-    def _lambda(self, tree: ast.Lambda, frame: Frame) -> Any:
-        return self.closure(tree, frame)
-
     def closure(self, node: ast.FunctionDef | ast.Lambda, frame: Frame) -> Closure:
         """Return a function defined inside another one."""
         if getattr(node, "decorator_list", ()):
@@ -402,6 +398,8 @@ class Evaluator:
         pairs = last_of(given, given.defaults)
         pairs += [(arg.arg, value) for arg, value in zip(given.kwonlyargs, given.kw_defaults, strict=True) if value is not None]
         return Closure(node, frame, {name: self.expression(value, frame) for name, value in pairs})
+
+    _lambda = closure
 
     def _generatorexp(self, tree: ast.GeneratorExp, frame: Frame) -> Any:
         made: list[Any] = []
@@ -563,14 +561,13 @@ class Evaluator:
             # After a break the test does not run.
             return self.one_of(values[0], lambda: self.graph.condition(test(own)), lambda: False)
 
-        def round_(values: Sequence[Op]) -> list[Any]:
+        def round_(_: None, values: Sequence[Op]) -> list[Any]:
             enter(values)
             on = self._until_break(statement.body, own)
             count = self.graph.arithmetic("fadd", values[1], 1) if items is not None else values[1]
             return [on, count, *flat(own.name(name) for name in names)]
 
-        start = [True, 0, *flat(shapes)]
-        after = self.graph.loop(start, goes_on, round_)
+        after = self.graph.repeat(goes_on, [True, 0, *flat(shapes)], round_)
         frame.env.update(dict.fromkeys(assigned(statement), UNSET))
         frame.env.update(zip(names, shaped(shapes, after[2:]), strict=True))
 
@@ -604,8 +601,7 @@ def _refused(function: Any) -> str:
         instead = f"{instead} of contourlab.primitives"
     elif name not in _INSTEAD:
         instead = "the functions of contourlab.primitives, or your own"
-    called = name if module in (None, "builtins") else f"{module}.{name}"
-    return f"{called} cannot be called here: use {instead}"
+    return f"{'' if module in (None, 'builtins') else f'{module}.'}{name} cannot be called here: use {instead}"
 
 
 def words_of(tree: ast.AST) -> str:

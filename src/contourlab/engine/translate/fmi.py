@@ -5,6 +5,7 @@ What the interfaces have and a controller needs not (other types, saved states, 
 
 from __future__ import annotations
 
+import re
 import uuid
 from xml.sax.saxutils import quoteattr
 
@@ -119,20 +120,6 @@ static int advance(unit *self, double time, double size)
 """
 
 _FMI_2 = """
-EXPORT const char *fmi2GetTypesPlatform(void);
-EXPORT const char *fmi2GetVersion(void);
-EXPORT int fmi2SetDebugLogging(void *self, int on, size_t n, const char *const categories[]);
-EXPORT void *fmi2Instantiate(const char *name, int kind, const char *token, const char *place, const void *functions, int visible, int on);
-EXPORT void fmi2FreeInstance(void *self);
-EXPORT int fmi2SetupExperiment(void *self, int tolerant, double tolerance, double first, int ends, double last);
-EXPORT int fmi2EnterInitializationMode(void *self);
-EXPORT int fmi2ExitInitializationMode(void *self);
-EXPORT int fmi2Terminate(void *self);
-EXPORT int fmi2Reset(void *self);
-EXPORT int fmi2GetReal(void *self, const uint32_t references[], size_t n, double values[]);
-EXPORT int fmi2SetReal(void *self, const uint32_t references[], size_t n, const double values[]);
-EXPORT int fmi2DoStep(void *self, double time, double size, int final);
-
 const char *fmi2GetTypesPlatform(void) { return "default"; }
 const char *fmi2GetVersion(void) { return "2.0"; }
 int fmi2SetDebugLogging(void *self, int on, size_t n, const char *const categories[])
@@ -161,24 +148,8 @@ int fmi2SetReal(void *self, const uint32_t references[], size_t n, const double 
 int fmi2DoStep(void *self, double time, double size, int final) { (void)final; return advance(self, time, size); }
 """
 
+_CALLBACK = "typedef void (*callback)(void);\n"
 _FMI_3 = """
-typedef void (*callback)(void);
-EXPORT const char *fmi3GetVersion(void);
-EXPORT int fmi3SetDebugLogging(void *self, bool on, size_t n, const char *const categories[]);
-EXPORT void *fmi3InstantiateModelExchange(void);
-EXPORT void *fmi3InstantiateScheduledExecution(void);
-EXPORT void *fmi3InstantiateCoSimulation(
-    const char *name, const char *token, const char *place, bool visible, bool on, bool events, bool early, const uint32_t required[],
-    size_t n, void *environment, callback message, callback intermediate);
-EXPORT void fmi3FreeInstance(void *self);
-EXPORT int fmi3EnterInitializationMode(void *self, bool tolerant, double tolerance, double first, bool ends, double last);
-EXPORT int fmi3ExitInitializationMode(void *self);
-EXPORT int fmi3Terminate(void *self);
-EXPORT int fmi3Reset(void *self);
-EXPORT int fmi3GetFloat64(void *self, const uint32_t references[], size_t n, double values[], size_t n_value);
-EXPORT int fmi3SetFloat64(void *self, const uint32_t references[], size_t n, const double values[], size_t n_value);
-EXPORT int fmi3DoStep(void *self, double time, double size, bool final, bool *event, bool *terminate, bool *early, double *last);
-
 const char *fmi3GetVersion(void) { return "3.0"; }
 int fmi3SetDebugLogging(void *self, bool on, size_t n, const char *const categories[])
 {
@@ -238,8 +209,9 @@ def wrapper_of(made: Control, version: str) -> str:
         inputs=", ".join(f"v[INPUT + {k}]" for k in range(len(made.inputs))),
         parameters=", ".join(f"v[PARAMETER + {k}]" for k in range(len(made.parameters))) or "0.0",
     )
-    body, prefix, lacks = (_FMI_2, "fmi2", _LACKS_2) if version == "2.0" else (_FMI_3, "fmi3", _LACKS_3)
-    return "\n".join([comment(made.notes), common, body, *(f"LACKS({prefix}{name})" for name in lacks), ""])
+    body, prefix, kinds, lacks = (_FMI_2, "fmi2", "", _LACKS_2) if version == "2.0" else (_FMI_3, "fmi3", _CALLBACK, _LACKS_3)
+    heads = "".join(f"EXPORT {head};\n" for head in re.findall(r"^(\w[^;{}]*?\))\s*\{", body, re.MULTILINE))
+    return "\n".join([comment(made.notes), common, f"\n{kinds}{heads}{body}", *(f"LACKS({prefix}{name})" for name in lacks), ""])
 
 
 def token_of(made: Control) -> str:

@@ -126,9 +126,8 @@ class Graph:
 
     def op(self, kind: str, args: Sequence[Op] = (), type_: str = NUMBER, extra: Any = None) -> Op:
         """Return an operation: the one that is there already, or a new one in the current block."""
-        mark = extra.hex() if isinstance(extra, float) else extra
         # Whether a product is fused depends on the step that uses it: each step, and each sub-step, has its own.
-        key = (kind, tuple(map(id, args)), mark, self.scope if kind == "fmul" else None)
+        key = (kind, tuple(map(id, args)), extra.hex() if isinstance(extra, float) else extra, self.scope if kind == "fmul" else None)
         block: Block | None = self.block
         while block is not None:
             if key in block.known:
@@ -150,9 +149,7 @@ class Graph:
 
     def constant(self, value: float) -> Op:
         """Return a constant: a condition if the value is a bool, else a number."""
-        if isinstance(value, bool):
-            return self.op("constant", (), CONDITION, value)
-        return self.op("constant", (), NUMBER, float(value))
+        return self.op("constant", (), CONDITION, value) if isinstance(value, bool) else self.op("constant", (), NUMBER, float(value))
 
     def number(self, value: Any) -> Op:
         """Return a value as a number; a condition counts 1 or 0, as in Python."""
@@ -260,39 +257,25 @@ class Graph:
         self.block.ops.append(made)
         return value
 
-    def loop(self, start: Sequence[Any], test: Callable[[list[Op]], Any], body: Callable[[list[Op]], Sequence[Any]]) -> list[Op]:
-        """Repeat a body while a test holds.
+    def repeat(
+        self, head: int | Callable[[list[Op]], Any], start: Sequence[Any], body: Callable[[Any, list[Op]], Sequence[Any]]
+    ) -> list[Op]:
+        """Repeat a body.
 
         Parameters
         ----------
-        start : sequence
-            Numbers and conditions before the first round.
-        test, body : callable
-            Take the values before a round; return a condition, and the values after the round.
-
-        Returns the values after the last round.
-        """
-        return self._rounds(start, test, lambda _, values: body(values))
-
-    def repeat(self, count: int, start: Sequence[Any], body: Callable[[Op, list[Op]], Sequence[Any]]) -> list[Op]:
-        """Repeat a body `count` times, at least once.
-
-        Parameters
-        ----------
-        count : int
+        head : int or callable
+            How many times, at least once; or a test, which takes the values before a round, and returns a condition.
         start : sequence
             Numbers and conditions before the first round.
         body : callable
-            Takes the number of the round, from 0, and the values before the round; returns the values after the round.
+            Takes the number of the round, from 0, or None with a test, and the values before the round; returns the values after the round.
 
         Returns the values after the last round.
-        """
-        return self._rounds(start, count, body)
 
-    def _rounds(self, start: Sequence[Any], head: Any, body: Callable[[Any, list[Op]], Sequence[Any]]) -> list[Op]:
-        """Build a loop with a test or a count.
-
-        Build it again if a number is whole before a round and not after it, or the reverse: a condition then says where it is.
+        Notes
+        -----
+        The loop is built again if a number is whole before a round and not after it, or the reverse: a condition then says where it is.
         """
         begin = [self._as_condition(value) if _is_condition(value) else self.number(value) for value in start]
         wholes = [_whole(value) for value in start]
@@ -337,7 +320,7 @@ class Graph:
 
     def _as_condition(self, value: Any) -> Op:
         value = self.condition(value)
-        return value if isinstance(value, Op) else self.constant(bool(value))
+        return value if isinstance(value, Op) else self.constant(value)
 
     def _joined(self, a: Any, b: Any, join: Callable[[Op, Op], Op], sides: Sequence[Block]) -> Any:
         """Return two values joined: what is the same on both sides stays as it is, what cannot be joined is `UNSET`.
@@ -474,8 +457,7 @@ def _keep(block: Block, needed: set[int]) -> None:
     block.ops = [op for op in block.ops if id(op) in needed]
     for op in block.ops:
         if op.kind in ("branch", "loop"):
-            values = op.results if op.kind == "branch" else op.extra
-            kept = [i for i, value in enumerate(values) if id(value) in needed]
+            kept = [i for i, value in enumerate(op.results if op.kind == "branch" else op.extra) if id(value) in needed]
             op.results = tuple(op.results[i] for i in kept)
             for side in op.blocks if op.kind == "branch" else op.blocks[1:]:
                 side.ends = tuple(side.ends[i] for i in kept)

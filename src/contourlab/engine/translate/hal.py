@@ -24,8 +24,7 @@ PINS = {
 def component_of(made: Control) -> str:
     """Return the source of the component."""
     inputs, states = [field.name for field in made.inputs.values()], len(made.states) + made.counts_ticks
-    taken = dict.fromkeys(["reference", made.feedback, *inputs])
-    pins = [f'pin in float {PINS[name]} "{_meaning(name)}";' for name in taken]
+    pins = [f'pin in float {PINS[name]} "{_meaning(name)}";' for name in dict.fromkeys(["reference", made.feedback, *inputs])]
     size = states + sum(len(memory.fields) for memory in (*made.banks, *made.rings))
     return "\n".join(
         [

@@ -92,13 +92,11 @@ class Writer:
 
     def load(self, base: str, index: str) -> str:
         """Return the numbers of all lanes at a row that is the same in all of them."""
-        place = self.let(f"getelementptr double, ptr {base}, i64 {index}")
-        return self.let(f"load {self.number}, ptr {place}, align 8")
+        return self.let(f"load {self.number}, ptr {self.let(f'getelementptr double, ptr {base}, i64 {index}')}, align 8")
 
     def store(self, value: str, base: str, index: str) -> None:
         """Store the numbers of all lanes."""
-        place = self.let(f"getelementptr double, ptr {base}, i64 {index}")
-        self.put(f"store {self.number} {value}, ptr {place}, align 8")
+        self.put(f"store {self.number} {value}, ptr {self.let(f'getelementptr double, ptr {base}, i64 {index}')}, align 8")
 
     def gather(self, base: str, index: str) -> str:
         """Return numbers at an index that may differ by lane; lanes that do not run read nothing."""

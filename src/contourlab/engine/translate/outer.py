@@ -77,11 +77,9 @@ def _functions(source: str) -> list[Function]:
 
 
 def _matches(node: Function, code: CodeType) -> bool:
-    is_lambda = isinstance(node, ast.Lambda)
     first = min([node.lineno, *(mark.lineno for mark in getattr(node, "decorator_list", ()))])
-    names = positional(node.args)
-    called = "<lambda>" if is_lambda else getattr(node, "name", "")
-    return first == code.co_firstlineno and called == code.co_name and names == list(code.co_varnames[: code.co_argcount])
+    own = first, getattr(node, "name", "<lambda>"), positional(node.args)
+    return own == (code.co_firstlineno, code.co_name, list(code.co_varnames[: code.co_argcount]))
 
 
 def _start(node: Function) -> tuple[int, int]:
@@ -91,8 +89,7 @@ def _start(node: Function) -> tuple[int, int]:
 
 
 def _start_of_code(code: CodeType) -> tuple[int, int]:
-    places = [(line, column) for line, _, column, end in code.co_positions() if line is not None and column is not None and end]
-    return min(places)
+    return min((line, column) for line, _, column, end in code.co_positions() if line is not None and column is not None and end)
 
 
 def positional(arguments: ast.arguments) -> list[str]:
@@ -308,10 +305,9 @@ _READ: dict[str, Callable[[Any, Any], Any]] = {"name": _name_in, "attribute": ge
 
 def _digest(code: CodeType) -> str:
     """Return a digest of the content of a code object; the same object is digested once."""
-    found = _digests.get(id(code))
-    if found is None:
-        found = _digests[id(code)] = code, hashlib.sha256(repr(code_words(code)).encode()).hexdigest()
-    return found[1]
+    if id(code) not in _digests:
+        _digests[id(code)] = code, hashlib.sha256(repr(code_words(code)).encode()).hexdigest()
+    return _digests[id(code)][1]
 
 
 def _always_true(kind: type) -> bool:

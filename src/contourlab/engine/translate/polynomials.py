@@ -84,17 +84,8 @@ def log(x: float) -> float:
     f = (m - 1.0) / (m + 1.0)
     z = f * f
     q = 1.0 / 23.0
-    q = fma(q, z, 1.0 / 21.0)
-    q = fma(q, z, 1.0 / 19.0)
-    q = fma(q, z, 1.0 / 17.0)
-    q = fma(q, z, 1.0 / 15.0)
-    q = fma(q, z, 1.0 / 13.0)
-    q = fma(q, z, 1.0 / 11.0)
-    q = fma(q, z, 1.0 / 9.0)
-    q = fma(q, z, 1.0 / 7.0)
-    q = fma(q, z, 1.0 / 5.0)
-    q = fma(q, z, 1.0 / 3.0)
-    q = fma(q, z, 1.0)
+    for n in (21.0, 19.0, 17.0, 15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0, 1.0):
+        q = fma(q, z, 1.0 / n)
     found = fma(e, 1.90821492927058770002e-10, 2.0 * f * q) + e * 6.93147180369123816490e-01
     return select(2.2250738585072014e-308 <= x < math.inf, found, select(x >= 0.0, copysign(math.inf, x - 1.0), math.nan))
 

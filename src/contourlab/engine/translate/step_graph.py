@@ -1,14 +1,18 @@
-"""The graph of one step: parameters, states, inputs and time go in, the next states and the outputs come out."""
+"""The graph of one step: parameters, states, inputs and time go in, the next states and the outputs come out.
+
+The graph of one tick of a whole schedule: wires become values, states and late signals are carried from tick to tick.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
+from contourlab.engine.schedule import Node, Schedule
 from contourlab.engine.step import Bank, Port, Step, misfit, pack, record, rows, unpack
 from contourlab.engine.translate.evaluate import Evaluator
-from contourlab.engine.translate.graph import TABLE, Graph, MismatchError, Op, fuse_products, prune
+from contourlab.engine.translate.graph import TABLE, Block, Graph, MismatchError, Op, fuse_products, prune
 from contourlab.engine.translate.maths import EXACT
 from contourlab.engine.translate.outer import Reads, file_of
 from contourlab.errors import EngineError
@@ -116,3 +120,163 @@ def _bank(run: Evaluator, bank: Bank, par: Any, own: Any, first: int, inputs: An
 def record_of(ports: tuple[Port, ...], values: list[Any]) -> Any:
     """Return the values of some ports as a named tuple; an empty tuple without ports."""
     return record(tuple(port.name for port in ports))(*unpack(ports, values)) if ports else ()
+
+
+_UNROLLED = 2
+"""Most sub-steps that are written out; more are a loop."""
+
+
+@dataclass(frozen=True)
+class Rows:
+    """Rows of memory: the first of each node's states, parameters and ring, and the length of each ring."""
+
+    states: Sequence[int]
+    parameters: Sequence[int]
+    rings: Sequence[int]
+    ring_lengths: Sequence[int]
+
+
+@dataclass
+class TickGraph:
+    """A tick.
+
+    Attributes
+    ----------
+    graph : Graph
+        Its top holds what is the same in every tick.
+    body : Block
+        The operations of a tick.
+    carried : list of (Op, int, Op)
+        A value before the tick, its row of memory, and the value after the tick.
+    signals : list of (int, Op)
+        Rows of signals and their values after the tick.
+    log : list of Op
+        Values to record.
+    """
+
+    graph: Graph
+    body: Block
+    carried: list[tuple[Op, int, Op]] = field(default_factory=list)
+    signals: list[tuple[int, Op]] = field(default_factory=list)
+    log: list[Op] = field(default_factory=list)
+
+
+class _Builder:
+    """Builds the graph of a tick, node by node."""
+
+    def __init__(self, schedule: Schedule, places: Rows, primitives: Mapping[Any, Any], contract: bool, reads: Reads | None) -> None:
+        self.schedule, self.places = schedule, places
+        graph = Graph(contract)
+        self.made = TickGraph(graph, Block(graph.top))
+        self.graph, self.run = graph, Evaluator(graph, primitives, reads)
+        graph.block = self.made.body
+        self.n_external = rows(schedule.externals)
+        self.now: dict[int, Op] = {}
+        self.late: dict[int, Op] = {}
+        self.tables = 0
+        self.borders: list[Op] = []
+
+    def signal(self, row: int) -> Op:
+        """Return the value of a row: of this tick if it is there already, else of the last one."""
+        if row < self.n_external:
+            return self.graph.op("external", extra=row)
+        if row in self.now:
+            return self.now[row]
+        if row not in self.late:
+            self.late[row] = Op("before", (), "f", row)
+        return self.late[row]
+
+    def node(self, i: int, node: Node) -> None:
+        graph, step = self.graph, node.step
+        first = self.places.parameters[i]
+        values: list[Any] = [graph.op("parameter", extra=first + r) for r in range(len(step.parameters))]
+        values += [graph.op("table", (), TABLE, self.tables + n) for n in range(len(step.tables))]
+        self.tables += len(step.tables)
+        taken = [graph.constant(s) if isinstance(s, float) else self.signal(s) for s in self.schedule.sources[i]]
+        if step.ring:
+            values.append(Op("ring", (), TABLE, (self.places.rings[i], self.places.ring_lengths[i])))
+            graph.effect("store_ring", [taken[ring_row(step)]], values[-1].extra)
+        par, inputs = step.par_type(*values), record_of(step.inputs, taken)
+        states = [Op("before", (), "f", self.places.states[i] + r) for r in range(rows(step.own_states))]
+        out = [self.signal(self.schedule.first_row[i] + r) for r in range(rows(step.outputs))] if node.repeat > _UNROLLED else []
+        after = self._repeated(i, par, states, inputs, out)
+        self.made.carried += [(op, op.extra, value) for op, value in zip(states, after, strict=False)]
+        self.now |= {self.schedule.first_row[i] + r: value for r, value in enumerate(after[len(states) :])}
+
+    def _repeated(self, i: int, par: Any, states: list[Op], inputs: Any, out: list[Op]) -> list[Op]:
+        """Return next states and outputs after all sub-steps of a node."""
+        graph, node = self.graph, self.schedule.nodes[i]
+        members = self.places.states[i] + len(states)
+        period = graph.op("period")
+        held = graph.arithmetic("fdiv", period, float(node.repeat)) if node.repeat > 1 else period
+        tick, time = graph.op("tick"), graph.op("time")
+
+        def substep(part: Any, before: Sequence[Op]) -> list[Op]:
+            graph.scope = i, part
+            passed = graph.arithmetic("fmul", part, held)
+            at = graph.arithmetic("fadd", time, passed) if node.repeat > 1 else time
+            following, after = once(self.run, node.step, par, before, members, inputs, Clock(tick, at, held))  # type: ignore[arg-type]
+            self.borders += (passed, *following, *after)
+            return [*following, *after]
+
+        if node.repeat <= _UNROLLED:
+            after: list[Op] = [*states]
+            for r in range(node.repeat):
+                after = substep(float(r), after[: len(states)])
+            return after
+
+        return graph.repeat(node.repeat, [*states, *out], lambda part, values: substep(part, values[: len(states)]))
+
+
+def ring_row(step: Step) -> int:
+    """Return the row of the inputs whose past the step keeps."""
+    return [port.name for port in step.inputs for _ in range(port.rows)].index(step.ring)
+
+
+def tick_graph(
+    schedule: Schedule,
+    places: Rows,
+    log_rows: Sequence[int],
+    primitives: Mapping[Any, Any],
+    *,
+    contract: bool = True,
+    reads: Reads | None = None,
+) -> TickGraph:
+    """Return one tick of a schedule as a graph.
+
+    Parameters
+    ----------
+    schedule : Schedule
+    places : Rows
+        Where the memory of a group has everything.
+    log_rows : sequence of int
+        Rows of signals to record, at the record point.
+    primitives : mapping
+        Functions that become operations.
+    contract : bool
+        Whether to make fused multiply-adds within each node.
+    reads : Reads, optional
+        Records what the steps read from outside; it begins at their functions.
+
+    Raises
+    ------
+    EngineError
+        If a step uses what cannot be translated.
+    """
+    builder = _Builder(schedule, places, primitives, contract, reads)
+    made = builder.made
+    for i, node in enumerate(schedule.nodes):
+        if i == schedule.record_point:
+            made.log = [builder.signal(row) for row in log_rows]
+        builder.node(i, node)
+    if schedule.record_point >= len(schedule.nodes):
+        made.log = [builder.signal(row) for row in log_rows]
+    made.carried += [(op, row, builder.now.get(row, op)) for row, op in builder.late.items()]
+    fed = {row: made.graph.op("external", extra=row) for row in range(builder.n_external)}
+    made.signals = [(row, op) for row, op in (fed | builder.now).items() if row not in builder.late]
+    wanted = [*(op for _, _, op in made.carried), *(op for _, op in made.signals), *made.log]
+    blocks = (made.graph.top, made.body)
+    if contract:
+        fuse_products(blocks, [*wanted, *builder.borders])
+    prune(blocks, wanted)
+    return made

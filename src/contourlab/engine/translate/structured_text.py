@@ -31,10 +31,9 @@ def plain(made: Control) -> str:
 def twincat(made: Control) -> str:
     """Return the function block as a ``.TcPOU`` file of TwinCAT 3; raises as `plain`."""
     declared, body = _parts(made)
-    identity = uuid.uuid5(uuid.NAMESPACE_OID, declared + body)
     return f"""<?xml version="1.0" encoding="utf-8"?>
 <TcPlcObject Version="1.1.0.1" ProductVersion="3.1.4024.0">
-  <POU Name="FB_{made.name}" Id="{{{identity}}}" SpecialFunc="None">
+  <POU Name="FB_{made.name}" Id="{{{uuid.uuid5(uuid.NAMESPACE_OID, declared + body)}}}" SpecialFunc="None">
     <Declaration><![CDATA[{declared}]]></Declaration>
     <Implementation>
       <ST><![CDATA[{body}]]></ST>
@@ -142,11 +141,9 @@ class _Writer(ControlWriter):
         return input_name(field.name)
 
     def value(self, op: Op) -> str:
-        if op.kind == "constant" and op.extra != op.extra:
-            return "SQRT(-1.0)"
-        if op.kind == "constant":
-            return str(op.extra).upper() if op.type == CONDITION else literal(op.extra)
-        return super().value(op)
+        if op.kind != "constant":
+            return super().value(op)
+        return "SQRT(-1.0)" if op.extra != op.extra else str(op.extra).upper() if op.type == CONDITION else literal(op.extra)
 
     def name(self, op: Op, ending: str = "") -> str:
         name = super().name(op, ending)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from contourlab.engine.translate.graph import Op
 from contourlab.engine.translate.llvm_ir import Writer
-from contourlab.engine.translate.tick_graph import TickGraph
+from contourlab.engine.translate.step_graph import TickGraph
 
 VECTOR = 16
 """Lanes that run together: two of the longest registers; with more of them the processor runs out of registers."""
@@ -37,8 +37,7 @@ class _LoopWriter(Writer):
     def record(self, value: str, entry: int) -> None:
         """Store a number of each lane in the log; vectors bypass the processor's caches, which the log would flush."""
         place = self.let(f"getelementptr double, ptr %entry_of_log, i64 {entry * self.width}")
-        bypass = "align 8" if self.lanes == 1 else "align 64, !nontemporal !0"
-        self.put(f"store {self.number} {value}, ptr {place}, {bypass}")
+        self.put(f"store {self.number} {value}, ptr {place}, {'align 8' if self.lanes == 1 else 'align 64, !nontemporal !0'}")
 
     def _parameter(self, op: Op, args: Sequence[str]) -> str:
         return self.load("%mem", self.row(op.extra))

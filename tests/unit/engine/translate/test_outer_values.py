@@ -22,7 +22,7 @@ from contourlab.engine import fused
 from contourlab.engine.runner import make_group
 from contourlab.engine.schedule import Node, Schedule
 from contourlab.engine.step import Port, Step
-from contourlab.engine.translate import llvm_ir, tick_graph
+from contourlab.engine.translate import llvm_ir, step_graph
 from contourlab.engine.translate.outer import Reads
 from contourlab.errors import ComponentError, EngineError
 from contourlab.native import store
@@ -34,7 +34,7 @@ SCRIPT = Path(__file__).parents[3] / "helpers" / "outer_values.py"
 def translations(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """An empty cache, and a list that grows by one with each translation."""
     counted: list[int] = []
-    translate = tick_graph.tick_graph
+    translate = step_graph.tick_graph
 
     def count(*args: Any, **named: Any) -> Any:
         counted.append(1)
@@ -43,7 +43,7 @@ def translations(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[int]:
     (tmp_path / "cache").mkdir()
     monkeypatch.setattr(store, "folder", lambda: tmp_path / "cache")
     monkeypatch.setattr(fused, "_loops", {})
-    monkeypatch.setattr(tick_graph, "tick_graph", count)
+    monkeypatch.setattr(step_graph, "tick_graph", count)
     return counted
 
 
