@@ -18,8 +18,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from functools import cache, lru_cache
-from types import SimpleNamespace
+from functools import cache, lru_cache, update_wrapper
+from types import FunctionType, SimpleNamespace
 from typing import Any, ClassVar, dataclass_transform
 
 from contourlab.arrays import Array
@@ -175,15 +175,19 @@ class Component(Traced):
         return tuple(name for name, p in cls.parameters.items() if not p.choices and not p.structural)
 
     def step_function(self) -> Callable[..., Any]:
-        """Return the step; a component whose structure depends on a parameter overrides this.
-
-        It may close over `self` for structural parameters; all others differ between variants and come from `par`.
-        """
-        return type(self).step
+        """Return the step, with its keyword-only arguments bound to the attributes of the same names."""
+        step: Any = type(self).step
+        code = step.__code__
+        named = code.co_varnames[code.co_argcount : code.co_argcount + code.co_kwonlyargcount]
+        return _bound(step, tuple((name, getattr(self, name)) for name in named if name not in (step.__kwdefaults__ or ())))
 
     @staticmethod
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
-        """Advance one tick: ``(x_next, out)``, tuples in the order of `states` and `outputs`."""
+    def step(par: Any, x: Any, inp: Any, clock: Any, *args: Any, **structure: Any) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+        """Advance one tick: ``(x_next, out)``, tuples in the order of `states` and `outputs`.
+
+        A parameter that changes the structure of the step is a keyword-only argument: ``step(par, x, inp, clock, *, shape)``. All others
+        differ between variants and come from `par`.
+        """
         # A base class without a step never runs.
         raise NotImplementedError
 
@@ -252,6 +256,16 @@ class Component(Traced):
             wanted = f"a tuple of {len(self.derived)}: {', '.join(self.derived) or 'none'}"
             raise fault(type(self), f"derive returns {found}, but derived names {wanted}", type(self).derive)
         return {**rows, **dict(zip(self.derived, derived, strict=True))}
+
+
+@lru_cache(256)
+def _bound(step: FunctionType, named: tuple[tuple[str, Any], ...]) -> Callable[..., Any]:
+    """Return a function with some keyword-only arguments fixed; a plain function, which the engine can read."""
+    if not named:
+        return step
+    bound = FunctionType(step.__code__, step.__globals__, step.__name__, step.__defaults__, step.__closure__)
+    bound.__kwdefaults__ = {**(step.__kwdefaults__ or {}), **dict(named)}
+    return update_wrapper(bound, step)
 
 
 @lru_cache(256)
