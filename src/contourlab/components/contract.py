@@ -24,6 +24,7 @@ from typing import Any, ClassVar, dataclass_transform
 
 from contourlab.arrays import Array
 from contourlab.components.families import FAMILIES as FAMILIES
+from contourlab.components.families import FAMILY, size_of
 from contourlab.components.origin import Traced
 from contourlab.components.parameter import NOISE_STREAM as NOISE_STREAM
 from contourlab.components.parameter import Parameter as Parameter
@@ -72,7 +73,7 @@ class Component(Traced):
     family, kind : str
         Its slot, and its name in files.
     states, inputs, outputs : tuple of Port
-        The family fixes which inputs and outputs are possible.
+        The family fixes which inputs and outputs are possible; where it leaves no choice, they are its own by default.
     derived : tuple of str
         Constants from `derive`, in `par` after the parameters.
     tables : tuple of str
@@ -127,7 +128,12 @@ class Component(Traced):
                 found[name] = replace(value, name=name)
                 delattr(cls, name)
         cls.parameters = found
-        if cls.kind and cls.family not in FAMILIES:
+        if cls.family in FAMILY:
+            family = FAMILY[cls.family]
+            for what, names, fixed in (("inputs", family.inputs, not family.chooses), ("outputs", family.outputs, not family.either)):
+                if fixed and not any(what in vars(base) for base in cls.__mro__ if base is not Component):
+                    setattr(cls, what, tuple(Port(name, size_of(cls.family, name)) for name in names))
+        elif cls.kind:
             raise ComponentError(f"{cls.__name__}: family {cls.family!r} is not one of {', '.join(FAMILIES)}")
 
     def __init__(self, **values: Any) -> None:

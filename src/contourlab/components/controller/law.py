@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component, param
-from contourlab.engine.step import Port
 from contourlab.primitives import select
 
 ANTI_WINDUP = ("hold", "back-calculation", "none")
@@ -37,7 +36,6 @@ class ControlLaw(Component):
     """Base of the controllers of an axis."""
 
     family = "controller"
-    outputs = (Port("command"),)
 
 
 def recovery_part(tracking_time: Any, dt: float) -> Any:

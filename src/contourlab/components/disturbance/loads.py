@@ -9,7 +9,6 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.components.contract import Component, param, text_param
-from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip, floor, lookup, sin
 
@@ -18,8 +17,6 @@ class Disturbance(Component):
     """Base: a force on an axis that is not friction."""
 
     family = "disturbance"
-    inputs = (Port("position"),)
-    outputs = (Port("force"),)
 
 
 class ConstantLoad(Disturbance):

@@ -47,8 +47,6 @@ class Network(Component):
         "stream": 7.0,
     }
     states = (Port("newest"), Port("value"), Port("slope"))
-    inputs = (Port("sent"),)
-    outputs = (Port("received"),)
     derived = ("spacing", "soonest", "latest", "delay_ticks", "jitter_ticks", "horizon_ticks")
     ring = "sent"
 

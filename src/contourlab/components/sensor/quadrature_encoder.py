@@ -83,7 +83,6 @@ class QuadratureEncoder(Component):
         "stream": 7.0,
     }
     states = quadrature.STATES
-    inputs = (Port("position"),)
     outputs = (Port("position"), Port("missed_periods"))
     derived = ("phase_sine", "phase_cosine", "step_of_converter", "counts_per_pitch", *quadrature.DERIVED)
     tables = quadrature.TABLES
