@@ -60,6 +60,38 @@ class Enclosed(Amplifier):
         return step
 
 
+class Worded(Amplifier):
+    """Takes a structural parameter by name: sound."""
+
+    kind = "worded"
+    example = {"gain": 3.0, "sense": "back"}
+    gain: float = param(default=1.0, minimum=0.0, maximum=1e6, doc="gain")
+    sense: str = text_param(default="forth", choices=("forth", "back"), doc="sign")
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any, *, sense: str) -> Any:
+        return (), (par.gain * inp.command if sense == "forth" else -par.gain * inp.command,)
+
+
+class Named(Enclosed):
+    """Takes a parameter by name that may differ between variants."""
+
+    kind = "named"
+    step_function = Component.step_function
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any, *, gain: float) -> Any:
+        return (), (gain * inp.command,)
+
+
+class Nameless(Amplifier):
+    """Takes by name what it does not have."""
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any, *, shape: str) -> Any:
+        return (), (inp.command,)
+
+
 class WallClock(Amplifier):
     """Reads the time of day."""
 

@@ -21,9 +21,9 @@ from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags, Index
 from contourlab.components.quadrature import DERIVED, LEAST_COVARIANCE, STATES, TABLES, TUNING, arctangents, ellipse, followed
-from contourlab.engine.runner import Group, make_group
+from contourlab.engine.runner import make_group
 from contourlab.engine.schedule import Node, Schedule
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Port, Step, ports
 from contourlab.errors import ParameterError
 from contourlab.loop.simulate import jit_enabled
 
@@ -113,17 +113,15 @@ class SinusoidTable:
 
     def sinusoids(self, u1: ArrayLike, u2: ArrayLike) -> tuple[Array, Array]:
         """Return cos(n phi) and sin(n phi) (n,) of corrected signals (n,) with phi = arctan(u2/u1)."""
-        first, second = (np.asarray(u, dtype=np.float64) for u in (u1, u2))
-        i, part, beyond = self._place(first, second)
+        i, part, (beyond, behind, below) = self._place(u1, u2)
         cosine, sine = ((1.0 - part) * t[i] + part * t[i + 1] for t in (self._cosine, self._sine))
         # Beyond 45 degrees, phi = 90 degrees - angle; for u1 < 0, 180 degrees - phi; for u2 < 0, -phi.
         turned_cosine, turned_sine = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[self.order % 4]
         c = np.where(beyond, turned_cosine * cosine + turned_sine * sine, cosine)
         s = np.where(beyond, turned_sine * cosine - turned_cosine * sine, sine)
         half = -1.0 if self.order % 2 else 1.0
-        behind = first < 0.0
         c, s = np.where(behind, half * c, c), np.where(behind, -half * s, s)
-        return c, np.where(second < 0.0, -s, s)
+        return c, np.where(below, -s, s)
 
     def in_period(self, u1: ArrayLike, u2: ArrayLike) -> Index:
         """Return the count (n,) within the period, -2 n to 2 n: round(4 n phi/(2 pi)) for phi from -pi to pi.
@@ -131,34 +129,37 @@ class SinusoidTable:
         The table gives the count to within one. The sum and difference of the sinusoids of higher order cross zero half-way between two
         counts; their signs select the count.
         """
-        first, second = (np.asarray(u, dtype=np.float64) for u in (u1, u2))
-        i, _, beyond = self._place(first, second)
-        coarse = self._crossings[i]
-        coarse = np.where(beyond, self.order - coarse, coarse)
-        coarse = np.where(first < 0.0, 2 * self.order - coarse, coarse)
-        coarse = np.where(second < 0.0, -coarse, coarse)
-        fine = quadrant(*self.sinusoids(first, second))
+        i, _, octant = self._place(u1, u2)
+        coarse = _unfolded(self._crossings[i], self.order, octant)
+        fine = quadrant(*self.sinusoids(u1, u2))
         return np.asarray(coarse + (fine - coarse + 1) % 4 - 1, dtype=np.int64)
 
     def turns(self, u1: ArrayLike, u2: ArrayLike) -> Array:
         """Return the angle (n,) in turns, -1/2 to 1/2, to 1e-5 of a count."""
-        first, second = (np.asarray(u, dtype=np.float64) for u in (u1, u2))
-        i, part, beyond = self._place(first, second)
-        angle = (1.0 - part) * self._turns[i] + part * self._turns[i + 1]
-        angle = np.where(beyond, 0.25 - angle, angle)
-        angle = np.where(first < 0.0, 0.5 - angle, angle)
-        return np.where(second < 0.0, -angle, angle)
+        i, part, octant = self._place(u1, u2)
+        angle: Array = _unfolded((1.0 - part) * self._turns[i] + part * self._turns[i + 1], 0.25, octant)
+        return angle
 
     def count(self, u1: ArrayLike, u2: ArrayLike) -> Counts:
         """Count corrected signals (n,): within the period by the table, across periods by the shorter way round."""
         periods, missed = period_count(self.turns(u1, u2))
         return Counts(self.in_period(u1, u2) + 4 * self.order * periods, missed)
 
-    def _place(self, first: Array, second: Array) -> tuple[Index, Array, Flags]:
+    def _place(self, u1: ArrayLike, u2: ArrayLike) -> tuple[Index, Array, tuple[Flags, Flags, Flags]]:
+        """Return interval, place in it, and octant: whether phi is beyond 45 degrees, and which signals are negative."""
+        first, second = (np.asarray(u, dtype=np.float64) for u in (u1, u2))
         along, across = np.abs(first), np.abs(second)
         ratio = self.entries * np.minimum(along, across) / np.maximum(np.maximum(along, across), np.finfo(float).tiny)
         i = ratio.astype(np.int64)
-        return i, ratio - i, across > along
+        return i, ratio - i, (across > along, first < 0.0, second < 0.0)
+
+
+def _unfolded(angle: Any, quarter: float, octant: tuple[Flags, Flags, Flags]) -> Any:
+    """Return an angle of the first octant in its own octant; `quarter` is that of a quarter of a turn."""
+    beyond, behind, below = octant
+    angle = np.where(beyond, quarter - angle, angle)
+    angle = np.where(behind, 2 * quarter - angle, angle)
+    return np.where(below, -angle, angle)
 
 
 def quadrant(cosine: Array, sine: Array) -> Index:
@@ -324,24 +325,19 @@ def fit_ellipse(u1: ArrayLike, u2: ArrayLike) -> EllipseFit:
     The fit minimises algebraic distances: noise of relative size sigma biases the constants by the order of sigma^2.
     """
     first, second = _two_records(u1, u2, FEWEST)
+    # Centred and scaled, so that offset and unit do not affect the conditioning.
+    middle, half = [], []
     for name, values in (("u1", first), ("u2", second)):
         if not np.isfinite(values).all():
             raise ParameterError(name, f"not finite at sample {int(np.argmin(np.isfinite(values)))}", "finite everywhere")
-    # Centred and scaled, so that offset and unit do not affect the conditioning.
-    middle = [0.5 * (float(u.min()) + float(u.max())) for u in (first, second)]
-    half = [0.5 * (float(u.max()) - float(u.min())) for u in (first, second)]
-    for name, size, values in zip(("u1", "u2"), half, (first, second), strict=True):
-        if size <= 1e-9 * float(np.abs(values).max()):
+        low, high = float(values.min()), float(values.max())
+        middle.append(0.5 * (low + high))
+        half.append(0.5 * (high - low))
+        if half[-1] <= 1e-9 * max(abs(low), abs(high)):
             raise ParameterError(name, f"{values[0]:g} throughout", "a signal that moves: the axis stands still")
-    x, y = (first - middle[0]) / half[0], (second - middle[1]) / half[1]
-    inner = QuadratureConstants.from_coefficients(*_solved(x, y))
-    constants = QuadratureConstants(
-        middle[0] + half[0] * inner.offset_1,
-        middle[1] + half[1] * inner.offset_2,
-        inner.ratio * half[0] / half[1],
-        inner.phase_error,
-        inner.amplitude * half[0],
-    )
+    inner = QuadratureConstants.from_coefficients(*_solved((first - middle[0]) / half[0], (second - middle[1]) / half[1]))
+    offsets = middle[0] + half[0] * inner.offset_1, middle[1] + half[1] * inner.offset_2
+    constants = QuadratureConstants(*offsets, inner.ratio * half[0] / half[1], inner.phase_error, inner.amplitude * half[0])
     return _judged(constants, first, second)
 
 
@@ -416,7 +412,7 @@ def subdivisional_error(position_error: ArrayLike, phase: ArrayLike) -> Subdivis
         If the travel is less than two pitches, or there are fewer than four samples for each unknown.
     """
     error, angle = (np.asarray(values, dtype=np.float64) for values in (position_error, phase))
-    n_unknown = 2 * ORDERS + 2
+    n_unknown, orders = 2 * ORDERS + 2, range(1, ORDERS + 1)
     if error.shape != angle.shape or error.size < 4 * n_unknown:
         raise ParameterError("samples", error.size, f"one phase for each error, at least {4 * n_unknown}")
     travel = float(np.ptp(angle)) / (2.0 * np.pi)
@@ -427,7 +423,7 @@ def subdivisional_error(position_error: ArrayLike, phase: ArrayLike) -> Subdivis
 
     def rows(part: slice) -> Array:
         a = angle[part]
-        waves = [wave(k * a) for k in range(1, ORDERS + 1) for wave in (np.cos, np.sin)]
+        waves = [wave(k * a) for k in orders for wave in (np.cos, np.sin)]
         return np.stack([np.ones_like(a), (a - middle) / travel, *waves])
 
     parts = [slice(start, start + BLOCK) for start in range(0, error.size, BLOCK)]
@@ -438,8 +434,8 @@ def subdivisional_error(position_error: ArrayLike, phase: ArrayLike) -> Subdivis
     weights = np.linalg.lstsq(gram, right, rcond=None)[0]
     square = sum(float(np.sum((error[part] - weights @ rows(part)) ** 2)) for part in parts)
     turn = np.linspace(0.0, 2.0 * np.pi, 2049)
-    sums = sum(weights[2 * k] * np.cos(k * turn) + weights[2 * k + 1] * np.sin(k * turn) for k in range(1, ORDERS + 1))
-    amplitudes = tuple(float(np.hypot(weights[2 * k], weights[2 * k + 1])) for k in range(1, ORDERS + 1))
+    sums = sum(weights[2 * k] * np.cos(k * turn) + weights[2 * k + 1] * np.sin(k * turn) for k in orders)
+    amplitudes = tuple(float(np.hypot(weights[2 * k], weights[2 * k + 1])) for k in orders)
     return Subdivisional(float(np.abs(sums).max()), amplitudes, math.sqrt(square / error.size))
 
 
@@ -521,28 +517,21 @@ def track_ellipse(
     ):
         if not low <= value <= high:
             raise ParameterError(name, value, f"from {low:g} to {high:g}")
-    size = start.amplitude
+    size, n = start.amplitude, first.size
     theta = replace(start, offset_1=start.offset_1 / size, offset_2=start.offset_2 / size, amplitude=1.0).coefficients()
-    group, rows = _group({**dict(zip(DERIVED, theta, strict=True)), "amplitude": size}, (forgetting, initial_covariance, update_travel))
-    n = first.size
+    parameters = dict(zip((*DERIVED, *TUNING, "amplitude"), (*theta, forgetting, initial_covariance, update_travel, size), strict=True))
+    inputs, outputs = ports("u1", "u2"), (*ports("u1", "u2"), Port("theta", 5), Port("used"))
+    step = Step("quadrature", _track, ("amplitude", *TUNING, *DERIVED), TABLES, "", STATES, inputs, outputs)
+    node = Node("fit", step, {"u1": "in.u1", "u2": "in.u2"}, parameters, {"arctangent": arctangents()})
+    schedule = Schedule((node,), inputs, 1.0, 1)
+    group, row = make_group(schedule, 1, slice(0, 1), jit=jit_enabled()), schedule.row("fit.u1")
     chosen = np.unique(np.linspace(0, n - 1, min(n, n_kept)).astype(np.int64))
     out, kept = np.empty((3, n)), []
     for at in range(0, n, BLOCK):
         part = slice(at, min(at + BLOCK, n))
-        log = group.run(np.column_stack([first[part], second[part]]), rows)[:, :, 0]
+        log = group.run(np.column_stack([first[part], second[part]]), list(range(row, row + 8)))[:, :, 0]
         out[:, part] = log[:, [0, 1, 7]].T
         kept.append(log[chosen[(chosen >= at) & (chosen < part.stop)] - at, 2:7])
     # The position of the last update changes with each update; the first sample is an update.
     updated = np.diff(out[2], prepend=np.nan) != 0.0
     return Tracked(out[0], out[1], chosen, np.concatenate(kept), size, updated)
-
-
-def _group(parameters: dict[str, float], tuning: tuple[float, float, float]) -> tuple[Group, list[int]]:
-    """Return the engine group that runs the recursive fit, and the rows of its outputs."""
-    outputs = (Port("u1"), Port("u2"), Port("theta", 5), Port("used"))
-    step = Step("quadrature", _track, ("amplitude", *TUNING, *DERIVED), TABLES, "", STATES, (Port("u1"), Port("u2")), outputs)
-    values = {**parameters, **dict(zip(TUNING, tuning, strict=True))}
-    node = Node("fit", step, {"u1": "in.u1", "u2": "in.u2"}, values, {"arctangent": arctangents()})
-    schedule = Schedule((node,), step.inputs, 1.0, 1)
-    first = schedule.row("fit.u1")
-    return make_group(schedule, 1, slice(0, 1), jit=jit_enabled()), list(range(first, first + 8))

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Iterator
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
 
 from contourlab.arrays import Array, Complex
-from contourlab.components.contract import Component, LinearModel, Parameter
+from contourlab.components.contract import Component, LinearModel
 from contourlab.components.declaration import check_class, check_documents, form_of
 from contourlab.components.learning.law import LearningLaw, LearningProblem, TrialRecord
 from contourlab.components.place import fault, file_of_class, line_in
@@ -79,18 +80,16 @@ def _checked(kind: type[Component], jit: bool) -> tuple[str, ...]:
     try:
         part = kind(**kind.example)
     except ContourlabError as error:
-        raise fault(kind, f"its example is not valid: {error}") from error
+        raise ComponentError(f"its example is not valid: {error}") from error
     _check_numbers(kind, part)
-    if kind.family == "learning":  # it has no step: it runs between trials
-        wrong = learning_fault(part)
-        if wrong:
-            raise fault(kind, wrong)
+    if isinstance(part, LearningLaw):  # it has no step: it runs between trials
+        check_learning(part)
         return DECLARED, "corrections of a trial"
     graph_of(subject(part)[0])
     for scale in SCALES:
-        _check_running(kind, part, scale, jit)
+        _check_running(part, scale, jit)
     linear, passive = _check_linear(kind, part), _check_passive(kind, part)
-    _check_effects(kind, part, jit)
+    _check_effects(part, jit)
     checks = {
         DECLARED: True,
         "language of steps": True,
@@ -103,67 +102,55 @@ def _checked(kind: type[Component], jit: bool) -> tuple[str, ...]:
     return tuple(words for words, done in checks.items() if done)
 
 
-def subject(part: Component) -> tuple[Step, dict[str, Any], dict[str, Any]]:
+def subject(part: Any) -> tuple[Step, dict[str, Any], dict[str, Any]]:
     """Return step, parameter values and tables of a component; a plant gets a friction, and a friction a plant."""
+    values = part.block(PERIOD)
     if part.family in ("plant", "friction"):
-        return _linked(part)
+        return _linked(part, values)
     if part.family == "estimator":
         from contourlab.geometry import contour
         from contourlab.geometry.view import view_of
 
         view = view_of(contour("ellipse"), pieces=64)
-        return part.path_step(view, 2), {**part.block(PERIOD), **view.parameters}, dict(view.tables)  # type: ignore[attr-defined]
-    return part.make_step(2), part.block(PERIOD), part.table_values()
+        return part.path_step(view, 2), {**values, **view.parameters}, dict(view.tables)
+    return part.make_step(2), values, part.table_values()
 
 
-def _linked(part: Component) -> tuple[Step, dict[str, Any], dict[str, Any]]:
+def _linked(part: Any, values: dict[str, Any]) -> tuple[Step, dict[str, Any], dict[str, Any]]:
     from contourlab.components.mechanics.core import friction_prefix, link
     from contourlab.components.registry import component
 
     if part.family == "plant":
-        plant, friction = part, component("friction", "smooth-coulomb")(coulomb=0.1, breakaway=0.2)
-    else:  # a plant that overcomes it
-        size = max(1.0, _resistance(part))
-        plant, friction = component("plant", "mass-damper")(mass=2.0 * size, force_constant=3.0 * size), part
-    rubbing = {f"{friction_prefix(plant)}{row}": value for row, value in friction.block(PERIOD).items()}
-    return link(plant, friction), {**plant.block(PERIOD), **rubbing}, plant.table_values()
+        friction = component("friction", "smooth-coulomb")(coulomb=0.1, breakaway=0.2)
+        rubbing = {f"{friction_prefix(part)}{row}": value for row, value in friction.block(PERIOD).items()}
+        return link(part, friction), values | rubbing, part.table_values()
+    # A plant that overcomes the largest force against a slow motion.
+    par, resistance = part.constants(), part.level if part.law == "bristle" else getattr(part, "force", None)
+    size = max(1.0, *(float(part.held(par) if resistance is None else resistance(par, speed)) for speed in SLOW))
+    plant = component("plant", "mass-damper")(mass=2.0 * size, force_constant=3.0 * size)
+    return link(plant, part), plant.block(PERIOD) | values, {}
 
 
-def _resistance(friction: Any) -> float:
-    """Return the largest force against a slow motion."""
-    par = friction.constants()
-    if friction.law == "sticking":
-        return float(friction.held(par))
-    resistance = friction.level if friction.law == "bristle" else friction.force
-    return max(float(resistance(par, speed)) for speed in SLOW)
-
-
-def _group(part: Component, jit: bool, width: int = 1, step: Step | None = None) -> Group:
+def _group(part: Component, jit: bool, width: int = 1, step: Step | None = None) -> tuple[Group, list[int]]:
+    """Return a group of a component alone, and the rows of its outputs."""
     own, values, tables = subject(part)
     step = step or own
     wires = {port.name: f"in.{port.name}" for port in step.inputs}
-    node = Node("part", step, wires, values, tables, ring_length=part.ring_length(PERIOD))
-    schedule = Schedule((node,), step.inputs, PERIOD, 1)
-    return make_group(schedule, width, slice(0, width), jit)
-
-
-def _outputs(group: Group) -> list[int]:
-    step = group.schedule.nodes[0].step
-    return [group.schedule.row(f"part.{port.name}") + i for port in step.outputs for i in range(port.rows)]
+    schedule = Schedule((Node("part", step, wires, values, tables, ring_length=part.ring_length(PERIOD)),), step.inputs, PERIOD, 1)
+    outputs = [schedule.row(f"part.{port.name}") + i for port in step.outputs for i in range(port.rows)]
+    return make_group(schedule, width, slice(0, width), jit), outputs
 
 
 def _excitation(group: Group, scale: float) -> Array:
     """Return test inputs: sums of two sines, with different frequencies for each row."""
-    n = rows(group.schedule.externals)
-    t = np.arange(TICKS)[:, None] * 0.05
-    channel = np.arange(n)[None, :]
+    t, channel = np.arange(TICKS)[:, None] * 0.05, np.arange(rows(group.schedule.externals))[None, :]
     return np.asarray(scale * (np.sin((1.0 + 0.37 * channel) * t + channel) + 0.4 * np.sin((3.1 + 0.23 * channel) * t + 2.0 * channel)))
 
 
 def _run(part: Component, scale: float, jit: bool, width: int = 1, step: Step | None = None) -> Array:
     """Return all outputs, then the final states: (n_number, width)."""
-    group = _group(part, jit, width, step)
-    log = group.run(_excitation(group, scale), _outputs(group))
+    group, outputs = _group(part, jit, width, step)
+    log = group.run(_excitation(group, scale), outputs)
     return np.concatenate([log.reshape(-1, width), group.state[0]])
 
 
@@ -172,35 +159,191 @@ def _gap(one: Array, other: Array) -> float:
     return float(np.abs(one - other).max(initial=0.0)) / max(1.0, float(np.abs(other).max(initial=0.0)))
 
 
-def _check_running(kind: type[Component], part: Component, scale: float, jit: bool) -> None:
+def _check_running(part: Component, scale: float, jit: bool) -> None:
     plain = _run(part, scale, False)
     if not np.isfinite(plain).all():
-        raise fault(kind, "an output or a state is not finite")
+        raise ComponentError("an output or a state is not finite")
     if not np.array_equal(plain, _run(part, scale, False)):
-        raise fault(kind, "two runs differ: a step must depend on its arguments alone")
-    _check_resume(kind, part, scale, False)
+        raise ComponentError("two runs differ: a step must depend on its arguments alone")
+    _check_resume(part, scale, False)
     for name, width in (("the compiled form", 1), ("the lanes", 32)) if jit else ():
-        fast = _run(part, scale, True, width)
-        gap = _gap(fast, plain)
+        gap = _gap(_run(part, scale, True, width), plain)
         if not gap <= AGREEMENT:
-            raise fault(kind, f"{name} and plain Python differ by {gap:.3g}")
+            raise ComponentError(f"{name} and plain Python differ by {gap:.3g}")
     if jit:
-        _check_resume(kind, part, scale, True)
+        _check_resume(part, scale, True)
 
 
-def _check_resume(kind: type[Component], part: Component, scale: float, jit: bool) -> None:
-    group = _group(part, jit)
+def _check_resume(part: Component, scale: float, jit: bool) -> None:
+    group, outputs = _group(part, jit)
     inputs, half = _excitation(group, scale), TICKS // 2
-    whole = _group(part, jit).run(inputs, _outputs(group))
-    first = group.run(inputs[:half], _outputs(group))
+    whole = _group(part, jit)[0].run(inputs, outputs)
+    first = group.run(inputs[:half], outputs)
     saved = group.snapshot()
-    rest = group.run(inputs[half:], _outputs(group))
+    rest = group.run(inputs[half:], outputs)
     group.restore(saved)
-    again = group.run(inputs[half:], _outputs(group))
-    if not np.array_equal(rest, again):
-        raise fault(kind, "a restored run differs from the original: keep all memory in its states or its ring")
+    cure = "keep all memory in its states or its ring"
+    if not np.array_equal(rest, group.run(inputs[half:], outputs)):
+        raise ComponentError(f"a restored run differs from the original: {cure}")
     if not np.array_equal(np.concatenate([first, rest]), whole):
-        raise fault(kind, "a run in two halves differs from one run: keep all memory in its states or its ring")
+        raise ComponentError(f"a run in two halves differs from one run: {cure}")
+
+
+def _check_numbers(kind: type[Component], part: Component) -> None:
+    """Check constants, tables, and the functions of plant or friction with numbers, before a step calls them."""
+    part.block(PERIOD)
+    for name in kind.numeric() if kind.derived else ():
+        # In a batch each variant has its own value: `derive` must not branch on it or use the functions of `math`.
+        try:
+            part.block(PERIOD, {name: np.repeat(getattr(part, name), 2)})
+        except (TypeError, ValueError) as error:
+            message = f"derive must take arrays, one number for each variant: use the functions of numpy ({error_text(error)})"
+            raise fault(kind, message, kind.derive) from error
+    if set(part.table_values()) != set(kind.tables):
+        raise fault(kind, f"table_values returns {sorted(part.table_values())}, but tables names {sorted(kind.tables)}", kind.table_values)
+    for method in form_of(kind).methods if kind.family in ("plant", "friction") else ():
+        if method.static:
+            value = getattr(kind, method.name)(part.constants(), *[0.1] * (len(method.arguments) - 1))
+            if not isinstance(value, float | int):
+                raise fault(kind, f"{method.name} returns {value!r}, not a number", getattr(kind, method.name))
+
+
+def _check_passive(kind: type[Component], part: Component) -> bool:
+    """Check that friction dissipates energy at every speed; return False for bristles, whose force depends on their past."""
+    law = getattr(kind, "law", "")
+    force: Any = getattr(kind, {"smooth": "force", "sticking": "sliding"}.get(law, ""), None)
+    if kind.family != "friction" or force is None:
+        return False
+    par = part.constants()
+    for speed in np.geomspace(1e-7, 10.0, 33).tolist():
+        if not force(par, speed) >= 0.0 or (law == "smooth" and not force(par, -speed) <= 0.0):
+            raise ComponentError(f"adds energy at {speed:.3g} m/s: a friction force must oppose the motion")
+    return True
+
+
+def _check_effects(part: Component, jit: bool) -> None:
+    before = [_run(part, scale, False) for scale in SCALES]
+    for name in (name for name in part.parameters if name not in part.without_effect):
+        for changed in _changed(part, name):
+            after = [_run(changed, scale, False) for scale in SCALES]
+            if not all(map(np.array_equal, after, before)):
+                break
+        else:
+            cure = "change the example, or name it in `without_effect`"
+            raise ComponentError(f"parameter {name} has no effect on its outputs in the example: {cure}")
+        if name in part.numeric():
+            # In a batch it differs between variants, which share the step.
+            step = subject(part)[0]
+            if not all(map(np.array_equal, (_run(changed, scale, False, 1, step) for scale in SCALES), after)):
+                raise ComponentError(f"its step does not read parameter {name} from par: write par.{name}, or declare it structural")
+        elif jit and not all(_gap(_run(changed, scale, True), new) <= AGREEMENT for scale, new in zip(SCALES, after, strict=True)):
+            raise ComponentError(f"the compiled form does not follow parameter {name}")
+
+
+def _changed(part: Any, name: str) -> Iterator[Any]:
+    """Yield copies of a component with other values of a parameter."""
+    parameter, value = part.parameters[name], getattr(part, name)
+    if parameter.choices:
+        others: list[Any] = [choice for choice in parameter.choices if choice != value]
+    elif parameter.vector:
+        others = [tuple(v + 1.0 if parameter.whole else 0.5 * v + 0.1 for v in value)]
+    elif parameter.whole:
+        others = [value + 1.0, value - 1.0]
+    else:
+        others = [0.6 * value + 0.01, 1.7 * value, 0.01 * value, 1.0]
+    for other in others:
+        with suppress(ContourlabError):  # out of its range
+            yield part.replace(**{name: other})
+
+
+SAMPLES = 400
+AXES = (1, 2, 3)
+
+
+def _wave(n_axis: int, phase: float, scale: float) -> Array:
+    t, j = np.arange(SAMPLES)[:, None] * PERIOD, np.arange(n_axis)[None, :]
+    return np.asarray(scale * (np.sin((11.0 + 3.0 * j) * t + phase + j) + 0.3 * np.sin((90.0 + 17.0 * j) * t + 2.0 * phase)))
+
+
+def _problem(n_axis: int) -> LearningProblem:
+    """Return a test problem: a curved path, and axes with different settling times of some tens of milliseconds."""
+    j = np.arange(n_axis)
+    columns = np.cos(np.linspace(0.0, 4.0, SAMPLES)[:, None] + 1.3 * j)
+    decay = 0.9 + 0.02 * j
+    impulse = np.concatenate([np.zeros((1, n_axis)), (1.0 - decay) * decay ** np.arange(300)[:, None]])
+    # Slow near zero: a friction function is neither zero nor a sign everywhere.
+    velocity = _wave(n_axis, 2.2, 5e-3)
+    motion = velocity, np.asarray(np.gradient(velocity, PERIOD, axis=0))
+    return LearningProblem(PERIOD, columns / np.linalg.norm(columns, axis=1, keepdims=True), lambda: impulse, lambda: motion)
+
+
+def _trial(n_axis: int, problem: LearningProblem, scale: float = 1.0) -> TrialRecord:
+    error = _wave(n_axis, 0.4, 1e-3 * scale)
+    excess = np.where(np.abs(_wave(n_axis, 2.0, 1.0)) > 1.1, _wave(n_axis, 2.0, 0.1 * scale), 0.0)
+    return TrialRecord(error, _wave(n_axis, 1.1, 0.2 * scale), excess, problem.across(error) * 0.9)
+
+
+def _next(law: LearningLaw, n_axis: int) -> Array:
+    problem = _problem(n_axis)
+    return law.update(_wave(n_axis, 0.7, 0.05), _trial(n_axis, problem), problem)
+
+
+def check_learning(law: LearningLaw) -> None:
+    """Check a learning law.
+
+    With one, two and three axes: shape, finite numbers, determinism, unchanged arguments, a zero table after a zero table and a trial
+    without errors, and no wind-up where the drive saturated. Every parameter must have an effect with at least one target.
+
+    Parameters
+    ----------
+    law : LearningLaw
+        With the parameters of its example.
+
+    Raises
+    ------
+    ComponentError
+        At the first broken clause.
+    """
+    for n_axis in AXES:
+        wrong = _learning_fault(law, n_axis)
+        if wrong:
+            raise ComponentError(f"{wrong}, with {n_axis} {'axis' if n_axis == 1 else 'axes'}")
+    for name in (name for name in law.parameters if name not in law.without_effect):
+        laws = [law.replace(target=target) for target in law.parameters["target"].choices]
+        if all(np.array_equal(_next(changed, 2), _next(base, 2)) for base in laws for changed in _changed(base, name)):
+            cure = "change the example, or name it in `without_effect`"
+            raise ComponentError(f"parameter {name} has no effect on the table in the example: {cure}")
+
+
+def _learning_fault(law: LearningLaw, n_axis: int) -> str:
+    """Return the first broken clause; empty if there is none."""
+    problem = _problem(n_axis)
+    table, trial, none = _wave(n_axis, 0.7, 0.05), _trial(n_axis, problem), np.zeros((SAMPLES, n_axis))
+    given = (table, trial.tracking_error, trial.feedback_command, trial.excess)
+    kept = [array.copy() for array in given]
+    updated = law.update(table, trial, problem)
+    rest = law.update(none, _trial(n_axis, problem, 0.0), problem)
+    if not isinstance(updated, np.ndarray) or updated.shape != table.shape or updated.dtype != np.float64:
+        return f"its table is not an array of numbers of shape {table.shape}"
+    if not np.isfinite(updated).all():
+        return "its table is not finite"
+    if not all(map(np.array_equal, kept, given)) or updated is table:
+        return "it writes into its arguments: return a new array"
+    if not np.array_equal(updated, _next(law, n_axis)):
+        return "two updates from the same trial differ"
+    if rest.any():
+        return "it learns something from a trial without errors"
+    if (trial.excess * (updated - table) > 0.0).any():
+        return "it drives a saturated drive further into its limit"
+    return ""
+
+
+NUDGE = 1e-9
+"""Perturbation of states and inputs: small enough for a step to be linear around rest."""
+
+TICKS_PER_RADIAN = 1e5
+TOLERANCE = 1e-3
+"""Relative tolerance: a hundred times the sampling error at the highest frequency."""
 
 
 def _check_linear(kind: type[Component], part: Component) -> bool:
@@ -218,192 +361,15 @@ def _check_linear(kind: type[Component], part: Component) -> bool:
 
         part = part.linear()
         step = link(part, component("friction", "none")())
-    tables = {name: Table(values) for name, values in part.table_values().items()}
-    wrong = linear_fault(model, step, lambda dt: {**part.block(dt), **tables})
-    if wrong:
+    if wrong := _linear_fault(model, step, part):
         raise fault(kind, f"its linear model differs from its step: {wrong}", kind.linearize)
     return True
 
 
-def _check_numbers(kind: type[Component], part: Component) -> None:
-    """Check constants, tables, and the functions of plant or friction with numbers, before a step calls them."""
-    part.block(PERIOD)
-    for name in kind.numeric() if kind.derived else ():
-        # In a batch each variant has its own value: `derive` must not branch on it or use the functions of `math`.
-        try:
-            part.block(PERIOD, {name: np.repeat(getattr(part, name), 2)})
-        except (TypeError, ValueError) as error:
-            message = f"derive must take arrays, one number for each variant: use the functions of numpy ({error_text(error)})"
-            raise fault(kind, message, kind.derive) from error
-    if set(part.table_values()) != set(kind.tables):
-        raise fault(kind, f"table_values returns {sorted(part.table_values())}, but tables names {sorted(kind.tables)}", kind.table_values)
-    if kind.family not in ("plant", "friction"):
-        return
-    for method in form_of(kind).methods:
-        if method.static:
-            value = getattr(kind, method.name)(part.constants(), *[0.1] * (len(method.arguments) - 1))
-            if not isinstance(value, float | int):
-                raise fault(kind, f"{method.name} returns {value!r}, not a number", getattr(kind, method.name))
+def _linear_fault(model: LinearModel, step: Step, part: Component) -> str:
+    """Return where a model and a step, at a period far below the model's time constants, differ; empty if they agree.
 
-
-def _check_passive(kind: type[Component], part: Component) -> bool:
-    """Check that friction dissipates energy at every speed; return False for bristles, whose force depends on their past."""
-    law = getattr(kind, "law", "")
-    force: Any = getattr(kind, {"smooth": "force", "sticking": "sliding"}.get(law, ""), None)
-    if kind.family != "friction" or force is None:
-        return False
-    par = part.constants()
-    for speed in np.geomspace(1e-7, 10.0, 33):
-        if not force(par, float(speed)) >= 0.0 or (law == "smooth" and not force(par, -float(speed)) <= 0.0):
-            raise fault(kind, f"adds energy at {speed:.3g} m/s: a friction force must oppose the motion")
-    return True
-
-
-def _check_effects(kind: type[Component], part: Component, jit: bool) -> None:
-    before = [_run(part, scale, False) for scale in SCALES]
-    for name, parameter in kind.parameters.items():
-        if name in kind.without_effect:
-            continue
-        for value in _others(parameter, getattr(part, name)):
-            try:
-                changed = part.replace(**{name: value})
-            except ContourlabError:
-                continue
-            after = [_run(changed, scale, False) for scale in SCALES]
-            if any(not np.array_equal(new, old) for new, old in zip(after, before, strict=True)):
-                break
-        else:
-            cure = "change the example, or name it in `without_effect`"
-            raise fault(kind, f"parameter {name} has no effect on its outputs in the example: {cure}")
-        if name in kind.numeric():
-            # In a batch it differs between variants, which share the step.
-            step = subject(part)[0]
-            if any(not np.array_equal(_run(changed, scale, False, 1, step), new) for scale, new in zip(SCALES, after, strict=True)):
-                raise fault(kind, f"its step does not read parameter {name} from par: write par.{name}, or declare it structural")
-        elif jit and any(not _gap(_run(changed, scale, True), new) <= AGREEMENT for scale, new in zip(SCALES, after, strict=True)):
-            raise fault(kind, f"the compiled form does not follow parameter {name}")
-
-
-def _others(parameter: Parameter, value: Any) -> list[Any]:
-    """Return other values that a parameter might take."""
-    if parameter.choices:
-        return [choice for choice in parameter.choices if choice != value]
-    if parameter.vector:
-        return [tuple(v + 1.0 if parameter.whole else 0.5 * v + 0.1 for v in value)]
-    if parameter.whole:
-        return [value + 1.0, value - 1.0]
-    return [0.6 * value + 0.01, 1.7 * value, 0.01 * value, 1.0]
-
-
-SAMPLES = 400
-AXES = (1, 2, 3)
-
-
-def _problem(n_axis: int) -> LearningProblem:
-    """Return a test problem: a curved path, and axes with different settling times of some tens of milliseconds."""
-    angle = np.linspace(0.0, 4.0, SAMPLES)
-    columns = np.column_stack([np.cos(angle + 1.3 * j) for j in range(n_axis)])
-    tangent = columns / np.linalg.norm(columns, axis=1, keepdims=True)
-    decay = np.array([0.9 + 0.02 * j for j in range(n_axis)])
-    impulse = np.concatenate([np.zeros((1, n_axis)), (1.0 - decay) * decay ** np.arange(300)[:, None]])
-    # Slow near zero: a friction function is neither zero nor a sign everywhere.
-    velocity = _wave(n_axis, 2.2, 5e-3)
-    return LearningProblem(PERIOD, tangent, lambda: impulse, lambda: (velocity, np.asarray(np.gradient(velocity, PERIOD, axis=0))))
-
-
-def _wave(n_axis: int, phase: float, scale: float) -> Array:
-    t = np.arange(SAMPLES)[:, None] * PERIOD
-    j = np.arange(n_axis)[None, :]
-    return np.asarray(scale * (np.sin((11.0 + 3.0 * j) * t + phase + j) + 0.3 * np.sin((90.0 + 17.0 * j) * t + 2.0 * phase)))
-
-
-def _trial(n_axis: int, problem: LearningProblem, scale: float = 1.0) -> TrialRecord:
-    error = _wave(n_axis, 0.4, 1e-3 * scale)
-    excess = np.where(np.abs(_wave(n_axis, 2.0, 1.0)) > 1.1, _wave(n_axis, 2.0, 0.1 * scale), 0.0)
-    return TrialRecord(error, _wave(n_axis, 1.1, 0.2 * scale), excess, problem.across(error) * 0.9)
-
-
-def _next(law: LearningLaw, n_axis: int) -> Array:
-    problem = _problem(n_axis)
-    return law.update(_wave(n_axis, 0.7, 0.05), _trial(n_axis, problem), problem)
-
-
-def learning_fault(law: Any) -> str:
-    """Return the first broken clause of the contract as text; empty if there is none.
-
-    Checks with one, two and three axes: shape, finite numbers, determinism, unchanged arguments, a zero table after a zero table and a
-    trial without errors, and no wind-up where the drive saturated. Every parameter must have an effect with at least one target.
-
-    Parameters
-    ----------
-    law : LearningLaw
-        With the parameters of its example.
-    """
-    for n_axis in AXES:
-        wrong = _learning_fault(law, n_axis)
-        if wrong:
-            return f"{wrong}, with {n_axis} {'axis' if n_axis == 1 else 'axes'}"
-    for name, parameter in law.parameters.items():
-        if name not in law.without_effect and not _has_effect(law, name, parameter):
-            return f"parameter {name} has no effect on the table in the example: change the example, or name it in `without_effect`"
-    return ""
-
-
-def _learning_fault(law: LearningLaw, n_axis: int) -> str:
-    problem = _problem(n_axis)
-    table, trial, none = _wave(n_axis, 0.7, 0.05), _trial(n_axis, problem), np.zeros((SAMPLES, n_axis))
-    kept = [array.copy() for array in (table, trial.tracking_error, trial.feedback_command, trial.excess)]
-    updated = law.update(table, trial, problem)
-    rest = law.update(none, _trial(n_axis, problem, 0.0), problem)
-    given = (table, trial.tracking_error, trial.feedback_command, trial.excess)
-    if not isinstance(updated, np.ndarray) or updated.shape != table.shape or updated.dtype != np.float64:
-        return f"its table is not an array of numbers of shape {table.shape}"
-    if not np.isfinite(updated).all():
-        return "its table is not finite"
-    if any(not np.array_equal(before, now) for before, now in zip(kept, given, strict=True)) or updated is table:
-        return "it writes into its arguments: return a new array"
-    if not np.array_equal(updated, _next(law, n_axis)):
-        return "two updates from the same trial differ"
-    if rest.any():
-        return "it learns something from a trial without errors"
-    if (trial.excess * (updated - table) > 0.0).any():
-        return "it drives a saturated drive further into its limit"
-    return ""
-
-
-def _has_effect(law: LearningLaw, name: str, parameter: Parameter) -> bool:
-    for target in law.parameters["target"].choices:
-        base = law.replace(target=target)
-        before = _next(base, 2)
-        for value in _others(parameter, getattr(base, name)):
-            try:
-                changed = base.replace(**{name: value})
-            except Exception:  # out of its range
-                continue
-            if not np.array_equal(_next(changed, 2), before):
-                return True
-    return False
-
-
-NUDGE = 1e-9
-"""Perturbation of states and inputs: small enough for a step to be linear around rest."""
-
-TICKS_PER_RADIAN = 1e5
-TOLERANCE = 1e-3
-"""Relative tolerance: a hundred times the sampling error at the highest frequency."""
-
-
-def linear_fault(model: LinearModel, step: Step, block: Callable[[float], dict[str, Any]]) -> str:
-    """Return where a model and a step differ, as text; empty if they agree.
-
-    Parameters
-    ----------
-    model : LinearModel
-        Continuous time.
-    step : Step
-        Perturbed around zero, at a period far below the model's time constants. Steps with vector ports are not compared.
-    block : callable
-        Returns the step's parameter values for a period.
+    Steps with vector ports are not compared.
     """
     inputs, outputs = ([port.name for port in ports] for ports in (step.inputs, step.outputs))
     for what, named, known in (("input", model.inputs, inputs), ("output", model.outputs, outputs)):
@@ -411,7 +377,8 @@ def linear_fault(model: LinearModel, step: Step, block: Callable[[float], dict[s
             if name not in known:
                 return f"it has no {what} {name!r}; the {what}s are: {', '.join(known)}"
     n, m, p = len(model.a), len(model.inputs), len(model.outputs)
-    shapes = tuple(np.shape(matrix) for matrix in (model.a, model.b, model.c, model.d))
+    matrices = (model.a, model.b, model.c, model.d)
+    shapes = tuple(map(np.shape, matrices))
     if shapes != ((n, n), (n, m), (p, n), (p, m)):
         return f"its matrices have shapes {shapes}, which do not fit {m} inputs and {p} outputs"
     if any(port.size for port in (*step.states, *step.inputs, *step.outputs)):
@@ -419,11 +386,11 @@ def linear_fault(model: LinearModel, step: Step, block: Callable[[float], dict[s
     rates = np.abs(np.linalg.eigvals(model.a))
     rates = rates[rates > 1e-9 * rates.max(initial=0.0)] if rates.any() else np.ones(1)
     period = 1.0 / (TICKS_PER_RADIAN * float(rates.max()))
-    sampled = _sampled(step, block(period), period)
-    rows, columns = [outputs.index(name) for name in model.outputs], [inputs.index(name) for name in model.inputs]
+    tables = {name: Table(values) for name, values in part.table_values().items()}
+    sampled = _sampled(step, {**part.block(period), **tables}, period)
+    chosen = np.ix_([outputs.index(name) for name in model.outputs], [inputs.index(name) for name in model.inputs])
     for w in np.geomspace(0.1 * rates.min(), rates.max(), 7):
-        expected = _response(model.a, model.b, model.c, model.d, 1j * w)
-        actual = _response(*sampled, np.exp(1j * w * period))[np.ix_(rows, columns)]
+        expected, actual = _response(*matrices, 1j * w), _response(*sampled, np.exp(1j * w * period))[chosen]
         for i, j in np.argwhere(~(np.abs(actual - expected) <= TOLERANCE * np.abs(expected))):
             return f"from {model.inputs[j]} to {model.outputs[i]} at {w:.3g} rad/s {expected[i, j]:.4g}, but the step {actual[i, j]:.4g}"
     return ""
@@ -435,9 +402,8 @@ def _response(a: Array, b: Array, c: Array, d: Array, point: complex) -> Complex
 
 def _sampled(step: Step, values: dict[str, Any], period: float) -> tuple[Array, Array, Array, Array]:
     """Return the matrices of one tick, by finite differences at rest."""
-    par = step.par_type(**values)
+    par, n, size = step.par_type(**values), len(step.states), len(step.states) + len(step.inputs)
     state_type, input_type = (record(tuple(port.name for port in ports)) for ports in (step.states, step.inputs))
-    n, size = len(step.states), len(step.states) + len(step.inputs)
 
     def tick(at: Array) -> Array:
         x_next, out = step.function(par, state_type(*at[:n].tolist()), input_type(*at[n:].tolist()), Clock(0.0, 0.0, period))

@@ -16,20 +16,19 @@ Parameters are validated, constant and in SI. `step` is a pure function over tup
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
-from functools import cache, lru_cache
-from types import SimpleNamespace
+from dataclasses import dataclass, field, replace
+from functools import cache, lru_cache, update_wrapper
+from types import FunctionType, SimpleNamespace
 from typing import Any, ClassVar, dataclass_transform
+
+import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.components.families import FAMILIES as FAMILIES
-from contourlab.components.origin import Traced
-from contourlab.components.parameter import NOISE_STREAM as NOISE_STREAM
-from contourlab.components.parameter import Parameter as Parameter
-from contourlab.components.parameter import param as param
-from contourlab.components.parameter import require_positive as require_positive
-from contourlab.components.parameter import text_param as text_param
+from contourlab.components.families import FAMILY, size_of
+from contourlab.components.origin import Origin
 from contourlab.components.place import fault
 from contourlab.engine.step import Port, Step, ports, record
 from contourlab.errors import ComponentError, ParameterError, hint
@@ -39,6 +38,210 @@ REFERENCE = ports("reference", "reference_velocity", "reference_acceleration")
 
 BOTH_SIDES = ports("motor_position", "motor_velocity", "load_position", "load_velocity")
 """Input ports with position and velocity of motor and load."""
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """Declaration of one parameter.
+
+    Attributes
+    ----------
+    name : str
+        Name in Python and in files.
+    unit : str
+        SI unit; empty for a plain number. ``{command}`` and ``{force}`` become the units of the plant.
+    default : float, str, tuple of float or None
+        None if a value is required.
+    minimum, maximum : float [SI]
+        Bounds.
+    exclusive : bool
+        Whether the minimum itself is excluded.
+    choices : tuple of str
+        Allowed words, for a text parameter.
+    whole : bool
+        Whether only whole numbers are allowed.
+    structural : bool
+        Whether it changes the structure of the step; then it cannot differ between lanes.
+    vector : bool
+        Whether it is a list of numbers, each in range; then it is structural.
+    display : str
+        Display unit.
+    doc, source : str
+        Meaning, and where the value comes from.
+
+    Raises
+    ------
+    ParameterError
+        If a bound is no number, the minimum is above the maximum, or a unit has other words in braces.
+    """
+
+    name: str
+    unit: str
+    default: float | str | tuple[float, ...] | None
+    minimum: float
+    maximum: float
+    exclusive: bool
+    choices: tuple[str, ...]
+    whole: bool
+    structural: bool
+    vector: bool = field(metadata={"json": "list"})
+    display: str = field(metadata={"json": "display_unit"})
+    doc: str
+    source: str
+
+    def __post_init__(self) -> None:
+        for name in ("minimum", "maximum"):
+            if isinstance(getattr(self, name), bool) or not isinstance(getattr(self, name), float | int):
+                raise ParameterError(name, repr(getattr(self, name)), "a number")
+        if not self.minimum <= self.maximum:
+            raise ParameterError("minimum", f"{self.minimum:g}", f"at most the maximum, {self.maximum:g}")
+        for unit in (self.unit, self.display):
+            try:
+                unit.format(command="", force="")
+            except (KeyError, ValueError, IndexError, AttributeError) as error:
+                raise ParameterError("unit", repr(unit), "a unit, with braces only as {command} or {force}") from error
+
+    def for_plant(self, command_unit: str, force_unit: str) -> Parameter:
+        """Return the parameter with ``{command}`` and ``{force}`` in its units replaced by those of a plant."""
+        units = {"command": command_unit, "force": force_unit}
+
+        def filled(text: str) -> str:
+            for word, unit in units.items():
+                # A product in a denominator needs brackets.
+                text = text.replace(f"/{{{word}}}", f"/({unit})" if "*" in unit else f"/{unit}")
+            return text.format(**units)
+
+        return replace(self, unit=filled(self.unit), display=filled(self.display))
+
+    def check(self, value: Any) -> Any:
+        """Return the value if it is in range: a float, a word, or a tuple of floats for a vector.
+
+        Infinity is allowed only if it is the default; it means no limit.
+
+        Raises
+        ------
+        ParameterError
+            With name, value, bound and unit.
+        """
+        if self.choices:
+            if value not in self.choices:
+                raise ParameterError(self.name, repr(value), "one of " + ", ".join(self.choices))
+            return str(value)
+        if self.vector:
+            if isinstance(value, str) or not hasattr(value, "__len__") or len(value) == 0:
+                raise ParameterError(self.name, repr(value), "a list of numbers" + self._in_unit, self._unit_in_words)
+            scalar = replace(self, vector=False)
+            return tuple(scalar.check(item) for item in value)
+        if isinstance(value, bool | str) or not isinstance(value, float | int | np.floating | np.integer):
+            raise ParameterError(self.name, repr(value), "a number" + self._in_unit, self._unit_in_words)
+        try:
+            number = float(value)
+        except OverflowError:  # an int beyond any float
+            number = math.inf if value > 0 else -math.inf
+        if not math.isfinite(number) and number != self.default:
+            raise ParameterError(self.name, f"{number:g}", " and ".join(filter(None, ("finite", self.bound))), self._unit_in_words)
+        low = number <= self.minimum if self.exclusive else number < self.minimum
+        if low or number > self.maximum or (self.whole and number != round(number)):
+            raise ParameterError(self.name, f"{number:g}", self.bound, self._unit_in_words)
+        return number
+
+    @property
+    def _unit_in_words(self) -> str:
+        """Unit with plain words for the units of the plant."""
+        return self.unit.format(command="command", force="force")
+
+    @property
+    def _in_unit(self) -> str:
+        return f" in {self._unit_in_words}" if self._unit_in_words else ""
+
+    @property
+    def needed(self) -> str:
+        """Bound in the message about a missing value."""
+        return f"given{', ' if self.bound else ''}{self.bound}{' ' if self._unit_in_words else ''}{self._unit_in_words}"
+
+    @property
+    def bound(self) -> str:
+        """Range as text."""
+        if self.choices:
+            return "one of " + ", ".join(self.choices)
+        limits = [f"{'>' if self.exclusive else '>='} {self.minimum:g}"] if self.minimum > -math.inf else []
+        limits += [f"<= {self.maximum:g}"] if self.maximum < math.inf else []
+        if self.whole:
+            return "a whole number" + (" that is " if limits else "") + " and ".join(limits)
+        return " and ".join(limits)
+
+
+def param(
+    default: float | tuple[float, ...] | None = None,
+    *,
+    unit: str = "",
+    minimum: float = -math.inf,
+    maximum: float = math.inf,
+    exclusive: bool = False,
+    whole: bool = False,
+    structural: bool = False,
+    vector: bool = False,
+    display: str = "",
+    doc: str,
+    source: str = "",
+) -> Any:
+    """Declare a parameter of a component: a number or a list of numbers.
+
+    Parameters
+    ----------
+    default : float or tuple of float [unit], optional
+        Without it a value is required.
+    unit : str
+        SI unit; empty for a plain number. ``{command}`` and ``{force}`` become the units of the plant.
+    minimum, maximum : float [unit]
+        Bounds.
+    exclusive : bool
+        Whether the minimum itself is excluded.
+    whole : bool
+        Whether only whole numbers are allowed.
+    structural : bool
+        Whether it changes the structure of the step; then it cannot differ between variants.
+    vector : bool
+        Whether it is a list of numbers, each within the bounds; then it is structural.
+    display : str
+        Unit in which people read it; by default `unit`.
+    doc, source : str
+        Meaning, and where the value comes from.
+
+    Returns
+    -------
+    Parameter
+    """
+    return Parameter("", unit, default, minimum, maximum, exclusive, (), whole, structural or vector, vector, display or unit, doc, source)
+
+
+def text_param(default: str | None, choices: tuple[str, ...], *, doc: str, source: str = "") -> Any:
+    """Declare a parameter of a component that is a choice of words; it is structural.
+
+    Parameters
+    ----------
+    default : str or None
+        None if a value is required.
+    choices : tuple of str
+    doc, source : str
+        Meaning, and where the value comes from.
+
+    Returns
+    -------
+    Parameter
+    """
+    return Parameter("", "", default, -math.inf, math.inf, False, choices, False, True, False, "", doc, source)
+
+
+NOISE_STREAM: Any = param(default=0.0, minimum=0.0, maximum=2.0**53, whole=True, doc="number of the noise, besides seed, trial and slot")
+"""The parameter ``stream`` of a component that makes noise. In a run its step gets the number of a stream of its own instead."""
+
+
+def require_positive(**values: float) -> None:
+    """Raise ParameterError unless all values are positive and finite."""
+    for name, value in values.items():
+        if not (value > 0.0 and math.isfinite(value)):
+            raise ParameterError(name, f"{value:g}", "> 0 and finite")
 
 
 @dataclass(frozen=True)
@@ -62,7 +265,7 @@ class LinearModel:
 
 
 @dataclass_transform(field_specifiers=(param, text_param), kw_only_default=True, frozen_default=True)
-class Component(Traced):
+class Component:
     """Base of all components; the module docstring has an example.
 
     A component sets these attributes of its class. Its parameters, declared with `param`, are keyword arguments.
@@ -72,7 +275,7 @@ class Component(Traced):
     family, kind : str
         Its slot, and its name in files.
     states, inputs, outputs : tuple of Port
-        The family fixes which inputs and outputs are possible.
+        The family fixes which inputs and outputs are possible; where it leaves no choice, they are its own by default.
     derived : tuple of str
         Constants from `derive`, in `par` after the parameters.
     tables : tuple of str
@@ -118,6 +321,7 @@ class Component(Traced):
     calibrated_ahead: ClassVar[tuple[str, ...]] = ()
     wishes: ClassVar[dict[str, Any]] = {}
     parameters: ClassVar[dict[str, Parameter]] = {}
+    _origins: Mapping[str, Origin] = {}
 
     def __init_subclass__(cls, **kwargs: Any) -> None:
         super().__init_subclass__(**kwargs)
@@ -127,7 +331,12 @@ class Component(Traced):
                 found[name] = replace(value, name=name)
                 delattr(cls, name)
         cls.parameters = found
-        if cls.kind and cls.family not in FAMILIES:
+        if cls.family in FAMILY:
+            family = FAMILY[cls.family]
+            for what, names, fixed in (("inputs", family.inputs, not family.chooses), ("outputs", family.outputs, not family.either)):
+                if fixed and not any(what in vars(base) for base in cls.__mro__ if base is not Component):
+                    setattr(cls, what, tuple(Port(name, size_of(cls.family, name)) for name in names))
+        elif cls.kind:
             raise ComponentError(f"{cls.__name__}: family {cls.family!r} is not one of {', '.join(FAMILIES)}")
 
     def __init__(self, **values: Any) -> None:
@@ -160,6 +369,34 @@ class Component(Traced):
         """Return every parameter with its value in SI."""
         return {name: getattr(self, name) for name in self.parameters}
 
+    @property
+    def origins(self) -> Mapping[str, Origin]:
+        """Origins of parameter values, where stated; components that differ only in origins are equal."""
+        return self._origins
+
+    def replace(self, **changes: Any) -> Any:
+        """Return a copy with changed parameters; a changed value loses its origin."""
+        kind: Any = type(self)
+        return kind(**{**self.values(), **changes}).traced({k: v for k, v in self._origins.items() if k not in changes})
+
+    def traced(self, origins: Mapping[str, Origin]) -> Any:
+        """Return a copy with these origins.
+
+        Raises
+        ------
+        ComponentError
+            If a name is not a parameter.
+        """
+        unknown = [name for name in origins if name not in self.parameters]
+        if unknown:
+            raise ComponentError(f"{self.kind}: no parameter {unknown[0]!r}: {hint(unknown[0], self.parameters)}")
+        if not origins and not self._origins:
+            return self
+        kind: Any = type(self)
+        copy = kind(**self.values())
+        object.__setattr__(copy, "_origins", dict(origins))
+        return copy
+
     def takes(self, port: str) -> bool:
         """Tell whether it has this input."""
         return any(known.name == port for known in self.inputs)
@@ -175,15 +412,19 @@ class Component(Traced):
         return tuple(name for name, p in cls.parameters.items() if not p.choices and not p.structural)
 
     def step_function(self) -> Callable[..., Any]:
-        """Return the step; a component whose structure depends on a parameter overrides this.
-
-        It may close over `self` for structural parameters; all others differ between variants and come from `par`.
-        """
-        return type(self).step
+        """Return the step, with its keyword-only arguments bound to the attributes of the same names."""
+        step: Any = type(self).step
+        code = step.__code__
+        named = code.co_varnames[code.co_argcount : code.co_argcount + code.co_kwonlyargcount]
+        return _bound(step, tuple((name, getattr(self, name)) for name in named if name not in (step.__kwdefaults__ or ())))
 
     @staticmethod
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
-        """Advance one tick: ``(x_next, out)``, tuples in the order of `states` and `outputs`."""
+    def step(par: Any, x: Any, inp: Any, clock: Any, *args: Any, **structure: Any) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+        """Advance one tick: ``(x_next, out)``, tuples in the order of `states` and `outputs`.
+
+        A parameter that changes the structure of the step is a keyword-only argument: ``step(par, x, inp, clock, *, shape)``. All others
+        differ between variants and come from `par`.
+        """
         # A base class without a step never runs.
         raise NotImplementedError
 
@@ -252,6 +493,16 @@ class Component(Traced):
             wanted = f"a tuple of {len(self.derived)}: {', '.join(self.derived) or 'none'}"
             raise fault(type(self), f"derive returns {found}, but derived names {wanted}", type(self).derive)
         return {**rows, **dict(zip(self.derived, derived, strict=True))}
+
+
+@lru_cache(256)
+def _bound(step: FunctionType, named: tuple[tuple[str, Any], ...]) -> Callable[..., Any]:
+    """Return a function with some keyword-only arguments fixed; a plain function, which the engine can read."""
+    if not named:
+        return step
+    bound = FunctionType(step.__code__, step.__globals__, step.__name__, step.__defaults__, step.__closure__)
+    bound.__kwdefaults__ = {**(step.__kwdefaults__ or {}), **dict(named)}
+    return update_wrapper(bound, step)
 
 
 @lru_cache(256)

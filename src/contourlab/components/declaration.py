@@ -143,7 +143,10 @@ def _check_method(kind: type[Component], call: str, static: bool) -> None:
     if static and inspect.isfunction(found):
         raise fault(kind, f"{name} is not static: write @staticmethod above {call}", function)
     try:
-        inspect.signature(function).bind(*arguments.rstrip(")").split(", "))
+        signature = inspect.signature(function)
+        # A keyword-only argument takes a parameter or an attribute of the class.
+        named = {n for n, taken in signature.parameters.items() if taken.kind is taken.KEYWORD_ONLY} & {*dir(kind), *kind.parameters}
+        signature.bind(*arguments.rstrip(")").split(", "), **dict.fromkeys(named))
     except (TypeError, ValueError):
         written = f"{name}{inspect.signature(function)}" if callable(function) else f"{name} = {function!r}"
         raise fault(kind, f"{written} cannot be called as {call}: take these arguments", function) from None

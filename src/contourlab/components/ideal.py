@@ -21,8 +21,6 @@ class IdealSensor(_Identity):
 
     family = "sensor"
     kind = "ideal"
-    inputs = (Port("position"),)
-    outputs = (Port("position"),)
 
 
 class TrueVelocity(_Identity):
@@ -31,7 +29,6 @@ class TrueVelocity(_Identity):
     family = "velocity"
     kind = "true"
     inputs = (Port("velocity"),)
-    outputs = (Port("velocity"),)
 
 
 class IdealLink(_Identity):
@@ -39,5 +36,3 @@ class IdealLink(_Identity):
 
     family = "link"
     kind = "ideal"
-    inputs = (Port("sent"),)
-    outputs = (Port("received"),)

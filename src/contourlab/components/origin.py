@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
 
-from contourlab.errors import ComponentError, ParameterError, hint
+from contourlab.errors import ParameterError
 
 SOURCES = {
     "measured": "read from an instrument",
@@ -65,46 +63,3 @@ class Origin:
     def uncertain(self) -> bool:
         """Whether the value has an uncertainty."""
         return self.deviation is not None or self.span is not None
-
-
-class Traced:
-    """Base of components: origins of parameter values, where stated.
-
-    Origins have no effect on a run: components that differ only in origins are equal.
-    """
-
-    kind: ClassVar[str] = ""
-    parameters: ClassVar[Mapping[str, Any]] = {}
-    _origins: Mapping[str, Origin] = {}
-
-    @property
-    def origins(self) -> Mapping[str, Origin]:
-        """Origins of the values, by parameter."""
-        return self._origins
-
-    def values(self) -> dict[str, Any]:
-        """Return every parameter with its value in SI."""
-        raise NotImplementedError  # see Component
-
-    def replace(self, **changes: Any) -> Any:
-        """Return a copy with changed parameters; a changed value loses its origin."""
-        kind: Any = type(self)
-        return kind(**{**self.values(), **changes}).traced({k: v for k, v in self._origins.items() if k not in changes})
-
-    def traced(self, origins: Mapping[str, Origin]) -> Any:
-        """Return a copy with these origins.
-
-        Raises
-        ------
-        ComponentError
-            If a name is not a parameter.
-        """
-        unknown = [name for name in origins if name not in self.parameters]
-        if unknown:
-            raise ComponentError(f"{self.kind}: no parameter {unknown[0]!r}: {hint(unknown[0], self.parameters)}")
-        if not origins and not self._origins:
-            return self
-        kind: Any = type(self)
-        copy = kind(**self.values())
-        object.__setattr__(copy, "_origins", dict(origins))
-        return copy

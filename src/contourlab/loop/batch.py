@@ -246,8 +246,6 @@ def _check_steps(known: Mapping[str, tuple[Component, str]], columns: Mapping[st
     """Raise if a parameter that differs between variants changes the step itself, which all variants share."""
     for name, values in columns.items():
         part, parameter = known[name]
-        if type(part).step_function is Component.step_function:
-            continue
         others = [copy(part), copy(part)]
         for other, value in zip(others, (values.min(), values.max()), strict=True):
             object.__setattr__(other, parameter, float(value))

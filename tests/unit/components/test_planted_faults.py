@@ -26,6 +26,8 @@ IN_PLAIN_PYTHON = [
     (faults.Idle, "parameter trim"),
     (faults.IdleWord, "parameter rule"),
     (faults.Enclosed, r"gain from par.* par\.gain"),
+    (faults.Named, r"gain from par.* par\.gain"),
+    (faults.Nameless, r"shape: .*cannot be called as step\(par, x, inp, clock\)"),
     (faults.NotANumber, "finite"),
     (faults.Overflowing, "finite"),
     (faults.RottenInside, "finite"),
@@ -61,6 +63,7 @@ IN_PLAIN_PYTHON = [
 
 def test_the_faultless_pattern_passes() -> None:
     check_component(faults.Amplifier)
+    assert "every parameter has an effect (2)" in check_component(faults.Worded)
 
 
 @each("faulty, said", IN_PLAIN_PYTHON)

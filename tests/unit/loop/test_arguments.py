@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from faulty_components import Enclosed, Shaped
+from faulty_components import Enclosed, Named, Shaped
 from refusals import refuses
 from stages import PERIOD, with_axis
 
@@ -61,14 +61,14 @@ def test_variants_are_a_mapping(variants: Any, machine: cl.Machine, controller: 
         cl.simulate_batch(machine, controller, circle, variants)
 
 
-@pytest.mark.parametrize(("kind", "name"), [(Enclosed, "gain"), (Shaped, "gain"), (Shaped, "bias")])
+@pytest.mark.parametrize(("kind", "name"), [(Enclosed, "gain"), (Named, "gain"), (Shaped, "gain"), (Shaped, "bias")])
 def test_variants_share_the_step(kind: Any, name: str, machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:
     """A parameter that a step takes from its component, not from `par`, would be the same in every lane."""
     moved, wanted = with_axis(machine, "x", drive=kind(gain=1.0)), f"axes.x.drive.{name}"
     if name == "bias":
         assert len(set(cl.simulate_batch(moved, controller, circle, {wanted: [0.5, 1.0]}).figures["contour_error_max"])) == 2
     else:
-        with refuses(ParameterError, name=wanted if kind is Enclosed else "variants"):
+        with refuses(ParameterError, name=wanted if kind in (Enclosed, Named) else "variants"):
             cl.simulate_batch(moved, controller, circle, {wanted: [0.5, 1.0]})
 
 

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.analysis.learning.learning_frequency import (
+    HEARD,
     FrequencyLearning,
     LawKernels,
     averaging,
@@ -24,13 +25,13 @@ from contourlab.analysis.learning.learning_frequency import (
     law_kernels,
     law_model,
     lifted_problem,
+    next_table,
     peak,
-    zero_phase_factor,
 )
 from contourlab.analysis.linear.coupled_loop import CoupledLoop, TrialMap, coupled_loop
 from contourlab.arrays import Array, Complex
 from contourlab.components.learning.error_law import ZeroPhase
-from contourlab.components.learning.law import LearningLaw, TrialRecord
+from contourlab.components.learning.law import LearningLaw, LearningProblem
 from contourlab.errors import ComponentError
 from contourlab.feed import Reference
 from contourlab.loop.machine import Controller, Machine
@@ -85,10 +86,10 @@ class TrialOperator:
     def __call__(self, u: Array) -> Array:
         """Return the deviation after a trial (n_sample, n_axis)."""
         error, feedback = self.map.forward(u)
-        if self._reach is not None:
-            return self._reach.forward(u, error, self.problem.across(error), feedback)
-        record = TrialRecord(error, feedback, np.zeros(self.shape), self.problem.across(error))
-        return np.asarray(self.law.update(u, record, self.problem))
+        heard = u, error, self.problem.across(error), feedback
+        if self._reach is None:
+            return next_table(self.law, self.problem, dict(zip(HEARD, heard, strict=True)))
+        return np.asarray(sum(part @ signal for part, signal in zip(self._reach, heard, strict=True) if part is not None))
 
     def transposed(self, v: Array) -> Array:
         """Return the transpose on v (n_sample, n_axis).
@@ -100,21 +101,21 @@ class TrialOperator:
         """
         if self._reach is None:
             raise ComponentError(f"learning {self.law.kind} learns through a model: its transpose is unknown")
-        table, error, contour, feedback = self._reach.transposed(v)
+        table, error, contour, feedback = (np.zeros_like(v) if part is None else np.asarray(part.T @ v) for part in self._reach)
         return table + self.map.transposed(error + self.problem.across(contour), feedback)
 
     @cached_property
-    def _reach(self) -> _Banded | _Wide | None:
+    def _reach(self) -> list[Any] | None:
+        """The law as a matrix over the samples for each of `HEARD`, None for zero; axes do not mix. None for a law with a model."""
         if law_model(self.law, self.loop) is not None:
             return None
         kernels = law_kernels(self.law, self.loop)
-        wide = max(-kernels.support[0], kernels.support[1]) > WIDEST
-        return _Wide(kernels, self.shape[0]) if wide else _Banded(self.law, self.problem, kernels)
+        matrix_of = _ring if max(-kernels.support[0], kernels.support[1]) > WIDEST else _band
+        return [matrix_of(self.law, self.problem, kernels, name) if kernels.kernels[name].any() else None for name in HEARD]
 
     def matrix(self) -> Array:
         """Return the operator as a matrix (n, n), n = n_sample n_axis: for short trials."""
-        n = self.shape[0] * self.shape[1]
-        return np.column_stack([self(unit.reshape(self.shape)).ravel() for unit in np.eye(n)])
+        return np.column_stack([self(unit.reshape(self.shape)).ravel() for unit in np.eye(self.shape[0] * self.shape[1])])
 
     def norm(self, steps: int = 20) -> float:
         """Return the largest singular value by Golub and Kahan's bidiagonalisation: a close lower bound after some tens of steps."""
@@ -174,68 +175,41 @@ def _apart(vector: Array, others: list[Array]) -> Array:
     return vector
 
 
-class _Banded:
-    """A law as sparse matrices over the samples, exact at the ends; axes do not mix."""
-
-    def __init__(self, law: LearningLaw, problem: Any, kernels: LawKernels) -> None:
-        self.heard = [_band(law, problem, kernels, name) for name in kernels.kernels]
-
-    def forward(self, *signals: Array) -> Array:
-        return np.asarray(sum(matrix @ signal for matrix, signal in zip(self.heard, signals, strict=True) if matrix is not None))
-
-    def transposed(self, v: Array) -> list[Array]:
-        return [np.zeros_like(v) if matrix is None else np.asarray(matrix.T @ v) for matrix in self.heard]
-
-
-def _band(law: LearningLaw, problem: Any, kernels: LawKernels, name: str) -> Any:
-    """Return the matrix of one input of a law, from combs of impulses whose responses do not overlap; None for zero."""
+def _band(law: LearningLaw, problem: LearningProblem, kernels: LawKernels, name: str) -> Any:
+    """Return the matrix of one input of a law, exact at the ends, from combs of impulses whose responses do not overlap."""
     from scipy.sparse import coo_matrix
 
-    if not kernels.kernels[name].any():
-        return None
-    n_sample, n_axis = problem.tangent.shape
+    n_sample, row = len(problem.tangent), np.arange(len(problem.tangent))
     step = kernels.support[1] - kernels.support[0] + 1
-    rows, columns, values = [], [], []
+    entries = []
     for first in range(min(step, n_sample)):
-        given = {heard: np.zeros((n_sample, n_axis)) for heard in kernels.kernels}
-        given[name][first::step] = 1.0
-        record = TrialRecord(given["tracking_error"], given["feedback_command"], np.zeros((n_sample, n_axis)), given["contour_error"])
-        answer = law.update(given["table"], record, problem)[:, 0]
-        row = np.arange(n_sample)
+        comb = np.zeros(problem.tangent.shape)
+        comb[first::step] = 1.0
+        answer = next_table(law, problem, {name: comb})[:, 0]
         # The impulse that reaches a sample lies within the support about it.
         column = first + step * np.ceil((row - kernels.support[1] - first) / step).astype(int)
         live = (answer != 0.0) & (column >= 0) & (column < n_sample)
-        rows.append(row[live])
-        columns.append(column[live])
-        values.append(answer[live])
-    return coo_matrix((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=(n_sample, n_sample)).tocsr()
+        entries.append((answer[live], row[live], column[live]))
+    values, rows, columns = map(np.concatenate, zip(*entries, strict=True))
+    return coo_matrix((values, (rows, columns)), shape=(n_sample, n_sample)).tocsr()
 
 
-class _Wide:
-    """A law with long kernels as convolutions, with zeros beyond the ends of a trial."""
+def _ring(law: LearningLaw, problem: LearningProblem, kernels: LawKernels, name: str) -> Any:
+    """Return the convolution with a long kernel of a law as a matrix, with zeros beyond the ends of a trial."""
+    from scipy.fft import irfft, next_fast_len, rfft
+    from scipy.sparse.linalg import LinearOperator
 
-    def __init__(self, kernels: LawKernels, n_sample: int) -> None:
-        from scipy.fft import next_fast_len, rfft
+    n_sample, (first, last) = len(problem.tangent), kernels.support
+    length = int(next_fast_len(n_sample + last - first + 1, real=True))
+    ring, sample = np.zeros(length), np.arange(max(first, -n_sample), min(last, n_sample) + 1)
+    ring[sample] = kernels.kernels[name][sample + kernels.centre, 0, 0]
+    response = rfft(ring)
 
-        first, last = kernels.support
-        self.n_sample, self.length = n_sample, int(next_fast_len(n_sample + last - first + 1, real=True))
-        self.heard = []
-        for kernel in kernels.kernels.values():
-            ring = np.zeros(self.length)
-            sample = np.arange(max(first, -n_sample), min(last, n_sample) + 1)
-            ring[sample] = kernel[sample + kernels.centre, 0, 0]
-            self.heard.append(rfft(ring) if ring.any() else None)
+    def through(signal: Array, by: Complex) -> Array:
+        return np.asarray(irfft(rfft(signal, length, axis=0) * by[:, None], length, axis=0)[:n_sample])
 
-    def _through(self, signal: Array, response: Any) -> Array:
-        from scipy.fft import irfft, rfft
-
-        return np.asarray(irfft(rfft(signal, self.length, axis=0) * response[:, None], self.length, axis=0)[: self.n_sample])
-
-    def forward(self, *signals: Array) -> Array:
-        return np.asarray(sum(self._through(x, response) for response, x in zip(self.heard, signals, strict=True) if response is not None))
-
-    def transposed(self, v: Array) -> list[Array]:
-        return [np.zeros_like(v) if response is None else self._through(v, response.conj()) for response in self.heard]
+    forward, back = (lambda x: through(x, response)), (lambda x: through(x, response.conj()))
+    return LinearOperator((n_sample, n_sample), matvec=forward, rmatvec=back, matmat=forward, rmatmat=back, dtype=float)
 
 
 def lifted_learning(loop: CoupledLoop, law: LearningLaw, tangents: ArrayLike) -> LiftedLearning:
@@ -248,7 +222,7 @@ def lifted_learning(loop: CoupledLoop, law: LearningLaw, tangents: ArrayLike) ->
     """
     operator = TrialOperator(loop, law, tangents)
     norm = math.nan if law_model(law, loop) is not None else operator.norm()
-    short = operator.shape[0] * operator.shape[1] <= SHORT
+    short = math.prod(operator.shape) <= SHORT
     values = np.asarray(np.linalg.svd(operator.matrix(), compute_uv=False), dtype=float) if short else None
     return LiftedLearning(operator.radius(), norm, values)
 
@@ -333,11 +307,11 @@ def worst_zero_phase(
 ) -> tuple[float, float]:
     """Return the frequency [rad/s] and value of the largest |1 - gamma H T| up to the Nyquist frequency."""
     top, n = math.pi / servo_period, 2 * half_width + 1
+    lobe = 2.0 * top / n
 
     def factor(w: Array) -> Array:
-        return np.abs(zero_phase_factor(gain, averaging(w, servo_period, half_width, passes, lead), closed(w)))
+        return np.abs(1.0 - gain * averaging(w, servo_period, half_width, passes, lead) * closed(w))
 
-    lobe = 2.0 * top / n
     w = np.unique(np.concatenate([np.geomspace(1e-4 * top, top, 600), np.arange(1, min(10 * n, 4000)) * lobe / 20.0]))
     w = w[w <= top]
     return peak(factor, w, factor(w))
@@ -382,10 +356,9 @@ def _leads(closed: Closed, servo_period: float) -> list[float]:
 
 def _design(closed: Closed, servo_period: float, half_width: int, passes: int, lead: float) -> LearningDesign:
     zero = min(first_zero(half_width, servo_period), math.pi / servo_period)
-    gain = SHARE * largest_gain(closed, lambda w: averaging(w, servo_period, half_width, passes, lead), zero)
-    gain = min(max(gain, 1e-3), 1.0)
-    worst = worst_zero_phase(closed, servo_period, gain, half_width, passes, lead)
-    return LearningDesign(gain, half_width, passes, lead, zero, *worst)
+    largest = largest_gain(closed, lambda w: averaging(w, servo_period, half_width, passes, lead), zero)
+    gain = min(max(SHARE * largest, 1e-3), 1.0)
+    return LearningDesign(gain, half_width, passes, lead, zero, *worst_zero_phase(closed, servo_period, gain, half_width, passes, lead))
 
 
 SMALL = 1e-3
@@ -481,11 +454,8 @@ def design_for(loop: CoupledLoop, law: ZeroPhase) -> LearningDesign | None:
     """Return zero-phase learning by rule for the axis with the most lag, widened for the coupling; None if no width is enough."""
 
     def closed(w: Array) -> Complex:
-        forms = [axis.form(w) for axis in loop.axes]
-        if law.target == "command":
-            answers = np.stack([1.0 - form[:, 1, 0] for form in forms], axis=1)
-        else:
-            answers = np.stack([form[:, 0, 1] for form in forms], axis=1)
+        forms = np.stack([axis.form(w) for axis in loop.axes], axis=1)
+        answers = 1.0 - forms[:, :, 1, 0] if law.target == "command" else forms[:, :, 0, 1]
         # The axis with the most lag at each frequency.
         phase = np.unwrap(np.angle(answers), axis=0) if w.size > 1 else np.angle(answers)
         return np.asarray(answers[np.arange(w.size), np.argmin(phase, axis=1)])

@@ -12,7 +12,7 @@ Bristow, Tharayil & Alleyne, "A survey of iterative learning control", IEEE Cont
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar
@@ -155,19 +155,17 @@ def lifted_problem(law: LearningLaw, loop: CoupledLoop, tangent: Array) -> Learn
 
 def _answers(law: LearningLaw, problem: LearningProblem, heard: str) -> Array:
     """Return the next tables (n_sample, n_axis, n_axis) for an impulse on each axis of one input of the law."""
-    shape = problem.tangent.shape
-    tables = np.zeros((*shape, shape[1]))
-    for j in range(shape[1]):
-        given = {name: np.zeros(shape) for name in HEARD}
-        given[heard][shape[0] // 2, j] = 1.0
-        tables[:, :, j] = _next(law, problem, given)
-    return tables
+    n_sample, n_axis = problem.tangent.shape
+    impulses = np.zeros((n_axis, n_sample, n_axis))
+    impulses[np.arange(n_axis), n_sample // 2, np.arange(n_axis)] = 1.0
+    return np.stack([next_table(law, problem, {heard: impulse}) for impulse in impulses], axis=2)
 
 
-def _next(law: LearningLaw, problem: LearningProblem, given: dict[str, Array]) -> Array:
+def next_table(law: LearningLaw, problem: LearningProblem, given: Mapping[str, Array]) -> Array:
+    """Return the next table of a law from some of its inputs `HEARD`, (n_sample, n_axis) each; the others are zero."""
     none = np.zeros(problem.tangent.shape)
-    record = TrialRecord(given["tracking_error"], given["feedback_command"], none, given["contour_error"])
-    return np.asarray(law.update(given["table"], record, problem))
+    table, error, contour, feedback = (given.get(name, none) for name in HEARD)
+    return np.asarray(law.update(table, TrialRecord(error, feedback, none, contour), problem))
 
 
 def _settled(kernel: Array) -> bool:
@@ -185,7 +183,7 @@ def _check_linear(law: LearningLaw, problem: LearningProblem, kernels: dict[str,
         given[name] = np.zeros(shape)
         given[name][shape[0] // 2] = sizes
         wanted += kernels[name] @ sizes
-    apart = float(np.abs(_next(law, problem, given) - wanted).max())
+    apart = float(np.abs(next_table(law, problem, given) - wanted).max())
     # A law that iterates has a tolerance of its own.
     if not apart <= max(1e-6, 100.0 * float(law.values().get("tolerance", 0.0))) * max(float(np.abs(wanted).max()), math.ulp(1.0)):
         raise ComponentError(f"learning {law.kind} is not linear in the table and the trial, so it has no frequency response")
@@ -204,21 +202,6 @@ def averaging(frequency: ArrayLike, servo_period: float, half_width: int, passes
     below = n * np.sin(half)
     mean = np.where(np.abs(below) > 1e-12, np.sin(n * half) / np.where(below == 0.0, 1.0, below), 1.0)
     return np.asarray(mean**passes * np.exp(1j * w * servo_period * round(lead / servo_period)))
-
-
-def zero_phase_factor(gain: float, average: ArrayLike, closed: ArrayLike) -> Complex:
-    """Return 1 - gamma H T, the factor of a trial of zero-phase learning (eq 9 on u_fb = T (u_d - u_ff)).
-
-    Parameters
-    ----------
-    gain : float
-        gamma.
-    average : array_like (n,), complex
-        H, with its lead.
-    closed : array_like (n,), complex
-        T = P C/(1 + P C), delay included.
-    """
-    return np.asarray(1.0 - gain * np.asarray(average) * np.asarray(closed))
 
 
 @dataclass(frozen=True, eq=False)
@@ -256,9 +239,8 @@ def frequency_learning(loop: CoupledLoop, law: LearningLaw) -> FrequencyLearning
     ComponentError
         If the law is not linear.
     """
-    n_axis = len(loop.axes)
     coupled = loop.coupling.d != 0.0 or len(loop.coupling.f) > 0 or loop.coupling.weight != 0.0
-    spread = directions(n_axis)
+    spread = directions(len(loop.axes))
     known = law_model(law, loop) or law_kernels(law, loop)
     if not (coupled or law.needs_contour_error or known.directed):
         spread = spread[:1]
@@ -280,7 +262,7 @@ def _factors(
     loop: CoupledLoop, law: LearningLaw, known: LawKernels | LawModel, frequency: Array, tangents: Iterable[Array]
 ) -> Iterator[Complex]:
     """Yield for each direction the matrices (n, n_axis, n_axis) by which a trial multiplies the remaining error at some frequencies."""
-    eye = np.eye(len(loop.axes))
+    eye, on_command = np.eye(len(loop.axes)), law.target == "command"
     forms = np.stack([axis.form(frequency) for axis in loop.axes], axis=1)
     pushed, shifted, back, asked = (forms[:, :, i, j, None] * eye for i in (0, 1) for j in (0, 1))
     gain, heard = loop.coupling(frequency)[:, None, None], known.response(frequency, eye)
@@ -289,14 +271,10 @@ def _factors(
         across = eye - along
         coupling, weighted = gain * across, loop.coupling.weight * along
         # Position and feedback command over the learned signal, with axes and coupling closed.
-        driven = pushed if law.target == "command" else shifted
-        position = np.linalg.solve(eye + pushed @ coupling - shifted @ weighted, driven)
+        position = np.linalg.solve(eye + pushed @ coupling - shifted @ weighted, pushed if on_command else shifted)
         correction, shift = -coupling @ position, weighted @ position
-        feedback = (
-            back @ (eye + correction) + asked @ shift - eye  # the learned command is no part of the feedback
-            if law.target == "command"
-            else back @ correction + asked @ (eye + shift)
-        )
+        # The learned command is no part of the feedback.
+        feedback = back @ (eye + correction) + asked @ shift - eye if on_command else back @ correction + asked @ (eye + shift)
         if known.directed:
             heard = known.response(frequency, across)
         from_error = heard["tracking_error"] + heard["contour_error"] @ across

@@ -14,19 +14,17 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.analysis.linear.sampled_loop import SampledLoop, checked_frequency, sampled_loop
-from contourlab.analysis.linear.tick_map import DelayForm, live_states, poles_of
+from contourlab.analysis.linear.sampled_loop import SampledLoop, checked_frequency, sampled_loop, without_limit
+from contourlab.analysis.linear.tick_map import DelayForm, Probe, live_states, poles_of
 from contourlab.arrays import Array, Complex, Index
 from contourlab.components.contract import Component
-from contourlab.engine.step import pack, record, unpack
+from contourlab.engine.schedule import Node, Schedule
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop.machine import Controller, Machine
-from contourlab.primitives import Clock
 
 NEGLIGIBLE = 1e-13
 """Share of its largest value below which an impulse response has decayed."""
@@ -154,22 +152,19 @@ class CoupledLoop:
 
     def matrices(self, n_normal: int) -> LoopMatrices:
         """Return the matrices of one tick with the coupling removed, for `n_normal` normals at each point of the path."""
-        sizes = [len(axis.a) for axis in self.axes]
-        n, total, m = len(sizes), sum(sizes), len(self.coupling.f) * n_normal
-        a, pushed, referred = np.zeros((total + m, total + m)), np.zeros((total + m, n)), np.zeros((total + m, n))
-        position, command = np.zeros((n, total + m)), np.zeros((n, total + m))
-        first, eye = 0, np.eye(n_normal)
-        for i, axis in enumerate(self.axes):
-            rows = slice(first, first + sizes[i])
-            a[rows, rows], pushed[rows, i], referred[rows, i] = axis.a, axis.b, axis.r
-            position[i, rows], command[i, rows] = axis.position, axis.command[:-2]
-            first += sizes[i]
-        a[total:, total:] = np.kron(self.coupling.f, eye)
-        coupling_in, coupling_out = np.zeros((total + m, n_normal)), np.zeros((n_normal, total + m))
-        coupling_in[total:] = np.kron(self.coupling.g[:, None], eye)
-        coupling_out[:, total:] = np.kron(self.coupling.h[None, :], eye)
+        from scipy.linalg import block_diag
+
+        eye = np.eye(n_normal)
+        f, g, h = (np.kron(part, eye) for part in (self.coupling.f, self.coupling.g[:, None], self.coupling.h[None, :]))
+        n, m = sum(len(axis.a) for axis in self.axes), len(f)
+        entering = [axis.b[:, None] for axis in self.axes], [axis.r[:, None] for axis in self.axes]
+        pushed, referred = (np.pad(block_diag(*columns), ((0, m), (0, 0))) for columns in entering)
+        leaving = [axis.position for axis in self.axes], [axis.command[:-2] for axis in self.axes]
+        position, command = (np.pad(block_diag(*rows), ((0, 0), (0, m))) for rows in leaving)
         direct = np.array([axis.command[-2:] for axis in self.axes])
-        return LoopMatrices(total, a, pushed, referred, position, command, direct[:, 0], direct[:, 1], coupling_in, coupling_out)
+        ends: list[Array] = [np.pad(g, ((n, 0), (0, 0))), np.pad(h, ((0, 0), (n, 0)))]
+        a = block_diag(*(axis.a for axis in self.axes), f)
+        return LoopMatrices(n, a, pushed, referred, position, command, direct[:, 0], direct[:, 1], *ends)
 
     def matrix(self, normals: Array) -> Array:
         """Return the matrix of a tick for constant normals (n_axis, n_normal); the states are those of `matrices`."""
@@ -282,11 +277,10 @@ def coupling_model(coupling: Component | None, servo_period: float) -> CouplingM
     ComponentError
         If it is not linear in the error, or has a form that this analysis does not cover.
     """
-    none = np.zeros(0)
     if coupling is None:
-        return CouplingModel(np.zeros((0, 0)), none, none, 0.0, 0.0, servo_period)
+        return CouplingModel(np.zeros((0, 0)), np.zeros(0), np.zeros(0), 0.0, 0.0, servo_period)
     probe = _CouplingProbe(coupling, servo_period)
-    m, size = probe.size, probe.size + 2
+    m, size = len(probe.own), len(probe.own) + 2
     matrix = np.column_stack([probe(unit) for unit in np.eye(size)])
     point = np.random.default_rng(1).normal(size=size)
     if not np.allclose(probe(point), matrix @ point, rtol=1e-9, atol=1e-9 * float(np.abs(matrix).max(initial=0.0))):
@@ -308,46 +302,40 @@ class _CouplingProbe:
     """Run one tick of a coupling in the plane, on a path along the first axis, from any state and tool position."""
 
     def __init__(self, coupling: Component, servo_period: float) -> None:
-        limit = coupling.parameters.get("limit")
-        part = coupling.replace(limit=np.inf) if limit is not None and limit.default == np.inf else coupling
-        self.step, self.period = part.make_step(2), servo_period
-        self.par = self.step.par_type(**part.block(servo_period), **part.table_values())
-        self.port = [name for port in self.step.states for name in [port.name] * port.rows]
-        self.state_type = record(tuple(port.name for port in self.step.states))
-        self.input_type = record(tuple(port.name for port in self.step.inputs))
+        part = without_limit(coupling)
+        step = part.make_step(2)
+        node = Node("coupling", step, {port.name: f"in.{port.name}" for port in step.inputs}, part.block(servo_period), part.table_values())
+        self.probe = Probe(Schedule((node,), step.inputs, servo_period, 1))
         # The first tick sets the direction; the state that stores it is not part of the loop.
-        self.rest = np.zeros(len(self.port))
-        self.rest = self._tick(self.rest, 0.0, 0.0)[: len(self.port)]
-        self.own = [i for i, name in enumerate(self.port) if name != "tangent"]
-        self.size = len(self.own)
+        self.own = [i for i, name in enumerate(name for port in step.states for name in [port.name] * port.rows) if name != "tangent"]
+        self.rest = self._tick(np.zeros(self.probe.size), 0.0, 0.0)
         self.offset = self._seen(self._tick(self.rest, 0.0, 0.0))
 
     def __call__(self, at: Array) -> Array:
         state = self.rest.copy()
-        state[self.own] += at[: self.size]
-        return self._seen(self._tick(state, float(at[self.size]), float(at[self.size + 1]))) - self.offset
+        state[self.own] += at[:-2]
+        return self._seen(self._tick(state, float(at[-2]), float(at[-1]))) - self.offset
 
-    def _seen(self, raw: Array) -> Array:
-        return np.concatenate([raw[self.own], raw[len(self.port) :]])
+    def _seen(self, after: Array) -> Array:
+        """Return the own states, and correction and shift, each across and along."""
+        schedule, outputs = self.probe.group.schedule, np.zeros((2, 2))
+        signals = after[-schedule.n_row :]
+        for pair, port in zip(outputs, ("correction", "modified_reference"), strict=True):
+            if any(port == known.name for known in schedule.nodes[0].step.outputs):
+                row = schedule.row(f"coupling.{port}")
+                pair[:] = signals[row + 1], signals[row]
+        return np.concatenate([after[self.own], *outputs])
 
     def _tick(self, state: Array, across: float, along: float) -> Array:
-        position = (along, across)
-        offered: dict[str, Any] = {
-            "reference": (0.0, 0.0),
-            "position": position,
-            "foot_position": (along, 0.0),
-            "error_vector": (0.0, -across),
-            "contour_error_estimate": across,
-            "tangent": (1.0, 0.0),
-            "command": (0.0, 0.0),
-            "accepted": (0.0, 0.0),
+        offered: dict[str, list[float]] = {
+            "position": [along, across],
+            "foot_position": [along, 0.0],
+            "error_vector": [0.0, -across],
+            "contour_error_estimate": [across],
+            "tangent": [1.0, 0.0],
         }
-        inp = self.input_type(*(offered[port.name] for port in self.step.inputs))
-        x = self.state_type(*unpack(self.step.states, state.tolist()))
-        x_next, out = self.step.function(self.par, x, inp, Clock(0.0, 0.0, self.period))
-        given = dict(zip((port.name for port in self.step.outputs), out, strict=True))
-        correction, shift = given.get("correction", (0.0, 0.0)), given.get("modified_reference", (0.0, 0.0))
-        return np.array([*pack(self.step.states, x_next), correction[1], correction[0], shift[1], shift[0]])
+        inputs = np.concatenate([offered.get(port.name, [0.0, 0.0]) for port in self.probe.group.schedule.externals])
+        return self.probe.after(state, inputs)[:, 0]
 
 
 def normal_basis(tangent: ArrayLike) -> Array:

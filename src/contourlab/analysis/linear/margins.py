@@ -49,6 +49,9 @@ class Margins:
     phase_crossover: float = math.nan
 
 
+UNSTABLE = Margins(math.nan, math.nan, math.nan, math.nan, stable=False)
+
+
 def margins(loop: LoopGain, frequency: ArrayLike, *, stable: bool) -> Margins:
     """Return the margins of a loop.
 
@@ -62,7 +65,7 @@ def margins(loop: LoopGain, frequency: ArrayLike, *, stable: bool) -> Margins:
         Whether the closed loop is stable: the gain alone does not show it.
     """
     if not stable:
-        return Margins(math.nan, math.nan, math.nan, math.nan, stable=False)
+        return UNSTABLE
     w = np.asarray(frequency, dtype=float)
     gain = np.asarray(loop(w), dtype=complex)
     crossover, phase = min(_phases(loop, w, gain), key=lambda crossing: abs(crossing[1]), default=(math.nan, math.inf))
@@ -89,6 +92,39 @@ def _factors(loop: LoopGain, w: Array, gain: Complex) -> Iterator[tuple[float, f
     for at, value in values:
         if value.real < 0.0:
             yield at, 1.0 / abs(value)
+
+
+def interpolated_margins(w: Array, gain: Complex) -> Margins:
+    """Return the margins of a stable loop by linear interpolation of its gain (n,) at frequencies (n,) [rad/s]."""
+    phase, crossover = _interpolated_phase(w, gain)
+    factor, phase_crossover = _interpolated_factor(w, gain)
+    return Margins(factor, phase, crossover, float(np.abs(1.0 + gain).min()), True, phase_crossover)
+
+
+def _interpolated_phase(w: Array, gain: Complex) -> tuple[float, float]:
+    with np.errstate(divide="ignore"):
+        size = np.log(np.abs(gain))
+    at = np.flatnonzero(np.isfinite(size[:-1]) & np.isfinite(size[1:]) & (size[:-1] * size[1:] <= 0.0) & (size[:-1] != size[1:]))
+    if not at.size:
+        return math.inf, math.nan
+    part = size[at] / (size[at] - size[at + 1])
+    angle = np.angle(-gain[at]) + part * np.angle(gain[at + 1] / gain[at])
+    angle = np.angle(np.exp(1j * angle))
+    best = int(np.argmin(np.abs(angle)))
+    return float(angle[best]), float(w[at[best]] * (w[at[best] + 1] / w[at[best]]) ** part[best])
+
+
+def _interpolated_factor(w: Array, gain: Complex) -> tuple[float, float]:
+    at = np.flatnonzero(gain.imag[:-1] * gain.imag[1:] < 0.0)
+    part = gain.imag[at] / (gain.imag[at] - gain.imag[at + 1])
+    real, where = gain.real[at] + part * (gain.real[at + 1] - gain.real[at]), w[at] * (w[at + 1] / w[at]) ** part
+    if abs(gain[-1].imag) <= 1e-9 * abs(gain[-1]):
+        real, where = np.append(real, gain[-1].real), np.append(where, w[-1])
+    inside = (real < 0.0) & (real > -1.0)
+    if not inside.any():
+        return math.inf, math.nan
+    best = int(np.argmin(real[inside]))
+    return float(-1.0 / real[inside][best]), float(where[inside][best])
 
 
 def nearest_approach(distance: Callable[[float], float], w: Array, values: Array, *, n_dip: int, tolerance: float) -> tuple[float, float]:
@@ -202,30 +238,14 @@ def edge_margins(loops: LoopGain, frequency: Array, pairs: Sequence[tuple[int, i
     alike = [np.abs(values[:, i] - values[:, j]).max() <= 1e-12 * scale for i, j in pairs]
     edges = [pair for pair, same in zip(pairs, alike, strict=True) if not same] or [(0, 0)]
     worst = []
-    for measure in (0, 1):
+    for measure, rough_margin in enumerate((_interpolated_phase, _interpolated_factor)):
         rough = [
-            (_rough(values[:, i] + share * (values[:, j] - values[:, i]))[measure], (i, j), share) for i, j in edges for share in SHARES
+            (abs(rough_margin(frequency, values[:, i] + share * (values[:, j] - values[:, i]))[0]), (i, j), float(share))
+            for i, j in edges
+            for share in SHARES
         ]
-        _, edge, share = min(rough, key=lambda entry: entry[0])
-        worst.append(_refined(loops, frequency, n, edge, float(share), measure))
+        worst.append(_refined(loops, frequency, n, *min(rough, key=lambda entry: entry[0])[1:], measure))
     return worst[0], worst[1]
-
-
-def _rough(gain: Complex) -> tuple[float, float]:
-    """Return phase and gain margin of a loop by linear interpolation of its grid values; infinite where there is none."""
-    size = np.log(np.maximum(np.abs(gain), 1e-300))
-    phase = factor = math.inf
-    crossed = np.flatnonzero((size[1:] > 0.0) != (size[:-1] > 0.0))
-    if crossed.size:
-        share = size[crossed] / (size[crossed] - size[crossed + 1])
-        phase = float(np.abs(np.angle(-(gain[crossed] + share * (gain[crossed + 1] - gain[crossed])))).min())
-    real = np.flatnonzero((gain.imag[1:] > 0.0) != (gain.imag[:-1] > 0.0))
-    share = gain.imag[real] / (gain.imag[real] - gain.imag[real + 1])
-    at = np.append(gain.real[real] + share * (gain.real[real + 1] - gain.real[real]), gain.real[-1])
-    at = at[(at < 0.0) & (at > -1.0)]
-    if at.size:
-        factor = float(1.0 / np.abs(at).max())
-    return phase, factor
 
 
 def _refined(loops: LoopGain, w: Array, n: int, edge: tuple[int, int], share: float, measure: int) -> HullMargin:
@@ -248,8 +268,7 @@ def _refined(loops: LoopGain, w: Array, n: int, edge: tuple[int, int], share: fl
 
     shares = [share]
     if edge[0] != edge[1] and math.isfinite(exact(share)[0]):
-        step = float(SHARES[1])
-        bounds = (max(share - step, 0.0), min(share + step, 1.0))
+        bounds = (max(share - float(SHARES[1]), 0.0), min(share + float(SHARES[1]), 1.0))
         shares.append(float(minimize_scalar(size, bounds=bounds, method="bounded", options={"xatol": 1e-4}).x))
     worst = min(shares, key=size)
     return HullMargin(*exact(worst), weights(worst))

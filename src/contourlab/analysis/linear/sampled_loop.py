@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.analysis.linear.margins import Margins, frequency_grid, margins
+from contourlab.analysis.linear.margins import UNSTABLE, Margins, frequency_grid, interpolated_margins, margins
 from contourlab.analysis.linear.tick_map import DelayForm, TickMap, lane_matrices, live_states, poles_of, tick_map
 from contourlab.arrays import Array, Complex, Flags
 from contourlab.components.contract import Component
@@ -232,7 +232,16 @@ def opened_schedule(machine: Machine, controller: Controller, columns: Mapping[s
     whole = build(machine, controller, Path([Line((0.0,), (1.0,))]), np.zeros(1), overrides=columns).schedule
     if sum(node.ring_length for node in whole.nodes) > LONGEST:
         raise ComponentError(f"axis {name}: a delay of more than {LONGEST} servo periods is too long for the analysis")
-    return _opened(name, whole)
+    # The command is cut after the controller, the estimate before it, and a load input is added.
+    cuts = {"controller": {"disturbance_estimate": INPUTS[1]}, "plant": {"load": INPUTS[-1]}}
+    nodes = []
+    for node in whole.nodes:
+        wires = {port: wire for port, wire in cuts.get(node.name.rpartition(".")[2], {}).items() if port in node.wires}
+        wires |= {port: INPUTS[0] for port, wire in node.wires.items() if wire == f"{name}.controller.command"}
+        if node.name != WATCH:
+            nodes.append(replace(node, wires={**node.wires, **wires}))
+    externals = (*whole.externals, *(Port(signal.removeprefix("in.")) for signal in (*INPUTS[:2], INPUTS[-1])))
+    return Schedule(tuple(nodes), externals, whole.period, len(nodes) - 1)
 
 
 def loop_of(machine: Machine, controller: Controller, opened: TickMap) -> SampledLoop:
@@ -252,42 +261,27 @@ def _sent(name: str, controller: Controller, opened: TickMap) -> Array:
     return c
 
 
-def _opened(name: str, whole: Schedule) -> Schedule:
-    """Cut the command after the controller and the estimate before it, and add a load input."""
-    cuts = {"controller": {"disturbance_estimate": INPUTS[1]}, "plant": {"load": INPUTS[-1]}}
-    nodes = []
-    for node in whole.nodes:
-        wires = {port: wire for port, wire in cuts.get(node.name.rpartition(".")[2], {}).items() if port in node.wires}
-        wires |= {port: INPUTS[0] for port, wire in node.wires.items() if wire == f"{name}.controller.command"}
-        if node.name != WATCH:
-            nodes.append(replace(node, wires={**node.wires, **wires}))
-    externals = (*whole.externals, *(Port(signal.removeprefix("in.")) for signal in (*INPUTS[:2], INPUTS[-1])))
-    return Schedule(tuple(nodes), externals, whole.period, len(nodes) - 1)
-
-
 def linear_axis(axis: Axis, carried_mass: float) -> Axis:
     """Return the axis alone, without nonlinear parts."""
-    drive, limit = axis.drive, axis.drive.parameters.get("limit")
-    if limit is not None and limit.default == math.inf:
-        drive = drive.replace(limit=math.inf)
-    return Axis(axis.name, axis.plant.loaded(carried_mass).linear(), drive=drive, limits=axis.limits, substeps=axis.substeps)
+    plant, drive = axis.plant.loaded(carried_mass).linear(), without_limit(axis.drive)
+    return Axis(axis.name, plant, drive=drive, limits=axis.limits, substeps=axis.substeps)
 
 
 def linear_controller(controller: AxisController) -> AxisController:
     """Return the controller of an axis without nonlinear parts; under a supervisor the first one, which is for contact."""
-    law = without_limits(controller.controller).linear()
+    law = without_limit(controller.controller).linear()
     return replace(controller, controller=law, others=(), gap_observer=None, compensation=None, supervisor=None)
 
 
-def without_limits(controller: Component) -> Component:
-    """Return the controller without its own limit and without anti-windup: the drive never saturates here."""
-    known = controller.parameters
+def without_limit(part: Component) -> Component:
+    """Return a component without its limit, and without anti-windup: the drive never saturates here."""
     free: dict[str, Any] = {}
-    if "anti_windup" in known and "none" in known["anti_windup"].choices:
-        free["anti_windup"] = "none"
-    if "command_limit" in known and known["command_limit"].default == math.inf:
-        free["command_limit"] = math.inf
-    return controller.replace(**free) if free else controller
+    for name, parameter in part.parameters.items():
+        if name in ("limit", "command_limit") and parameter.default == math.inf:
+            free[name] = math.inf
+        elif name == "anti_windup" and "none" in parameter.choices:
+            free[name] = "none"
+    return part.replace(**free) if free else part
 
 
 GRID = 200
@@ -419,36 +413,5 @@ def rough_margins(loop: SampledLoop) -> Margins:
 
     Good enough to guide a search; check its result with `SampledLoop.margins`.
     """
-    if not loop.stable:
-        return Margins(math.nan, math.nan, math.nan, math.nan, stable=False)
     w = np.geomspace(1e-4 * loop.nyquist, loop.nyquist, GRID)
-    gain = loop.loop_gain(w)
-    phase, crossover = _phase(w, gain)
-    factor, phase_crossover = _factor(w, gain)
-    return Margins(factor, phase, crossover, float(np.abs(1.0 + gain).min()), True, phase_crossover)
-
-
-def _phase(w: Array, gain: Complex) -> tuple[float, float]:
-    with np.errstate(divide="ignore"):
-        size = np.log(np.abs(gain))
-    at = np.flatnonzero(np.isfinite(size[:-1]) & np.isfinite(size[1:]) & (size[:-1] * size[1:] <= 0.0) & (size[:-1] != size[1:]))
-    if not at.size:
-        return math.inf, math.nan
-    part = size[at] / (size[at] - size[at + 1])
-    angle = np.angle(-gain[at]) + part * np.angle(gain[at + 1] / gain[at])
-    angle = np.angle(np.exp(1j * angle))
-    best = int(np.argmin(np.abs(angle)))
-    return float(angle[best]), float(w[at[best]] * (w[at[best] + 1] / w[at[best]]) ** part[best])
-
-
-def _factor(w: Array, gain: Complex) -> tuple[float, float]:
-    at = np.flatnonzero(gain.imag[:-1] * gain.imag[1:] < 0.0)
-    part = gain.imag[at] / (gain.imag[at] - gain.imag[at + 1])
-    real, where = gain.real[at] + part * (gain.real[at + 1] - gain.real[at]), w[at] * (w[at + 1] / w[at]) ** part
-    if abs(gain[-1].imag) <= 1e-9 * abs(gain[-1]):
-        real, where = np.append(real, gain[-1].real), np.append(where, w[-1])
-    inside = (real < 0.0) & (real > -1.0)
-    if not inside.any():
-        return math.inf, math.nan
-    best = int(np.argmin(real[inside]))
-    return float(-1.0 / real[inside][best]), float(where[inside][best])
+    return interpolated_margins(w, loop.loop_gain(w)) if loop.stable else UNSTABLE

@@ -41,7 +41,7 @@ class TickMap:
         return self.schedule.row(external)
 
 
-class _Probe:
+class Probe:
     """Run one tick of `width` variants from any state and inputs."""
 
     def __init__(self, schedule: Schedule, width: int = 1, first: int = 0, jit: bool = False) -> None:
@@ -49,13 +49,14 @@ class _Probe:
         self.parts = [*self.group.state, *self.group.rings, self.group.signals]
         self.n_input = rows(schedule.externals)
         self.size = sum(len(part) for part in self.parts)
-        self.at_rest = self._after(np.zeros(self.size), np.zeros(self.n_input))
+        self.at_rest = self.after(np.zeros(self.size), np.zeros(self.n_input))
 
     def __call__(self, state: Array, inputs: Array) -> Array:
         """Return the state (n, width) after a tick, without the constants that steps add."""
-        return self._after(state, inputs) - self.at_rest
+        return self.after(state, inputs) - self.at_rest
 
-    def _after(self, state: Array, inputs: Array) -> Array:
+    def after(self, state: Array, inputs: Array) -> Array:
+        """Return the state (n, width) after a tick."""
         start = 0
         for part in self.parts:
             part[:] = state[start : start + len(part), None]
@@ -112,7 +113,7 @@ def tick_matrix(schedule: Schedule) -> Array:
     schedule : Schedule
         Linear steps, each run at every tick; constants that a step adds are subtracted.
     """
-    return np.ascontiguousarray(_Probe(schedule).state_matrix()[:, :, 0])
+    return np.ascontiguousarray(Probe(schedule).state_matrix()[:, :, 0])
 
 
 def tick_map(schedule: Schedule) -> TickMap:
@@ -128,7 +129,7 @@ def tick_map(schedule: Schedule) -> TickMap:
     ComponentError
         If a step is not linear; it names the node.
     """
-    a, b = _Probe(schedule).matrices()
+    a, b = Probe(schedule).matrices()
     return TickMap(np.ascontiguousarray(a[:, :, 0]), np.ascontiguousarray(b[:, :, 0]), schedule)
 
 
@@ -140,7 +141,7 @@ def lane_matrices(schedule: Schedule, width: int, first: int, jit: bool) -> tupl
     ComponentError
         If a step is not linear; it names the node.
     """
-    a, b = _Probe(schedule, width, first, jit).matrices()
+    a, b = Probe(schedule, width, first, jit).matrices()
     return np.moveaxis(a, 2, 0), np.moveaxis(b, 2, 0)
 
 

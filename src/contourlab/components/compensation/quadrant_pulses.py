@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from functools import cache
 from typing import Any
 
 import numpy as np
@@ -14,8 +13,6 @@ from contourlab.components.contract import Component, param, text_param
 from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip, exp, fabs, select
-
-SHAPES = ("rectangle", "decay")
 
 
 def slopes(par: Any) -> tuple[Any, ...]:
@@ -68,20 +65,17 @@ def pulse_states(par: Any, x: Any, side: float, acceleration: float, clock: Any)
     return select(turned, clock.t, x.reversed_at), select(turned, strength(par, acceleration), x.strength)
 
 
-@cache
-def pulses_of(shape: str) -> Any:
-    """Return ``pulses(par, side, reversed_at, strength, clock) -> (command, shift)`` for a shape of `SHAPES`."""
-    form = {"rectangle": rectangle, "decay": decay}[shape]
+SHAPES = {"rectangle": rectangle, "decay": decay}
 
-    def pulses(par: Any, side: float, reversed_at: float, strength: float, clock: Any) -> tuple[float, float]:
-        # The slack keeps rounding from moving an edge by a tick.
-        since, slack = clock.t - reversed_at, 1e-6 * clock.dt
-        first = form(since - par.first_delay, par.first_width, slack)
-        second = form(since - par.second_delay, par.second_width, slack)
-        signed = side * strength
-        return signed * (par.first_amplitude * first + par.second_amplitude * second), signed * par.position_pulse * first
 
-    return pulses
+def pulses(par: Any, side: float, reversed_at: float, strength: float, clock: Any, shape: str) -> tuple[float, float]:
+    """Return the additions to command and reference."""
+    # The slack keeps rounding from moving an edge by a tick.
+    since, slack = clock.t - reversed_at, 1e-6 * clock.dt
+    first = SHAPES[shape](since - par.first_delay, par.first_width, slack)
+    second = SHAPES[shape](since - par.second_delay, par.second_width, slack)
+    signed = side * strength
+    return signed * (par.first_amplitude * first + par.second_amplitude * second), signed * par.position_pulse * first
 
 
 class QuadrantPulses(Component):
@@ -137,7 +131,7 @@ class QuadrantPulses(Component):
     acceleration_3: float = param(default=math.inf, unit="m/s^2", minimum=0.0, doc="acceleration from which factor is `fast_ratio`, a_3")
     fast_ratio: float = param(default=1.0, minimum=0.0, maximum=10.0, doc="pulse factor beyond a_3")
     reversal_velocity: float = param(default=0.0, unit="m/s", minimum=0.0, display="mm/s", doc="speed below which the side is kept")
-    shape: str = text_param(default="rectangle", choices=SHAPES, doc="a stage lasts its width, or decays with it")
+    shape: str = text_param(default="rectangle", choices=tuple(SHAPES), doc="a stage lasts its width, or decays with it")
 
     def check_values(self) -> None:
         check_characteristic(self)
@@ -145,21 +139,12 @@ class QuadrantPulses(Component):
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return slopes(par)
 
-    def step_function(self) -> Any:
-        return _quadrant_pulses_step(self.shape)
-
-
-@cache
-def _quadrant_pulses_step(shape: str) -> Any:
-    pulses = pulses_of(shape)
-
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any, *, shape: str) -> Any:
         side = pushed_side(inp.reference_velocity, par.reversal_velocity, x.side)
         moment, size = pulse_states(par, x, side, inp.reference_acceleration, clock)
-        command, shift = pulses(par, side, moment, size, clock)
+        command, shift = pulses(par, side, moment, size, clock, shape)
         return (side, moment, size), (shift, command)
-
-    return step
 
 
 class CncBacklash(QuadrantPulses):
@@ -179,19 +164,8 @@ class CncBacklash(QuadrantPulses):
     parameters = {**BacklashOffset.parameters, **QuadrantPulses.parameters}
     states = (*QuadrantPulses.states, Port("offset"), Port("offset_speed"))  # type: ignore[assignment]
 
-    def step_function(self) -> Any:
-        return _cnc_backlash_step(str(self.values()["shape"]))
-
-
-@cache
-def _cnc_backlash_step(shape: str) -> Any:
-    pulses = pulses_of(shape)
-
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        side = pushed_side(inp.reference_velocity, par.reversal_velocity, x.side)
-        offset, speed = offset_after(par, x, side, clock)
-        moment, size = pulse_states(par, x, side, inp.reference_acceleration, clock)
-        command, shift = pulses(par, side, moment, size, clock)
-        return (side, moment, size, offset, speed), (offset + shift, command)
-
-    return step
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any, *, shape: str) -> Any:
+        kept, (shift, command) = QuadrantPulses.step(par, x, inp, clock, shape=shape)
+        offset, speed = offset_after(par, x, kept[0], clock)
+        return (*kept, offset, speed), (offset + shift, command)

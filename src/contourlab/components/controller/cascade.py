@@ -4,45 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from functools import cache
 from typing import Any, ClassVar
 
 import numpy as np
 
 from contourlab.components.contract import REFERENCE, LinearModel, param, require_positive, text_param
-from contourlab.components.controller.law import ANTI_WINDUP, TRACKING_TIME, ControlLaw, integral_rise, recovery_part
+from contourlab.components.controller.law import ANTI_WINDUP, RISES, TRACKING_TIME, ControlLaw, recovery_part
 from contourlab.components.mechanics.discretise import low_pass_weight
 from contourlab.engine.step import Port, ports
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip
-
-
-@cache
-def cascade_step(anti_windup: str, over_load: bool = False, balanced: bool = False) -> Any:
-    """Return the step of a cascade.
-
-    `over_load` selects `load-side-cascade`: load position, motor velocity, damping; `balanced` the filter of the reference velocity.
-    """
-    rise = integral_rise(anti_windup)
-
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        position = inp.load_position if over_load else inp.position
-        velocity = inp.motor_velocity if over_load else inp.velocity
-        asked, smooth = inp.reference_velocity, 0.0
-        if balanced:
-            # A measured velocity is the mean over the last tick, then filtered.
-            smooth = x.smooth + par.balance_weight * (0.5 * (asked + x.last_velocity) - x.smooth)
-        wanted = par.position_gain * (inp.reference - position) + par.velocity_feedforward * (smooth if balanced else asked)
-        speed_error = wanted - velocity
-        integral = x.integral + rise(clock.dt * par.integral_rate * speed_error, x.last_command - inp.accepted, par.recovery)
-        forward = par.acceleration_feedforward * inp.reference_acceleration + inp.feedforward
-        command = par.velocity_gain * speed_error + integral + forward
-        if over_load:
-            command = command - par.damping_gain * (velocity - inp.load_velocity)
-        command = command - inp.disturbance_estimate
-        return (integral, command, asked, smooth), (clip(command, -par.command_limit, par.command_limit),)
-
-    return step
 
 
 class Cascade(ControlLaw):
@@ -99,8 +70,29 @@ class Cascade(ControlLaw):
         weight = low_pass_weight(par.balance_bandwidth, dt, "backward-euler")
         return par.velocity_gain / par.integral_time, recovery_part(par.tracking_time, dt), weight
 
-    def step_function(self) -> Any:
-        return cascade_step(self.anti_windup, self.over_load, math.isfinite(self.balance_bandwidth))
+    @property
+    def balanced(self) -> bool:
+        """Whether the reference velocity is filtered."""
+        return math.isfinite(self.balance_bandwidth)
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any, *, anti_windup: str, over_load: bool, balanced: bool) -> Any:
+        position = inp.load_position if over_load else inp.position
+        velocity = inp.motor_velocity if over_load else inp.velocity
+        asked, smooth = inp.reference_velocity, 0.0
+        if balanced:
+            # A measured velocity is the mean over the last tick, then filtered.
+            smooth = x.smooth + par.balance_weight * (0.5 * (asked + x.last_velocity) - x.smooth)
+        wanted = par.position_gain * (inp.reference - position) + par.velocity_feedforward * (smooth if balanced else asked)
+        speed_error = wanted - velocity
+        rise = RISES[anti_windup](clock.dt * par.integral_rate * speed_error, x.last_command - inp.accepted, par.recovery)
+        integral = x.integral + rise
+        forward = par.acceleration_feedforward * inp.reference_acceleration + inp.feedforward
+        command = par.velocity_gain * speed_error + integral + forward
+        if over_load:
+            command = command - par.damping_gain * (velocity - inp.load_velocity)
+        command = command - inp.disturbance_estimate
+        return (integral, command, asked, smooth), (clip(command, -par.command_limit, par.command_limit),)
 
     wishes = {
         "bandwidth": param(unit="rad/s", minimum=0.0, exclusive=True, doc="bandwidth of the velocity loop"),

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component, param
-from contourlab.engine.step import Port
 from contourlab.primitives import select
 
 ANTI_WINDUP = ("hold", "back-calculation", "none")
@@ -21,28 +20,22 @@ the integral is right when the limit is left. "none" lets it continue.
 
 TRACKING_TIME = param(default=0.01, unit="s", minimum=0.0, exclusive=True, display="ms", doc="time constant of the back-calculation, T_t")
 
-
-_RISES: dict[str, Callable[[float, float, float], float]] = {
+RISES: dict[str, Callable[[float, float, float], float]] = {
     "hold": lambda wanted, beyond, recovery: select(wanted * beyond > 0.0, 0.0, wanted),
     "back-calculation": lambda wanted, beyond, recovery: wanted - recovery * beyond,
     "none": lambda wanted, beyond, recovery: wanted,
 }
+"""The rule ``rise(wanted, beyond, recovery)`` of each.
+
+`wanted` is the rise of the integral in this tick without a limit, `beyond` the part of the last command that the drive did not accept, both
+in command units; `recovery` is the share of `beyond` fed back in a tick.
+"""
 
 
 class ControlLaw(Component):
     """Base of the controllers of an axis."""
 
     family = "controller"
-    outputs = (Port("command"),)
-
-
-def integral_rise(kind: str) -> Any:
-    """Return the rule ``rise(wanted, beyond, recovery)`` of an `ANTI_WINDUP` kind.
-
-    `wanted` is the rise of the integral in this tick without a limit, `beyond` the part of the last command that the drive did not accept,
-    both in command units; `recovery` is the share of `beyond` fed back in a tick.
-    """
-    return _RISES[kind]
 
 
 def recovery_part(tracking_time: Any, dt: float) -> Any:

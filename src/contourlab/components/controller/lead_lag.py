@@ -5,29 +5,14 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Mapping
-from functools import cache
 from typing import Any
 
 import numpy as np
 
 from contourlab.components.contract import LinearModel, param, text_param
-from contourlab.components.controller.law import ANTI_WINDUP, TRACKING_TIME, ControlLaw, integral_rise, recovery_part
+from contourlab.components.controller.law import ANTI_WINDUP, RISES, TRACKING_TIME, ControlLaw, recovery_part
 from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
-
-
-@cache
-def _make(anti_windup: str) -> Any:
-    rise = integral_rise(anti_windup)
-
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        error = inp.reference - inp.position
-        lead = par.keep * x.lead + par.now * error + par.before * x.previous_error
-        integral = x.integral + rise(par.half_rate * (lead + x.lead), x.last_command - inp.accepted, par.recovery)
-        command = lead + integral + inp.feedforward - inp.disturbance_estimate
-        return (error, lead, integral, command), (command,)
-
-    return step
 
 
 class LeadLag(ControlLaw):
@@ -63,8 +48,13 @@ class LeadLag(ControlLaw):
         now, before = par.gain * (2.0 * par.lead_time + dt) / below, par.gain * (dt - 2.0 * par.lead_time) / below
         return (2.0 * par.lag_time - dt) / below, now, before, 0.5 * dt * par.integral_rate, recovery_part(par.tracking_time, dt)
 
-    def step_function(self) -> Any:
-        return _make(self.anti_windup)
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any, *, anti_windup: str) -> Any:
+        error = inp.reference - inp.position
+        lead = par.keep * x.lead + par.now * error + par.before * x.previous_error
+        integral = x.integral + RISES[anti_windup](par.half_rate * (lead + x.lead), x.last_command - inp.accepted, par.recovery)
+        command = lead + integral + inp.feedforward - inp.disturbance_estimate
+        return (error, lead, integral, command), (command,)
 
     wishes = {
         "phase_margin": param(unit="rad", minimum=0.0, exclusive=True, maximum=math.pi / 2.0, display="deg", doc="of the whole loop"),

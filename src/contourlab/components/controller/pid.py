@@ -3,34 +3,15 @@
 from __future__ import annotations
 
 import math
-from functools import cache
 from typing import Any
 
 import numpy as np
 
 from contourlab.components.contract import LinearModel, param, text_param
-from contourlab.components.controller.law import ANTI_WINDUP, TRACKING_TIME, ControlLaw, integral_rise, recovery_part
+from contourlab.components.controller.law import ANTI_WINDUP, RISES, TRACKING_TIME, ControlLaw, recovery_part
 from contourlab.components.mechanics.discretise import low_pass_weight
 from contourlab.engine.step import Port
 from contourlab.primitives import clip
-
-
-@cache
-def _make(anti_windup: str, on_error: bool) -> Any:
-    rise = integral_rise(anti_windup)
-
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        error = inp.reference - inp.position
-        integral = x.integral + rise(clock.dt * par.integral_gain * error, x.last_command - inp.accepted, par.recovery)
-        seen = error if on_error else -inp.position
-        slope = x.slope + par.weight * ((seen - x.previous) / clock.dt - x.slope)
-        # Positions count from the start, so that a weight other than 1 gives no command at rest.
-        weighed = par.reference_weight * (inp.reference - x.start) - (inp.position - x.start)
-        law = par.proportional_gain * weighed + integral + par.derivative_gain * slope
-        command = law + inp.feedforward - inp.disturbance_estimate
-        return (integral, seen, slope, x.start, command), (clip(command, -par.command_limit, par.command_limit),)
-
-    return step
 
 
 class PID(ControlLaw):
@@ -79,8 +60,17 @@ class PID(ControlLaw):
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return low_pass_weight(par.derivative_bandwidth, dt, "backward-euler"), recovery_part(par.tracking_time, dt)
 
-    def step_function(self) -> Any:
-        return _make(self.anti_windup, self.derivative_on == "error")
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any, *, anti_windup: str, derivative_on: str) -> Any:
+        error = inp.reference - inp.position
+        integral = x.integral + RISES[anti_windup](clock.dt * par.integral_gain * error, x.last_command - inp.accepted, par.recovery)
+        seen = error if derivative_on == "error" else -inp.position
+        slope = x.slope + par.weight * ((seen - x.previous) / clock.dt - x.slope)
+        # Positions count from the start, so that a weight other than 1 gives no command at rest.
+        weighed = par.reference_weight * (inp.reference - x.start) - (inp.position - x.start)
+        law = par.proportional_gain * weighed + integral + par.derivative_gain * slope
+        command = law + inp.feedforward - inp.disturbance_estimate
+        return (integral, seen, slope, x.start, command), (clip(command, -par.command_limit, par.command_limit),)
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
         return {"start": position, "previous": 0.0 if self.derivative_on == "error" else -position}, {}

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from functools import cache
 from typing import Any
 
 import numpy as np
@@ -13,27 +12,6 @@ from contourlab.components.contract import REFERENCE, LinearModel, param, requir
 from contourlab.components.controller.law import ControlLaw
 from contourlab.engine.step import Port, ports
 from contourlab.errors import ParameterError
-
-
-@cache
-def _make(hold: bool, ipv: bool) -> Any:
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        error = inp.reference - inp.position
-        rise = clock.dt * error
-        if hold:
-            beyond = x.last_command - inp.accepted
-            rise = 0.0 if beyond * error > 0.0 else rise
-        integral = x.integral + rise
-        if ipv:
-            proportional = par.position_gain * (x.start - inp.position) - par.velocity_gain * inp.velocity
-            command = proportional + par.integral_rate * integral + inp.feedforward - inp.disturbance_estimate
-        else:
-            forward = par.acceleration_feedforward * inp.reference_acceleration + par.velocity_feedforward * inp.reference_velocity
-            loop = par.velocity_gain * (inp.reference_velocity - inp.velocity) + par.position_gain * error
-            command = loop + par.integral_rate * integral + forward + inp.feedforward - inp.disturbance_estimate
-        return (integral, x.start, command), (command,)
-
-    return step
 
 
 class PositionController(ControlLaw):
@@ -96,8 +74,22 @@ class PositionController(ControlLaw):
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return par.position_gain * par.integral_gain, 1.0 / par.model_gain, par.model_damping / par.model_gain
 
-    def step_function(self) -> Any:
-        return _make(self.anti_windup == "hold", self.structure == "ipv")
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any, *, anti_windup: str, structure: str) -> Any:
+        error = inp.reference - inp.position
+        rise = clock.dt * error
+        if anti_windup == "hold":
+            beyond = x.last_command - inp.accepted
+            rise = 0.0 if beyond * error > 0.0 else rise
+        integral = x.integral + rise
+        if structure == "ipv":
+            proportional = par.position_gain * (x.start - inp.position) - par.velocity_gain * inp.velocity
+            command = proportional + par.integral_rate * integral + inp.feedforward - inp.disturbance_estimate
+        else:
+            forward = par.acceleration_feedforward * inp.reference_acceleration + par.velocity_feedforward * inp.reference_velocity
+            loop = par.velocity_gain * (inp.reference_velocity - inp.velocity) + par.position_gain * error
+            command = loop + par.integral_rate * integral + forward + inp.feedforward - inp.disturbance_estimate
+        return (integral, x.start, command), (command,)
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
         return {"start": position}, {}

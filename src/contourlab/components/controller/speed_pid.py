@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from functools import cache
 from typing import Any
 
 import numpy as np
@@ -12,22 +11,6 @@ from contourlab.components.contract import REFERENCE, LinearModel, param, text_p
 from contourlab.components.controller.law import ControlLaw
 from contourlab.components.mechanics.discretise import low_pass_weight
 from contourlab.engine.step import Port, ports
-
-
-@cache
-def _make(on_speed: bool) -> Any:
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        error = inp.reference - inp.position
-        speed_error = inp.reference_velocity - inp.velocity
-        acceleration = x.acceleration + par.weight * ((inp.velocity - x.previous_velocity) / clock.dt - x.acceleration)
-        integral = x.integral + clock.dt * error
-        if on_speed:
-            law = par.integral * error + par.proportional * speed_error + par.derivative * (inp.reference_acceleration - acceleration)
-        else:
-            law = par.integral * integral + par.proportional * error + par.derivative * speed_error
-        return (integral, inp.velocity, acceleration), (law + inp.feedforward - inp.disturbance_estimate,)
-
-    return step
 
 
 class SpeedPID(ControlLaw):
@@ -69,8 +52,17 @@ class SpeedPID(ControlLaw):
         weight = low_pass_weight(par.acceleration_bandwidth, dt, "backward-euler")
         return 2.0 * par.damping_ratio * rate / par.natural_frequency, rate, rate / par.natural_frequency**2, weight
 
-    def step_function(self) -> Any:
-        return _make(self.structure == "speed")
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any, *, structure: str) -> Any:
+        error = inp.reference - inp.position
+        speed_error = inp.reference_velocity - inp.velocity
+        acceleration = x.acceleration + par.weight * ((inp.velocity - x.previous_velocity) / clock.dt - x.acceleration)
+        integral = x.integral + clock.dt * error
+        if structure == "speed":
+            law = par.integral * error + par.proportional * speed_error + par.derivative * (inp.reference_acceleration - acceleration)
+        else:
+            law = par.integral * integral + par.proportional * error + par.derivative * speed_error
+        return (integral, inp.velocity, acceleration), (law + inp.feedforward - inp.disturbance_estimate,)
 
     def linearize(self) -> LinearModel | None:
         """Return the linear model; None on the speed error without a filter: the bare derivative has no state-space model."""

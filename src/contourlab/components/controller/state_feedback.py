@@ -5,39 +5,15 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Mapping, Sequence
-from functools import cache
 from typing import Any
 
 import numpy as np
 
 from contourlab.components.contract import REFERENCE, LinearModel, param, require_positive, text_param
-from contourlab.components.controller.law import ANTI_WINDUP, TRACKING_TIME, ControlLaw, integral_rise, recovery_part
+from contourlab.components.controller.law import ANTI_WINDUP, RISES, TRACKING_TIME, ControlLaw, recovery_part
 from contourlab.components.mechanics.discretise import low_pass_weight
 from contourlab.engine.step import Port, ports
 from contourlab.errors import ParameterError
-
-
-@cache
-def _make(anti_windup: str, follows: bool) -> Any:
-    rise = integral_rise(anti_windup)
-
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        error = inp.reference - inp.position
-        integral = x.integral + rise(clock.dt * par.integral_gain * error, x.last_command - inp.accepted, par.recovery)
-        acceleration = x.acceleration + par.weight * ((inp.velocity - x.previous_velocity) / clock.dt - x.acceleration)
-        if follows:
-            jerk = (inp.reference_acceleration - x.previous_reference) / clock.dt
-            back = par.velocity_gain * (inp.reference_velocity - inp.velocity)
-            back += par.acceleration_gain * (inp.reference_acceleration - acceleration)
-            forward = par.velocity_feedforward * inp.reference_velocity + par.acceleration_feedforward * inp.reference_acceleration
-            forward += par.jerk_feedforward * jerk
-        else:
-            back, forward = -par.velocity_gain * inp.velocity - par.acceleration_gain * acceleration, 0.0
-        law = integral + par.position_gain * error + back + forward
-        command = law + inp.feedforward - inp.disturbance_estimate
-        return (integral, inp.velocity, acceleration, inp.reference_acceleration, command), (command,)
-
-    return step
 
 
 def _coefficients(poles: Sequence[complex], order: int) -> list[float]:
@@ -106,8 +82,22 @@ class StateFeedback(ControlLaw):
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return low_pass_weight(par.acceleration_bandwidth, dt, "backward-euler"), recovery_part(par.tracking_time, dt)
 
-    def step_function(self) -> Any:
-        return _make(self.anti_windup, self.following == "model")
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any, *, anti_windup: str, following: str) -> Any:
+        error = inp.reference - inp.position
+        integral = x.integral + RISES[anti_windup](clock.dt * par.integral_gain * error, x.last_command - inp.accepted, par.recovery)
+        acceleration = x.acceleration + par.weight * ((inp.velocity - x.previous_velocity) / clock.dt - x.acceleration)
+        if following == "model":
+            jerk = (inp.reference_acceleration - x.previous_reference) / clock.dt
+            back = par.velocity_gain * (inp.reference_velocity - inp.velocity)
+            back += par.acceleration_gain * (inp.reference_acceleration - acceleration)
+            forward = par.velocity_feedforward * inp.reference_velocity + par.acceleration_feedforward * inp.reference_acceleration
+            forward += par.jerk_feedforward * jerk
+        else:
+            back, forward = -par.velocity_gain * inp.velocity - par.acceleration_gain * acceleration, 0.0
+        law = integral + par.position_gain * error + back + forward
+        command = law + inp.feedforward - inp.disturbance_estimate
+        return (integral, inp.velocity, acceleration, inp.reference_acceleration, command), (command,)
 
     wishes = {
         "natural_frequency": param(unit="rad/s", minimum=0.0, exclusive=True, doc="natural frequency of two poles"),

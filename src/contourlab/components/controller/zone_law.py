@@ -8,13 +8,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from functools import cache
 from typing import Any, ClassVar
 
 import numpy as np
 
 from contourlab.components.contract import BOTH_SIDES, REFERENCE, LinearModel, param, text_param
-from contourlab.components.controller.law import ANTI_WINDUP, TRACKING_TIME, ControlLaw, integral_rise, recovery_part
+from contourlab.components.controller.law import ANTI_WINDUP, RISES, TRACKING_TIME, ControlLaw, recovery_part
 from contourlab.engine.step import Port, ports
 from contourlab.primitives import select
 
@@ -24,36 +23,6 @@ DIRECTIONS: dict[str, Callable[[Any], Any]] = {
     "velocity": lambda inp: inp.reference_velocity,
     "acceleration": lambda inp: inp.reference_acceleration,
 }
-
-
-@cache
-def _zone_law_step(
-    follows_load: bool, per_inertia: bool, literal: bool, direction: str, side: float, rise: Callable[..., float] | None, to_flank: bool
-) -> Callable[..., Any]:
-    pressing = DIRECTIONS[direction]
-
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        sign = pressing(inp)
-        flank = select(sign > 0.0, 1.0, select(sign < 0.0, -1.0, x.flank)) if direction != "none" else 0.0
-        half = side * par.turn * flank * select(inp.gap_estimate > 0.0, inp.gap_estimate, par.backlash_gap)
-        target, target_rate, ahead = inp.reference, inp.reference_velocity, inp.reference_acceleration
-        if follows_load:
-            target, target_rate = inp.load_position, inp.load_velocity
-            ahead = (inp.load_velocity - x.load_velocity) / clock.dt
-        rate = par.turn * (inp.motor_velocity - target_rate)
-        if literal:
-            rate = rate - half
-        back = par.rate_gain * rate + par.position_gain * (par.turn * (inp.motor_position - target) - half)
-        if per_inertia:
-            back = par.motor_inertia * back
-        integral = x.integral
-        if rise is not None:
-            short = par.turn * (inp.reference - inp.motor_position) + (half if to_flank else 0.0)
-            integral = integral + rise(clock.dt * par.integral_gain * short, x.last_command - inp.accepted, par.recovery)
-        command = par.motor_inertia * par.turn * ahead - back + integral + inp.feedforward - inp.disturbance_estimate
-        return (integral, flank, inp.load_velocity, command), (command,)
-
-    return step
 
 
 class ZoneLaw(ControlLaw):
@@ -77,6 +46,11 @@ class ZoneLaw(ControlLaw):
 
     reference = "Shahin, ElMaraghy & ElBeheiry, eqs 10 and 12-16"
     per_inertia: ClassVar[bool] = False
+    # Without these parameters a law follows the reference, as corrected, and has no integral.
+    target = "reference"
+    reading = "corrected"
+    integral_of = ""
+    anti_windup = ""
     states = (Port("integral"), Port("flank"), Port("load_velocity"), Port("last_command"))
     inputs = (*REFERENCE, *BOTH_SIDES, *ports("gap_estimate", "disturbance_estimate", "feedforward", "accepted"))
     derived: ClassVar[tuple[str, ...]] = ("turn",)
@@ -95,12 +69,45 @@ class ZoneLaw(ControlLaw):
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return (2.0 * math.pi / par.lead,)
 
-    def step_function(self) -> Any:
-        return zone_step(self)
+    @staticmethod
+    def step(
+        par: Any,
+        x: Any,
+        inp: Any,
+        clock: Any,
+        *,
+        per_inertia: bool,
+        target: str,
+        reading: str,
+        direction: str,
+        shift: str,
+        integral_of: str,
+        anti_windup: str,
+    ) -> Any:
+        sign = DIRECTIONS[direction](inp)
+        flank = select(sign > 0.0, 1.0, select(sign < 0.0, -1.0, x.flank)) if direction != "none" else 0.0
+        side = 0.5 if shift == "to-flank" else -0.5
+        half = side * par.turn * flank * select(inp.gap_estimate > 0.0, inp.gap_estimate, par.backlash_gap)
+        goal, goal_rate, ahead = inp.reference, inp.reference_velocity, inp.reference_acceleration
+        if target == "load":
+            goal, goal_rate = inp.load_position, inp.load_velocity
+            ahead = (inp.load_velocity - x.load_velocity) / clock.dt
+        rate = par.turn * (inp.motor_velocity - goal_rate)
+        if reading == "literal":
+            rate = rate - half
+        back = par.rate_gain * rate + par.position_gain * (par.turn * (inp.motor_position - goal) - half)
+        if per_inertia:
+            back = par.motor_inertia * back
+        integral = x.integral
+        if integral_of:
+            short = par.turn * (inp.reference - inp.motor_position) + (half if integral_of == "flank" else 0.0)
+            integral = integral + RISES[anti_windup](clock.dt * par.integral_gain * short, x.last_command - inp.accepted, par.recovery)
+        command = par.motor_inertia * par.turn * ahead - back + integral + inp.feedforward - inp.disturbance_estimate
+        return (integral, flank, inp.load_velocity, command), (command,)
 
     def linearize(self) -> LinearModel | None:
         """Return the model of a law without the gap and with the reference as target; other laws are not linear."""
-        if self.direction != "none" or getattr(self, "target", "reference") == "load":
+        if self.direction != "none" or self.target == "load":
             return None
         turn, scale = 2.0 * math.pi / self.lead, self.motor_inertia if self.per_inertia else 1.0
         rate, off = scale * self.rate_gain * turn, scale * self.position_gain * turn  # type: ignore[attr-defined]
@@ -112,14 +119,6 @@ class ZoneLaw(ControlLaw):
 
     def linear(self) -> Any:
         return self.replace(direction="none", **({"target": "reference"} if "target" in self.parameters else {}))
-
-
-def zone_step(
-    law: ZoneLaw, *, follows_load: bool = False, rise: Callable[..., float] | None = None, to_flank: bool = False
-) -> Callable[..., Any]:
-    """Return the step of a law; `rise` is the rule of its integral, if any; `to_flank` adds the half gap to the integral."""
-    side = 0.5 if law.shift == "to-flank" else -0.5
-    return _zone_law_step(follows_load, law.per_inertia, law.values().get("reading") == "literal", law.direction, side, rise, to_flank)
 
 
 READING = text_param(
@@ -201,9 +200,6 @@ class Integral(TorqueGains):
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return 2.0 * math.pi / par.lead, recovery_part(par.tracking_time, dt)
 
-    def step_function(self) -> Any:
-        return zone_step(self, rise=integral_rise(self.anti_windup), to_flank=self.integral_of == "flank")
-
 
 _TYPE_1 = {"rate_gain": 400.0, "position_gain": 2000.0, "motor_inertia": 5.2e-3, "lead": 0.016, "backlash_gap": 0.05}
 _TYPE_2 = {"rate_gain": 10.0, "position_gain": 200.0, "motor_inertia": 5.2e-3, "lead": 0.016, "backlash_gap": 0.05}
@@ -251,9 +247,6 @@ class GapZone1(InertiaGains):
     example = {**_TYPE_1, "target": "load"}
 
     target: str = text_param(default="reference", choices=("reference", "load"), doc="what the motor follows; the paper prints the load")
-
-    def step_function(self) -> Any:
-        return zone_step(self, follows_load=self.target == "load")
 
 
 class GapZone2(TypeTwo):

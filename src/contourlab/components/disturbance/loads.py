@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import math
-from functools import cache
 from typing import Any
 
 import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.components.contract import Component, param, text_param
-from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip, floor, lookup, sin
 
@@ -19,8 +17,6 @@ class Disturbance(Component):
     """Base: a force on an axis that is not friction."""
 
     family = "disturbance"
-    inputs = (Port("position"),)
-    outputs = (Port("force"),)
 
 
 class ConstantLoad(Disturbance):
@@ -58,19 +54,6 @@ class SineLoad(Disturbance):
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         return (), (par.amplitude * sin(par.angular_frequency * clock.t + par.phase),)
-
-
-@cache
-def _table_step(over_time: bool, repeat: bool) -> Any:
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        where = clock.t if over_time else inp.position
-        u = (where - par.origin) * par.inverse_step
-        u = u - par.intervals * floor(u / par.intervals) if repeat else clip(u, 0.0, par.intervals)
-        i = clip(floor(u), 0.0, par.intervals - 1.0)
-        low = lookup(par.values_table, i)
-        return (), (low + (u - i) * (lookup(par.values_table, i + 1.0) - low),)
-
-    return step
 
 
 class TableLoad(Disturbance):
@@ -116,8 +99,14 @@ class TableLoad(Disturbance):
         if getattr(self, f"{self.over}_step") == math.inf:
             raise ParameterError(f"{self.over}_step", "not given", f'given with over = "{self.over}", > 0')
 
-    def step_function(self) -> Any:
-        return _table_step(self.over == "time", self.beyond == "repeat")
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any, *, over: str, beyond: str) -> Any:
+        where = clock.t if over == "time" else inp.position
+        u = (where - par.origin) * par.inverse_step
+        u = u - par.intervals * floor(u / par.intervals) if beyond == "repeat" else clip(u, 0.0, par.intervals)
+        i = clip(floor(u), 0.0, par.intervals - 1.0)
+        low = lookup(par.values_table, i)
+        return (), (low + (u - i) * (lookup(par.values_table, i + 1.0) - low),)
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         origin, step = (par.start_time, par.time_step) if self.over == "time" else (par.start_position, par.position_step)

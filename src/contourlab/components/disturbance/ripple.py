@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from functools import cache
 from typing import Any
 
 import numpy as np
@@ -55,23 +54,6 @@ class LowPassedNoise(Disturbance):
 _TURN = 2.0 * math.pi
 
 
-@cache
-def _force_ripple_step(n: int) -> Any:
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        turns = inp.position * par.inverse_pitch
-        angle = _TURN * (turns - floor(turns))
-        c, s = cos(angle), sin(angle)
-        # Horner's rule for the sum of a_k exp(i phi_k) z^k with |z| = 1: one sine and one cosine for any number of harmonics.
-        re, im = 0.0, 0.0
-        for k in range(n - 1, -1, -1):
-            re, im = re + lookup(par.in_phase, k), im + lookup(par.quadrature, k)
-            re, im = re * c - im * s, re * s + im * c
-        noise = next_noise(x.noise, par.noise, par.keep, par.stream, clock.k)
-        return (noise,), (im + noise,)
-
-    return step
-
-
 class ForceRipple(Disturbance):
     """Ripple of a motor's force over its magnets' pitch: F = sum of a_k sin(2 pi k p/P + phi_k), k = 1 ... n, and noise.
 
@@ -111,8 +93,18 @@ class ForceRipple(Disturbance):
         if len(self.phases) != len(self.amplitudes):
             raise ParameterError("phases", f"{list(self.phases)}", f"as many as the amplitudes, {len(self.amplitudes)}", "rad")
 
-    def step_function(self) -> Any:
-        return _force_ripple_step(len(self.amplitudes))
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any, *, amplitudes: tuple[float, ...]) -> Any:
+        turns = inp.position * par.inverse_pitch
+        angle = _TURN * (turns - floor(turns))
+        c, s = cos(angle), sin(angle)
+        # Horner's rule for the sum of a_k exp(i phi_k) z^k with |z| = 1: one sine and one cosine for any number of harmonics.
+        re, im = 0.0, 0.0
+        for k in range(len(amplitudes) - 1, -1, -1):
+            re, im = re + lookup(par.in_phase, k), im + lookup(par.quadrature, k)
+            re, im = re * c - im * s, re * s + im * c
+        noise = next_noise(x.noise, par.noise, par.keep, par.stream, clock.k)
+        return (noise,), (im + noise,)
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return 1.0 / par.pitch, np.exp(-par.noise_bandwidth * dt)

@@ -19,8 +19,6 @@ class Saturation(Component):
     kind = "saturation"
     example = {"limit": 0.5}
     reference = "zero-order hold with saturation"
-    inputs = (Port("command"),)
-    outputs = (Port("applied"),)
 
     limit: float = param(default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest command in either direction")
 
@@ -45,7 +43,6 @@ class DelayedSaturation(Component):
     kind = "delayed-saturation"
     example = {"limit": 0.5, "delay": 0.0123}
     reference = "transport delay of a sampled command"
-    inputs = (Port("command"),)
     outputs = (Port("applied"), Port("accepted"))
     derived = ("whole", "fraction")
     ring = "command"

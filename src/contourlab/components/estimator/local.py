@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from contourlab.components.contract import Component, param
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Step
 from contourlab.errors import ParameterError
 from contourlab.geometry.view import PathView
 from contourlab.primitives import add, copysign, dot, lincomb, maximum, scale, select, sqrt, sub
@@ -28,8 +28,6 @@ class LocalEstimator(Component):
     """
 
     family = "estimator"
-    inputs = (Port("position", -1), Port("arc_length"))
-    outputs = (Port("foot_position", -1), Port("error_vector", -1), Port("contour_error_estimate"), Port("tangent", -1))
 
     fewest_axes: ClassVar[int] = 1
     most_axes: ClassVar[int] = 1_000_000

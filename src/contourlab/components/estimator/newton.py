@@ -34,7 +34,6 @@ class Newton(Component):
     kind = "newton"
     reference = "Ghaffari & Ulsoy 2016, in discrete time"
     states = (Port("foot"),)
-    inputs = (Port("position", -1), Port("arc_length"))
     outputs = (*ports("foot_position", "error_vector", size=-1), *ports("contour_error_estimate", "foot_arc_length"), Port("tangent", -1))
 
     window: float = param(default=5e-3, unit="m", minimum=0.0, exclusive=True, display="mm", doc="search range around the reference")

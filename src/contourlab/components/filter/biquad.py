@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, param
-from contourlab.engine.step import Port, ports
+from contourlab.engine.step import ports
 from contourlab.errors import ParameterError
 
 
@@ -21,8 +21,6 @@ class Biquad(Component):
 
     family = "filter"
     states = ports("input_1", "input_2", "output_1", "output_2")
-    inputs = (Port("command"),)
-    outputs = (Port("command"),)
     derived = ("b0", "b1", "b2", "a1", "a2")
 
     frequency: float = param(unit="Hz", minimum=0.0, exclusive=True, doc="below half of the servo frequency, f")

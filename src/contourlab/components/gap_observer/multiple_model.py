@@ -82,7 +82,6 @@ class MultipleModel(Component):
     kind = "multiple-model"
     reference = "Alspach & Sorenson 1972; Lagerberg & Egardt 2007"
     inputs = (Port("motor_position"), Port("applied"))
-    outputs = ports("gap_state", "gap", "gap_deviation", "confidence", "load_position", "load_velocity")
     states = (*ports("ticks", "last_position", "contact", "sound", "side", "settled", "again", "doubt"), Port("leader", KEPT))
     derived = (
         *("force_value", "motor_mobility", "motor_drag", "load_mobility", "stiffness_value", "damper_value", "load_drag"),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from functools import cache
 from typing import Any
 
 import numpy as np
@@ -14,33 +13,6 @@ from contourlab.primitives import delayed, floor, minimum, select, uniform
 
 NEARLY = 1e-9
 """Rounding tolerance of whole numbers of ticks."""
-
-
-@cache
-def _make(extrapolate: bool) -> Any:
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        newest, value, slope = x.newest, x.value, x.slope
-        # Messages that may arrive at this tick, newest first, down to the one held.
-        number = floor((clock.k - par.soonest) / par.spacing)
-        while number > newest and number * par.spacing >= clock.k - par.latest:
-            sent_at = number * par.spacing
-            taken = -floor(NEARLY - par.delay_ticks - par.jitter_ticks * uniform(par.stream, number, 0.0))
-            # Draws lie strictly between 0 and 1: a loss of 0 loses none, a loss of 1 all.
-            there = select(sent_at + taken <= clock.k, uniform(par.stream, number, 1.0), 0.0)
-            if there > par.loss:
-                fresh = delayed(par.ring, clock, clock.k - sent_at)
-                if extrapolate:
-                    slope = select(newest >= 0.0, (fresh - value) / ((number - newest) * par.spacing), 0.0)
-                value, newest = fresh, number
-            number -= 1.0
-        if extrapolate:
-            age = minimum(clock.k - newest * par.spacing, par.horizon_ticks)
-            received = value + slope * age
-        else:
-            received = value
-        return (newest, value, slope), (received,)
-
-    return step
 
 
 class Network(Component):
@@ -75,8 +47,6 @@ class Network(Component):
         "stream": 7.0,
     }
     states = (Port("newest"), Port("value"), Port("slope"))
-    inputs = (Port("sent"),)
-    outputs = (Port("received"),)
     derived = ("spacing", "soonest", "latest", "delay_ticks", "jitter_ticks", "horizon_ticks")
     ring = "sent"
 
@@ -93,8 +63,26 @@ class Network(Component):
         spacing = np.maximum(np.ceil(par.message_period / dt - NEARLY), 1.0)
         return spacing, np.ceil(delay - NEARLY), np.ceil(delay + jitter - NEARLY), delay, jitter, par.horizon / dt
 
-    def step_function(self) -> Any:
-        return _make(self.between == "extrapolate")
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any, *, between: str) -> Any:
+        newest, value, slope = x.newest, x.value, x.slope
+        # Messages that may arrive at this tick, newest first, down to the one held.
+        number = floor((clock.k - par.soonest) / par.spacing)
+        while number > newest and number * par.spacing >= clock.k - par.latest:
+            sent_at = number * par.spacing
+            taken = -floor(NEARLY - par.delay_ticks - par.jitter_ticks * uniform(par.stream, number, 0.0))
+            # Draws lie strictly between 0 and 1: a loss of 0 loses none, a loss of 1 all.
+            there = select(sent_at + taken <= clock.k, uniform(par.stream, number, 1.0), 0.0)
+            if there > par.loss:
+                fresh = delayed(par.ring, clock, clock.k - sent_at)
+                if between == "extrapolate":
+                    slope = select(newest >= 0.0, (fresh - value) / ((number - newest) * par.spacing), 0.0)
+                value, newest = fresh, number
+            number -= 1.0
+        received = value
+        if between == "extrapolate":
+            received = value + slope * minimum(clock.k - newest * par.spacing, par.horizon_ticks)
+        return (newest, value, slope), (received,)
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
         return {"newest": -1.0, "value": position}, {"received": position}

@@ -31,7 +31,6 @@ class DisturbanceObserver(Component):
     reference = "Ghaffari & Ulsoy, eqs 6-13"
     states = (Port("filtered_velocity"), Port("estimate"))
     inputs = (Port("velocity"), Port("applied"))
-    outputs = (Port("disturbance_estimate"),)
     derived = ("velocity_weight", "estimate_weight", "inverse_gain")
 
     bandwidth: float = param(default=200.0, unit="rad/s", minimum=0.0, exclusive=True, doc="bandwidth of the estimate, w_d")

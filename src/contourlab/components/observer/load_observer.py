@@ -40,7 +40,6 @@ class LoadObserver(Component):
     reference = "Luenberger 1971; Johnson 1971"
     states = (Port("previous_position"), Port("speed"), Port("estimate"))
     inputs = (Port("position"), Port("applied"))
-    outputs = (Port("disturbance_estimate"),)
     derived = ("decay", "speed_gain", "travel", "travel_gain", "speed_correction", "load_correction")
 
     bandwidth: float = param(default=400.0, unit="rad/s", minimum=0.0, exclusive=True, doc="both poles of the estimate, w_0")

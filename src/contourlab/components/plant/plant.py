@@ -71,8 +71,6 @@ class SingleMass(Plant):
     """
 
     states: ClassVar[tuple[Port, ...]] = (Port("position"), Port("velocity"))
-    inputs = (Port("command"), Port("load"))
-    outputs = (Port("position"), Port("velocity"), Port("acceleration"))
 
     @staticmethod
     def mobility(par: Any) -> float:

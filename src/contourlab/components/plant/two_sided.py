@@ -11,7 +11,7 @@ from contourlab.components.contract import LinearModel
 from contourlab.components.mechanics.two_mass_bristle import two_mass_bristle_step
 from contourlab.components.mechanics.two_mass_mechanics import two_mass_step
 from contourlab.components.plant.plant import Plant
-from contourlab.engine.step import Port, ports
+from contourlab.engine.step import ports
 from contourlab.errors import ComponentError
 
 COARSEST = 0.5
@@ -28,7 +28,6 @@ class TwoSided(Plant):
     two_sided = True
     physical: ClassVar[bool] = True
     states = ports("motor_position", "motor_velocity", "position", "velocity", "side", "twist")
-    inputs = (Port("command"), Port("load"))
     outputs = ports("position", "velocity", "acceleration", "motor_position", "motor_velocity", "gap_state", "shaft_force")
 
     def gap_function(self) -> Any:

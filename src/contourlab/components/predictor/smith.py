@@ -42,8 +42,6 @@ class SmithPredictor(Component):
     reference = "Smith 1957; model of Gecer Ulu et al., eq 4"
     example = {"dc_gain": 0.9, "damping_ratio": 1.1, "natural_frequency": 150.0, "delay": 0.0123}
     states = (Port("velocity"), Port("acceleration"))
-    inputs = (Port("position"), Port("applied"))
-    outputs = (Port("position"),)
     derived = ("whole", "fraction", "v0", "x0", "vu", "f0", "xb", "fu", "gain_step", "of_velocity", "of_acceleration")
     ring = "applied"
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 from contourlab.components.contract import NOISE_STREAM, Component, param
-from contourlab.engine.step import Port
 from contourlab.primitives import normal, rint
 
 
@@ -19,8 +18,6 @@ class Encoder(Component):
     kind = "encoder"
     example = {"resolution": 1e-5, "noise": 1e-5, "stream": 7.0}
     reference = "uniform quantiser"
-    inputs = (Port("position"),)
-    outputs = (Port("position"),)
 
     resolution: float = param(unit="m", minimum=0.0, exclusive=True, display="um", doc="travel per count, interpolation included")
     noise: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="standard deviation before quantisation")

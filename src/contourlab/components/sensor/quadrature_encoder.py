@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from functools import cache
 from typing import Any
 
 import numpy as np
@@ -37,30 +36,6 @@ def converted(par: Any, voltage: float) -> float:
     """Return a voltage after the analogue-to-digital converter, if there is one."""
     held = clip(voltage, -par.converter_range, par.converter_range)
     return select(par.bits > 0.0, par.step_of_converter * rint(held / par.step_of_converter), voltage)
-
-
-@cache
-def _make(correction: str, in_hardware: bool) -> Any:
-    adaptive, none = correction == "adaptive", correction == "none"
-
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        v1, v2 = waves(par, inp.position, clock.k)
-        true = inp.position / par.pitch
-        # At the first tick the axis is at its reference mark, so the period is known.
-        near = true if in_hardware else select(x.begun > 0.0, x.turns, true)
-        if adaptive:
-            states, _ = followed(par, x, v1, v2, near)
-            turns = states[1]
-        else:
-            known = (par.theta_a, par.theta_b, par.theta_c, par.theta_d, par.theta_e)
-            u1, u2 = (v1, v2) if none else corrected(constants(known), v1, v2)
-            angle = in_turns(par.arctangent, u1, u2)
-            turns = angle + rint(near - angle)
-            states = (1.0, turns, 0.0, 0.0, known, IDENTITY)
-        position = par.resolution * floor(turns * par.counts_per_pitch + 0.5)
-        return states, (position, rint(true - turns))
-
-    return step
 
 
 class QuadratureEncoder(Component):
@@ -108,7 +83,6 @@ class QuadratureEncoder(Component):
         "stream": 7.0,
     }
     states = quadrature.STATES
-    inputs = (Port("position"),)
     outputs = (Port("position"), Port("missed_periods"))
     derived = ("phase_sine", "phase_cosine", "step_of_converter", "counts_per_pitch", *quadrature.DERIVED)
     tables = quadrature.TABLES
@@ -151,8 +125,23 @@ class QuadratureEncoder(Component):
             shown = f"{self.known_offset_1:g} and {self.known_offset_2:g}"
             raise ParameterError("known offsets", shown, "well inside the amplitudes of the signals", "V")
 
-    def step_function(self) -> Any:
-        return _make(self.correction, self.counting == "hardware")
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any, *, correction: str, counting: str) -> Any:
+        v1, v2 = waves(par, inp.position, clock.k)
+        true = inp.position / par.pitch
+        # At the first tick the axis is at its reference mark, so the period is known.
+        near = true if counting == "hardware" else select(x.begun > 0.0, x.turns, true)
+        if correction == "adaptive":
+            states, _ = followed(par, x, v1, v2, near)
+            turns = states[1]
+        else:
+            known = (par.theta_a, par.theta_b, par.theta_c, par.theta_d, par.theta_e)
+            u1, u2 = (v1, v2) if correction == "none" else corrected(constants(known), v1, v2)
+            angle = in_turns(par.arctangent, u1, u2)
+            turns = angle + rint(near - angle)
+            states = (1.0, turns, 0.0, 0.0, known, IDENTITY)
+        position = par.resolution * floor(turns * par.counts_per_pitch + 0.5)
+        return states, (position, rint(true - turns))
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         offsets = par.known_offset_1 / par.amplitude, par.known_offset_2 / par.amplitude

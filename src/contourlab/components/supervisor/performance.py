@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache
 from typing import Any, ClassVar
 
 import numpy as np
@@ -19,26 +18,6 @@ MEASURES: dict[str, Callable[[Any], Any]] = {
     "tracking-error": lambda inp: inp.reference - inp.position,
     "load-error": lambda inp: inp.reference - inp.load_position,
 }
-
-
-@cache
-def _make(measure: str, thresholds: tuple[float, ...], falling: bool) -> Any:
-    of, count = MEASURES[measure], float(len(thresholds))
-
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        now = of(inp)
-        square = x.square + par.weight * (now * now - x.square)
-        seen = sqrt(square) if par.weight < 1.0 else fabs(now)
-        level, rank = 0.0, count - x.active if falling else x.active
-        for i in range(len(thresholds)):
-            # Hysteresis lowers the thresholds below the active rank and raises the others.
-            edge = thresholds[i] + select(rank > float(i), -par.hysteresis, par.hysteresis)
-            level = level + select(seen > edge, 1.0, 0.0)
-        wanted = count - level if falling else level
-        (active, since), out = settled(x.active, x.since, wanted, select(level > rank, 1.0, 2.0), par.dwell_time, clock.dt)
-        return (active, since, square), out
-
-    return step
 
 
 class Performance(Supervisor):
@@ -87,8 +66,19 @@ class Performance(Supervisor):
         time = np.asarray(par.averaging_time, dtype=float)
         return (np.where(time > 0.0, -np.expm1(-dt / np.where(time > 0.0, time, 1.0)), 1.0),)
 
-    def step_function(self) -> Any:
-        return _make(self.measure, self.thresholds, self.order == "falling")
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any, *, measure: str, thresholds: tuple[float, ...], order: str) -> Any:
+        now, count = MEASURES[measure](inp), float(len(thresholds))
+        square = x.square + par.weight * (now * now - x.square)
+        seen = sqrt(square) if par.weight < 1.0 else fabs(now)
+        level, rank = 0.0, count - x.active if order == "falling" else x.active
+        for i in range(len(thresholds)):
+            # Hysteresis lowers the thresholds below the active rank and raises the others.
+            edge = thresholds[i] + select(rank > float(i), -par.hysteresis, par.hysteresis)
+            level = level + select(seen > edge, 1.0, 0.0)
+        wanted = count - level if order == "falling" else level
+        (active, since), out = settled(x.active, x.since, wanted, select(level > rank, 1.0, 2.0), par.dwell_time, clock.dt)
+        return (active, since, square), out
 
     @property
     def n_controller(self) -> int:

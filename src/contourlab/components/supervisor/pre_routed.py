@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cache
 from typing import Any, ClassVar
 
 import numpy as np
@@ -54,24 +53,15 @@ class PreRouted(Supervisor):
     def table_values(self) -> dict[str, Array]:
         return {"routes": np.array([*self._route, *self.numbers])}
 
-    def step_function(self) -> Any:
-        return _routed(len(self._route), self.by == "line")
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any, *, by: str, numbers: tuple[float, ...]) -> Any:
+        place = inp.source_line if by == "line" else inp.arc_length
+        wanted = 0.0
+        for i in range(len(numbers)):
+            wanted = select(place >= lookup(par.routes, float(i)), lookup(par.routes, float(len(numbers) + i)), wanted)
+        return settled(x.active, x.since, wanted, 1.0, par.dwell_time, clock.dt)
 
     @property
     def n_controller(self) -> int:
         """Number of controllers to choose from."""
         return int(max(self.numbers)) + 1
-
-
-@cache
-def _routed(n: int, by_line: bool) -> Any:
-    count = float(n)
-
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        place = inp.source_line if by_line else inp.arc_length
-        wanted = 0.0
-        for i in range(n):
-            wanted = select(place >= lookup(par.routes, float(i)), lookup(par.routes, count + float(i)), wanted)
-        return settled(x.active, x.since, wanted, 1.0, par.dwell_time, clock.dt)
-
-    return step

@@ -27,7 +27,6 @@ class Supervisor(Component):
     family = "supervisor"
     reasons: ClassVar[tuple[str, ...]] = ()
     states: ClassVar[tuple[Port, ...]] = (Port("active"), Port("since"))
-    outputs = (Port("active"), Port("reason"))
 
     handover_time: float = param(default=5e-3, unit="s", minimum=0.0, display="ms", doc="time constant of a handover; 0: a jump")
     dwell_time: float = param(default=0.0, unit="s", minimum=0.0, display="ms", doc="shortest time from one switch to the next")

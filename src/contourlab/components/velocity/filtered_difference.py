@@ -15,8 +15,6 @@ class Difference(Component):
     """Base: a velocity from differences of the measured position."""
 
     family = "velocity"
-    inputs = (Port("position"),)
-    outputs = (Port("velocity"),)
 
 
 class FilteredDifference(Difference):
