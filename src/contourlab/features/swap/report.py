@@ -417,7 +417,7 @@ def write_matrices(
     """
     from contourlab.rendering.plots import write_figures
 
-    return write_figures({"swap": lambda: drawing(matrices, limit, title)}, folder, formats)
+    return write_figures([("swap", lambda: drawing(matrices, limit, title))], folder, formats)
 
 
 def drawing(matrices: Sequence[LossMatrix], limit: float, title: str) -> Any:
