@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.rendering.style import round_down, scheme_style
+from contourlab.rendering.style import BAND, LIMIT, round_down, scheme_style
 
 MARKS = {
     "reversal": ("triangle-up", "^"),
@@ -18,6 +18,16 @@ MARKS = {
     "curvature step": ("triangle-down", "v"),
 }
 """Kinds of marks on the x axis: their symbols in plotly and in matplotlib."""
+OFF_SCALE = ", off scale"
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """What every chart has: a key, which names its file, a title and a caption."""
+
+    key: str
+    title: str
+    caption: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,9 +106,28 @@ class Panel:
     far: bool = False
     y_ticks: tuple[tuple[float, str], ...] = ()
 
+    @property
+    def notes(self) -> Iterator[tuple[str, str]]:
+        """The texts above the right end of the panel, with their colours: band, span and levels."""
+        if self.band is not None:
+            outside = self.y_range is not None and self.band[1] > self.y_range[1]
+            yield self.band_label + (OFF_SCALE if outside else ""), BAND
+        if self.span is not None:
+            yield self.span_label, BAND
+        for level in self.levels:
+            if level.label:
+                yield level.label + (OFF_SCALE if self.far else ""), LIMIT
+
+    @property
+    def marks(self) -> Iterator[tuple[str, str, str, list[Tick]]]:
+        """The marks by kind: kind, its symbols in plotly and in matplotlib, and the ticks."""
+        for kind, symbols in MARKS.items():
+            if ticks := [tick for tick in self.ticks if tick.kind == kind]:
+                yield kind, *symbols, ticks
+
 
 @dataclass(frozen=True, eq=False)
-class Chart:
+class Chart(Picture):
     """Panels above one another with a common x axis.
 
     Parameters
@@ -109,9 +138,6 @@ class Chart:
         Whether curves go back and forth along x.
     """
 
-    key: str
-    title: str
-    caption: str
     panels: tuple[Panel, ...]
     panel_height: int = 0
     loops: bool = False
@@ -134,7 +160,7 @@ def traces_chart(
 
 
 @dataclass(frozen=True, eq=False)
-class PolarChart:
+class PolarChart(Picture):
     """Radial deviation around a circle; the nominal circle is where the deviation is 0.
 
     Parameters
@@ -150,9 +176,6 @@ class PolarChart:
         Marked points: reversal spikes.
     """
 
-    key: str
-    title: str
-    caption: str
     curves: tuple[Curve, ...]
     division: float
     reach: tuple[float, float]
@@ -201,68 +224,61 @@ class Magnified:
 
 
 @dataclass(frozen=True, eq=False)
-class PathChart:
-    """The path, seen along one axis, with the magnified errors of the runs.
+class Magnifying(Picture):
+    """A view of the path with the magnified errors of the runs.
 
     Parameters
     ----------
     view : str
         For example ``"XY"``.
-    labels : (str, str)
-        Labels of the two axes, with unit.
-    lines : tuple of Curve
-        Planned and programmed path [mm].
-    tolerance : tuple of Magnified
-        Edges of the tolerance.
-    worst : tuple of Magnified
-        One point each: the worst error of a run.
+    labels : tuple of str
+        Labels of the two or three axes, with unit.
     magnification : float
         Initial value.
     asked_at : ndarray (n,) of int
-        Line of the program at each point of the first curve of `lines`; 0 for none.
+        Line of the program at each point of the programmed path; 0 for none.
     """
 
-    key: str
     view: str
-    title: str
-    caption: str
-    labels: tuple[str, str]
-    lines: tuple[Curve, ...]
+    labels: tuple[str, ...]
     runs: tuple[Magnified, ...]
-    tolerance: tuple[Magnified, ...]
-    worst: tuple[Magnified, ...]
     magnification: float
     asked_at: Index
 
 
 @dataclass(frozen=True, eq=False)
-class SpaceChart:
-    """The path in space, with the magnified errors of the runs coloured by their size.
+class PathChart(Magnifying):
+    """The path, seen along one axis.
 
     Parameters
     ----------
-    labels : (str, str, str)
-        Labels of the three axes, with unit.
+    lines : tuple of Curve
+        Programmed path, then perhaps the planned one [mm].
+    tolerance : tuple of Magnified
+        Edges of the tolerance.
+    worst : tuple of Magnified
+        One point each: the worst error of a run.
+    """
+
+    lines: tuple[Curve, ...]
+    tolerance: tuple[Magnified, ...]
+    worst: tuple[Magnified, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class SpaceChart(Magnifying):
+    """The path in space; the errors are coloured by their size.
+
+    Parameters
+    ----------
     asked : ndarray (n, 3) [mm]
         The programmed path.
     sizes : tuple of ndarray (n,) [um]
         Size of the error at each point of a run.
-    magnification : float
-        Initial value.
-    asked_at : ndarray (n,) of int
-        As in `PathChart`.
     """
 
-    key: str
-    view: str
-    title: str
-    caption: str
-    labels: tuple[str, str, str]
     asked: Array
-    runs: tuple[Magnified, ...]
     sizes: tuple[Array, ...]
-    magnification: float
-    asked_at: Index
 
 
 @dataclass(frozen=True, eq=False)
@@ -289,12 +305,9 @@ class Tile:
 
 
 @dataclass(frozen=True, eq=False)
-class Multiples:
+class Multiples(Picture):
     """Small pictures side by side with a common logarithmic y axis."""
 
-    key: str
-    title: str
-    caption: str
     y_label: str
     tiles: tuple[Tile, ...]
 
@@ -310,24 +323,18 @@ class Series:
 
 
 @dataclass(frozen=True, eq=False)
-class Bars:
+class Bars(Picture):
     """Horizontal bars beside their names, from top to bottom."""
 
-    key: str
-    title: str
-    caption: str
     x_label: str
     names: tuple[str, ...]
     series: tuple[Series, ...]
 
 
 @dataclass(frozen=True, eq=False)
-class Matrix:
+class Matrix(Picture):
     """A matrix (n, n) in colours, red above 0 and blue below; NaN is blank, doubtful values get a question mark."""
 
-    key: str
-    title: str
-    caption: str
     label: str
     names: tuple[str, ...]
     values: Array

@@ -13,7 +13,7 @@ from typing import Any
 
 from contourlab.figures import figure, number
 from contourlab.rendering.axis_pictures import FINER
-from contourlab.rendering.charts import Chart, PathChart, PolarChart, SpaceChart
+from contourlab.rendering.charts import Picture
 from contourlab.rendering.comparison import compare
 from contourlab.rendering.data import ReportData
 from contourlab.rendering.lead import MOST_LINES, program_lines, sentence
@@ -111,7 +111,7 @@ def _points(data: ReportData) -> int:
     return max(16, share(TOTAL_POINTS, n_curve, MOST_POINTS))
 
 
-def entry_of(chart: Chart | PolarChart | PathChart | SpaceChart) -> dict[str, Any]:
+def entry_of(chart: Picture) -> dict[str, Any]:
     """Return a figure for the template."""
     spec = figure_of(chart)
     text = {"id": chart.key, "title": chart.title, "caption": chart.caption, "view": getattr(chart, "view", "")}

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+import io
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from textwrap import fill
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from contourlab.errors import ParameterError
 from contourlab.figures import number
-from contourlab.rendering.charts import MARKS, Bars, Chart, Matrix, Multiples, Panel, PathChart, PolarChart, Tile
+from contourlab.rendering.charts import Bars, Chart, Curve, Magnified, Matrix, Multiples, Panel, PathChart, Picture, PolarChart
 from contourlab.rendering.style import BAND, INK, LIMIT, MUTED
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+    from matplotlib.figure import Figure, FigureBase
+    from matplotlib.gridspec import GridSpecBase, SubplotSpec
 
 LOOKS = Path(__file__).parent / "templates" / "print.mplstyle"
 WIDTH = 7.2
@@ -28,42 +30,33 @@ NUMBERED = 16
 SMALLEST, LETTERS = 3.4, 38
 """Least height of a matrix [in], and letters that fit beside it."""
 _DASH = {"solid": "-", "dash": "--", "dot": ":"}
+_RING: dict[str, Any] = {"marker": "o", "markerfacecolor": "none", "linestyle": "none"}
+
+# Without dates the same data give the same bytes.
+TIMELESS: dict[str, dict[str, None]] = {"png": {}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}
 
 
-def drawing(chart: Chart | PolarChart | PathChart | Multiples | Bars | Matrix) -> Figure:
-    """Draw a chart."""
-    draw: dict[type, Callable[[Any], Figure]] = {
-        Chart: _line_drawing,
-        PolarChart: _polar_drawing,
-        PathChart: _path_drawing,
-        Multiples: _multiples_drawing,
-        Bars: _bars_drawing,
-        Matrix: _matrix_drawing,
-    }
-    return draw[type(chart)](chart)
-
-
-def draw_chart(charts: Iterable[Any], key: str = "", place: Axes | None = None) -> Axes:
-    """Draw the first of some charts, or the one of a key, on given axes or a new figure; return the axes.
-
-    Raises
-    ------
-    ParameterError
-        If there is no such chart, or it cannot be drawn on given axes.
-    """
-    known = list(charts)
-    chart = next((chart for chart in known if key in ("", chart.key)), None)
-    if chart is None:
-        raise ParameterError("key", repr(key), f"one of {', '.join(chart.key for chart in known) or 'none: the answer has no picture'}")
-    if place is None:
-        return drawing(chart).axes[0]
+def drawing(chart: Picture) -> Figure:
+    """Draw a chart on a figure of its own."""
+    draw, height, columns = _VIEWS[type(chart)]
+    figure = new_figure(height(chart))
     if isinstance(chart, Chart):
-        draw_panel(place, chart.panels[0])
-    elif isinstance(chart, PathChart):
-        draw_path(place, chart)
+        axes = figure.subplots(len(chart.panels), 1, sharex=True, squeeze=False)[:, 0]
+        for place, panel in zip(axes, chart.panels, strict=True):
+            draw_panel(place, panel)
+            if chart.loops:
+                place.margins(x=0.015)
+        axes[0].set_title(escaped(chart.title), pad=6)
+        axes[-1].set_xlabel(chart.panels[-1].x_label)
+        figure.align_ylabels(list(axes))
+    elif isinstance(chart, Multiples):
+        _draw_tiles(figure.add_gridspec, chart)
+        figure.suptitle(escaped(chart.title), fontsize=9.5, fontweight="bold", x=0.01, ha="left")
+        figure.supylabel(escaped(chart.y_label), fontsize=8.5)
     else:
-        raise ParameterError("ax", "given", f"left out: {chart.key} needs a figure of its own")
-    return place
+        draw(figure.add_subplot(), chart)
+    legend(figure, columns)
+    return figure
 
 
 def new_figure(height: float) -> Figure:
@@ -71,33 +64,6 @@ def new_figure(height: float) -> Figure:
     from matplotlib.figure import Figure
 
     return Figure(figsize=(WIDTH, height), layout="constrained")
-
-
-def _curve_look(curve: Any) -> dict[str, Any]:
-    """Return colour and dash of a line."""
-    return {"color": curve.colour, "linestyle": _DASH[curve.dash], "linewidth": 0.75 * getattr(curve, "width", 1.4)}
-
-
-def escaped(text: str) -> str:
-    """Escape text for matplotlib: ``$`` begins a formula, a leading ``_`` hides a legend entry."""
-    text = text.replace("$", "\\$")
-    return f" {text}" if text.startswith("_") else text
-
-
-def _line_drawing(chart: Chart) -> Figure:
-    """Return panels under one another with one x axis."""
-    count = len(chart.panels)
-    figure = new_figure(0.9 + chart.panel_height / 130.0 * count if chart.panel_height else 2.9 if count == 1 else 0.7 + 1.45 * count)
-    axes = figure.subplots(count, 1, sharex=True, squeeze=False)[:, 0]
-    for place, panel in zip(axes, chart.panels, strict=True):
-        draw_panel(place, panel)
-        if chart.loops:
-            place.margins(x=0.015)
-    axes[0].set_title(escaped(chart.title), pad=6)
-    axes[-1].set_xlabel(chart.panels[-1].x_label)
-    figure.align_ylabels(list(axes))
-    legend(figure, 3)
-    return figure
 
 
 def legend(figure: Figure, columns: int) -> None:
@@ -110,16 +76,52 @@ def legend(figure: Figure, columns: int) -> None:
         figure.legend(list(entries.values()), list(entries), loc="outside lower left", ncols=min(len(entries), columns))
 
 
+def picture_bytes(figure: Figure, form: str) -> bytes:
+    """Return a figure as a file: png, svg or pdf."""
+    buffer = io.BytesIO()
+    figure.savefig(buffer, format=form, metadata=TIMELESS[form])
+    return buffer.getvalue()
+
+
+def draw_chart(charts: Iterable[Picture], key: str = "", place: Axes | None = None) -> Axes:
+    """Draw the first of some charts, or the one of a key, on given axes or a new figure; return the axes.
+
+    Of several panels above one another, given axes get the first. A ball-bar plot needs polar axes, and tiles need axes of their own: where
+    the given ones are plain, these take their place.
+
+    Raises
+    ------
+    ParameterError
+        If there is no such chart.
+    """
+    known = list(charts)
+    chart = next((chart for chart in known if key in ("", chart.key)), None)
+    if chart is None:
+        raise ParameterError("key", repr(key), f"one of {', '.join(chart.key for chart in known) or 'none: the answer has no picture'}")
+    return drawing(chart).axes[0] if place is None else _VIEWS[type(chart)][0](place, chart)
+
+
+def escaped(text: str) -> str:
+    """Escape text for matplotlib: ``$`` begins a formula, a leading ``_`` hides a legend entry."""
+    text = text.replace("$", "\\$")
+    return f" {text}" if text.startswith("_") else text
+
+
+def _draw_line(place: Axes, curve: Curve | Magnified, x: Any, y: Any, **more: Any) -> None:
+    width = 0.75 * (curve.width if isinstance(curve, Curve) else 1.4)
+    look = {"color": curve.colour, "linestyle": _DASH[curve.dash], "linewidth": width, "label": escaped(curve.name)}
+    place.plot(x, y, **{**look, **more})
+
+
 def draw_panel(place: Axes, panel: Panel) -> None:
     """Draw one panel on given axes."""
     for curve in panel.curves:
         if curve.half is not None:
             look: dict[str, Any] = {"color": curve.colour, "markersize": 3.2, "elinewidth": 1.0}
             place.errorbar(curve.x, curve.y, curve.half, fmt="o", label=escaped(curve.name), **look)
-            continue
-        # Projecting caps would lengthen bars.
-        cap = "butt" if panel.y_ticks else "projecting"
-        place.plot(curve.x, curve.y, label=escaped(curve.name), solid_capstyle=cap, **_curve_look(curve))
+        else:
+            # Projecting caps would lengthen bars.
+            _draw_line(place, curve, curve.x, curve.y, solid_capstyle="butt" if panel.y_ticks else "projecting")
     if panel.log_x:
         place.set_xscale("log")
         if _decades(panel) < 2.0:
@@ -127,38 +129,29 @@ def draw_panel(place: Axes, panel: Panel) -> None:
     else:
         place.margins(x=0.03 if any(curve.half is not None for curve in panel.curves) else 0.0)
     if panel.log_y:
-        _logarithmic(place)
+        place.set_yscale("log")
+        _plain_numbers(place.yaxis)
     place.set_ylabel(escaped(panel.y_label))
     if panel.y_ticks:
         place.set_yticks([value for value, _ in panel.y_ticks], [escaped(text) for _, text in panel.y_ticks])
-    texts = []
+    shade: dict[str, Any] = {"color": BAND, "alpha": 0.09, "linewidth": 0}
+    if panel.band is not None:
+        place.axhspan(*panel.band, **shade)
+        for edge in sorted({*panel.band} - {0.0}):
+            place.axhline(edge, color=BAND, linewidth=0.8, linestyle=":")
     if panel.y_range is not None:
         place.set_ylim(*panel.y_range)
-    if panel.band is not None:
-        low, high = panel.band
-        texts.append((panel.band_label, BAND))
-        place.axhspan(low, high, color=BAND, alpha=0.09, linewidth=0)
-        for edge in sorted({low, high} - {0.0}):
-            place.axhline(edge, color=BAND, linewidth=0.8, linestyle=":")
-        if panel.y_range is not None:
-            place.set_ylim(*panel.y_range)  # the band would widen the range
     if panel.span is not None:
-        texts.append((panel.span_label, BAND))
-        place.axvspan(*panel.span, color=BAND, alpha=0.09, linewidth=0)
-    for level in panel.levels:
-        if not panel.far:
-            place.axhline(level.value, color=LIMIT, linewidth=0.8, linestyle="--")
-        texts += [(level.label + (", off scale" if panel.far else ""), LIMIT)] * bool(level.label)
-    for text, colour in texts:
+        place.axvspan(*panel.span, **shade)
+    for level in panel.levels if not panel.far else ():
+        place.axhline(level.value, color=LIMIT, linewidth=0.8, linestyle="--")
+    for text, colour in panel.notes:
         style: dict[str, Any] = {"ha": "right", "va": "bottom", "color": colour, "size": 7.5}
         place.annotate(text, (1, 1), (0, 2), "axes fraction", "offset points", **style)
-    _ticks(place, panel)
-
-
-def _logarithmic(place: Axes) -> None:
-    """Give a panel a logarithmic y axis with plain numbers."""
-    place.set_yscale("log")
-    _plain_numbers(place.yaxis)
+    for kind, _, symbol, ticks in panel.marks:
+        style = {"linestyle": "none", "marker": symbol, "markersize": 3.2, "color": MUTED}
+        foot = place.get_xaxis_transform()
+        place.plot([tick.x for tick in ticks], np.full(len(ticks), 0.03), transform=foot, clip_on=False, label=kind, **style)
 
 
 def _plain_numbers(axis: Any) -> None:
@@ -177,107 +170,97 @@ def _decades(panel: Panel) -> float:
     return float(np.log10(x.max() / x.min())) if x.size else 0.0
 
 
-def _ticks(place: Axes, panel: Panel) -> None:
-    """Draw the marks along the foot of a panel."""
-    transform = place.get_xaxis_transform()
-    for kind, (_, symbol) in MARKS.items():
-        x = [tick.x for tick in panel.ticks if tick.kind == kind]
-        if x:
-            style: dict[str, Any] = {"linestyle": "none", "marker": symbol, "markersize": 3.2, "color": MUTED}
-            place.plot(x, np.full(len(x), 0.03), transform=transform, clip_on=False, label=kind, **style)
+def _draw_first(place: Axes, chart: Chart) -> Axes:
+    """Draw the first panel of a chart."""
+    draw_panel(place, chart.panels[0])
+    return place
 
 
-def _polar_drawing(chart: PolarChart) -> Figure:
-    """Return a ball-bar plot: the ring at 0 is the nominal circle."""
-    figure = new_figure(5.4)
-    place: Any = figure.add_subplot(projection="polar")
+def _vacated(place: Axes) -> tuple[FigureBase, SubplotSpec]:
+    """Remove axes; return their figure and their place in it."""
+    from matplotlib.gridspec import GridSpec
+
+    figure, edges = place.figure, place.get_position()
+    cell = place.get_subplotspec() or GridSpec(1, 1, figure, edges.x0, edges.y0, edges.x1, edges.y1)[0]  # type: ignore[arg-type]
+    place.remove()
+    return figure, cell
+
+
+def _draw_polar(given: Axes, chart: PolarChart) -> Axes:
+    """Draw a ball-bar plot: the ring at 0 is the nominal circle."""
+    place: Any = given
+    if given.name != "polar":
+        figure, cell = _vacated(given)
+        place = figure.add_subplot(cell, projection="polar")
     place.spines["polar"].set_visible(True)
     for curve in chart.curves:
-        place.plot(np.radians(curve.x), curve.y, label=escaped(curve.name), **_curve_look(curve))
+        _draw_line(place, curve, np.radians(curve.x), curve.y)
     for mark in chart.marks:
-        place.plot(np.radians(mark.x), mark.y, "o", markersize=5, markerfacecolor="none", color=mark.colour)
-    round_ = np.linspace(0.0, 2.0 * np.pi, 361)
-    place.plot(round_, np.zeros_like(round_), color=INK, linewidth=0.9, label="nominal")
-    low, high = chart.reach
-    place.set_rlim(low, high)
+        place.plot(np.radians(mark.x), mark.y, markersize=5, color=mark.colour, **_RING)
+    place.plot(np.linspace(0.0, 2.0 * np.pi, 361), np.zeros(361), color=INK, linewidth=0.9, label="nominal")
+    place.set_rlim(*chart.reach)
     rings, texts = zip(*chart.rings()[1:], strict=True)
     place.set_rgrids(list(rings), list(texts), angle=67.5, size=7)
     place.set_title(escaped(chart.title), pad=14)
     place.annotate(f"ring spacing {number(chart.division, 6)} um", (0, 0), xycoords="axes fraction", size=7.5, color=MUTED)
-    figure.legend(loc="outside lower left", ncols=2)
-    return figure
+    return cast("Axes", place)
 
 
-def _path_drawing(chart: PathChart) -> Figure:
-    """Return the path with magnified errors; the magnification is in the title."""
-    figure = new_figure(5.6)
-    draw_path(figure.add_subplot(), chart)
-    figure.legend(loc="outside lower left", ncols=2)
-    return figure
-
-
-def draw_path(place: Axes, chart: PathChart) -> None:
-    """Draw the path on given axes."""
+def draw_path(place: Axes, chart: PathChart) -> Axes:
+    """Draw the path with magnified errors; the magnification is in the title."""
     for line in chart.lines:
-        place.plot(line.x, line.y, label=escaped(line.name), **_curve_look(line))
+        _draw_line(place, line, line.x, line.y)
     named: set[str] = set()
     for run in (*chart.tolerance, *chart.runs):
-        points = run.drawn(chart.magnification)
-        label = "_nolegend_" if run.name in named else escaped(run.name)
+        _draw_line(place, run, *run.drawn(chart.magnification).T, **({"label": "_nolegend_"} if run.name in named else {}))
         named.add(run.name)
-        place.plot(points[:, 0], points[:, 1], label=label, **_curve_look(run))
-    ring: dict[str, Any] = {"marker": "o", "markersize": 9, "markerfacecolor": "none", "linestyle": "none", "markeredgewidth": 1.4}
     for worst in chart.worst:
-        x, y = worst.drawn(chart.magnification).T
-        place.plot(x, y, color=worst.colour, label=escaped(worst.name), **ring)
+        ring = {"color": worst.colour, "label": escaped(worst.name), "markersize": 9, "markeredgewidth": 1.4, **_RING}
+        place.plot(*worst.drawn(chart.magnification).T, **ring)
     place.set_aspect("equal", adjustable="datalim")
     place.set_xlabel(escaped(chart.labels[0]))
     place.set_ylabel(escaped(chart.labels[1]))
     place.set_title(f"{escaped(chart.title)}, {escaped(chart.view)}: errors × {number(chart.magnification, 6)}")
+    return place
 
 
-def _multiples_drawing(chart: Multiples) -> Figure:
-    """Return small pictures side by side, all with one y axis."""
+def _divide(place: Axes, chart: Multiples) -> Axes:
+    """Draw small pictures in the place of axes."""
+    first = _draw_tiles(_vacated(place)[1].subgridspec, chart)
+    first.set_ylabel(escaped(chart.y_label))
+    return first
+
+
+def _draw_tiles(grid: Callable[[int, int], GridSpecBase], chart: Multiples) -> Axes:
+    """Draw small pictures side by side, all with one y axis."""
     columns = min(TILES, len(chart.tiles))
-    rows = -(-len(chart.tiles) // columns)
-    figure = new_figure(0.9 + 1.75 * rows)
-    axes = figure.subplots(rows, columns, sharey=True, squeeze=False)
-    for place, tile in zip(axes.ravel(), chart.tiles, strict=False):
-        _tile(place, tile)
-    for place in axes.ravel()[len(chart.tiles) :]:
+    places = grid(-(-len(chart.tiles) // columns), columns).subplots(sharey=True, squeeze=False).ravel()
+    for place, tile in zip(places, chart.tiles, strict=False):
+        for low, high in tile.shaded:
+            place.axvspan(low, high, color=LIMIT, alpha=0.18, linewidth=0, label="runs fail")
+        for x, colour in tile.here:
+            place.axvline(x, color=colour, linewidth=0.8, linestyle=":", label="present value")
+        for curve in tile.curves:
+            _draw_line(place, curve, curve.x, curve.y)
+        for x, y, colour in tile.marks:
+            place.plot([x], [y], label="minimum", markersize=4.5, color=colour, **_RING)
+        if tile.log_x:
+            place.set_xscale("log")
+            _plain_numbers(place.xaxis)
+        place.margins(x=0.02)
+        place.tick_params(labelsize=7)
+        place.set_title(escaped(tile.title), fontsize=8, fontweight="normal")
+        place.set_xlabel(escaped(tile.x_label), fontsize=7)
+    for place in places[len(chart.tiles) :]:
         place.set_visible(False)
-    _logarithmic(axes[0, 0])
-    figure.suptitle(escaped(chart.title), fontsize=9.5, fontweight="bold", x=0.01, ha="left")
-    figure.supylabel(escaped(chart.y_label), fontsize=8.5)
-    legend(figure, 5)
-    return figure
+    places[0].set_yscale("log")
+    _plain_numbers(places[0].yaxis)
+    return cast("Axes", places[0])
 
 
-def _tile(place: Axes, tile: Tile) -> None:
-    for low, high in tile.shaded:
-        place.axvspan(low, high, color=LIMIT, alpha=0.18, linewidth=0, label="runs fail")
-    for x, colour in tile.here:
-        place.axvline(x, color=colour, linewidth=0.8, linestyle=":", label="present value")
-    for curve in tile.curves:
-        place.plot(curve.x, curve.y, label=escaped(curve.name), **_curve_look(curve))
-    for x, y, colour in tile.marks:
-        ring: dict[str, Any] = {"marker": "o", "markersize": 4.5, "markerfacecolor": "none", "linestyle": "none", "color": colour}
-        place.plot([x], [y], label="minimum", **ring)
-    if tile.log_x:
-        place.set_xscale("log")
-        _plain_numbers(place.xaxis)
-    place.margins(x=0.02)
-    place.tick_params(labelsize=7)
-    place.set_title(escaped(tile.title), fontsize=8, fontweight="normal")
-    place.set_xlabel(escaped(tile.x_label), fontsize=7)
-
-
-def _bars_drawing(chart: Bars) -> Figure:
-    """Return bars beside their names, with their intervals."""
-    n, m = len(chart.names), len(chart.series)
-    figure = new_figure(1.2 + 0.28 * n)
-    place = figure.add_subplot()
-    height = 0.8 / m
+def _draw_bars(place: Axes, chart: Bars) -> Axes:
+    """Draw bars beside their names, with their intervals."""
+    n, height = len(chart.names), 0.8 / len(chart.series)
     for i, series in enumerate(chart.series):
         at = np.arange(n) - 0.4 + height * (i + 0.5)
         style: dict[str, Any] = {"error_kw": {"ecolor": INK, "elinewidth": 0.8}, "capsize": 2}
@@ -288,28 +271,41 @@ def _bars_drawing(chart: Bars) -> Figure:
     place.grid(visible=False, axis="y")
     place.set_xlabel(escaped(chart.x_label))
     place.set_title(escaped(chart.title), pad=6)
-    figure.legend(loc="outside lower left", ncols=m)
-    return figure
+    return place
 
 
-def _matrix_drawing(chart: Matrix) -> Figure:
-    """Return a matrix in colours, with numbers if there is room."""
-    n = len(chart.names)
-    figure = new_figure(max(SMALLEST, 1.6 + 0.36 * n))
-    place = figure.add_subplot()
+def _draw_matrix(place: Axes, chart: Matrix) -> Axes:
+    """Draw a matrix in colours, with numbers if there is room."""
+    names = [escaped(name) for name in chart.names]
+    n = len(names)
     # Outliers would leave the other cells without colour.
     top = float(np.nanpercentile(np.abs(chart.values), 95.0)) if np.isfinite(chart.values).any() else 1.0
     image = place.imshow(chart.values, cmap="RdBu_r", vmin=-(top or 1.0), vmax=top or 1.0, aspect="auto")
-    place.set_xticks(np.arange(n), [escaped(name) for name in chart.names], rotation=60, ha="right", rotation_mode="anchor")
-    place.set_yticks(np.arange(n), [escaped(name) for name in chart.names])
+    place.set_xticks(np.arange(n), names, rotation=60, ha="right", rotation_mode="anchor")
+    place.set_yticks(np.arange(n), names)
     place.grid(visible=False)
     for (row, column), value in np.ndenumerate(chart.values):
-        text = f"{value:.2g}" if n <= NUMBERED else ""
-        text += "?" if chart.doubtful[row, column] else ""
+        text = (f"{value:.2g}" if n <= NUMBERED else "") + ("?" if chart.doubtful[row, column] else "")
         if np.isfinite(value) and text:
             dark = abs(value) > 0.6 * top
             place.text(column, row, text, ha="center", va="center", size=6, color="white" if dark else INK)
-    bar = figure.colorbar(image, ax=place, extend="both")
+    bar = place.figure.colorbar(image, ax=place, extend="both")
     bar.set_label(escaped(fill(chart.label, LETTERS)))
     place.set_title(escaped(chart.title), pad=6)
-    return figure
+    return place
+
+
+def _panels_high(chart: Chart) -> float:
+    count = len(chart.panels)
+    return 0.9 + chart.panel_height / 130.0 * count if chart.panel_height else 2.9 if count == 1 else 0.7 + 1.45 * count
+
+
+_VIEWS: dict[type, tuple[Callable[[Any, Any], Axes], Callable[[Any], float], int]] = {
+    Chart: (_draw_first, _panels_high, 3),
+    PolarChart: (_draw_polar, lambda _: 5.4, 2),
+    PathChart: (draw_path, lambda _: 5.6, 2),
+    Multiples: (_divide, lambda chart: 0.9 + 1.75 * -(-len(chart.tiles) // TILES), 5),
+    Bars: (_draw_bars, lambda chart: 1.2 + 0.28 * len(chart.names), 9),
+    Matrix: (_draw_matrix, lambda chart: max(SMALLEST, 1.6 + 0.36 * len(chart.names)), 1),
+}
+"""For each kind of chart: how to draw it on given axes, the height of a figure of its own [in], and columns of the legend there."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from pathlib import Path
 from textwrap import wrap
 from typing import TYPE_CHECKING, Any
@@ -12,9 +11,9 @@ from contourlab.rendering.charts import PathChart
 from contourlab.rendering.data import ReportData
 from contourlab.rendering.error_pictures import error_charts
 from contourlab.rendering.lead import sentence
-from contourlab.rendering.matplotlib_view import LOOKS, draw_panel, draw_path, escaped
+from contourlab.rendering.matplotlib_view import LOOKS, draw_panel, draw_path, escaped, picture_bytes
 from contourlab.rendering.path_picture import path_charts
-from contourlab.rendering.plots import POINTS, TIMELESS
+from contourlab.rendering.plots import POINTS
 from contourlab.rendering.style import BAND, INK, LIMIT, MUTED
 from contourlab.result import write_bytes_atomic
 
@@ -48,11 +47,8 @@ def write_page(data: ReportData, file: str | Path) -> Path:
         errors = error_charts(data, POINTS)[0]
         draw_panel(course, errors.panels[0])
         course.set_xlabel(errors.panels[0].x_label)
-        buffer = io.BytesIO()
-        page.savefig(buffer, format="pdf", metadata=TIMELESS["pdf"])
-    target = Path(file)
-    write_bytes_atomic(target, buffer.getvalue())
-    return target
+        write_bytes_atomic(Path(file), picture_bytes(page, "pdf"))
+    return Path(file)
 
 
 def _words(place: Axes, data: ReportData) -> None:

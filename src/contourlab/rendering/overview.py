@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import io
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -13,7 +12,7 @@ from contourlab.rendering.data import ReportData
 from contourlab.rendering.html import page_template, template_file
 from contourlab.rendering.lead import sentence
 from contourlab.rendering.path_picture import path_charts
-from contourlab.rendering.plots import POINTS, TIMELESS
+from contourlab.rendering.plots import POINTS
 from contourlab.result import write_text_atomic
 
 SIZE = (4.2, 3.8)
@@ -55,15 +54,11 @@ def _part(address: str, data: ReportData) -> dict[str, Any]:
 def _picture(chart: PathChart) -> str:
     """Return a view of the path as SVG in base64, so small that a phone can show it; the badges are its legend."""
     import matplotlib
+    from matplotlib.figure import Figure
 
-    from contourlab.rendering.matplotlib_view import LOOKS, drawing
+    from contourlab.rendering.matplotlib_view import LOOKS, draw_path, picture_bytes
 
     with matplotlib.rc_context(fname=LOOKS):
-        buffer = io.BytesIO()
-        figure = drawing(chart)
-        figure.set_size_inches(SIZE)
-        for legend in figure.legends:
-            legend.remove()
-        figure.axes[0].set_title("")
-        figure.savefig(buffer, format="svg", metadata=TIMELESS["svg"])
-    return base64.b64encode(buffer.getvalue()).decode("ascii")
+        figure = Figure(figsize=SIZE, layout="constrained")
+        draw_path(figure.add_subplot(), chart).set_title("")
+        return base64.b64encode(picture_bytes(figure, "svg")).decode("ascii")

@@ -25,7 +25,7 @@ FLAT = 1e-3
 
 
 class _Drawn(NamedTuple):
-    """The drawn points of a run: foot points and errors (n, n_axis) [m], size of the part error and program line (n,).
+    """The drawn points of a run: foot points and errors (n, n_axis) [m], size of the part error and program line (n,), and its look.
 
     A point of nan ends the line between two judged stretches.
     """
@@ -34,6 +34,11 @@ class _Drawn(NamedTuple):
     error: Array
     size: Array
     lines: Index
+    look: tuple[str, str, str]
+
+    def magnified(self, columns: list[int]) -> Magnified:
+        """Return some axes of the run."""
+        return Magnified(self.foot[:, columns] * MM, self.error[:, columns] * UM, *self.look, self.lines)
 
 
 def path_charts(data: ReportData, points: int) -> tuple[PathChart | SpaceChart, ...]:
@@ -44,14 +49,12 @@ def path_charts(data: ReportData, points: int) -> tuple[PathChart | SpaceChart, 
     if len(data.axes) == 1:
         return ()
     s = _places(data.asked, points)
-    asked = data.asked.position(s)
+    asked, lines = data.asked.position(s), lines_at(data, s)
     runs = [_run(data, scheme, points) for scheme in data.schemes]
-    views = _views(asked)
-    size = float(np.max(np.ptp(asked, axis=0)))
     calm = [largest_magnitude(run.error) for run, scheme in zip(runs, data.schemes, strict=True) if scheme.result.status.ok]
-    scale = magnification(size, max(calm, default=0.0))
-    flat = tuple(_chart(data, pair, s, asked, runs, scale, i) for i, pair in enumerate(views))
-    return *flat, _space(data, asked, lines_at(data, s), runs, scale)
+    scale = magnification(float(np.max(np.ptp(asked, axis=0))), max(calm, default=0.0))
+    flat = (_chart(data, pair, s, asked, lines, runs, scale, i) for i, pair in enumerate(_views(asked)))
+    return *flat, _space(data, asked, lines, runs, scale)
 
 
 def _views(planned: Array) -> list[tuple[int, int]]:
@@ -89,7 +92,7 @@ def _run(data: ReportData, scheme: JudgedRun, points: int) -> _Drawn:
     lines = np.zeros(kept.size, dtype=np.int64) if scheme.lines is None else scheme.lines[judged[kept]]
     gaps = np.flatnonzero(np.diff(np.searchsorted(stops, judged[kept], side="right"))) + 1
     foot, error = (np.insert(part, gaps, np.nan, axis=0) for part in (foot, signal(result, "tool_position")[judged[kept]] - foot))
-    return _Drawn(foot, error, np.insert(size[kept], gaps, 0.0), np.insert(lines, gaps, 0))
+    return _Drawn(foot, error, np.insert(size[kept], gaps, 0.0), np.insert(lines, gaps, 0), data.looks[scheme.name])
 
 
 def _space(data: ReportData, asked: Array, asked_at: Index, runs: list[_Drawn], scale: float) -> SpaceChart:
@@ -106,56 +109,40 @@ def _space(data: ReportData, asked: Array, asked_at: Index, runs: list[_Drawn], 
         return flat if high else np.column_stack([flat, np.broadcast_to(height, flat.shape[:1])])
 
     drawn = []
-    for look, run in zip(data.looks.values(), runs, strict=True):
+    for run in runs:
         error = column(run.error) if high else column(0.0 * run.error, run.size)
-        drawn.append(Magnified(column(run.foot) * MM, error * UM, *look, run.lines))
+        drawn.append(Magnified(column(run.foot) * MM, error * UM, *run.look, run.lines))
     caption = "The colour is the size of the error. " + ("The error is magnified." if high else "The height is the error, magnified.")
-    return SpaceChart(
-        "path-space",
-        "3-D",
-        "Path in space",
-        f"{caption} Shown: {judged_words(data.schemes[0])}. Drag to turn, click to find the line of the program.",
-        (labels[0], labels[1], labels[2]),
-        column(asked) * MM,
-        tuple(drawn),
-        tuple(run.size * UM for run in runs),
-        scale,
-        asked_at,
-    )
+    caption += f" Shown: {judged_words(data.schemes[0])}. Drag to turn, click to find the line of the program."
+    sizes = tuple(run.size * UM for run in runs)
+    view = ("path-space", "Path in space", caption, "3-D", tuple(labels), tuple(drawn), scale, asked_at)
+    return SpaceChart(*view, column(asked) * MM, sizes)
 
 
-def _chart(data: ReportData, pair: tuple[int, int], s: Array, asked: Array, runs: list[_Drawn], scale: float, index: int) -> PathChart:
+def _chart(
+    data: ReportData, pair: tuple[int, int], s: Array, asked: Array, asked_at: Index, runs: list[_Drawn], scale: float, index: int
+) -> PathChart:
     """Return one view."""
-    columns = list(pair)
-    names = [data.axes[i] for i in pair]
+    columns, names = list(pair), [data.axes[i] for i in pair]
     view = "".join(names).upper() if "".join(names).isalpha() else " and ".join(names)
-    magnified = tuple(
-        Magnified(run.foot[:, columns] * MM, run.error[:, columns] * UM, *look, run.lines)
-        for look, run in zip(data.looks.values(), runs, strict=True)
-    )
-    lines = [_outline(asked[:, columns], "programmed path", INK, "solid")]
+    x, y = MM * asked[:, columns].T
+    outlines = [Curve(x, y, "programmed path", INK, "solid", 1.0)]
     if data.is_blended:
-        planned = data.planned.position(_places(data.planned, s.size))
-        lines.append(_outline(planned[:, columns], "planned path", REFERENCE, "dash"))
-    labels = (f"{data.axes[pair[0]]} [mm]", f"{data.axes[pair[1]]} [mm]")
+        x, y = MM * data.planned.position(_places(data.planned, s.size))[:, columns].T
+        outlines.append(Curve(x, y, "planned path", REFERENCE, "dash", 1.0))
     return PathChart(
         f"path-{index}",
-        view,
         "Path with magnified error",
         f"{DRAWN} Shown: {judged_words(data.schemes[0])}.",
-        labels,
-        tuple(lines),
-        magnified,
+        view,
+        tuple(f"{name} [mm]" for name in names),
+        tuple(run.magnified(columns) for run in runs),
+        scale,
+        asked_at,
+        tuple(outlines),
         _tolerance(data, asked, s, columns, scale),
         _worst(data, columns),
-        scale,
-        lines_at(data, s),
     )
-
-
-def _outline(points: Array, name: str, colour: str, dash: str) -> Curve:
-    """Return a path as a thin line."""
-    return Curve(points[:, 0] * MM, points[:, 1] * MM, name, colour, dash, 1.0)
 
 
 def _tolerance(data: ReportData, asked: Array, s: Array, columns: list[int], scale: float) -> tuple[Magnified, ...]:

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import base64
 import math
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
 
 from contourlab.arrays import Array, Index
-from contourlab.rendering.charts import MARKS, Chart, Curve, Magnified, Panel, PathChart, PolarChart, SpaceChart
+from contourlab.rendering.charts import Chart, Curve, Magnified, Panel, PathChart, Picture, PolarChart, SpaceChart
 from contourlab.rendering.style import BAND, FONT, GRID, INK, LIMIT, MUTED, round_down
 
 Figure = dict[str, Any]
@@ -32,13 +33,15 @@ PICKED: Figure = {"mode": "lines", "hoverinfo": "skip", "showlegend": False, "li
 """The part of the path that the chosen line programs."""
 
 
-def figure_of(chart: Chart | PolarChart | PathChart | SpaceChart) -> Figure:
+def figure_of(chart: Picture) -> Figure:
     """Return a chart as a figure of plotly.js."""
-    if isinstance(chart, PathChart):
-        return path_figure(chart)
-    if isinstance(chart, SpaceChart):
-        return space_figure(chart)
-    return _polar_figure(chart) if isinstance(chart, PolarChart) else _line_figure(chart)
+    draw: dict[type, Callable[[Any], Figure]] = {
+        Chart: _line_figure,
+        PolarChart: _polar_figure,
+        PathChart: _path_figure,
+        SpaceChart: _space_figure,
+    }
+    return draw[type(chart)](chart)
 
 
 def _line_figure(chart: Chart) -> Figure:
@@ -46,11 +49,9 @@ def _line_figure(chart: Chart) -> Figure:
     count = len(chart.panels)
     one_high = chart.panel_height or (330 if count == 1 else HEIGHT)
     inner = one_high * count + GAP * (count - 1)
-    first = chart.panels[0]
-    label = LABEL if first.band_label or first.span_label or any(level.label for level in first.levels) else 0
+    label = LABEL if any(chart.panels[0].notes) else 0
     top = BUTTONS + ROW * _legend_rows(chart) + label
-    height = top + inner + BOTTOM
-    layout = layout_look(height, shapes=[], annotations=[], hovermode="closest" if chart.loops else "x unified")
+    layout = layout_look(top + inner + BOTTOM, shapes=[], annotations=[], hovermode="closest" if chart.loops else "x unified")
     layout["margin"]["t"] = top
     layout["legend"]["y"] = 1.0 + label / inner
     one = (inner - GAP * (count - 1)) / count / inner
@@ -61,21 +62,21 @@ def _line_figure(chart: Chart) -> Figure:
         high = 1.0 - number * (one + GAP / inner)
         last = number == count - 1
         x_axis = axis_look(panel.x_label if last else "", anchor=f"y{tail}", showticklabels=last)
-        x_axis |= {"type": "log", "dtick": 1} if panel.log_x else {}
         x_axis |= {"matches": "x"} if number else {}
-        x_axis |= {} if panel.log_x else {"range": _x_span(chart)}
-        layout[f"xaxis{tail}"] = x_axis
-        layout[f"yaxis{tail}"] = axis_look(panel.y_label, anchor=f"x{tail}", domain=[max(high - one, 0.0), high])
+        x_axis |= {"type": "log", "dtick": 1} if panel.log_x else {"range": _x_span(chart)}
+        y_axis = axis_look(panel.y_label, anchor=f"x{tail}", domain=[max(high - one, 0.0), high])
         if panel.y_ticks:
-            values = [value for value, _ in panel.y_ticks]
-            layout[f"yaxis{tail}"] |= {"tickvals": values, "ticktext": [plain(text) for _, text in panel.y_ticks], "fixedrange": True}
+            values, texts = zip(*panel.y_ticks, strict=True)
+            y_axis |= {"tickvals": list(values), "ticktext": [plain(text) for text in texts], "fixedrange": True}
         elif panel.log_y:
-            values = _decades(panel)
-            layout[f"yaxis{tail}"] |= {"type": "log", "tickvals": values, "ticktext": [f"{value:g}" for value in values]}
+            decades = _decades(panel)
+            y_axis |= {"type": "log", "tickvals": decades, "ticktext": [f"{value:g}" for value in decades]}
         if panel.y_range is not None:
-            layout[f"yaxis{tail}"]["range"] = [math.log10(edge) for edge in panel.y_range] if panel.log_y else list(panel.y_range)
+            y_axis["range"] = [math.log10(edge) for edge in panel.y_range] if panel.log_y else list(panel.y_range)
+        layout |= {f"xaxis{tail}": x_axis, f"yaxis{tail}": y_axis}
         data += _panel_curves(panel, tail, seen)
-        _decorate(layout, panel, tail)
+        layout["shapes"] += _shapes(panel, tail)
+        layout["annotations"] += [_note(text, colour, tail) for text, colour in panel.notes]
     return {"data": data, "layout": layout}
 
 
@@ -122,30 +123,14 @@ def _panel_curves(panel: Panel, tail: str, seen: set[str]) -> list[Figure]:
             trace["hovertemplate"] = f"%{{x:.6g}}<extra>{plain(curve.name)}</extra>"
         seen.add(curve.name)
         traces.append(trace)
-    for kind, (symbol, _) in MARKS.items():
-        ticks = [tick for tick in panel.ticks if tick.kind == kind]
-        if ticks:
-            traces.append(_marks(panel, ticks, kind, symbol, tail))
+    for kind, symbol, _, ticks in panel.marks:
+        # In a row at the foot of the panel.
+        low, high = _span(panel)
+        mark = {"type": "scatter", "mode": "markers", "name": kind, "marker": {"symbol": symbol, "size": 7, "color": MUTED}}
+        places = {"x": packed(np.array([tick.x for tick in ticks])), "y": [low - 0.06 * (high - low)] * len(ticks)}
+        hover = {"text": [plain(tick.label) for tick in ticks], "hovertemplate": "%{text}", "cliponaxis": False}
+        traces.append({**mark, **places, **hover, "xaxis": f"x{tail}", "yaxis": f"y{tail}"})
     return traces
-
-
-def _marks(panel: Panel, ticks: list[Any], kind: str, symbol: str, tail: str) -> Figure:
-    """Return the marks of one kind, in a row at the foot of the panel."""
-    low, high = _span(panel)
-    floor = low - 0.06 * (high - low)
-    return {
-        "type": "scatter",
-        "mode": "markers",
-        "name": kind,
-        "x": packed(np.array([tick.x for tick in ticks])),
-        "y": [floor] * len(ticks),
-        "text": [plain(tick.label) for tick in ticks],
-        "hovertemplate": "%{text}",
-        "marker": {"symbol": symbol, "size": 7, "color": MUTED},
-        "cliponaxis": False,
-        "xaxis": f"x{tail}",
-        "yaxis": f"y{tail}",
-    }
 
 
 def _span(panel: Panel) -> tuple[float, float]:
@@ -157,32 +142,21 @@ def _span(panel: Panel) -> tuple[float, float]:
     return (min(ends), max(ends)) if ends else (0.0, 1.0)
 
 
-def _decorate(layout: Figure, panel: Panel, tail: str) -> None:
-    """Add the tolerance band, span and limits of a panel, with their labels above it."""
-    x, y = f"x{tail} domain", f"y{tail}"
-    span = {"type": "rect", "xref": x, "x0": 0, "x1": 1, "yref": y, "layer": "below"}
+def _shapes(panel: Panel, tail: str) -> Iterator[Figure]:
+    """Yield the tolerance band, span and limits of a panel."""
+    across = {"xref": f"x{tail} domain", "x0": 0, "x1": 1, "yref": f"y{tail}"}
+    fill = {"type": "rect", "layer": "below", "fillcolor": BAND, "opacity": 0.09, "line": {"width": 0}}
     if panel.band is not None:
         low, high = panel.band
-        fill = {"fillcolor": BAND, "opacity": 0.09, "line": {"width": 0}}
-        layout["shapes"].append({**span, **fill, "y0": low, "y1": high})
+        yield {**across, **fill, "y0": low, "y1": high}
         for edge in sorted({low, high} - {0.0}):
             line = {"color": BAND, "width": 1, "dash": "dot"}
-            layout["shapes"].append({**span, "type": "line", "y0": edge, "y1": edge, "line": line})
-        outside = panel.y_range is not None and high > panel.y_range[1]
-        layout["annotations"].append(_note(panel.band_label + (", off scale" if outside else ""), BAND, tail))
+            yield {**across, "type": "line", "layer": "below", "y0": edge, "y1": edge, "line": line}
     if panel.span is not None:
-        across: Figure = {"type": "rect", "xref": f"x{tail}", "yref": f"y{tail} domain", "y0": 0, "y1": 1, "layer": "below"}
-        fill = {"fillcolor": BAND, "opacity": 0.09, "line": {"width": 0}}
-        layout["shapes"].append({**across, **fill, "x0": panel.span[0], "x1": panel.span[1]})
-        layout["annotations"].append(_note(panel.span_label, BAND, tail))
-    for level in panel.levels:
+        yield {**fill, "xref": f"x{tail}", "x0": panel.span[0], "x1": panel.span[1], "yref": f"y{tail} domain", "y0": 0, "y1": 1}
+    for level in panel.levels if not panel.far else ():
         line = {"color": LIMIT, "width": 1.1, "dash": "dash"}
-        if not panel.far:
-            shape = {"type": "line", "layer": "above", "y0": level.value, "y1": level.value, "line": line}
-            layout["shapes"].append({**span, **shape})
-        if level.label:
-            text = level.label + (", off scale" if panel.far else "")
-            layout["annotations"].append(_note(text, LIMIT, tail))
+        yield {**across, "type": "line", "layer": "above", "y0": level.value, "y1": level.value, "line": line}
 
 
 def _note(text: str, colour: str, tail: str) -> Figure:
@@ -220,7 +194,7 @@ def _polar_figure(chart: PolarChart) -> Figure:
     return {"data": data, "layout": layout}
 
 
-def path_figure(chart: PathChart) -> Figure:
+def _path_figure(chart: PathChart) -> Figure:
     """Return the path, seen along one axis."""
     moved = (*chart.tolerance, *chart.runs)
     data = [line_look(line, x=packed(line.x), y=packed(line.y), hoverinfo="none") for line in chart.lines]
@@ -264,7 +238,7 @@ def _numbered(trace: int, lines: Index | None) -> list[Figure]:
     return [{"trace": trace, "line": {"dtype": "i4", "bdata": text}}]
 
 
-def space_figure(chart: SpaceChart) -> Figure:
+def _space_figure(chart: SpaceChart) -> Figure:
     """Return the path in space."""
     x, y, z = (packed(column) for column in chart.asked.T)
     style = {"color": INK, "width": 2}

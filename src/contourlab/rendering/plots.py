@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import io
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from contourlab.errors import ParameterError
 from contourlab.rendering.axis_pictures import axis_charts, bode_charts, feed_charts, hysteresis_charts
-from contourlab.rendering.charts import Bars, Chart, Matrix, Multiples, PathChart, PolarChart, SpaceChart
+from contourlab.rendering.charts import Picture, SpaceChart
 from contourlab.rendering.data import ReportData
 from contourlab.rendering.error_pictures import error_charts, polar_charts
 from contourlab.rendering.learning_pictures import trial_charts
@@ -20,12 +20,8 @@ from contourlab.result.atomic import write_bytes_atomic
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-FORMATS = ("png", "svg", "pdf")
 POINTS = 8000
 """Points of a curve: four for every dot across a printed page."""
-
-# Without dates the same data give the same bytes.
-TIMELESS: dict[str, dict[str, None]] = {"png": {}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}
 
 
 def write_plots(data: ReportData, folder: str | Path, formats: Sequence[str] = ("png",)) -> tuple[Path, ...]:
@@ -56,13 +52,13 @@ def write_plots(data: ReportData, folder: str | Path, formats: Sequence[str] = (
     return write_charts(charts_of(data), folder, formats)
 
 
-def charts_of(data: ReportData) -> Iterator[Chart | PolarChart | PathChart]:
+def charts_of(data: ReportData) -> Iterator[Picture]:
     """Yield all charts for papers and slides, one at a time."""
     for _, charts in sections(data, POINTS):
         yield from (chart for chart in charts if not isinstance(chart, SpaceChart))
 
 
-def sections(data: ReportData, points: int) -> Iterator[tuple[str, Sequence[Chart | PolarChart | PathChart | SpaceChart]]]:
+def sections(data: ReportData, points: int) -> Iterator[tuple[str, Sequence[Picture]]]:
     """Yield each section of a report with its charts; curves have at most `points` points."""
     yield "path", path_charts(data, points)
     yield "circles", polar_charts(data, points)
@@ -74,36 +70,32 @@ def sections(data: ReportData, points: int) -> Iterator[tuple[str, Sequence[Char
     yield "bode", bode_charts(data, points)
 
 
-def write_charts(
-    charts: Iterable[Chart | PolarChart | PathChart | Bars | Matrix | Multiples], folder: str | Path, formats: Sequence[str] = ("png",)
-) -> tuple[Path, ...]:
+def write_charts(charts: Iterable[Picture], folder: str | Path, formats: Sequence[str] = ("png",)) -> tuple[Path, ...]:
     """Write charts, each as a file named by its key; other parameters and errors as in `write_plots`."""
     from contourlab.rendering.matplotlib_view import drawing
 
-    return _written(((chart.key, drawing(chart)) for chart in charts), folder, formats)
+    return write_figures(((chart.key, partial(drawing, chart)) for chart in charts), folder, formats)
 
 
-def write_figures(drawings: Mapping[str, Callable[[], Figure]], folder: str | Path, formats: Sequence[str] = ("png",)) -> tuple[Path, ...]:
-    """Write drawings that are not charts, each as a file named by its key; other parameters and errors as in `write_plots`."""
-    return _written(((key, draw()) for key, draw in drawings.items()), folder, formats)
+def write_figures(
+    drawings: Iterable[tuple[str, Callable[[], Figure]]], folder: str | Path, formats: Sequence[str] = ("png",)
+) -> tuple[Path, ...]:
+    """Write drawings, each as a file named by its key; other parameters and errors as in `write_plots`.
 
-
-def _written(drawings: Iterable[tuple[str, Figure]], folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
-    """Write each drawing in each format; only one drawing is in memory at a time."""
+    Each is written completely or not at all; only one is in memory at a time.
+    """
     import matplotlib
 
-    from contourlab.rendering.matplotlib_view import LOOKS
+    from contourlab.rendering.matplotlib_view import LOOKS, TIMELESS, picture_bytes
 
     for name in formats:
-        if name not in FORMATS:
-            raise ParameterError("formats", name, f"of {', '.join(FORMATS)}")
+        if name not in TIMELESS:
+            raise ParameterError("formats", name, f"of {', '.join(TIMELESS)}")
+    files = []
     with matplotlib.rc_context(fname=LOOKS):
-        return tuple(_write(figure, Path(folder) / f"{key}.{name}", name) for key, figure in drawings for name in formats)
-
-
-def _write(figure: Figure, file: Path, name: str) -> Path:
-    """Write one picture in one format, complete or not at all."""
-    buffer = io.BytesIO()
-    figure.savefig(buffer, format=name, metadata=TIMELESS[name])
-    write_bytes_atomic(file, buffer.getvalue())
-    return file
+        for key, draw in drawings:
+            figure = draw()
+            for name in formats:
+                files.append(Path(folder) / f"{key}.{name}")
+                write_bytes_atomic(files[-1], picture_bytes(figure, name))
+    return tuple(files)

@@ -6,7 +6,7 @@ import math
 import os
 import sys
 import threading
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from time import monotonic
 from typing import TYPE_CHECKING
@@ -23,23 +23,25 @@ KNOWN = 0.02
 """Share of the work below which the time left is a guess: the first steps compile."""
 
 
-class Heartbeat:
-    """Prints what a command is doing every two seconds, or renews the bar that shows it.
+class Stages:
+    """The stages of a command, one after another: a bar shows them, or a line every two seconds.
 
     Attributes
     ----------
     command : str
+        Empty outside the command line.
     stage : str
         Empty for a command without stages.
     waits_for : str
         What the work cannot go on without; empty while it goes on.
-    show_bar : callable, optional
-        Renews the bar.
+    is_asking : bool
+        Whether a question stands in the last line; then no progress is shown.
     """
 
-    def __init__(self, command: str) -> None:
-        self.command, self.stage, self.waits_for = command, "", ""
-        self.show_bar: Callable[[], None] | None = None
+    def __init__(self, command: str = "") -> None:
+        self.command, self.stage, self.waits_for, self.is_asking = command, "", "", False
+        self._bar: Progress | None = None
+        self._task: TaskID | None = None
         self._began = self._stage_began = monotonic()
         self._in_stage = self._share = self._reached = 0.0
         self._work: list[tuple[str, float]] = []
@@ -48,7 +50,7 @@ class Heartbeat:
         self._ended = threading.Event()
 
     def expect(self, stages: int | Sequence[tuple[str, float]]) -> None:
-        """Take the stages that follow: their number, or first word and work of each; shares are then those of all of them."""
+        """Take the stages that follow: their number if about equally long, or first word and relative work of each."""
         self._work, self._at = [("", 1.0)] * stages if isinstance(stages, int) else list(stages), -1
         if self._window == (0.0, 1.0):
             self._began, self._share, self._reached = monotonic(), 0.0, 0.0
@@ -58,14 +60,32 @@ class Heartbeat:
         self._window = (start, stop)
 
     def begin(self, words: str) -> None:
-        """Begin a stage; those expected before it are left out."""
+        """End the previous stage, and begin a new one; those expected before it are left out."""
         self.stage, self._in_stage, self._stage_began = words, 0.0, monotonic()
         following = range(self._at + 1, len(self._work))
         self._at = next((i for i in following if words.startswith(self._work[i][0])), self._at)
+        if self._bar is not None:
+            if self._task is None:
+                self._task = self._bar.add_task(words, total=None, left="")
+            self._show()
+            self._bar.refresh()  # else a short stage would not be seen
 
     def advance(self, done: int, total: int) -> None:
         """Take the progress of the stage; runs side by side may report it out of order."""
         self._in_stage = max(self._in_stage, done / total if total else 0.0)
+        self._show()
+
+    def show_on(self, bar: Progress | None) -> None:
+        """Show the stages on a bar from now on; None for lines."""
+        self._bar, self._task = bar, None
+
+    def _show(self) -> None:
+        """Update the bar, if there is one; without a known share it pulses instead of being empty."""
+        bar, task = self._bar, self._task  # the bar may end at any time
+        if bar is not None and task is not None and not self.is_asking:
+            share, left = self.progress()
+            words = f"{left:.0f} s left" if share >= KNOWN else ""
+            bar.update(task, completed=share, total=1.0 if share else None, left=words, description=self.doing())
 
     def progress(self) -> tuple[float, float]:
         """Return share and time left [s] of the command, or of the stage where no stages are expected; a share never shrinks."""
@@ -105,10 +125,9 @@ class Heartbeat:
     def beat(self) -> None:
         """Print lines until `end`."""
         while not self._ended.wait(INTERVAL):
-            show = self.show_bar  # the bar may end at any time
             with suppress(OSError, ValueError):  # its reader is gone
-                if show is not None:
-                    show()
+                if self._bar is not None or self.is_asking:
+                    self._show()
                 else:
                     sys.stderr.write(self.line() + "\n")
                     sys.stderr.flush()
@@ -118,25 +137,34 @@ class Heartbeat:
         self._ended.set()
 
 
-_running: Heartbeat | None = None
+_running: Stages | None = None
+
+
+@contextmanager
+def _current(stages: Stages) -> Iterator[Stages]:
+    """Let stages be those of the command while the block runs."""
+    global _running
+    before, _running = _running, stages
+    try:
+        yield stages
+    finally:
+        _running = before
 
 
 @contextmanager
 def heartbeat(command: str) -> Iterator[None]:
     """Print a line on standard error every two seconds while the block runs, unless ``CONTOURLAB_PROGRESS=0``."""
-    global _running
     if os.environ.get("CONTOURLAB_PROGRESS") == "0":
         yield
         return
-    _running = Heartbeat(command)
-    thread = threading.Thread(target=_running.beat, daemon=True)
-    thread.start()
-    try:
-        yield
-    finally:
-        _running.end()
-        thread.join()
-        _running = None
+    with _current(Stages(command)) as stages:
+        thread = threading.Thread(target=stages.beat, daemon=True)
+        thread.start()
+        try:
+            yield
+        finally:
+            stages.end()
+            thread.join()
 
 
 @contextmanager
@@ -147,6 +175,12 @@ def part_of_command(start: float, stop: float) -> Iterator[None]:
     yield
 
 
+def begin_stage(words: str) -> None:
+    """Show a new stage of the command, if it shows any."""
+    if _running is not None:
+        _running.begin(words)
+
+
 def wait_for(what: str) -> None:
     """Show what the work of the command waits for; nothing, if empty."""
     if _running is not None:
@@ -155,7 +189,7 @@ def wait_for(what: str) -> None:
 
 def told(text: str) -> None:
     """Print a line beside the progress of the command."""
-    if _running is not None:
+    if _running is not None and _running.command:
         sys.stderr.write(f"{_running.command}: {text}\n")
         sys.stderr.flush()
 
@@ -164,65 +198,13 @@ def asked(question: str) -> bool:
     """Ask at a terminal; return whether the answer is yes. Elsewhere it is no."""
     if not (sys.stdin is not None and sys.stdin.isatty() and sys.stderr.isatty()):
         return False
-    if _running is not None:
-        _running.show_bar = lambda: None  # no line below the question
+    stages = _running or Stages()
+    stages.is_asking = True
     sys.stderr.write(f"{question} [y/N] ")
     sys.stderr.flush()
     answer = sys.stdin.readline()
-    if _running is not None:
-        _running.show_bar = None
+    stages.is_asking = False
     return answer.strip().lower() in ("y", "yes")
-
-
-class Stages:
-    """The stages of a run, one after another.
-
-    Parameters
-    ----------
-    bar : rich.progress.Progress, optional
-        Shows the stages; without it the heartbeat of the command does, if there is one.
-    """
-
-    def __init__(self, bar: Progress | None = None) -> None:
-        self._bar, self._heart = bar, _running or Heartbeat("")
-        self._task: TaskID | None = None
-        if bar is not None:
-            self._heart.show_bar = self._show
-
-    def expect(self, stages: int | Sequence[tuple[str, float]]) -> None:
-        """Take the stages that follow: their number if about equally long, or the first word and the relative work of each."""
-        self._heart.expect(stages)
-
-    def begin(self, words: str) -> None:
-        """End the previous stage, and show a new one."""
-        self._heart.begin(words)
-        if self._bar is not None:
-            if self._task is None:
-                self._task = self._bar.add_task(words, total=None, left="")
-            self._show()
-            self._bar.refresh()  # else a short stage would not be seen
-
-    def advance(self, done: int, total: int) -> None:
-        """Show the progress of the stage."""
-        self._heart.advance(done, total)
-        self._show()
-
-    def _show(self) -> None:
-        """Update the bar, if there is one; without a known share it pulses instead of being empty."""
-        if self._bar is None or self._task is None:
-            return
-        share, left = self._heart.progress()
-        words = f"{left:.0f} s left" if share >= KNOWN else ""
-        self._bar.update(self._task, completed=share, total=1.0 if share else None, left=words, description=self._heart.doing())
-
-
-_shown: list[Stages] = []
-
-
-def begin_stage(words: str) -> None:
-    """Show a new stage of the command, if it shows any."""
-    if _shown:
-        _shown[-1].begin(words)
 
 
 @contextmanager
@@ -236,31 +218,19 @@ def shown(wanted: bool, console: Console | None = None) -> Iterator[Stages]:
     console : rich.console.Console, optional
         By default standard error.
     """
-    if not wanted:
-        with _current(Stages()) as stages:
+    with _current(_running or Stages()) as stages:
+        if not wanted:
             yield stages
-        return
-    from rich.console import Console as Terminal
-    from rich.progress import BarColumn, Progress, SpinnerColumn, TaskProgressColumn, TextColumn, TimeElapsedColumn
+            return
+        from rich.console import Console as Terminal
+        from rich.progress import BarColumn, Progress, SpinnerColumn, TaskProgressColumn, TextColumn, TimeElapsedColumn
 
-    # Brackets in names of schemes are text, not markup.
-    text, left = TextColumn("{task.description}", markup=False), TextColumn("{task.fields[left]}", markup=False)
-    terminal = console or Terminal(stderr=True)
-    columns = (SpinnerColumn(), text, BarColumn(), TaskProgressColumn(), TimeElapsedColumn(), left)
-    with Progress(*columns, console=terminal, transient=True) as bar:
-        try:
-            with _current(Stages(bar)) as stages:
+        # Brackets in names of schemes are text, not markup.
+        text, left = TextColumn("{task.description}", markup=False), TextColumn("{task.fields[left]}", markup=False)
+        columns = (SpinnerColumn(), text, BarColumn(), TaskProgressColumn(), TimeElapsedColumn(), left)
+        with Progress(*columns, console=console or Terminal(stderr=True), transient=True) as bar:
+            stages.show_on(bar)
+            try:
                 yield stages
-        finally:
-            if _running is not None:
-                _running.show_bar = None
-
-
-@contextmanager
-def _current(stages: Stages) -> Iterator[Stages]:
-    """Let `begin_stage` show these stages while the block runs."""
-    _shown.append(stages)
-    try:
-        yield stages
-    finally:
-        _shown.remove(stages)
+            finally:
+                stages.show_on(None)

@@ -8,13 +8,13 @@ import time
 import pytest
 
 from contourlab.rendering import stages
-from contourlab.rendering.stages import Heartbeat, Stages, heartbeat, shown
+from contourlab.rendering.stages import Stages, heartbeat, shown
 
 
 def test_the_time_left_follows_from_the_share_that_is_done(monkeypatch: pytest.MonkeyPatch) -> None:
     now = 100.0
     monkeypatch.setattr(stages, "monotonic", lambda: now)
-    beat = Heartbeat("tune")
+    beat = Stages("tune")
     assert beat.line() == "tune, 0 s"
     beat.advance(1, 100)
     assert beat.line() == "tune, 1 % of this step, 0 s"
@@ -37,7 +37,7 @@ def test_the_time_left_follows_from_the_share_that_is_done(monkeypatch: pytest.M
 
 
 def test_the_share_of_a_command_in_parts_never_shrinks(monkeypatch: pytest.MonkeyPatch) -> None:
-    beat, shares = Heartbeat("demo"), []
+    beat, shares = Stages("demo"), []
     for start, stop in ((0.0, 0.2), (0.2, 1.0)):
         beat.take_part(start, stop)
         beat.expect(2)

@@ -10,7 +10,9 @@ import pytest
 from contourlab.features.sensitivity.command import curve_tile, indices_chart, interactions_chart
 from contourlab.features.sensitivity.curves import Curve, Interval, Minimum
 from contourlab.rendering.charts import Multiples, traces_chart
-from contourlab.rendering.matplotlib_view import drawing
+from contourlab.rendering.data import ReportData
+from contourlab.rendering.error_pictures import polar_charts
+from contourlab.rendering.matplotlib_view import draw_chart, drawing
 from contourlab.rendering.plotly_view import figure_of
 from contourlab.rendering.plots import write_charts
 from contourlab.study import DesignVariable
@@ -50,6 +52,26 @@ def test_a_matrix_leaves_its_diagonal_and_unknown_values_blank() -> None:
     chart = interactions_chart("interactions", NAMES, values, np.abs(values) == 1.0)
     assert sorted(text.get_text() for text in drawing(chart).axes[0].texts) == ["-1?", "-1?", "2", "2"]
     assert "?" in chart.label
+
+
+def test_every_kind_of_chart_can_be_drawn_on_given_axes(circle: ReportData) -> None:
+    from matplotlib.figure import Figure
+
+    sure = np.zeros((3, 3), dtype=bool)
+    bars = indices_chart("sobol", "indices", "share", NAMES, [("first", np.ones(3), np.zeros(3)), ("total", np.ones(3), np.zeros(3))])
+    tiles = Multiples("curves", "curves", "", "error [um]", (CURVE,) * 4)
+    charts = [bars, interactions_chart("interactions", NAMES, np.ones((3, 3)), sure), *polar_charts(circle, 100), tiles]
+    figure = Figure()
+    plain, matrix, ring, free = *figure.subplots(1, 3), figure.add_axes((0.1, 0.1, 0.3, 0.2))
+    assert draw_chart(charts, "", plain) is plain and len(plain.patches) == 6
+    assert draw_chart(charts, "interactions", matrix) is matrix and len(matrix.images) == 1
+    polar = draw_chart(charts, "circle-0", ring)
+    assert polar.name == "polar" and ring not in figure.axes and polar.get_subplotspec() == ring.get_subplotspec()
+    assert draw_chart(charts, "circle-0", polar) is polar
+    others = len(figure.axes)
+    first = draw_chart(charts, "curves", free)
+    assert first.get_ylabel() == "error [um]" and free not in figure.axes and len(figure.axes) == others - 1 + 6
+    assert first.get_position().x0 == pytest.approx(0.1) and first.get_position().y1 == pytest.approx(0.3)
 
 
 def test_a_span_of_x_is_shaded_and_named_in_print_and_on_the_page() -> None:

@@ -6,9 +6,11 @@ import json
 import math
 import re
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from importlib.resources import files
+from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
@@ -187,9 +189,9 @@ def read_value(question: Question, key: str, text: str, axis: SizedAxis) -> Any:
     if not text and callable(question.default):
         return rounded(question.default(axis))
     text = text or question.guess()
-    if not text and question.default is None:
-        raise fault(key, f"no answer: give {question.about}")
     if not text:
+        if question.default is None:
+            raise fault(key, f"no answer: give {question.about}")
         return None
     if question.key == "drive":
         drives = [drive for drive, words in _DRIVES.items() if text.lower() in words]
@@ -201,8 +203,7 @@ def read_value(question: Question, key: str, text: str, axis: SizedAxis) -> Any:
     if question.unit == "Hz" and "mm" in text:
         raise fault(key, f"{text!r} is a Kv: write a frequency, such as 30 Hz")
     try:
-        number = _other_words(question.key, text, axis)
-        number = _quantity(text, question.unit) if number is None else number
+        number = _number(question.key, text, question.unit, axis)
     except UnitError as error:
         raise fault(key, str(error)) from error
     shown = from_si(number, question.unit)
@@ -212,34 +213,22 @@ def read_value(question: Question, key: str, text: str, axis: SizedAxis) -> Any:
     return number
 
 
-def _quantity(text: str, unit: str) -> float:
-    try:
-        bare = not split(text)[1]
-    except UnitError:
-        bare = False
-    return read_number(f"{text} {unit}" if bare else text, unit, unit)
-
-
-def _other_words(key: str, text: str, axis: SizedAxis) -> float | None:
-    """Return an answer in other than its own unit; None if it is none: an encoder's counts, or the speed of a screw's motor."""
-    if key == "encoder_resolution":
-        return _encoder(text, axis)
-    turns = _SPEED.fullmatch(text)
-    return float(turns[1]) / 60.0 * float(axis.lead) if key == "velocity" and turns and not axis.linear else None
-
-
-def _encoder(text: str, axis: SizedAxis) -> float | None:
-    """Return the travel per count of an encoder in other words; None if the text is none of them."""
-    turn = _COUNTS.fullmatch(_PER_TURN.sub("", text))
-    if turn is None:
-        grating = _PERIOD.fullmatch(text)
-        return _quantity(grating["period"], "um") / int(grating["steps"]) if grating else None
-    if axis.linear:
-        raise UnitError(f'{text!r} is per turn, which a linear motor has not: write the travel per count, or for example "20 um / 400"')
-    counts = 2 ** min(int(turn["bits"] or 0), 64) * int(turn["lines"] or 1) * int(turn["steps"] or turn["counts"] or 1)
-    if counts == 0:
-        raise UnitError(f"{text!r} gives no count")
-    return float(axis.lead / counts)
+def _number(key: str, text: str, unit: str, axis: SizedAxis) -> float:
+    """Return a number in SI; an encoder may be given by its counts, and a velocity as the speed of a screw's motor."""
+    if key == "velocity" and not axis.linear and (turns := _SPEED.fullmatch(text)):
+        return float(turns[1]) / 60.0 * float(axis.lead)
+    if key == "encoder_resolution" and (turn := _COUNTS.fullmatch(_PER_TURN.sub("", text))):
+        if axis.linear:
+            raise UnitError(f'{text!r} is per turn, which a linear motor has not: write the travel per count, or for example "20 um / 400"')
+        counts = 2 ** min(int(turn["bits"] or 0), 64) * int(turn["lines"] or 1) * int(turn["steps"] or turn["counts"] or 1)
+        if counts == 0:
+            raise UnitError(f"{text!r} gives no count")
+        return float(axis.lead / counts)
+    if key == "encoder_resolution" and (grating := _PERIOD.fullmatch(text)):
+        return _number("", grating["period"], "um", axis) / int(grating["steps"])
+    with suppress(UnitError):
+        text = text if split(text)[1] else f"{text} {unit}"
+    return read_number(text, unit, unit)
 
 
 BLANK = {f"{name}.{SAME.key}": "x except moved_mass" for name in "yz"}
@@ -336,10 +325,10 @@ def same_as(answers: Mapping[str, str], name: str) -> tuple[str, tuple[str, ...]
     match, names = _SAME.match(text), [other for other in axis_names(answers) if other != name]
     if match is None or match["axis"] not in names:
         raise fault(key, f"{text!r}: write one of {', '.join(names)}, then except and what differs")
-    kept = tuple(word for word in re.split(r"[,\s]+|\band\b", match["keys"] or "") if word)
+    kept = tuple(filter(None, re.split(r"[,\s]+|\band\b", match["keys"] or "")))
     for word in kept:
         if word not in KEYS:
-            raise fault(key, _unknown(word, KEYS))
+            raise _unknown(key, word, KEYS)
     return match["axis"], kept
 
 
@@ -362,9 +351,7 @@ def sized(answers: Mapping[str, str], name: str, period: float, until: str = "")
         If an answer is missing or implausible; has the key of its question.
     """
     axis, given = SizedAxis(name, period), answers_of(answers, name)
-    for question in AXIS:
-        if question.key == until:
-            break
+    for question in takewhile(lambda question: question.key != until, AXIS):
         text = given.get(question.key, "")
         if not question.drive or question.drive == axis.values["drive"]:
             axis.values[question.key] = read_value(question, f"{name}.{question.key}", text, axis)
@@ -381,16 +368,16 @@ def check_keys(answers: Mapping[str, str]) -> None:
     for key in answers:
         name, dot, inner = key.partition(".")
         if not dot and key not in general:
-            raise fault(key, _unknown(key, (*general, *names)))
+            raise _unknown(key, key, (*general, *names))
         if dot and name not in names:
             raise fault(key, f"{name!r} is not an axis: axes names {', '.join(names)}")
         if dot and inner not in (SAME.key, *KEYS):
-            raise fault(key, _unknown(inner, (SAME.key, *KEYS)))
+            raise _unknown(key, inner, (SAME.key, *KEYS))
 
 
-def _unknown(word: str, known: tuple[str, ...]) -> str:
+def _unknown(key: str, word: str, known: tuple[str, ...]) -> ScenarioError:
     near = get_close_matches(word, known, n=1, cutoff=0.0)[0]
-    return f"no question {word!r}: the nearest is {near!r}; there are {', '.join(known)}"
+    return fault(key, f"no question {word!r}: the nearest is {near!r}; there are {', '.join(known)}")
 
 
 def questions(answers: Mapping[str, str], also: frozenset[str] = frozenset()) -> Iterator[Question]:
@@ -406,11 +393,10 @@ def questions(answers: Mapping[str, str], also: frozenset[str] = frozenset()) ->
             yield replace(SAME, key=f"{name}.{SAME.key}", default=f"{names[0]} except moved_mass")
         for question in AXIS:
             other, kept = same_as(answers, name)
-            wanted = question.key in kept or f"{name}.{question.key}" in also
-            if not other or (question.key in PLACE):
-                wanted = wanted or question.asked
-            if question.key == "unbalanced_mass" and not name.lower().startswith("z") and f"{name}.{question.key}" not in also:
+            required = f"{name}.{question.key}" in also
+            if question.key == "unbalanced_mass" and not name.lower().startswith("z") and not required:
                 continue
+            wanted = required or question.key in kept or (question.asked and (not other or question.key in PLACE))
             if wanted and question.drive in ("", sized(answers, name, period, "rated_torque").values["drive"]):
                 guess = question.guess(sized(answers, name, period, question.key)) if callable(question.default) else question.default
                 yield replace(question, key=f"{name}.{question.key}", default=guess)
@@ -432,7 +418,6 @@ def interview(
         Raises ScenarioError with the key of the answer that does not fit.
     """
     answers: dict[str, str] = {}
-    order: list[str] = []
     also: set[str] = set()
     while True:
         question = next((q for q in questions(answers, frozenset(also)) if q.key not in answers), None)
@@ -443,12 +428,12 @@ def interview(
                 return given
             text = ask(question).strip()
             if text.lower() == "back":
-                answers.pop(order.pop() if order else "", None)
+                answers.pop(next(reversed(answers), ""), None)
                 continue
-            _check_answer(question, text, answers)
             # The default of this question is an answer of its own.
-            answers[question.key] = text or (question.guess() if question.key.endswith(f".{SAME.key}") else "")
-            order.append(question.key)
+            text = text or (question.guess() if question.key.endswith(f".{SAME.key}") else "")
+            _check_answer(question, text, answers)
+            answers[question.key] = text
         except ScenarioError as error:
             if question is None and error.key in also and error.key not in answers:
                 raise  # no question changes this
@@ -462,7 +447,7 @@ def _check_answer(question: Question, text: str, answers: Mapping[str, str]) -> 
     name, dot, key = question.key.partition(".")
     tried = {**answers, question.key: text}
     if dot and key == SAME.key:
-        answers_of({**answers, question.key: text or question.guess()}, name)
+        answers_of(tried, name)
     elif dot:
         read_value(QUESTIONS[key], question.key, text, sized(answers, name, machine_values(answers)["servo_period"], key))
     else:

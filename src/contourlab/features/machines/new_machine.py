@@ -47,18 +47,19 @@ def _noted(value: float, unit: str, origin: Origin) -> Noted:
 
 
 def _plant(axis: SizedAxis) -> dict[str, Any]:
-    elastic = {"resonance": _number(axis, "resonance", of=lambda sized: sized.own_resonance)} if axis.resonance else {}
-    if axis.linear:
-        kind, drive = "two-mass" if elastic else "mass-damper", {"force_constant": _number(axis, "force_constant")}
-    else:
-        kind = "elastic-ball-screw" if elastic else "ball-screw"
-        drive = {
-            "inertia": _number(axis, "screw_inertia", of=lambda sized: sized.inertia, note="rotor, coupling and screw"),
-            "lead": _number(axis, "lead"),
-            "torque_constant": _number(axis, "torque_constant"),
-            "efficiency": _number(axis, "efficiency", ""),
-        }
-    return {"kind": kind, "mass": _number(axis, "moved_mass"), **drive, "damping": _number(axis, "damping"), **elastic}
+    noted = {
+        "mass": _number(axis, "moved_mass"),
+        **({"force_constant": _number(axis, "force_constant")} if axis.linear else _screw(axis)),
+        "damping": _number(axis, "damping"),
+        **({"resonance": _number(axis, "resonance", of=lambda sized: sized.own_resonance)} if axis.resonance else {}),
+    }
+    return {"kind": axis.plant.kind, **noted}
+
+
+def _screw(axis: SizedAxis) -> dict[str, Noted]:
+    inertia = _number(axis, "screw_inertia", of=lambda sized: sized.inertia, note="rotor, coupling and screw")
+    given = {key: _number(axis, key, "" if key == "efficiency" else None) for key in ("lead", "torque_constant", "efficiency")}
+    return {"inertia": inertia, **given}
 
 
 def _friction(axis: SizedAxis) -> dict[str, Any]:

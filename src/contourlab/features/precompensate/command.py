@@ -3,29 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 
 from contourlab.app.results import check_file, spared
 from contourlab.app.session import QUIET, Session, question
 from contourlab.errors import ParameterError
 from contourlab.features.check.reading import reading_of
-from contourlab.features.measure.log_choice import LogChoice, positive
+from contourlab.features.measure.log_choice import LogChoice
 from contourlab.features.precompensate.law import Run, spread
 from contourlab.features.precompensate.options import Precompensate
-from contourlab.features.precompensate.passes import STATE, digest_of, load, save
+from contourlab.features.precompensate.passes import STATE, digest_of, load
 from contourlab.features.precompensate.result import Precompensated
 from contourlab.features.precompensate.runs import Measured, open_run, simulated
 from contourlab.features.precompensate.work import Settings, Work
 from contourlab.features.run import options
 from contourlab.features.run.source import scenario_of
+from contourlab.features.precompensate.work import Work
+from contourlab.features.run.inputs import scenario_of
 from contourlab.findings import Finding, finding
 from contourlab.loop import Machine
 from contourlab.program import Reading
 from contourlab.scenario.load import machine_of
-
-NODE_TIME = 1e-3
-"""Least time between nodes at the programmed feed [s]."""
 
 
 @question(Precompensate)
@@ -64,7 +62,7 @@ def precompensate(part: str | Path, *, settings: Precompensate, session: Session
     measured, axes, _ = opened[0]
     if any(other[1] != axes for other in opened):
         raise ParameterError("--log", "axes differ", f"logs of the axes {', '.join(axes)}")
-    work = Work(Path(part), axes, _limits(settings), reading, machine, max(NODE_TIME, measured.period))
+    work = Work(Path(part), axes, settings, reading, machine, measured.period)
     digests = tuple(digest_of(Path(choice.file).read_bytes()) for choice in choices)
     if settings.passes is not None:
         work.passes = load(settings.passes, work.passes)
@@ -81,20 +79,7 @@ def precompensate(part: str | Path, *, settings: Precompensate, session: Session
         findings += work.propose()
     if settings.passes is not None:
         spared(settings.passes / f"pass-{len(work.passes.written)}.ngc", given, "--passes")
-    answer = work.result(session.folder, measured.source, rest, findings, proceed)
-    return replace(answer, writer=partial(_write, work, settings.passes))
-
-
-def _write(work: Work, passes: Path | None, answer: Precompensated) -> None:
-    """Write the program, and what was learned."""
-    work.write(answer)
-    if passes is not None:
-        save(work.passes, passes)
-
-
-def _limits(settings: Precompensate) -> Settings:
-    band = positive("--band", settings.band, "", 'a share, such as "2 %"')
-    return Settings(settings.si("tolerance"), settings.si("cap"), band)
+    return work.result(session.folder, measured.source, rest, findings, proceed, settings.passes)
 
 
 def _log_findings(measured: Measured, run: Run, rest: float | None, machine: Machine | None) -> list[Finding]:
@@ -116,7 +101,7 @@ def _simulated(part: Path, settings: Precompensate, reading: Reading, session: S
     scenario = scenario_of(part, options.Run(**parts, no_require_end=True))
     machine, controller = scenario.machine, scenario.controller
     axes = tuple(axis for axis in machine.axis_names if axis in "xyz")
-    work = Work(part, axes, _limits(settings), reading, machine, max(NODE_TIME, machine.servo_period))
+    work = Work(part, axes, settings, reading, machine, machine.servo_period)
     findings: list[Finding] = []
     rest: float | None = None
     stages = session.stages()
@@ -133,5 +118,4 @@ def _simulated(part: Path, settings: Precompensate, reading: Reading, session: S
             break
         more += work.propose()
         findings += [one for one in more if str(one) not in map(str, findings)]
-    answer = work.result(session.folder, "model", rest, findings, proceed=False)
-    return replace(answer, writer=partial(_write, work, None))
+    return work.result(session.folder, "model", rest, findings, proceed=False)

@@ -72,11 +72,11 @@ class Loop:
 
 
 def filtered(values: Array, period: float, response: Callable[[Array], Array], longest: float) -> Array:
-    """Filter columns (n, k) by a response over frequency [Hz], in both directions of time; zero before and after.
+    """Filter values by a response over frequency [Hz], in both directions of time; zero before and after.
 
     Parameters
     ----------
-    values : ndarray (n, k)
+    values : ndarray (n,) or (n, k)
     period : float [s]
     response : callable
         Of frequencies (m,), returning (m,) or (m, k).
@@ -88,19 +88,18 @@ def filtered(values: Array, period: float, response: Callable[[Array], Array], l
     n = len(values)
     size = next_fast_len(n + 2 * math.ceil(longest / period), real=True)
     gain = response(rfftfreq(size, period))
-    gain = gain if gain.ndim == 2 else gain[:, None]
+    gain = gain if gain.ndim == values.ndim else gain[:, None]
     return np.asarray(irfft(rfft(values, size, axis=0) * gain, size, axis=0)[:n])
 
 
 def low_pass(cutoff: float) -> Callable[[Array], Array]:
     """Return the response of the robustness filter with a cutoff [Hz]."""
-    return lambda frequency: np.asarray(1.0 / (1.0 + (frequency / cutoff) ** ORDER))
+    return lambda frequency: 1.0 / (1.0 + (frequency / cutoff) ** ORDER)
 
 
-def around(cutoff: float) -> Callable[[Array], Array]:
-    """Return the response of a weighted mean over the time in which an error counts for its place."""
-    sigma = NEAR / cutoff
-    return lambda frequency: np.asarray(np.exp(-0.5 * (2.0 * math.pi * frequency * sigma) ** 2))
+def smoothed(values: Array, period: float, cutoff: float) -> Array:
+    """Return values (n,) or (n, k) below a cutoff [Hz]."""
+    return filtered(values, period, low_pass(cutoff), 3.0 / cutoff)
 
 
 def fit_loop(command: Array, position: Array, period: float) -> Loop:
@@ -124,13 +123,9 @@ def fit_loop(command: Array, position: Array, period: float) -> Loop:
 
 
 def _fit(command: Array, position: Array, period: float, band: float) -> Loop:
-    def smooth(values: Array) -> Array:
-        return filtered(values[:, None], period, low_pass(band), 3.0 / band)[:, 0]
-
-    asked, given = smooth(command - command[0]), smooth(position - command[0])
-    speed = np.gradient(given, period)
-    sign = smooth(np.tanh(np.gradient(position, period) / STICKING))
-    late = asked - given
+    friction = np.tanh(np.gradient(position, period) / STICKING)
+    asked, given, sign = (smoothed(part, period, band) for part in (command - command[0], position - command[0], friction))
+    speed, late = np.gradient(given, period), asked - given
     columns = np.column_stack([-np.gradient(late, period), speed, np.gradient(speed, period), sign])
     edge = min(math.ceil(1.0 / (band * period)), len(late) // 4)
     used = slice(edge, len(late) - edge)
@@ -138,8 +133,7 @@ def _fit(command: Array, position: Array, period: float, band: float) -> Loop:
     solved, *_ = np.linalg.lstsq(columns[used] / scale, late[used], rcond=1e-9)
     zero, velocity, acceleration, _ = (solved / scale).tolist()
     rest = late[used] - columns[used] @ (solved / scale)
-    share = float(np.sqrt((rest**2).mean() / max(float((late[used] ** 2).mean()), 1e-300)))
-    loop = Loop(max(zero, 0.0), velocity, acceleration, share)
+    loop = Loop(max(zero, 0.0), velocity, acceleration, math.sqrt((rest**2).mean() / max((late[used] ** 2).mean(), 1e-300)))
     frequency = np.geomspace(0.02, 0.45 / period, 2000)
     below = np.flatnonzero(np.abs(loop.inverse(frequency)) > math.sqrt(2.0))
     return replace(loop, bandwidth=float(frequency[below[0]] if below.size else frequency[-1]))
@@ -178,12 +172,12 @@ class Run:
     @property
     def rms(self) -> float:
         """Contour error, rms over the corrected motion [m]."""
-        return float(np.sqrt((self.error[self.moves] ** 2).sum(axis=1).mean()))
+        return math.sqrt((self.error[self.moves] ** 2).sum(axis=1).mean())
 
     @property
     def largest(self) -> float:
         """Largest contour error of the corrected motion [m]."""
-        return float(np.sqrt((self.error[self.moves] ** 2).sum(axis=1).max()))
+        return math.sqrt((self.error[self.moves] ** 2).sum(axis=1).max())
 
     def at(self, nodes: Array, values: Array) -> Array:
         """Return values (n, k) of the samples at places (n_node,) [m]: the mean of the samples at a place, between them linear."""
@@ -253,7 +247,7 @@ def learn(before: Learned | None, runs: list[Run], loops: list[Loop], nodes: Arr
 
     def response(frequency: Array) -> Array:
         inverse = np.stack([loop.inverse(frequency) for loop in loops], axis=1)
-        return np.asarray(inverse * low_pass(cutoff)(frequency)[:, None])
+        return inverse * low_pass(cutoff)(frequency)[:, None]
 
     step = np.mean([one.at(nodes, filtered(one.error, one.period, response, longest)) for one in runs], axis=0)
     square = np.mean([one.at(nodes, _nearby((one.error**2).sum(axis=1), one.period, cutoff)) for one in runs], axis=0)[:, 0]
@@ -273,7 +267,10 @@ def learn(before: Learned | None, runs: list[Run], loops: list[Loop], nodes: Arr
 
 
 def _nearby(values: Array, period: float, cutoff: float) -> Array:
-    return np.maximum(filtered(values[:, None], period, around(cutoff), 4.0 * NEAR / cutoff), 0.0)
+    """Return weighted means (n, 1) of values (n,) over the time in which an error counts for its place."""
+    sigma = NEAR / cutoff
+    weights = filtered(values, period, lambda frequency: np.exp(-0.5 * (2.0 * math.pi * frequency * sigma) ** 2), 4.0 * sigma)
+    return np.maximum(weights, 0.0)[:, None]
 
 
 def proposed(learned: Learned, cap: float, room: Array | float = np.inf) -> tuple[Array, Array]:
@@ -297,9 +294,6 @@ def proposed(learned: Learned, cap: float, room: Array | float = np.inf) -> tupl
 
 def smoother(learned: Learned, run: Run, nodes: Array, cutoff: float) -> Learned:
     """Return what is learned, with correction and step below a lower cutoff [Hz]: a smoother path takes less time."""
-
-    def smooth(values: Array) -> Array:
-        in_time = np.column_stack([np.interp(run.place, nodes, column) for column in values.T])
-        return run.at(nodes, filtered(in_time, run.period, low_pass(cutoff), 3.0 / cutoff))
-
-    return replace(learned, kept=smooth(learned.kept), step=smooth(learned.step), cutoff=cutoff)
+    in_time = (np.column_stack([np.interp(run.place, nodes, column) for column in part.T]) for part in (learned.kept, learned.step))
+    kept, step = (run.at(nodes, smoothed(part, run.period, cutoff)) for part in in_time)
+    return replace(learned, kept=kept, step=step, cutoff=cutoff)

@@ -14,7 +14,7 @@ from contourlab.arrays import Array
 from contourlab.errors import LogError, ResultError
 from contourlab.features.measure.log_choice import LogChoice
 from contourlab.features.measure.measured_path import moving, progress_along
-from contourlab.features.precompensate.law import Loop, Run, fit_loop
+from contourlab.features.precompensate.law import Run
 from contourlab.features.precompensate.writing import Contour, Written, chunks
 from contourlab.feed import LimitReport, Reference, limit_report
 from contourlab.logs import Column, Columns, Log, read_columns, read_record, result_of
@@ -62,10 +62,6 @@ class Measured:
     motor: Array
     load: Array
     source: str
-
-    def loops(self) -> list[Loop]:
-        """Fit the loop of each axis."""
-        return [fit_loop(*pair, self.period) for pair in zip(self.command.T, self.motor.T, strict=True)]
 
 
 def open_run(choice: LogChoice, machine: Machine | None = None) -> tuple[Measured, tuple[str, ...], Log]:
@@ -218,9 +214,8 @@ def run_of(contour: Contour, measured: Measured, driven: Contour | None = None, 
 
 def simulated(program: Program, machine: Machine, controller: Controller, seed: int, trial: int) -> Measured:
     """Simulate a run of a program."""
-    reference = planned(program, machine)
-    result = simulate(machine, controller, reference, seed=seed, trial=trial)
-    columns = [machine.axis_names.index(axis) for axis in machine.axis_names if axis in "xyz"]
+    result = simulate(machine, controller, planned(program, machine), seed=seed, trial=trial)
+    columns = [k for k, axis in enumerate(machine.axis_names) if axis in "xyz"]
     command, motor, load = (np.asarray(result[name][:, columns]) for name in ("reference", "position", "tool_position"))
     return Measured(machine.servo_period, command, motor, load, "model")
 

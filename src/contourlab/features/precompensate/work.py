@@ -3,28 +3,31 @@
 from __future__ import annotations
 
 import shutil
-from collections import Counter
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from functools import cached_property
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from functools import cached_property, partial
 from pathlib import Path
 
 import numpy as np
 
 from contourlab.errors import ProgramError, ResultError
+from contourlab.features.measure.log_choice import positive
 from contourlab.features.precompensate.blocks import Source, parse_blocks, read_blocks
-from contourlab.features.precompensate.law import CUTOFF, Run, learn, proposed, smoother
-from contourlab.features.precompensate.passes import Passes, PassFigures, digest_of
+from contourlab.features.precompensate.law import CUTOFF, Run, fit_loop, learn, proposed, smoother
+from contourlab.features.precompensate.options import Precompensate
+from contourlab.features.precompensate.passes import Passes, PassFigures, digest_of, save
 from contourlab.features.precompensate.result import LeftMove, Precompensated
 from contourlab.features.precompensate.runs import Measured, limits_of, run_of
 from contourlab.features.precompensate.writing import MARK, Contour, Written, chunks, complaint, contour_of, marked, room, write_corrected
 from contourlab.feed import LimitReport
 from contourlab.findings import Finding, finding
 from contourlab.loop import Machine
-from contourlab.program import Reading
+from contourlab.program import Program, Reading
 from contourlab.program.reader import read_text, split_lines
 from contourlab.result import write_text_atomic
 
+NODE_TIME = 1e-3
+"""Least time between nodes at the programmed feed [s]."""
 SMOOTHER = 0.8
 """Factor on the cutoff after a pass that took too long."""
 SLOWED = 0.01
@@ -38,40 +41,25 @@ AT_START = 0.5
 """Share of the squared error that lies just after starts of cuts; from here on CL917 says so."""
 
 
-@dataclass(frozen=True)
-class Settings:
-    """Options in SI.
-
-    Attributes
-    ----------
-    tolerance : float [m]
-        Of the short lines.
-    cap : float [m]
-        Of the displacement.
-    band : float
-        Of the cycle time and of the speed at a place, as a share.
-    """
-
-    tolerance: float
-    cap: float
-    band: float
-
-
 class Work:
     """A program, its passes so far, and the program of the pass that was run last."""
 
     def __init__(
-        self, part: Path, axes: Sequence[str], settings: Settings, reading: Reading, machine: Machine | None, period: float
+        self, part: Path, axes: Sequence[str], settings: Precompensate, reading: Reading, machine: Machine | None, period: float
     ) -> None:
-        self.part, self.settings, self.reading, self.machine = part, settings, reading, machine
+        self.part, self.reading, self.machine = part, reading, machine
+        self.tolerance, self.cap = settings.si("tolerance"), settings.si("cap")
+        self.band = positive("--band", settings.band, "", 'a share, such as "2 %"')
+        period = max(NODE_TIME, period)
         source = read_blocks(part, reading, axes)
         if any(MARK in line for line in source.lines[:2]):
             raise ProgramError("is a corrected program: give the one before any correction, and the folder with --passes", file=part)
         self.contour = contour_of(source, axes, period)
         if not self.contour.corrected.any():
             raise ProgramError(f"no cutting move along {', '.join(axes)} can be corrected", file=part)
-        known = repr((tuple(axes), period, settings.tolerance))
+        known = repr((tuple(axes), period, self.tolerance))
         self.passes = Passes(digest_of("\n".join(source.lines).encode("utf-8", "replace"), known.encode()), tuple(axes))
+        self.needs: LimitReport | None = None
         self._read: tuple[Written, Contour] | None = None
 
     @property
@@ -83,12 +71,6 @@ class Work:
         if self._read is None or self._read[0] is not written:
             self._read = written, self.contour_again(written)
         return self._read[1]
-
-    @cached_property
-    def needs(self) -> LimitReport:
-        """What the program itself needs of the limits of the machine."""
-        assert self.machine is not None
-        return limits_of(self.contour.source.program, self.machine)
 
     @cached_property
     def is_interpreted(self) -> bool:
@@ -137,15 +119,12 @@ class Work:
         """Learn from the runs of a pass; return the findings."""
         passes, run, nodes = self.passes, runs[0], self.contour.nodes
         number, findings = len(passes.figures), list[Finding]()
-        limit = self.settings.band
         first = passes.figures[0].duration if passes.figures else run.duration
-        rms = float(np.sqrt(np.mean([one.rms**2 for one in runs])))
-        figures = PassFigures(
-            number, rms, max(one.largest for one in runs), run.duration, tuple(run.velocity.tolist()), tuple(run.acceleration.tolist()),
-            run.duration <= (1.0 + limit) * first,
-        )  # fmt: skip
+        rms, largest = float(np.sqrt(np.mean([one.rms**2 for one in runs]))), max(one.largest for one in runs)
+        fastest = tuple(run.velocity.tolist()), tuple(run.acceleration.tolist())
+        figures = PassFigures(number, rms, largest, run.duration, *fastest, run.duration <= (1.0 + self.band) * first)
         if not passes.loops:
-            loops = tuple(measured.loops())
+            loops = tuple(fit_loop(*pair, measured.period) for pair in zip(measured.command.T, measured.motor.T, strict=True))
             cutoff = CUTOFF * min(loop.bandwidth for loop in loops)
             passes = replace(passes, loops=loops, cutoff=min(cutoff, 0.2 / measured.period))
             findings += [
@@ -159,11 +138,10 @@ class Work:
         best = self.passes.figures[self.passes.best]
         if number and best.number != number and figures.in_time:
             findings.append(finding("CL914", number=number, rms=figures.rms, best=best.number, least=best.rms))
-        slower = run.duration / first - 1.0
         if not figures.in_time:
             cutoff = SMOOTHER * passes.cutoff
             self.passes = replace(self.passes, cutoff=cutoff, learned=smoother(learned, run, nodes, cutoff))
-            findings += [finding("CL911", number=number, change=slower, band=limit), *self._free_corners()]
+            findings += [finding("CL911", number=number, change=run.duration / first - 1.0, band=self.band), *self._free_corners()]
         return findings
 
     def _free_corners(self) -> list[Finding]:
@@ -196,54 +174,51 @@ class Work:
         """Write the program of the next pass; return the findings."""
         learned = self.passes.learned
         assert learned is not None
-        tried, capped = proposed(learned, self.settings.cap, room(self.contour))
+        tried, capped = proposed(learned, self.cap, room(self.contour))
         durations = [one.duration for one in self.passes.figures]
         slowed = max(durations) > (1.0 + SLOWED) * durations[0]
-        fastest = np.inf if slowed else (1.0 + self.settings.band) * learned.speed
-        written = write_corrected(self.contour, tried, self.settings.tolerance, fastest)
-        number = len(self.passes.written) + 1
-        written = replace(written, text=marked(written.text, number, self.part.name))
+        written = write_corrected(self.contour, tried, self.tolerance, np.inf if slowed else (1.0 + self.band) * learned.speed)
+        written = replace(written, text=marked(written.text, len(self.passes.written) + 1, self.part.name))
         self.passes = replace(self.passes, learned=replace(learned, tried=tried), written=(*self.passes.written, written))
-        contour = self.driven
-        findings = [finding("CL910", cap=self.settings.cap, share=float(capped.mean()))] if capped.any() else []
+        driven = self.driven.source.program
+        findings = [finding("CL910", cap=self.cap, share=float(capped.mean()))] if capped.any() else []
         if self.machine is not None and set(self.machine.axis_names) >= set(self.contour.axes):
-            findings += self._limits(contour)
+            findings += self._limits(self.machine, driven)
         message = complaint(written.text, self.part.parent) if self.is_interpreted else ""
         return [*findings, finding("CL916", message=message)] if message else findings
 
-    def _limits(self, contour: Contour) -> list[Finding]:
+    def _limits(self, machine: Machine, program: Program) -> Iterator[Finding]:
         """Plan the written program on the machine, and compare what it needs with the program itself."""
-        machine = self.machine
-        assert machine is not None
-        before, after = self.needs, limits_of(contour.source.program, machine)
-        findings = []
+        self.needs = self.needs or limits_of(self.contour.source.program, machine)
+        after = limits_of(program, machine)
         for kind in ("velocity", "acceleration", "jerk"):
-            for old, new in zip(getattr(before, kind), getattr(after, kind), strict=True):
+            for old, new in zip(getattr(self.needs, kind), getattr(after, kind), strict=True):
                 if new.ratio > max(1.005, 1.005 * old.ratio):
                     axis = machine.axis_names[new.axis]
-                    findings.append(finding("CL912", kind=kind, axis=axis, use=new.ratio, before=old.ratio, machine=machine.name))
-        return findings
+                    yield finding("CL912", kind=kind, axis=axis, use=new.ratio, before=old.ratio, machine=machine.name)
 
-    def write(self, result: Precompensated) -> None:
-        """Write the program that a result names, if a pass gains."""
+    def save(self, passes: Path | None, result: Precompensated) -> None:
+        """Write the program that a result names, if a pass gains, and what was learned into a folder, if there is one."""
         if result.written:
             write_text_atomic(result.out, self.passes.written[result.written - 1].text)
+        if passes is not None:
+            save(self.passes, passes)
 
-    def result(self, out: Path, position: str, rest: float | None, findings: Sequence[Finding], proceed: bool) -> Precompensated:
-        """Return the result."""
+    def result(
+        self, out: Path, position: str, rest: float | None, findings: Sequence[Finding], proceed: bool, folder: Path | None = None
+    ) -> Precompensated:
+        """Return the result; `folder` is that of the passes."""
         passes, learned = self.passes, self.passes.learned
         assert learned is not None
         number = len(passes.written) if proceed else passes.best
         written = passes.written[number - 1] if number else None
         source = self.contour.source
         left = [LeftMove(source.numbers[b.lines[0] - 1], b.reason) for b in source.blocks if b.reason not in ("", "-")]
-        reasons = Counter(one.reason for one in left)
-        more = [
-            finding("CL909", count=count, reason=reason, line=next(one.line for one in left if one.reason == reason))
-            for reason, count in reasons.items()
-        ]
-        if not passes.helps:
-            more.append(finding("CL915", best=passes.best))
+        lines: dict[str, list[int]] = {}
+        for move in left:
+            lines.setdefault(move.reason, []).append(move.line)
+        more = [finding("CL909", count=len(those), reason=reason, line=those[0]) for reason, those in lines.items()]
+        more += [] if passes.helps else [finding("CL915", best=passes.best)]
         return Precompensated(
             program=self.part.name,
             out=str(out) if number else "",
@@ -261,6 +236,7 @@ class Work:
             shortest_line=None if written is None else written.shortest,
             left=tuple(left),
             findings=(*findings, *more),
+            writer=partial(self.save, folder),
         )
 
 

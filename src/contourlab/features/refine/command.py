@@ -71,7 +71,21 @@ class Refinement(Answer):
         ]
 
     def _charts(self) -> Iterator[Chart]:
-        yield from charts_of(self.result)
+        """Yield each signal of each run, measured and simulated, and the residual, with the fitted window shaded."""
+        for run, simulated, window in zip(self.result.runs, self.result.simulated, self.result.windows, strict=True):
+            time = run.times()
+            # A window may reach beyond the log.
+            within = None if window is None else (max(window[0], float(time[0])), min(window[1], float(time[-1])))
+            marked: dict[str, Any] = {"span": within, "span_label": "fitted in the shaded window" if within else ""}
+            for (signal, axis), measured, got in zip(run.channels, run.measured.T, simulated.T, strict=True):
+                size, unit = (1e6, "um") if signal == "position" else (1.0, "")
+                name = f"{'tracking error' if signal == 'position' else signal} of {axis}"
+                labels = "time [s]", name + (f" [{unit}]" if unit else "")
+                key = f"{run.label}-{signal}-{axis}".replace(" ", "-")
+                both = {"measured": (time, size * measured), "simulated": (time, size * got)}
+                left = {"measured minus simulated": (time, size * (measured - got))}
+                yield traces_chart(key, f"{run.label}: {name}", labels, both, **marked)
+                yield traces_chart(f"{key}-left", f"{run.label}: residual of {name}", labels, left, **marked)
 
     def save(self, folder: str | Path = "results", *, write: str | Path | None = None, plots: Sequence[str] = ()) -> Refinement:
         """Write the machine and the refined controllers, if the result is usable, and pictures.
@@ -176,7 +190,9 @@ def refine(scenario: str | Path, *, settings: Refine, session: Session = QUIET) 
     scenarios, choices = (scenario, *settings.also), [LogChoice.of(log, settings) for log in settings.log]
     if len(scenarios) not in (1, len(choices)):
         raise ParameterError("--also", f"{len(scenarios)} scenarios for {len(choices)} logs", "one scenario, or one for each log")
-    read = _read(scenarios, settings.plugin)
+    from contourlab.scenario import load_scenario
+
+    read = [load_scenario(file, plugins=settings.plugin) for file in scenarios]
     several = len(scenarios) > 1
     labels = _labels(scenarios if several else [choice.file for choice in choices])
     runs = [_run(read[i if several else 0], choice, label) for i, (choice, label) in enumerate(zip(choices, labels, strict=True))]
@@ -184,31 +200,25 @@ def refine(scenario: str | Path, *, settings: Refine, session: Session = QUIET) 
     # Read first, so that an unreadable log fails before the work.
     validation = None if settings.validation is None else LogChoice.of(settings.validation, settings)
     held_out = None if validation is None else _run(read[0], validation, *_labels([validation.file]))
-    inputs = [file for one in read for file in one.inputs] + [file for choice in choices for file in choice.files]
-    inputs += [*(() if validation is None else validation.files), *settings.plugin]
+    logs = choices if validation is None else [*choices, validation]
+    inputs = (*(file for one in read for file in one.inputs), *(file for log in logs for file in log.files), *settings.plugin)
     session.will_write(inputs, pictures_only=True)
     if session.saving.get("write") is not None:
         for run in runs:
             spared(_beside(session.saving["write"], run), inputs)
     result = refined(runs, settings.parameter, windows=spans, settings=RefineSettings(starts=settings.starts), progress=session.line)
     result, crossed = cross_validated(result, progress=session.line)
-    validated: list[tuple[Agreement, ...]] = [(), ()]
+    validated: tuple[tuple[Agreement, ...], tuple[Agreement, ...]] = (), ()
     findings = [*result.findings]
     if held_out is not None:
-        placed = (replace(held_out, machine=run.machine, controller=run.controller) for run in (runs[0], result.runs[0]))
-        validated = [run.agreement(run.once()) for run in placed]
-        findings += [*held_out.findings, *unseen_findings(validated[0], validated[1], validation=True)]
+        before, after = (replace(held_out, machine=run.machine, controller=run.controller) for run in (runs[0], result.runs[0]))
+        validated = before.agreement(before.once()), after.agreement(after.once())
+        findings += [*held_out.findings, *unseen_findings(*validated, validation=True)]
         if any(np.array_equal(held_out.measured, run.measured) for run in runs):
             findings.append(finding("CL564", held_out.label))
     sources = tuple(distinct_names([choice.file for choice in choices]))
     result = replace(result, findings=tuple(findings))
-    return Refinement(sources, result, validated[0], validated[1], crossed, tuple(findings), None, (), (), tuple(inputs))
-
-
-def _read(files: Sequence[str | Path], plugins: Sequence[str | Path]) -> list[Scenario]:
-    from contourlab.scenario import load_scenario
-
-    return [load_scenario(file, plugins=plugins) for file in files]
+    return Refinement(sources, result, *validated, crossed, tuple(findings), None, (), (), inputs)
 
 
 def _labels(files: Sequence[str | Path]) -> list[str]:
@@ -232,14 +242,14 @@ def _windows(texts: Sequence[str], count: int) -> list[Window | None]:
         raise ParameterError("--window", f"{len(texts)} windows", f"one for all logs, or one for each of the {count}")
     spans: list[Window | None] = []
     for text in texts:
-        low, dots, high = text.partition("..")
+        ends = [end.strip() for end in text.split("..", 1)]
         try:
-            span = to_si(low.strip(), "s"), to_si(high.strip(), "s")
-        except UnitError as error:
+            start, stop = (to_si(end, "s") for end in ends)
+        except (UnitError, ValueError) as error:
             raise ParameterError("--window", repr(text), 'two times, as "0.8 s..1.6 s"') from error
-        if not dots or not span[0] < span[1]:
+        if not start < stop:
             raise ParameterError("--window", repr(text), 'two times, the earlier one first, as "0.8 s..1.6 s"')
-        spans.append(span)
+        spans.append((start, stop))
     return spans * count if len(spans) == 1 else spans
 
 
@@ -259,21 +269,3 @@ def _write(result: Refined, sources: Sequence[str], out: Path) -> tuple[Path, ..
     for file, text in files.items():
         write_text_atomic(file, text)
     return tuple(files)[1:]
-
-
-def charts_of(refined: Refined) -> Iterator[Chart]:
-    """Yield each signal of each run, measured and simulated, and the residual, with the fitted window shaded."""
-    for run, simulated, window in zip(refined.runs, refined.simulated, refined.windows, strict=True):
-        time = run.times()
-        # A window may reach beyond the log.
-        within = None if window is None else (max(window[0], float(time[0])), min(window[1], float(time[-1])))
-        marked: dict[str, Any] = {"span": within, "span_label": "fitted in the shaded window" if within else ""}
-        for j, (signal, axis) in enumerate(run.channels):
-            size, unit = (1e6, "um") if signal == "position" else (1.0, "")
-            name = f"{'tracking error' if signal == 'position' else signal} of {axis}"
-            labels = "time [s]", name + (f" [{unit}]" if unit else "")
-            key = f"{run.label}-{signal}-{axis}".replace(" ", "-")
-            both = {"measured": (time, size * run.measured[:, j]), "simulated": (time, size * simulated[:, j])}
-            left = {"measured minus simulated": (time, size * (run.measured[:, j] - simulated[:, j]))}
-            yield traces_chart(key, f"{run.label}: {name}", labels, both, **marked)
-            yield traces_chart(f"{key}-left", f"{run.label}: residual of {name}", labels, left, **marked)

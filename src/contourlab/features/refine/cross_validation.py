@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from contourlab.errors import ParameterError, ResultError
-from contourlab.features.refine.study import Refined, RefinedParameter, RefineSettings, Sought, refine_sought
+from contourlab.features.refine.study import USUAL, Refined, RefinedParameter, RefineSettings, Sought, refine_sought
 from contourlab.findings import finding
 from contourlab.loop.parameters import with_values
 
@@ -79,7 +79,7 @@ def new_run_factor(measured: Sequence[float], simulated: Sequence[float]) -> flo
 
 
 def cross_validated(
-    refined: Refined, settings: RefineSettings | None = None, progress: Callable[[str], None] = lambda line: None
+    refined: Refined, settings: RefineSettings = USUAL, progress: Callable[[str], None] = lambda line: None
 ) -> tuple[Refined, CrossValidation | None]:
     """Leave out each run in turn; return deviations that include the scatter between runs, and the prediction of the runs, if possible.
 
@@ -97,7 +97,7 @@ def cross_validated(
     """
     if len(refined.runs) < 2:
         return _unknown(refined, "there is one log only; the deviations come from within it and are likely too small")
-    settings = replace(settings or RefineSettings(), starts=1, rounds=1)
+    settings = replace(settings, starts=1, rounds=1)
     held: list[HeldOut] = []
     folds: list[dict[Sought, RefinedParameter]] = []
     try:
@@ -134,15 +134,13 @@ def _fold(refined: Refined, left_out: int, settings: RefineSettings) -> dict[Sou
         raise ParameterError("--parameter", f"none for {refined.runs[left_out].label} and another log", "one that two logs share")
     runs, windows = [refined.runs[i] for i in others], [refined.windows[i] for i in others]
     fit = refine_sought(runs, [_again(parameter, others) for parameter in among], windows=windows, settings=settings)
-    return {parameter.sought: found for parameter, found in zip(among, fit.parameters, strict=True)}
+    return {parameter.sought: refitted for parameter, refitted in zip(among, fit.parameters, strict=True)}
 
 
 def _held_out(refined: Refined, which: int, fold: dict[Sought, RefinedParameter], settings: RefineSettings) -> HeldOut:
     """Simulate a run with the parameters of the others."""
     run = refined.runs[which]
-    shared = {sought.name: found.value for sought, found in fold.items() if which in sought.runs}
-    machine, controller = with_values(run.machine, run.controller, shared)
-    run = replace(run, machine=machine, controller=controller)
+    run = run.placed({sought.name: refitted.value for sought, refitted in fold.items() if which in sought.runs})
     own = [_again(parameter, [which]) for parameter in refined.parameters if parameter.sought.runs == (which,)]
     begin, end = run.moves
     if own:
@@ -156,9 +154,9 @@ def _held_out(refined: Refined, which: int, fold: dict[Sought, RefinedParameter]
 
 def _scattered(parameter: RefinedParameter, folds: Sequence[dict[Sought, RefinedParameter]]) -> RefinedParameter:
     """Return a parameter with the deviation of the jackknife over its runs, if this is larger."""
-    found = [folds[i][parameter.sought] for i in parameter.sought.runs if parameter.sought in folds[i]]
+    refitted = [folds[i][parameter.sought] for i in parameter.sought.runs if parameter.sought in folds[i]]
     # A fold that cannot determine the parameter keeps the start: it says nothing about scatter.
-    if len(found) < 2 or not all(math.isfinite(one.deviation) for one in (parameter, *found)):
+    if len(refitted) < 2 or not all(math.isfinite(one.deviation) for one in (parameter, *refitted)):
         return parameter
-    scatter = math.sqrt(len(found) - 1) * float(np.std([one.value for one in found]))
+    scatter = math.sqrt(len(refitted) - 1) * float(np.std([one.value for one in refitted]))
     return replace(parameter, deviation=max(parameter.deviation, scatter))

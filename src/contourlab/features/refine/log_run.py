@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -18,6 +18,7 @@ from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine
 from contourlab.result import Result, Signal
 from contourlab.study import Setting
+from contourlab.study.values import with_values
 
 LEAD = 50
 """Samples at rest that are simulated before the first move."""
@@ -103,6 +104,11 @@ class LogRun:
     def channels(self) -> tuple[tuple[str, str], ...]:
         """Signal and axis of each column of `measured`."""
         return tuple((signal, axis) for signal in self.signals for axis in self.machine.axis_names)
+
+    def placed(self, values: Mapping[str, float]) -> LogRun:
+        """Return the run of a machine and controller with other values of parameters, by dotted name."""
+        machine, controller = with_values(self.machine, self.controller, values)
+        return replace(self, machine=machine, controller=controller)
 
     def times(self) -> Array:
         """Return the times of the samples (n_sample,) [s], on the log's clock."""

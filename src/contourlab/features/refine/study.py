@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
@@ -139,11 +140,6 @@ def _sought(runs: Sequence[LogRun], variables: Sequence[DesignVariable], held: t
     return sought
 
 
-def columns_of(sought: Sequence[Sought], run: int, points: Array) -> dict[str, Array]:
-    """Return the columns of points (k, p) that belong to a run, by parameter name."""
-    return {parameter.name: points[:, j] for j, parameter in enumerate(sought) if run in parameter.runs}
-
-
 TOGETHER = 0.95
 """Correlation from which two parameters cannot be distinguished."""
 UNKNOWN = 0.5
@@ -230,6 +226,8 @@ COUNTS = 4.0
 """Least change of the residual [encoder counts, rms] for a finite difference."""
 FEWEST = 10
 """Least number of rows per parameter."""
+ROW_PERIOD = 1e-3
+"""Time between rows of residuals [s]; rounded to whole servo periods."""
 
 
 @dataclass(frozen=True)
@@ -240,20 +238,20 @@ class RefineSettings:
     ----------
     starts : int, 1 to 32
         Number of descents: from the start, and from the best of many points around it.
-    row_period : float [s], > 0
-        Time between rows of residuals; rounded to whole servo periods.
     rounds : int, >= 1
         Number of times the channels are reweighted, each by the size of its residual.
     """
 
     starts: int = 3
-    row_period: float = 1e-3
     rounds: int = 2
     descent: DescentSettings = field(default_factory=DescentSettings)
 
     def __post_init__(self) -> None:
-        if not (1 <= self.starts <= 32 and self.rounds >= 1 and self.row_period > 0.0):
-            raise ParameterError("settings", f"{self}", "starts from 1 to 32, rounds of 1 or more, row_period > 0")
+        if not 1 <= self.starts <= 32:
+            raise ParameterError("settings", f"{self}", "starts from 1 to 32")
+
+
+USUAL = RefineSettings()
 
 
 @dataclass(frozen=True, eq=False)
@@ -297,12 +295,17 @@ class Refined:
     findings: tuple[Finding, ...] = field(metadata=HIDDEN)
 
 
-def refine(
+def refine(runs: Sequence[LogRun], wanted: Iterable[str], **options: Any) -> Refined:
+    """Refine the parameters that texts name, see `seek`; `options` are the keywords of `refine_sought`."""
+    return refine_sought(runs, seek(runs, wanted), **options)
+
+
+def refine_sought(
     runs: Sequence[LogRun],
-    wanted: Iterable[str],
+    sought: Sequence[Sought],
     *,
     windows: Sequence[Window | None] = (),
-    settings: RefineSettings | None = None,
+    settings: RefineSettings = USUAL,
     progress: Callable[[str], None] = lambda line: None,
 ) -> Refined:
     """Refine parameters so that the simulation along logs comes closest to the measurements.
@@ -311,8 +314,7 @@ def refine(
     ----------
     runs : sequence of LogRun
         Runs that have a parameter of the same name share it.
-    wanted : iterable of str
-        Names and ranges, see `contourlab.features.refine.study.seek`.
+    sought : sequence of Sought
     windows : sequence of (float, float) or None
         Times [s] to fit in each log; by default all. Motion outside the windows is unseen.
     progress : callable, optional
@@ -321,38 +323,35 @@ def refine(
     Raises
     ------
     ParameterError
-        If a parameter or a window is wrong, there are fewer than ten rows per parameter, or the run at the start diverges.
+        If a window is wrong, there are fewer than ten rows per parameter, or the run at the start diverges.
 
     Notes
     -----
-    Positions, and commands if the logs have them, are compared every `row_period`. Each channel is weighted by its residual, so that a run
+    Positions, and commands if the logs have them, are compared every `ROW_PERIOD`. Each channel is weighted by its residual, so that a run
     with large errors does not dominate one with small errors. With normal residuals this is maximum likelihood.
     """
-    return refine_sought(runs, seek(runs, wanted), windows=windows, settings=settings, progress=progress)
-
-
-def refine_sought(
-    runs: Sequence[LogRun],
-    sought: Sequence[Sought],
-    *,
-    windows: Sequence[Window | None] = (),
-    settings: RefineSettings | None = None,
-    progress: Callable[[str], None] = lambda line: None,
-) -> Refined:
-    """Refine chosen parameters; see `refine`."""
-    settings = settings or RefineSettings()
-    given = tuple(windows[k] if k < len(windows) else None for k in range(len(runs)))
-    kept = [_rows(run, window, settings.row_period) for run, window in zip(runs, given, strict=True)]
-    total = sum(int(np.count_nonzero(rows)) for rows in kept)
+    given = (*windows, *(None for _ in runs[len(windows) :]))
+    problem = _Problem(runs, sought, [_rows(run, window) for run, window in zip(runs, given, strict=True)])
+    total = sum(int(np.count_nonzero(rows)) for rows in problem.kept)
     if total < FEWEST * len(sought):
         raise ParameterError("--window", f"{total} rows for {len(sought)} parameters", f"{FEWEST} rows per parameter or more")
-    problem = _Problem(runs, sought, kept)
-    first = problem.left(problem.start[None])
+    first = problem.left(problem.start)
     if not all(np.isfinite(part).all() for part in first):
         raise ParameterError("--parameter", "the start", "parameters with which the run does not diverge: check the scenario first")
     problem.weigh(first)
-    descent, agreeing, made = _descended(problem, settings, progress)
-    return _refined(runs, problem, descent, given, (made, agreeing))
+    chosen = problem.settings(settings.descent)
+    starts = spread_starts(problem.residuals, problem.start, *problem.bounds, settings.starts)
+    rough, ends = replace(chosen, least_gain=max(ROUGH, chosen.least_gain)), list[Descent]()
+    for i, start in enumerate(starts):
+        ends.append(descend(problem.residuals, start, *problem.bounds, problem.scale, rough if len(starts) > 1 else chosen))
+        progress(f"descent {i + 1} of {len(starts)}: {ends[-1].iterations} steps, sum of squares {ends[-1].cost:.6g}")
+    best = min(ends, key=lambda end: end.cost)
+    agreeing = sum(end.cost <= best.cost * (1.0 + SAME) for end in ends)
+    for _ in range(settings.rounds):
+        problem.weigh(problem.left(best.values))
+        best = descend(problem.residuals, best.values, *problem.bounds, problem.scale, problem.settings(chosen))
+        progress(f"weights of the channels updated: {best.iterations} steps")
+    return _refined(problem, best, given, (len(ends), agreeing))
 
 
 class _Problem:
@@ -366,10 +365,10 @@ class _Problem:
         self.bounds = low, high
 
     def left(self, points: Array) -> list[Array]:
-        """Return measured minus simulated of each run (n_row, n_channel, k)."""
-        left = []
+        """Return measured minus simulated of each run (n_row, n_channel, k), at points (k, p) or one (p,)."""
+        left, points = [], np.atleast_2d(points)
         for i, (run, rows) in enumerate(zip(self.runs, self.kept, strict=True)):
-            columns = columns_of(self.sought, i, points)
+            columns = {sought.name: points[:, j] for j, sought in enumerate(self.sought) if i in sought.runs}
             # A run without a parameter to refine is a constant.
             simulated = run.simulated(columns, rows) if columns else np.repeat(run.once()[rows][:, :, None], len(points), axis=2)
             left.append(run.measured[rows][:, :, None] - simulated)
@@ -384,11 +383,9 @@ class _Problem:
 
     def grains(self) -> Array:
         """Return the size of each encoder's count relative to the residual of its channel."""
-        grains = []
-        for run, sizes in zip(self.runs, self.sizes, strict=True):
-            counts = [getattr(axis.sensor, "resolution", 0.0) for axis in run.machine.axes]
-            grains += [count / size for count, size in zip(counts, sizes, strict=False)]
-        return np.array(grains)
+        by_run = zip(self.runs, self.sizes, strict=True)
+        pairs = (pair for run, sizes in by_run for pair in zip(run.machine.axes, sizes, strict=False))
+        return np.array([getattr(axis.sensor, "resolution", 0.0) / size for axis, size in pairs])
 
     def settings(self, given: DescentSettings) -> DescentSettings:
         """Return the settings of a descent whose finite differences exceed the encoder counts."""
@@ -401,29 +398,9 @@ class _Problem:
 
     def split(self, flat: Array) -> list[Array]:
         """Split rows (n, ...) into one array (n_row, n_channel, ...) per run."""
-        parts, at = [], 0
-        for run, rows in zip(self.runs, self.kept, strict=True):
-            shape = int(np.count_nonzero(rows)), run.measured.shape[1]
-            parts.append(flat[at : at + shape[0] * shape[1]].reshape(*shape, *flat.shape[1:]))
-            at += shape[0] * shape[1]
-        return parts
-
-
-def _descended(problem: _Problem, settings: RefineSettings, progress: Callable[[str], None]) -> tuple[Descent, int, int]:
-    """Return the best descent, the number that reached the same minimum, and the number of descents."""
-    chosen = problem.settings(settings.descent)
-    starts = spread_starts(problem.residuals, problem.start, *problem.bounds, settings.starts)
-    rough, ends = replace(chosen, least_gain=max(ROUGH, chosen.least_gain)), []
-    for i, start in enumerate(starts):
-        ends.append(descend(problem.residuals, start, *problem.bounds, problem.scale, rough if len(starts) > 1 else chosen))
-        progress(f"descent {i + 1} of {len(starts)}: {ends[-1].iterations} steps, sum of squares {ends[-1].cost:.6g}")
-    best = min(ends, key=lambda end: end.cost)
-    agreeing = sum(end.cost <= best.cost * (1.0 + SAME) for end in ends)
-    for _ in range(settings.rounds):
-        problem.weigh(problem.left(best.values[None]))
-        best = descend(problem.residuals, best.values, *problem.bounds, problem.scale, problem.settings(chosen))
-        progress(f"weights of the channels updated: {best.iterations} steps")
-    return best, agreeing, len(ends)
+        shapes = [(int(np.count_nonzero(rows)), run.measured.shape[1]) for run, rows in zip(self.runs, self.kept, strict=True)]
+        parts = np.split(flat, np.cumsum([rows * channels for rows, channels in shapes])[:-1])
+        return [part.reshape(*shape, *flat.shape[1:]) for part, shape in zip(parts, shapes, strict=True)]
 
 
 def rows_within(run: LogRun, window: Window | None) -> Flags:
@@ -432,11 +409,10 @@ def rows_within(run: LogRun, window: Window | None) -> Flags:
     return np.ones(times.size, dtype=bool) if window is None else (times >= window[0]) & (times < window[1])
 
 
-def _rows(run: LogRun, window: Window | None, row_period: float) -> Flags:
+def _rows(run: LogRun, window: Window | None) -> Flags:
     """Return the samples of a run that enter the residuals."""
-    stride = max(round(row_period / run.machine.servo_period), 1)
     kept = np.zeros(run.reference.n_sample, dtype=bool)
-    kept[run.moves[0] :: stride] = True
+    kept[run.moves[0] :: max(round(ROW_PERIOD / run.machine.servo_period), 1)] = True
     kept &= rows_within(run, window)
     if not kept.any():
         low, high = window or (0.0, 0.0)
@@ -446,47 +422,16 @@ def _rows(run: LogRun, window: Window | None, row_period: float) -> Flags:
     return kept
 
 
-def _refined(
-    runs: Sequence[LogRun], problem: _Problem, descent: Descent, windows: tuple[Window | None, ...], descents: tuple[int, int]
-) -> Refined:
-    free = ~descent.at_bound
+def _refined(problem: _Problem, descent: Descent, windows: tuple[Window | None, ...], descents: tuple[int, int]) -> Refined:
+    runs, free = problem.runs, ~descent.at_bound
     floor = float(np.sqrt(np.mean(problem.grains() ** 2) / 12.0))  # of whole counts
     knowledge = fit_covariance(problem.split(descent.jacobian[:, free]), problem.split(descent.residual), floor)
-    deviations, white = np.full(free.size, math.nan), np.full(free.size, math.nan)
+    deviations, white = np.full((2, free.size), math.nan)
     deviations[free], white[free] = knowledge.deviations, knowledge.white_deviations
     columns = (descent.values.tolist(), deviations.tolist(), white.tolist(), descent.at_bound.tolist())
     parameters = tuple(RefinedParameter(*row) for row in zip(problem.sought, *columns, strict=True))
-    ends = tuple(_placed(run, parameters, i) for i, run in enumerate(runs))
-    simulated = tuple(run.once() for run in ends)
-    agreements = _agreements(runs, ends, simulated, windows)
-    _, after, unseen_before, unseen = agreements
-    findings = [*fit_findings(parameters, descent, knowledge, after, descents), *unseen_findings(unseen_before, unseen)]
-    findings += [one for run in runs for one in run.findings]
-    return Refined(
-        parameters,
-        ends,
-        windows,
-        simulated,
-        *agreements,
-        correlation=knowledge.correlation,
-        correlation_of=tuple(parameter.sought.label for parameter in parameters if not parameter.at_bound),
-        descents=descents[0],
-        agreeing=descents[1],
-        usable=descent.converged and all(one.explained > 0.0 for one in after),
-        findings=tuple(findings),
-    )
-
-
-def _placed(run: LogRun, parameters: Sequence[RefinedParameter], which: int) -> LogRun:
-    values = {parameter.sought.name: parameter.value for parameter in parameters if which in parameter.sought.runs}
-    machine, controller = with_values(run.machine, run.controller, values)
-    return replace(run, machine=machine, controller=controller)
-
-
-def _agreements(
-    runs: Sequence[LogRun], ends: Sequence[LogRun], simulated: Sequence[Array], windows: Sequence[Window | None]
-) -> tuple[tuple[Agreement, ...], tuple[Agreement, ...], tuple[Agreement, ...], tuple[Agreement, ...]]:
-    """Return the agreement before and after, over the fitted samples and over the other samples in motion."""
+    ends = [run.placed({one.sought.name: one.value for one in parameters if i in one.sought.runs}) for i, run in enumerate(runs)]
+    simulated = [run.once() for run in ends]
     before, after, unseen_before, unseen = (list[Agreement]() for _ in range(4))
     for run, end, signals, window in zip(runs, ends, simulated, windows, strict=True):
         within, at_start = rows_within(run, window), run.once()
@@ -497,4 +442,20 @@ def _agreements(
             if rows.any():
                 first += run.agreement(at_start, rows)
                 last += end.agreement(signals, rows)
-    return tuple(before), tuple(after), tuple(unseen_before), tuple(unseen)
+    findings = [*fit_findings(parameters, descent, knowledge, after, descents), *unseen_findings(unseen_before, unseen)]
+    findings += [one for run in runs for one in run.findings]
+    return Refined(
+        parameters,
+        tuple(ends),
+        windows,
+        tuple(simulated),
+        tuple(before),
+        tuple(after),
+        tuple(unseen_before),
+        tuple(unseen),
+        knowledge.correlation,
+        tuple(parameter.sought.label for parameter in parameters if not parameter.at_bound),
+        *descents,
+        descent.converged and all(one.explained > 0.0 for one in after),
+        tuple(findings),
+    )
