@@ -8,15 +8,34 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component
+from contourlab.components.contract import Component, Port, ports
 from contourlab.components.registry import component, components
 from contourlab.features.export.axis_controller import AxisControl, Recorded, axis_control, replayed
 from contourlab.loop import Axis, AxisController, Controller, Machine
+from contourlab.primitives import copysign, fabs
 
 SLOTS = ("controller", "observer", "predictor", "feedforward", "compensation", "gap_observer", "velocity", "filter", "supervisor")
 CASES = [f"{slot}/{kind.kind}" for slot in SLOTS for kind in components(slot)] + ["drive/delayed-saturation", "drive/unlimited"]
 REFUSED = {"feedforward/zpetc", "supervisor/pre-routed"}
 """One needs the reference ahead, the other the arc length."""
+
+
+class FlankOfTheMotion(Component):
+    """A gap observer of a few lines beside a supervisor: the real one, of 2,000, has a case of its own."""
+
+    family, kind = "gap_observer", "flank-of-the-motion"
+    inputs = (Port("motor_position"), Port("applied"))
+    outputs = ports("gap_state", "gap", "gap_deviation", "confidence", "load_position", "load_velocity")
+    states = (Port("last_position"),)
+    example: dict[str, Any] = {}
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        moved = inp.motor_position - x.last_position
+        side, sure = 0.0, 0.5
+        if fabs(moved) > 2e-5:
+            side, sure = copysign(1.0, moved), 0.99
+        return (inp.motor_position,), (side, 1e-5, 1e-6, sure, inp.motor_position - 5e-6 * side, 1e3 * moved)
 
 
 def example(family: str, kind: str, **values: Any) -> Component:
@@ -30,7 +49,7 @@ def exported(case: str) -> AxisControl:
     slot, _, kind = case.partition("/")
     plant = example("plant", "two-inertia" if slot in ("gap_observer", "compensation", "supervisor") else "rigid-axis")
     drive = example("drive", "delayed-saturation" if slot in ("drive", "predictor") else "saturation")
-    drive = drive.replace(limit=math.inf) if kind == "unlimited" else drive
+    drive = drive.replace(limit={"unlimited": math.inf, "delayed-saturation": 100.0}.get(kind, 1e9))  # the examples' own limit hides all
     parts: dict[str, Any] = {"controller": example("controller", "position"), "velocity": example("velocity", "filtered-difference")}
     if slot == "filter":
         parts["filters"] = (("smooth", example("filter", kind, frequency=150.0)),)
@@ -39,7 +58,7 @@ def exported(case: str) -> AxisControl:
     if slot == "supervisor":
         n = getattr(parts[slot], "n_controller", 1)
         parts["others"] = tuple((f"other{k}", example("controller", "pid")) for k in range(1, n))
-        parts["gap_observer"] = example("gap_observer", "multiple-model")
+        parts["gap_observer"] = FlankOfTheMotion()
     axis = Axis("x", plant, drive=drive, substeps=50)
     return axis_control(Machine("stage", (axis,), 1e-3), Controller({"x": AxisController(**parts)}), "x")
 

@@ -7,7 +7,7 @@ import os
 import random
 import shutil
 import subprocess
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -29,21 +29,31 @@ from contourlab.engine.translate.step_graph import StepGraph, TickGraph, graph_o
 from contourlab.errors import EngineError
 
 N_LANE, TICKS, FIRST, PROGRAMS = 32, 3, 4711, 8
-MANY = int(os.environ.get("CONTOURLAB_RANDOM_PROGRAMS", "400"))
-"""Programs that the slow tests try; each block of eight takes about two seconds to compile."""
+MANY = int(os.environ.get("CONTOURLAB_RANDOM_PROGRAMS", "240"))
+"""Programs that the slow tests try; a block of eight takes four seconds. Each week the workflow tries 3,200."""
 CHECKED = (0, 7, 18, 31)
 """Lanes that are compared with the slow oracles."""
 
 
 @dataclass
 class Case:
-    """A random step, what is fed to it, and what plain Python computes: arrays (n_tick, lanes)."""
+    """A random step, what is fed to it, what plain Python computes: arrays (n_tick, lanes), and the graphs and loops made of it once."""
 
     seed: int
     step: Step
     schedule: Schedule
     fed: Array
     plain: Array
+    graphs: dict[Any, TickGraph] = field(default_factory=dict)
+    loops: dict[int, Any] = field(default_factory=dict)
+
+    def graph(self, primitives: Any, contract: bool = True) -> TickGraph:
+        """Return the graph of the tick loop, which is the same for groups of any width."""
+        kind = id(primitives), contract
+        if kind not in self.graphs:
+            places, rows = Group(self.schedule, 1, slice(0, 1)).places, (self.schedule.row("s.y"),)
+            self.graphs[kind] = tick_graph(self.schedule, places, rows, primitives, contract=contract)
+        return self.graphs[kind]
 
     def run(self, group: Group) -> Array:
         group.tick = FIRST
@@ -51,14 +61,14 @@ class Case:
 
 
 class ExactGroup(CompiledGroup):
-    """Machine code without contraction."""
+    """Machine code of a case without contraction."""
 
-    def _loop(self, log_rows: tuple[int, ...], gpu: Any = None) -> Any:
-        if log_rows not in self._loops:
-            made = tick_graph(self.schedule, self.places, log_rows, EXACT, contract=False)
-            code = llvm_ir.object_code(tick_loop.source_of(made, min(self.width, tick_loop.VECTOR), self.width))
-            self._loops[log_rows] = llvm_ir.loaded(code, "run", tick_loop.SIGNATURE)
-        return self._loops[log_rows]
+    def __init__(self, case: Case, width: int, lanes: slice) -> None:
+        super().__init__(case.schedule, width, lanes)
+        if width not in case.loops:
+            code = llvm_ir.object_code(tick_loop.source_of(case.graph(EXACT, contract=False), min(width, tick_loop.VECTOR), width))
+            case.loops[width] = llvm_ir.loaded(code, "run", tick_loop.SIGNATURE)
+        self._loops[(self.schedule.row("s.y"),)] = case.loops[width]
 
 
 def assert_bits(found: Any, wanted: Any) -> None:
@@ -87,41 +97,35 @@ def cases_of(seeds: range, folder: Path) -> list[Case]:
     return made
 
 
-def graph_as_compiled(group: CompiledGroup, primitives: Any) -> TickGraph:
-    return tick_graph(group.schedule, group.places, (group.schedule.row("s.y"),), primitives)
-
-
-def oracle_runs(case: Case, kind: type[Oracle], group: CompiledGroup, made: TickGraph, lane: int, ticks: int = TICKS) -> list[Any]:
-    """Return what an oracle logs for a lane of a group that has not run."""
-    oracle = kind(made, group.memory[:, lane].tolist(), [TABLE], case.schedule.period)
+def oracle_runs(case: Case, kind: type[Oracle], group: CompiledGroup, primitives: Any, lane: int, ticks: int = TICKS) -> list[Any]:
+    """Return what an oracle of the graph as compiled logs for a lane of a group that has not run."""
+    oracle = kind(case.graph(primitives), group.memory[:, lane].tolist(), [TABLE], case.schedule.period)
     return [oracle.tick(FIRST + k, fed)[0] for k, fed in enumerate(case.fed[:ticks].tolist())]  # floats, which overflow in silence
 
 
 def check_without_contraction(case: Case) -> None:
     """One variant calls the library that Python calls. Lanes have no library."""
     for lane in CHECKED:
-        assert_bits(case.run(ExactGroup(case.schedule, 1, slice(lane, lane + 1)))[:, 0], case.plain[:, lane])
+        assert_bits(case.run(ExactGroup(case, 1, slice(lane, lane + 1)))[:, 0], case.plain[:, lane])
     if case.seed % 3 < 2:
-        assert_bits(case.run(ExactGroup(case.schedule, N_LANE, slice(0, N_LANE))), case.plain)
+        assert_bits(case.run(ExactGroup(case, N_LANE, slice(0, N_LANE))), case.plain)
 
 
 def check_production(case: Case) -> int:
     """Compare with the oracle bit for bit, and over one tick with plain Python; return how many lanes no rounding may turn."""
     together = CompiledGroup(case.schedule, N_LANE, slice(0, N_LANE))
-    of_lanes, of_one = graph_as_compiled(together, LANES), graph_as_compiled(CompiledGroup(case.schedule, 1, slice(0, 1)), SINGLE)
-    bounded = graph_as_compiled(CompiledGroup(case.schedule, 1, slice(0, 1)), EXACT)
-    wanted = {lane: oracle_runs(case, Oracle, together, of_lanes, lane) for lane in CHECKED}
+    wanted = {lane: oracle_runs(case, Oracle, together, LANES, lane) for lane in CHECKED}
     in_lanes, sure = case.run(together), 0
     for lane in CHECKED:
         group = CompiledGroup(case.schedule, 1, slice(lane, lane + 1))
         memory = group.memory.copy()
-        of_group = oracle_runs(case, Oracle, group, of_one, 0)
+        of_group = oracle_runs(case, Oracle, group, SINGLE, 0)
         alone = case.run(group)[:, 0]
         assert_bits(in_lanes[:, lane], wanted[lane])
         assert_bits(alone, of_group)
         group.memory[:] = memory
         try:
-            ((value, off),) = oracle_runs(case, Bounded, group, bounded, 0, 1)
+            ((value, off),) = oracle_runs(case, Bounded, group, EXACT, 0, 1)
         except UnsureError:
             continue
         sure += 1
