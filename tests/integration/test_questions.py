@@ -95,8 +95,9 @@ def test_what_python_built_is_saved_for_the_shell(folder: Path, as_json: AsJson)
     assert [axis.plant.values()["damping"] for axis in machine.axes] == [4.0, 4.0]
     cl.save(machine, "m.toml")
     cl.save(controller, "c.toml", machine)
+    head = 'name = "again"\nmachine = "m.toml"\ncontroller = "c.toml"\n'
     (folder / "again.toml").write_text(
-        'name = "again"\nmachine = "m.toml"\ncontroller = "c.toml"\n[contour]\nname = "circle"\nradius = "1 mm"\n[feed]\nfeedrate = "600 mm/min"\n'
+        head + '[contour]\nname = "circle"\nradius = "1 mm"\n[feed]\nfeedrate = "600 mm/min"\n'
     )
     again = cl.load_scenario("again.toml").base
     assert dump(again.machine) == dump(machine) and dump(again.controller, again.machine) == dump(controller, machine)

@@ -17,8 +17,6 @@ def results() -> dict[str, Any]:
     from contourlab.features.components.description import ComponentDescription
     from contourlab.features.export.command import Exported
     from contourlab.features.identify.result import Identification
-    from contourlab.features.interpolate.study import Interpolated
-    from contourlab.features.identify.result import Identified
     from contourlab.features.interpolate.command import Interpolated
     from contourlab.features.limits.result import LimitTest
     from contourlab.features.link.result import LinkResult

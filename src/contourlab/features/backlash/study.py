@@ -22,11 +22,8 @@ from contourlab.features.run.remedies import lost_motion_of, offset_of
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.loop import Axis, Controller, Machine, simulate
-from contourlab.loop.sensing import SURE
-from contourlab.metrics import CircleBacklash, LostMotion, backlash_of_runs, circles_of, judge, lost_motion_from_pair, summarise
-from contourlab.loop import Axis, AxisController, Controller, Machine, simulate
 from contourlab.loop.builder import SURE
-from contourlab.metrics import CircleBacklash, backlash_of_runs, circles_of, judge, lost_motion_from_pair, summarise
+from contourlab.metrics import CircleBacklash, LostMotion, backlash_of_runs, circles_of, judge, lost_motion_from_pair, summarise
 from contourlab.result import Result
 from contourlab.scenario.dump import component_table
 from contourlab.scenario.toml_text import toml

@@ -275,12 +275,12 @@ class Request:
     """Logs to read: one or several with the same options, and one for validation."""
 
     options: Identify
-    logs: Sequence[str | Path]
+    logs: Sequence[str | Path | Log]
     _on_logs: list[tuple[Finding, list[str]]] = field(default_factory=list)
     _doubts: list[Finding] = field(default_factory=list)
 
     @property
-    def files(self) -> list[str | Path]:
+    def files(self) -> list[str | Path | Log]:
         """The logs, that for validation last."""
         return [*self.logs, *([] if self.options.validation is None else [self.options.validation])]
 
@@ -294,7 +294,7 @@ class Request:
         options = self.options
         if options.gain is not None and options.full_scale is not None:
             raise ParameterError("--full-scale", f"{options.full_scale} with --gain", "one of the two: newtons, or shares of full scale")
-        seen: dict[Path, str | Path] = {}
+        seen: dict[Path, str | Path | Log] = {}
         for file in self.logs:
             place = Path(file).resolve()
             if place in seen:
@@ -315,7 +315,7 @@ class Request:
         placed = zip((doubt for doubt, _ in self._on_logs), places, strict=True)
         return [*self._doubts, *(replace(doubt, place=": ".join(filter(None, (at, doubt.place)))) for doubt, at in placed)]
 
-    def read(self, file: str | Path, pieces: bool = False) -> list[AxisRecord]:
+    def read(self, file: str | Path | Log, pieces: bool = False) -> list[AxisRecord]:
         """Return the signals of the axis in a log."""
         options, name = self.options, self.names[Path(file)]
         log = open_log(LogChoice.of(file, options))

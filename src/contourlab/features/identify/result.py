@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
@@ -99,7 +100,7 @@ class Identification(Answer):
     tables: Tables = field(default_factory=dict, metadata=HIDDEN)
     correlations: tuple[tuple[str, str, float], ...] = field(default=(), metadata=HIDDEN)
     charts: tuple[Chart, ...] = field(default=(), metadata=HIDDEN, repr=False)
-    inputs: tuple[str | Path, ...] = field(default=(), metadata=HIDDEN, repr=False)
+    inputs: tuple[str | os.PathLike[str], ...] = field(default=(), metadata=HIDDEN, repr=False)
     wanted: Path | None = field(default=None, metadata=HIDDEN)
     plots: tuple[Path, ...] = field(default=(), metadata=HIDDEN)
 

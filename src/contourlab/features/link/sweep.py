@@ -16,7 +16,6 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.components.link.network import Network
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.features.link.options import SEEDS
-from contourlab.features.run.causes.idealise import perfect_sensing, undisturbed, unlimited, without_friction
 from contourlab.features.run.causes import perfect_sensing, undisturbed, unlimited, without_friction
 from contourlab.feed.profile import Judged
 from contourlab.loop import Controller, Machine

@@ -34,8 +34,6 @@ from contourlab.features.run.options import Compare
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import Log, about
-from contourlab.logs import Log
-from contourlab.logs.load import about
 from contourlab.rendering.data import Provenance, ReportData
 from contourlab.units import to_si
 

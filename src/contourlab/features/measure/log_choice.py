@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -82,7 +83,7 @@ def open_log(choice: LogChoice, more: Sequence[Column] = ()) -> Log:
     return result_of(record, Columns(columns, period))
 
 
-def distinct_names(files: Sequence[str | Path]) -> list[str]:
+def distinct_names(files: Sequence[str | os.PathLike[str]]) -> list[str]:
     """Return the names of files, with as many folders as needed to make them distinct.
 
     >>> distinct_names(["x/slow.csv", "y/slow.csv", "y/fast.csv"])

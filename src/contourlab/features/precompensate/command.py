@@ -15,11 +15,9 @@ from contourlab.features.precompensate.options import Precompensate
 from contourlab.features.precompensate.passes import STATE, digest_of, load
 from contourlab.features.precompensate.result import Precompensated
 from contourlab.features.precompensate.runs import Measured, open_run, simulated
-from contourlab.features.precompensate.work import Settings, Work
+from contourlab.features.precompensate.work import Work
 from contourlab.features.run import options
 from contourlab.features.run.source import scenario_of
-from contourlab.features.precompensate.work import Work
-from contourlab.features.run.inputs import scenario_of
 from contourlab.findings import Finding, finding
 from contourlab.loop import Machine
 from contourlab.program import Reading

@@ -11,7 +11,6 @@ import numpy as np
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.refine.study import USUAL, Refined, RefinedParameter, RefineSettings, Sought, refine_sought
 from contourlab.findings import finding
-from contourlab.loop.parameters import with_values
 
 LEAST = 1e-12
 """Smallest contour error [m] that counts, so that an exact run has a logarithm."""

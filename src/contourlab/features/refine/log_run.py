@@ -16,9 +16,9 @@ from contourlab.features.measure.study import Measured, measure
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine
+from contourlab.loop.parameters import with_values
 from contourlab.result import Result, Signal
 from contourlab.study import Setting
-from contourlab.study.values import with_values
 
 LEAD = 50
 """Samples at rest that are simulated before the first move."""

@@ -17,7 +17,6 @@ from contourlab.features.refine.log_run import Agreement, LogRun
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.loop import parameters_of
-from contourlab.loop.parameters import with_values
 from contourlab.study.space import DesignVariable, Space
 
 SPAN = 10.0

@@ -15,11 +15,8 @@ from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.features.tune.objective import Goal, Objective, Problem
 from contourlab.loop import Controller, Machine, parameters_of
-from contourlab.study import DesignVariable, Found, Runner, Space, search
-from contourlab.study.guards import Bounds, Guards, designed, fastest_speed, model_of
 from contourlab.study import DesignVariable, Found, Runner, search
-from contourlab.study.guards import Bounds, Guards
-from contourlab.study.placement import designed, fastest_speed, model_of
+from contourlab.study.guards import Bounds, Guards, designed, fastest_speed, model_of
 from contourlab.study.search import drawn_starts
 
 FRACTIONS = np.geomspace(0.1, 1.0, 32)
