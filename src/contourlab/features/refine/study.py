@@ -374,11 +374,13 @@ class _Problem:
         return left
 
     def weigh(self, left: Sequence[Array]) -> None:
-        """Set the size of each channel to the rms of its residual at the first point."""
-        for i, part in enumerate(left):
+        """Set the size of each channel to the rms of its residual at the first point; an encoder is not better known than its count."""
+        for i, (run, part) in enumerate(zip(self.runs, left, strict=True)):
             rms = np.sqrt(np.mean(part[:, :, 0] ** 2, axis=0))
-            floor = 1e-6 * np.sqrt(np.mean(self.runs[i].measured ** 2, axis=0))
-            self.sizes[i] = np.maximum(np.maximum(rms, floor), 1e-12)
+            floor = np.maximum(1e-6 * np.sqrt(np.mean(run.measured**2, axis=0)), 1e-12)
+            counts = [getattr(axis.sensor, "resolution", 0.0) for axis in run.machine.axes][: rms.size]
+            floor[: len(counts)] = np.maximum(floor[: len(counts)], np.array(counts) / math.sqrt(12.0))
+            self.sizes[i] = np.maximum(rms, floor)
 
     def grains(self) -> Array:
         """Return the size of each encoder's count relative to the residual of its channel."""

@@ -86,7 +86,7 @@ def swap(*source: Source, settings: Swap, session: Session = QUIET) -> SwapResul
             stages.begin("timing a run")
             search = replace(search, budget=_quick_budget(variants, search.budget))
         variants.run_in(pool)
-        checkpoint = Checkpoint(searches, _identity(variants, candidates, search))
+        checkpoint = Checkpoint(searches, _identity(variants, candidates, search)) if session.saving else None
         stages.expect(_work(len(variants), len(candidates), search.quick))
         study = swap_study(variants, candidates, search, _stage(stages, variants), checkpoint)
         covered = None
@@ -99,7 +99,7 @@ def swap(*source: Source, settings: Swap, session: Session = QUIET) -> SwapResul
         linear = tuple(design for name in swapped for design in linear_swap(variants.members, controller, name, settings.linear))
         networks = _networks(study, settings, stages)
         stages.begin("exact margins")
-        findings = (*left_out, *not_taken, *checkpoint.findings("searches"))
+        findings = (*left_out, *not_taken, *(checkpoint.findings("searches") if checkpoint else ()))
         return swap_result(study, networks, covered, linear, settings.from_, findings, inputs)
 
 

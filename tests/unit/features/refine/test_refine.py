@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -58,6 +60,18 @@ def guessed(result: Result) -> LogRun:
 @pytest.fixture(scope="module")
 def result() -> Result:
     return log_of(*parts())
+
+
+def test_an_axis_that_stands_still_does_not_make_the_others_uncertain(result: Result) -> None:
+    machine, controller = with_values(*parts(), {name: GUESS[name] for name in list(GUESS)[:2]})
+    still, zeros = replace(machine.axes[0], name="y", disturbance=None), np.zeros(result.n_sample)
+    signals = {name: Signal(np.column_stack([result[name][:, 0], zeros]), ("sample", "axis"), "m") for name in result.signals}
+    two = replace(machine, axes=(*machine.axes, still)), replace(controller, axes=dict.fromkeys("xy", controller.axes["x"]))
+    runs = log_run(machine, controller, result, "log"), log_run(*two, Result("log", ("x", "y"), PERIOD, signals), "log")
+    alone, beside = (refine([run], WANTED[:2], settings=RefineSettings(starts=1)).parameters for run in runs)
+    for one, other in zip(alone, beside, strict=True):
+        assert 0.5 * one.deviation < other.deviation < 2.0 * one.deviation
+        assert abs(other.value - one.value) < 2.0 * one.deviation
 
 
 def test_known_numbers_are_recovered_within_their_deviations(result: Result) -> None:
