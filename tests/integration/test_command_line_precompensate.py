@@ -6,8 +6,10 @@ import re
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 
+import contourlab as cl
 from contourlab.cli.main import main
 from contourlab.feed import AxisLimits, plan, route_from_program
 from contourlab.program import Reading, parse_program
@@ -65,6 +67,23 @@ def test_pass_after_pass_from_logs(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     for words in ("part.ngc --log run-3.csv", "part-1.ngc --log run-1.csv", "part.ngc --log run-2.csv --tolerance 1um"):
         assert main(["precompensate", *words.split(), "--passes", "passes", "--out", "no.ngc"]) == 2
         assert not Path("no.ngc").exists()
+
+
+def test_a_log_from_arrays_and_one_with_a_period_correct_like_the_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("part.ngc").write_text(PART)
+    names, *rows = log_of(PART, Path("run.csv")).read_text().splitlines()
+    columns = dict(zip(names.split(","), np.array([row.split(",") for row in rows], dtype=float).T, strict=True))
+    time = columns.pop("time [s]")
+    np.savetxt("bare.csv", np.column_stack(list(columns.values())), delimiter=",", header=",".join(columns), comments="", fmt="%.17g")
+    answers = [
+        cl.precompensate("part.ngc", log="run.csv"),
+        cl.precompensate("part.ngc", log=cl.load_log({"time [s]": time} | columns, name="run.csv")),
+        cl.precompensate("part.ngc", log="bare.csv", period=f"{time[1] - time[0]} s"),
+    ]
+    first, *others = (answer.to_pandas() for answer in answers)
+    for other in others:
+        pd.testing.assert_frame_equal(other, first, rtol=1e-6)
 
 
 def test_a_log_of_the_program_before_or_of_a_part_of_it_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -16,7 +16,7 @@ from contourlab.features.commission.hal_files import AxisSetup, LoopClass, Setup
 from contourlab.features.commission.loop import GAINS, Law, law_output
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
-from contourlab.logs import Column, Columns, read_record, result_of
+from contourlab.logs import Column, Columns, Log, read_record, result_of
 
 LEAST_MOTION = 1e-4
 """Range of a command [m] below which an axis was not asked to move."""
@@ -61,7 +61,7 @@ class AxisLog:
         return self.command - self.measured
 
 
-def read_log(file: str | Path, setup: Setup) -> tuple[dict[str, AxisLog], list[Finding]]:
+def read_log(file: str | Path | Log, setup: Setup) -> tuple[dict[str, AxisLog], list[Finding]]:
     """Read the signals of each axis from a log; an axis without command or position is left out with a finding.
 
     Raises

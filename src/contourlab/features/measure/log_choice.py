@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, cast
 
 from contourlab.app.shared_options import LogColumns
 from contourlab.errors import LogError, ParameterError, UnitError
-from contourlab.logs import Column, Columns, Log, parse_columns, read_columns, read_record, result_of
+from contourlab.logs import Column, Columns, Log, Record, parse_columns, read_columns, read_record, result_of
 from contourlab.logs.mapping import once
 from contourlab.units import to_si
 
@@ -56,31 +56,36 @@ class LogChoice:
         """The files to read."""
         return (self.file,) if self.mapping is None else (self.file, self.mapping)
 
+    @property
+    def content(self) -> bytes:
+        """What is read: the bytes of the file, or the numbers of a log that is read already."""
+        if isinstance(self.file, Log):
+            return b"".join(channel.values.tobytes() for channel in self.file.record.channels)
+        return Path(self.file).read_bytes()
+
+    def read(self, more: Sequence[Column] = ()) -> tuple[Record, Columns]:
+        """Return the log without interpretation, and its columns: those of the command line and `more` override the mapping file's."""
+        mapping = self.file.given if isinstance(self.file, Log) else Columns()
+        if self.mapping is not None:
+            mapping = read_columns(self.mapping)
+        typed = once((*parse_columns(self.columns), *more), "--column and --reference")
+        overridden = {(column.signal, column.axis) for column in typed}
+        columns = (*typed, *(c for c in mapping.columns if (c.signal, c.axis) not in overridden))
+        period = mapping.period
+        if self.period is not None:
+            period = positive("--period", self.period, "s", 'a time with its unit, such as "1 ms"')
+        return read_record(self.file, self.format or mapping.format), Columns(columns, period)
+
 
 def open_log(choice: LogChoice, more: Sequence[Column] = ()) -> Log:
-    """Read a log. Columns and period of the command line override those of the mapping file.
-
-    Parameters
-    ----------
-    more : sequence of Column
-        Further columns.
+    """Read a log, with further columns.
 
     Raises
     ------
     LogError, ParameterError
         See `contourlab.logs.load_log`.
     """
-    mapping = choice.file.given if isinstance(choice.file, Log) else Columns()
-    if choice.mapping is not None:
-        mapping = read_columns(choice.mapping)
-    typed = once((*parse_columns(choice.columns), *more), "--column and --reference")
-    overridden = {(column.signal, column.axis) for column in typed}
-    columns = (*typed, *(c for c in mapping.columns if (c.signal, c.axis) not in overridden))
-    period = mapping.period
-    if choice.period is not None:
-        period = positive("--period", choice.period, "s", 'a time with its unit, such as "1 ms"')
-    record = read_record(choice.file, choice.format or mapping.format)
-    return result_of(record, Columns(columns, period))
+    return result_of(*choice.read(more))
 
 
 def distinct_names(files: Sequence[str | os.PathLike[str]]) -> list[str]:

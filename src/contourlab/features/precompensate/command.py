@@ -61,7 +61,7 @@ def precompensate(part: str | Path, *, settings: Precompensate, session: Session
     if any(other[1] != axes for other in opened):
         raise ParameterError("--log", "axes differ", f"logs of the axes {', '.join(axes)}")
     work = Work(Path(part), axes, settings, reading, machine, measured.period)
-    digests = tuple(digest_of(Path(choice.file).read_bytes()) for choice in choices)
+    digests = tuple(digest_of(choice.content) for choice in choices)
     if settings.passes is not None:
         work.passes = load(settings.passes, work.passes)
         if used := [log.file for log, digest in zip(choices, digests, strict=True) if digest in work.passes.logs]:

@@ -17,9 +17,8 @@ from contourlab.features.measure.measured_path import moving, progress_along
 from contourlab.features.precompensate.law import Run
 from contourlab.features.precompensate.writing import Contour, Written, chunks
 from contourlab.feed import LimitReport, Reference, limit_report
-from contourlab.logs import Column, Columns, Log, read_columns, read_record, result_of
+from contourlab.logs import Column, Log, result_of
 from contourlab.logs.load import LONG_GAP, about
-from contourlab.logs.mapping import once, parse_columns
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.program import Program
 from contourlab.scenario.values import program_motion
@@ -84,11 +83,9 @@ def open_run(choice: LogChoice, machine: Machine | None = None) -> tuple[Measure
     LogError
         If it cannot be read, has a long gap, or an axis has no commanded or measured position.
     """
-    mapping = read_columns(choice.mapping) if choice.mapping is not None else Columns()
-    typed = once((*parse_columns(choice.columns), *mapping.columns), "--column")
-    record = read_record(choice.file, choice.format or mapping.format)
+    record, given = choice.read()
     names = {channel.name.lower(): channel.name for channel in record.channels}
-    known = {(column.signal, column.axis) for column in typed}
+    known = {(column.signal, column.axis) for column in given.columns}
     guesses = [
         Column(signal, axis, names[form.format(axis)])
         for axis in "xyz"
@@ -97,7 +94,7 @@ def open_run(choice: LogChoice, machine: Machine | None = None) -> tuple[Measure
         if form.format(axis) in names and (signal, axis) not in known
     ]
     with about(choice.file):
-        log = result_of(record, replace(mapping, columns=(*typed, *guesses)))
+        log = result_of(record, replace(given, columns=(*given.columns, *guesses)))
     result = log.result
 
     def of(axes: Sequence[str], *signals: str) -> Array | None:
