@@ -132,5 +132,8 @@ def test_a_program_is_checked_and_its_limits_are(folder: Path, as_json: AsJson) 
     assert checked.faults == 0 and json_values(checked) == as_json("check", "part.ngc")
     test = cl.limits("part.ngc", velocity="1 mm/s")
     assert test.passed is not None and set(test.to_pandas()["axis"]) == {"x", "y", "z"}
+    bars = test.plot()
+    assert bars.get_xlabel() == "use of the limit [%]"
+    assert [bar.get_width() for bar in bars.patches] == pytest.approx([100.0 * use for use in test.to_pandas()["use"].dropna()])
     annotated = test.save(annotate="annotated.ngc")
     assert annotated.annotated == "annotated.ngc" and Path("annotated.ngc").exists()

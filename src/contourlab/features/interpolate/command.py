@@ -21,6 +21,7 @@ from contourlab.features.interpolate.options import Interpolate
 from contourlab.features.interpolate.study import Interpolation, line_of, read_quadrature
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
+from contourlab.rendering.charts import Chart, Curve, Panel
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import paragraphs
 
@@ -93,6 +94,12 @@ class Interpolated(Answer):
     def text(self) -> str:
         """The result for the terminal."""
         return "\n".join(paragraphs([f"  {name:<22}{value}"], indent=" " * 24) if name else value for name, value in _rows(self))
+
+    def _charts(self) -> Iterator[Chart]:
+        phase, *errors = self.interpolation.over_phase()
+        drawn = enumerate(zip(errors, _labels(self), strict=True))
+        curves = tuple(Curve(phase, error, label, scheme_style(i, 2)[0]) for i, (error, label) in drawn)
+        yield Chart("error", self.file, "", (Panel("phase [deg]", "error within a pitch [nm]", curves),))
 
     def save(self, folder: str | Path | None = "interpolated") -> Interpolated:
         """Write interpolated.csv, interpolation.json and interpolation.png into a folder; all or none.
@@ -240,16 +247,22 @@ def _table(r: Interpolated) -> bytes:
     return ("\n".join([*head, "count,position [m]" if time is None else "t [s],count,position [m]", *rows]) + "\n").encode()
 
 
-def _picture(r: Interpolated) -> bytes:
-    """Return the signals against each other before and after correction, and the error over a period."""
-    interpolation, known = r.interpolation, r.subdivisional_error["against"] == "reference"
+def _labels(r: Interpolated) -> list[str]:
+    """Return the names of the errors before and after correction, with their peaks."""
+    known = r.subdivisional_error["against"] == "reference"
     labels = {"before": "before" if known else "before, by the fitted constants", "after": "after" if known else "after, off the circle"}
     for key, label in labels.items():
         if error := r.subdivisional_error[key]:
             labels[key] = f"{label}: {1e9 * error['peak']:.3g} nm peak"
+    return list(labels.values())
+
+
+def _picture(r: Interpolated) -> bytes:
+    """Return the signals against each other before and after correction, and the error over a period."""
+    interpolation = r.interpolation
     phase, *errors = interpolation.over_phase()
     signals = interpolation.before.T, interpolation.after[:, interpolation.settled :].T
-    return lissajous_png(interpolation.record.source.file.name, signals, phase, errors, list(labels.values()))
+    return lissajous_png(interpolation.record.source.file.name, signals, phase, errors, _labels(r))
 
 
 def lissajous_png(title: str, signals: Sequence[Array], phase: Array, errors: Sequence[Array], names: Sequence[str]) -> bytes:

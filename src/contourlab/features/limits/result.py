@@ -10,6 +10,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from contourlab.app.json_values import HIDDEN, json_values
 from contourlab.app.session import Answer, Asked
 from contourlab.errors import ParameterError, ProgramError
@@ -18,6 +20,8 @@ from contourlab.features.limits.log_limits import KINDS, AxisPeak
 from contourlab.figures import NONE, figure, listing, number
 from contourlab.findings import Finding, finding
 from contourlab.program import Reading
+from contourlab.rendering.charts import Bars, Series
+from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_bytes_atomic
 
@@ -103,6 +107,11 @@ class LimitTest(Answer):
     def rows(self) -> list[dict[str, Any]]:
         """The largest values, one a row [SI]."""
         return [json_values(peak) for peak in self.peaks]
+
+    def _charts(self) -> Iterator[Bars]:
+        limited = [peak for peak in self.peaks if peak.use is not None]
+        use = Series("use", 100.0 * np.array([peak.use for peak in limited]), np.zeros(len(limited)), scheme_style(0, 1)[0])
+        yield Bars("use", self.name, "", "use of the limit [%]", tuple(f"{peak.axis}, {peak.kind}" for peak in limited), (use,))
 
     def save(self, *, annotate: str | Path | None = None) -> LimitTest:  # type: ignore[override]
         """Write the program with times, limits and errors as comments.

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, ClassVar
+
+import numpy as np
 
 from contourlab.app.json_values import HIDDEN, json_values
 from contourlab.app.session import Answer, Asked
 from contourlab.features.precompensate.passes import PassFigures
 from contourlab.figures import figure
 from contourlab.findings import Finding
+from contourlab.rendering.charts import Chart, Curve, Panel
+from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
 
 
@@ -88,6 +92,12 @@ class Precompensated(Answer):
     def rows(self) -> list[dict[str, Any]]:
         """The passes, one a row [SI]."""
         return [json_values(one) for one in self.passes]
+
+    def _charts(self) -> Iterator[Chart]:
+        numbers = np.array([each.number for each in self.passes], dtype=float)
+        figures = {"largest": [each.largest for each in self.passes], "rms": [each.rms for each in self.passes]}
+        curves = tuple(Curve(numbers, 1e6 * np.array(y), name, scheme_style(i, 2)[0]) for i, (name, y) in enumerate(figures.items()))
+        yield Chart("passes", self.program, "", (Panel("pass", "contour error [um]", curves),))
 
     def save(self, folder: str | Path = "corrected.ngc") -> Precompensated:
         """Write the program of the next pass, if it helps, and what was learned.
