@@ -2,6 +2,7 @@
 # fmt: off
 """Types of the public names, made by ``python tools/surface.py``: do not edit."""
 
+from collections.abc import Callable as Callable
 from collections.abc import Sequence
 from contourlab.analysis.learning.learning_analysis import learning_analysis as learning_analysis
 from contourlab.analysis.linear.contour_transfer import contour_margins as contour_margins
@@ -10,6 +11,7 @@ from contourlab.components.conformance import check_component as check_component
 from contourlab.components.contract import Component as Component
 from contourlab.components.contract import param as param
 from contourlab.components.contract import text_param as text_param
+from contourlab.components.learning.law import LearningLaw as LearningLaw
 from contourlab.components.plant.reflected import reflected_inertia as reflected_inertia
 from contourlab.components.plant.reflected import reflected_mass as reflected_mass
 from contourlab.components.registry import component as component
@@ -27,8 +29,11 @@ from contourlab.features.commission.command import Commissioned as Commissioned
 from contourlab.features.export.command import Exported as Exported
 from contourlab.features.identify.result import Identification as Identification
 from contourlab.features.interpolate.command import Interpolated as Interpolated
+from contourlab.features.learn.run import LearningRun as LearningRun
+from contourlab.features.learn.run import Part as Part
 from contourlab.features.learn.stopping import Stopping as Stopping
 from contourlab.features.learn.table import LearnedTable as LearnedTable
+from contourlab.features.learn.trial import TrialFigures as TrialFigures
 from contourlab.features.limits.result import LimitTest as LimitTest
 from contourlab.features.link.cost import message_rate as message_rate
 from contourlab.features.link.result import LinkResult as LinkResult
@@ -38,7 +43,6 @@ from contourlab.features.precompensate.result import Precompensated as Precompen
 from contourlab.features.refine.command import Refinement as Refinement
 from contourlab.features.run.command import Planned as Planned
 from contourlab.features.run.command import Runs as Runs
-from contourlab.features.run.command import learn as learn
 from contourlab.features.run.record import simulate_to_file as simulate_to_file
 from contourlab.features.run.report import report as report
 from contourlab.features.run.source import Source as Source
@@ -66,6 +70,7 @@ from contourlab.geometry.line_and_arc import Arc as Arc
 from contourlab.geometry.line_and_arc import Line as Line
 from contourlab.geometry.nurbs import Nurbs as Nurbs
 from contourlab.geometry.path import Path as Path
+from contourlab.geometry.view import PathView as PathView
 from contourlab.logs.load import Log as Log
 from contourlab.logs.load import load_log as load_log
 from contourlab.loop.axis_parts import AxisError as AxisError
@@ -103,6 +108,7 @@ from contourlab.scenario.load import load_scenario as load_scenario
 from contourlab.scenario.values import Scenario as Scenario
 from pathlib import Path as File
 from typing import Any as Any
+from typing import overload
 
 __version__: str
 
@@ -231,6 +237,12 @@ def notch(*source: Source, scheme: str | None = ..., axes: str | Sequence[str] =
 def precompensate(part: str | File, *, log: str | File | Sequence[str | File] = ..., passes: str | File | None = ..., machine: str | None = ..., controller: str | None = ..., repeat: int = ..., tolerance: str = ..., cap: str = ..., band: str = ..., seed: int = ..., plugin: str | File | Sequence[str | File] = ..., dialect: str = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ..., axes: str | Sequence[str] = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> Precompensated: ...
 
 def refine(scenario: str | File, *, log: str | File | Sequence[str | File], parameter: str | Sequence[str], also: str | Sequence[str] = ..., window: str | Sequence[str] = ..., validation: str | File | None = ..., starts: int = ..., plugin: str | File | Sequence[str | File] = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> Refinement: ...
+
+@overload
+def learn(*source: str | File | Scenario, table: str | File | None = ..., trials: int | None = ..., schemes: str | Sequence[str] = ..., judge: str | None = ..., plugin: str | File | Sequence[str | File] = ..., interval: bool | None = ...) -> Runs: ...
+
+@overload
+def learn(machine: Machine, controller: Controller, reference: Reference, law: LearningLaw, *, trials: int = ..., seed: int = ..., start: LearnedTable | None = ..., stopping: Stopping | None = ..., part: Part = ..., jit: bool | None = ..., view: PathView | None = ..., progress: Callable[[int], None] | None = ..., on_trial: Callable[[TrialFigures], None] | None = ...) -> LearningRun: ...
 
 def run(*source: Source, check: bool = ..., machine: str | None = ..., controller: str | None = ..., tolerance: str | None = ..., fit: bool = ..., no_require_end: bool = ..., dialect: str | None = ..., judge: str | None = ..., plugin: str | File | Sequence[str | File] = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ..., interval: bool | None = ...) -> Runs | Planned: ...
 

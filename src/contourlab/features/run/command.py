@@ -448,7 +448,7 @@ def compare_schemes(source: Sequence[Any], settings: Compare, session: Session) 
 
 
 @question(Learn, "learn")
-def learn_schemes(*source: Any, settings: Learn, session: Session = QUIET) -> Runs:
+def learn_schemes(*source: str | Path | Scenario, settings: Learn, session: Session = QUIET) -> Runs:
     """Run the schemes that learn, trial after trial, beside the same without learning.
 
     Parameters
@@ -497,6 +497,9 @@ def learn(*source: Any, **options: Any) -> Any:
     if source and isinstance(source[0], str | Path | Scenario):
         return learn_schemes(*source, **options)
     return learn_machine(*source, **options)
+
+
+learn.forms = (learn_schemes, learn_machine)  # type: ignore[attr-defined]  # for type checkers
 
 
 def _with_first(cases: Sequence[Case]) -> tuple[Case, ...]:
