@@ -122,7 +122,7 @@ def search(
     except KeyboardInterrupt:
         if not stoppable:
             raise
-        return replace(best.found(), interrupted=True)
+        return best.found(interrupted=True)
     return best.found()
 
 
@@ -166,11 +166,11 @@ class _Best:
         past = self.history[i]
         return len(past) > 20 and past[-11] - past[-1] <= tolerance * abs(past[-1])
 
-    def found(self) -> Found:
+    def found(self, interrupted: bool = False) -> Found:
         at = int(np.argmin(self.values))
         if not np.isfinite(self.values[at]):
             raise ParameterError("search", "no run that went well", "bounds within which the loop holds")
-        return Found(self.points[at], float(self.values[at]), self.values, self.points, self.runs, np.array(self.course))
+        return Found(self.points[at], float(self.values[at]), self.values, self.points, self.runs, np.array(self.course), interrupted)
 
 
 def _strategy(start: Array, seed: int, population: int, spread: float) -> Any:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -122,10 +122,8 @@ class DesignVariable:
 
     def physical(self, place: ArrayLike) -> Array:
         """Return the values [SI] at positions from 0 (lower bound) to 1 (upper bound)."""
-        x = np.asarray(place, dtype=float)
-        if self.logarithmic:
-            return np.asarray(np.clip(self.low * (self.high / self.low) ** x, self.low, self.high))
-        return np.asarray(np.clip(self.low + (self.high - self.low) * x, self.low, self.high))
+        kind = "log-uniform" if self.logarithmic else "uniform"
+        return Distribution(kind, (self.low, self.high), self.low, self.high).values(np.asarray(place, dtype=float))
 
     def normalise(self, value: ArrayLike) -> Array:
         """Return the positions from 0 to 1 of values [SI]; values outside are clipped to the bounds."""
@@ -167,8 +165,8 @@ class Space:
     def columns(self, points: ArrayLike) -> dict[str, Array]:
         """Return the values [SI] of points (n, n_variable) by name, each (n,), as `contourlab.loop.simulate_batch` takes them."""
         rows = np.atleast_2d(np.asarray(points, dtype=float))
-        found = {variable: variable.physical(rows[:, i]) for i, variable in enumerate(self.numbers)}
-        return {variable.name: variable.written(values) if self.written else values for variable, values in found.items()}
+        pairs = [(variable, variable.physical(rows[:, i])) for i, variable in enumerate(self.numbers)]
+        return {variable.name: variable.written(values) if self.written else values for variable, values in pairs}
 
     def values(self, point: ArrayLike) -> dict[str, float]:
         """Return the values [SI] of one point."""
@@ -219,7 +217,7 @@ class Space:
             known = {name: found for name, found in known.items() if name.startswith("axes.")}
         if not texts:
             order = calibration_order(machine, controller)
-            names = [name for name in order if _value(known[name]) not in (0.0, math.inf)]
+            names = [name for name in order if getattr(*known[name]) not in (0.0, math.inf)]
             return Space(tuple(_variable(name, known[name], machine, "", width) for name in names))
         asked: dict[str, str] = {}
         for text in texts:
@@ -229,11 +227,6 @@ class Space:
                     raise ParameterError(name, f"{asked[name]} and {bounds}", "given bounds once")
                 asked[name] = bounds or asked.get(name, "")
         return Space(tuple(_variable(name, known[name], machine, bounds, width) for name, bounds in asked.items()))
-
-    def only(self, names: Iterable[str]) -> Space:
-        """Return the space of some of the variables."""
-        wanted = set(names)
-        return replace(self, numbers=tuple(variable for variable in self.numbers if variable.name in wanted))
 
 
 # --- distributions ---
@@ -361,14 +354,10 @@ def _over(values: Array, power: Array) -> Array:
 # --- from text ---------------------------------------------------------------------------------------------------------------------------
 
 
-def _value(known: tuple[Component, str]) -> float:
-    return float(getattr(*known))
-
-
 def _variable(name: str, known: tuple[Component, str], machine: Machine, bounds: str, width: float) -> DesignVariable:
     """Return a variable with the bounds of a text, by default its value divided and multiplied by `width`."""
     parameter = replace(declared(machine, name, *known), name=name)
-    value = _value(known)
+    value = float(getattr(*known))
     if bounds:
         low, high = _bounds(name, bounds, parameter.unit, parameter.display)
         for bound in (low, high):
@@ -385,14 +374,12 @@ def _variable(name: str, known: tuple[Component, str], machine: Machine, bounds:
 
 def _bounds(name: str, text: str, unit: str, display: str) -> tuple[float, float]:
     low, dots, high = text.partition("..")
+    shown, fault = display or unit, "two of them are needed"
     try:
         if dots:
             first, second = (read_number(side.strip() if unit else float(side), unit, display) for side in (low, high))
             return first, second
-        fault = "two of them are needed"
     except (UnitError, ValueError) as error:
         fault = str(error)
-    shown = display or unit
-    raise ParameterError(
-        name, repr(text), f"bounds LOW..HIGH, each with its unit, as {f'1 {shown}..2 {shown}' if unit else '1..2'}: {fault}"
-    )
+    example = f"1 {shown}..2 {shown}" if unit else "1..2"
+    raise ParameterError(name, repr(text), f"bounds LOW..HIGH, each with its unit, as {example}: {fault}")

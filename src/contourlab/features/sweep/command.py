@@ -64,7 +64,9 @@ AGAIN = "Repeat the command with --resume to continue"
 def kept_note(store: Store) -> AbstractContextManager[None]:
     """If the block is interrupted, add to the interrupt what is kept."""
     return noted(
-        lambda: f"{len(store.parts)} of {store.chunks} chunks are kept in {store.home}. Repeat the command with --resume to continue."
+        lambda: (
+            f"{len(store.parts)} of {store.manifest.chunks} chunks are kept in {store.home}. Repeat the command with --resume to continue."
+        )
     )
 
 
@@ -330,7 +332,7 @@ def optimise(study: str | Path, *, settings: Optimise, session: Session = QUIET)
     ):
         stages.begin("searching")
         run = _simulated(planned, executor, pool)
-        for number in range(store.chunks):
+        for number in range(store.manifest.chunks):
             _batch(planned, levels, store, journal, settings, number, run)
             stages.advance(store.done, store.manifest.variants)
     return _result(store, settings, planned)

@@ -447,7 +447,7 @@ def summary(store: Store, made: int = 0, findings: Sequence[Finding] = ()) -> Sw
         design=store.manifest.design,
         variants=store.manifest.variants,
         done=store.done,
-        chunks=store.chunks,
+        chunks=store.manifest.chunks,
         chunks_done=len(store.parts),
         chunks_made=made,
         columns=store.manifest.columns,
