@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import astuple, dataclass
+from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
 from typing import Any
@@ -39,26 +39,12 @@ LITTLE = "less than 1 %, or may explain nothing (interval from 0 %)"
 """What a parameter explains that does not matter for certain."""
 
 
-@dataclass(frozen=True)
-class Words:
-    """Sentences.
+def said(answers: Answers) -> dict[str, str]:
+    """Return the answers in sentences, empty where there is none.
 
-    Attributes
-    ----------
-    sentence, decides, stop, front, modules : str
-        The first answer; what decides the figure; whether more variants are needed; the Pareto front; what the modules decide, and which
-        to sort out. Empty where there is none.
+    They are: the first answer; what decides the figure; whether more variants are needed; the Pareto front; what the modules decide, and
+    which to sort out.
     """
-
-    sentence: str
-    decides: str
-    stop: str
-    front: str
-    modules: str
-
-
-def said(answers: Answers) -> Words:
-    """Return the answers in sentences."""
     count, title = f"{answers.judged:,}", answers.title
     sure = " with 95 % confidence)"
     if answers.design == "search":
@@ -73,7 +59,9 @@ def said(answers: Answers) -> Words:
         first = f"95 % of {count} {answers.kind} have a {title} up to {p95}{interval}; half of them up to {median}."
     names = listing([title_of(name) for name in answers.objectives])
     front = f"{answers.front_size:,} of {count} {answers.kind} are best compromises of {names}: no other is better in all." if names else ""
-    return Words(" ".join(filter(None, (first, _which(answers)))), _decides(answers), _stop(answers), front, _modules(answers))
+    sentence = " ".join(filter(None, (first, _which(answers))))
+    rest = {"decides": _decides(answers), "stop": _stop(answers), "front": front, "modules": _modules(answers)}
+    return {"sentence": sentence, **rest}
 
 
 def share_text(share: float | None, digits: int = 4) -> str:
@@ -288,7 +276,7 @@ TABLE_FRONT = 12
 """Most rows of the table of the Pareto front."""
 
 
-def write_page(answers: Answers, rows: Rows, words: Words, file: Path) -> None:
+def write_page(answers: Answers, rows: Rows, words: dict[str, str], file: Path) -> None:
     """Write the page.
 
     Raises
@@ -308,7 +296,7 @@ def write_page(answers: Answers, rows: Rows, words: Words, file: Path) -> None:
         title=answers.question or Path(answers.store).name,
         kind=answers.kind,
         answers=answers,
-        words=Words(*(text.replace(" %", "\N{NO-BREAK SPACE}%") for text in astuple(words))),
+        words={name: text.replace(" %", "\N{NO-BREAK SPACE}%") for name, text in words.items()},
         groups=groups,
         unit=unit,
         factor=factor,
@@ -451,9 +439,10 @@ class SweepReport(Answer):
     def text(self) -> str:
         """Text for the terminal."""
         answers = self.answers
-        sentence, decides, stop, front, modules = (paragraphs([part]) if part else "" for part in astuple(said(answers)))
-        first = (sentence, modules, _module_text(answers.pairings), _subset_text(answers), decides, _effect_text(answers.effects))
-        return "\n\n".join(filter(None, (*first, front, stop, paragraphs(map(str, answers.findings)), f"page: {self.page}")))
+        words = {name: paragraphs([text]) if text else "" for name, text in said(answers).items()}
+        first = (words["sentence"], words["modules"], _module_text(answers.pairings), _subset_text(answers))
+        second = (words["decides"], _effect_text(answers.effects), words["front"], words["stop"])
+        return "\n\n".join(filter(None, (*first, *second, paragraphs(map(str, answers.findings)), f"page: {self.page}")))
 
 
 @question(Report)

@@ -24,10 +24,11 @@ from contourlab.extras import extra_module
 from contourlab.features.sweep.chunk import STATUSES, Chunk
 from contourlab.features.sweep.study import MOST, UNITS, Study
 from contourlab.result.atomic import write_bytes_atomic
-from contourlab.study.checkpoint import Parts, covered, digest, read_record, write_record
+from contourlab.study.checkpoint import Parts, covered, digest, noted, read_record, write_record
 from contourlab.study.design import DRAWN, FIXED, Chunked
 from contourlab.threads import in_threads
 
+AGAIN = "Repeat the command with --resume to continue"
 MANIFEST, TIMES, LOCK = "manifest.json", "times.jsonl", ".lock"
 SCHEMA, OLDER = "contourlab-sweep/2", "contourlab-sweep/1"
 """Form of a store, and the one before: its manifest had no digest, and the names of its files had the digest of their bytes alone."""
@@ -181,7 +182,7 @@ class Store(Parts):
             parquet.write_table(self.table(chunk), buffer, compression="zstd")
             self.parts[chunk.number] = self.put(key, buffer.getvalue(), "parquet")
         except OutputError as error:
-            error.add_note(f"{len(self.parts)} finished chunks are kept. Repeat the command with --resume to continue.")
+            error.add_note(f"{len(self.parts)} finished chunks are kept. {AGAIN}.")
             raise
 
     def seal(self, key: str, data: bytes) -> str:
@@ -291,7 +292,7 @@ def _fault(store: Store, file: Path, number: int) -> str:
 
 @contextmanager
 def writing(folder: str | Path, study: Study, *, resume: bool) -> Iterator[Store]:
-    """Open or create a store, for one writer at a time.
+    """Open or create a store, for one writer at a time; an interrupt says what is kept.
 
     Parameters
     ----------
@@ -320,7 +321,9 @@ def writing(folder: str | Path, study: Study, *, resume: bool) -> Iterator[Store
             same_study(store.manifest.identity, study.identity, what, cure)
         manifest = manifest_of(study)  # comments and the tolerance may have changed
         write_record(path / MANIFEST, manifest)
-        yield Store(path, manifest) if store is None else replace(store, manifest=manifest)
+        store = Store(path, manifest) if store is None else replace(store, manifest=manifest)
+        with noted(lambda: f"{len(store.parts)} of {manifest.chunks} chunks are kept in {path}. {AGAIN}."):
+            yield store
 
 
 def check_folder(folder: str | Path, *, resume: bool) -> None:

@@ -10,7 +10,7 @@ import json
 import math
 import pickle
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from itertools import product
 from pathlib import Path
 from typing import Any, Literal
@@ -264,15 +264,11 @@ def _known(content: Table, key: str, names: Sequence[str], known: Mapping[str, s
 
 def _identity(study: Study) -> dict[str, str]:
     """Return digests of all that decides the results: program, scenario, and what the study varies and keeps."""
-    scenario = hashlib.sha256()
-    numbers = []
-    for combo, structure in study.structures.items():
-        scenario.update(f"{combo}\n{run_identity([structure], ROOMS)}\n".encode())
-        numbers.append([list(combo), [(name, i, asdict(drawn)) for name, i, drawn in structure.numbers]])
-    choices = [asdict(choice) for choice in study.choices]
-    settings = {"design": asdict(study.design), "choices": choices, "numbers": numbers, "keep": [*study.figures, *study.signals]}
-    digest = hashlib.sha256(json.dumps(settings, sort_keys=True).encode()).hexdigest()
-    return {"program": program_text(*ROOMS), "scenario": scenario.hexdigest(), "study": digest}
+    scenario = "\n".join(f"{combo}\n{run_identity([structure], ROOMS)}" for combo, structure in study.structures.items())
+    numbers = [(combo, structure.numbers) for combo, structure in study.structures.items()]
+    about = repr((study.design, study.choices, numbers, study.figures, study.signals))
+    digests = {key: hashlib.sha256(text.encode()).hexdigest() for key, text in (("scenario", scenario), ("study", about))}
+    return {"program": program_text(*ROOMS), **digests}
 
 
 # --- choices and structures ------------------------------------------------------------------------------------------------------------
