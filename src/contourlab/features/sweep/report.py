@@ -290,22 +290,17 @@ def write_page(answers: Answers, rows: Rows, words: dict[str, str], file: Path) 
         "front": list(_fronts(answers, rows)),
         "modules": list(matrices(answers, rows)),
     }
-    unit, factor = answers.display
     front = answers.front[:: max(-(-len(answers.front) // TABLE_FRONT), 1)]
     text = page_template("sweep.html.j2").render(
         title=answers.question or Path(answers.store).name,
-        kind=answers.kind,
         answers=answers,
         words={name: text.replace(" %", "\N{NO-BREAK SPACE}%") for name, text in words.items()},
         groups=groups,
-        unit=unit,
-        factor=factor,
         front=[[str(row["variant"]), *(shown(row[name], unit, 4) for name, unit in answers.objectives.items())] for row in front],
         titles=[title_of(name) for name in answers.objectives],
         next=as_typed(["contourlab", "sweep", "worst", answers.store]),
         version=__version__,
         study=rows.store.manifest.study,
-        figure_title=answers.title,
         share=share_text,
         between=range_text,
         value=value_text,

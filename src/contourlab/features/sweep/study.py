@@ -320,16 +320,21 @@ def _varied(
     return _bound(variations, choosing, cases, references)
 
 
+def _matching(variation: Variation, known: Known) -> tuple[list[str], ParameterError | None]:
+    """Return the parameters that an entry names, and the error where there is none."""
+    try:
+        return matching(variation.key, known, "vary"), None
+    except ParameterError as error:
+        return [], error
+
+
 def _is_choice(variation: Variation, known: Known) -> bool:
     if variation.key.partition(".")[0] not in HEADS:
         return False
-    try:
-        matching(variation.key, known, "vary")
-    except ParameterError as error:
-        if variation.kind == "values":
-            return True
+    _, error = _matching(variation, known)
+    if error is not None and variation.kind != "values":
         raise variation.table.error(f"must be {error.bound}; another key of the scenario takes values = [...] only") from None
-    return False
+    return error is not None
 
 
 def _choice(variation: Variation) -> Choice:
@@ -369,7 +374,7 @@ def _bound(
     numbers: dict[Combo, list[tuple[str, int, Distribution]]] = {combo: [] for combo in cases}
     findings: dict[str, Finding] = {}
     known = {combo: parameters_of(case.machine, case.controller) for combo, case in cases.items()}
-    matches = {i: {combo: _matches(one, known[combo]) for combo in cases} for i, one in enumerate(variations) if i not in choosing}
+    matches = {i: {combo: _matching(one, known[combo])[0] for combo in cases} for i, one in enumerate(variations) if i not in choosing}
     measured = {name for i, found in matches.items() if variations[i].listed for names in found.values() for name in names}
     for i, variation in enumerate(variations):
         if choice := choosing.get(i):
@@ -379,8 +384,8 @@ def _bound(
             listed |= {choice.key} if variation.listed else set()
             continue
         names = tuple(dict.fromkeys(name for found in matches[i].values() for name in found))
-        if not names:
-            _refuse(variation, next(iter(known.values())))
+        if not names and (error := _matching(variation, next(iter(known.values())))[1]):
+            raise variation.table.error(f"must be {error.bound}; or a key of the scenario that begins with {', '.join(HEADS)}") from error
         if "*" in variation.key:  # a column of a file replaces what a pattern draws
             names = tuple(name for name in names if name not in measured) or names
         if twice := next((name for name in names if name in columns), None):
@@ -407,20 +412,6 @@ def _bound(
     }
     remarks = (*findings.values(), *(finding(code) for code, holds in on_cases.items() if holds))
     return Varied(structures, columns, tuple(choices), cases, tuple(dimensions), frozenset(listed), remarks)
-
-
-def _matches(variation: Variation, known: Known) -> list[str]:
-    try:
-        return matching(variation.key, known, "vary")
-    except ParameterError:
-        return []
-
-
-def _refuse(variation: Variation, known: Known) -> None:
-    try:
-        matching(variation.key, known, "vary")
-    except ParameterError as error:
-        raise variation.table.error(f"must be {error.bound}; or a key of the scenario that begins with {', '.join(HEADS)}") from error
 
 
 # --- the design ------------------------------------------------------------------------------------------------------------------------
