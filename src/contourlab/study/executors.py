@@ -322,8 +322,7 @@ def _client(executor: str, count: int) -> Iterator[Any]:
             logging.getLogger(name).setLevel(logging.CRITICAL)
     if executor.startswith("dask://"):
         # Dask's configuration names the keys of a cluster, if it has some.
-        protocol = "tls" if distributed.Security().tls_ca_file else "tcp"
-        address = f"{protocol}://{executor.removeprefix('dask://')}"
+        address = f"{'tls' if distributed.Security().tls_ca_file else 'tcp'}://{executor.removeprefix('dask://')}"
         try:
             client = distributed.Client(address, timeout="10s")
         except (OSError, TimeoutError, ValueError) as error:

@@ -216,8 +216,7 @@ class Space:
         if machine_only:
             known = {name: found for name, found in known.items() if name.startswith("axes.")}
         if not texts:
-            order = calibration_order(machine, controller)
-            names = [name for name in order if getattr(*known[name]) not in (0.0, math.inf)]
+            names = [name for name in calibration_order(machine, controller) if getattr(*known[name]) not in (0.0, math.inf)]
             return Space(tuple(_variable(name, known[name], machine, "", width) for name in names))
         asked: dict[str, str] = {}
         for text in texts:

@@ -123,8 +123,7 @@ def _space(study: Study, options: Optimise) -> tuple[Study, list[Array]]:
     levels = []
     for i, (_, count) in enumerate(study.dimensions):
         ends = np.concatenate([[0.0], np.cumsum(weights.get(i) or [1.0] * count)]) if count else np.zeros(1)
-        middles = (ends[1:] + ends[:-1]) / 2.0 / max(ends[-1], 1e-300)
-        levels.append(middles[np.diff(ends) > 0.0])
+        levels.append(((ends[1:] + ends[:-1]) / 2.0 / max(ends[-1], 1e-300))[np.diff(ends) > 0.0])
     if options.chosen == "cma-es" and any(len(places) for places in levels):
         raise ParameterError("--sampler", "'cma-es'", "tpe or nsga2 for a study with values = [...]")
     design = Design("search", options.trials, options.batch, study.design.levels, study.design.seed)

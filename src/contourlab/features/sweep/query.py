@@ -341,8 +341,8 @@ class Rows:
 
     @cached_property
     def _texts(self) -> set[str]:
-        arrow = extra_module("pyarrow")
-        return {name for name in self.store.manifest.columns if self.store.schema.field(name).type == arrow.string()}
+        text = extra_module("pyarrow").string()
+        return {name for name in self.store.manifest.columns if self.store.schema.field(name).type == text}
 
 
 def read_rows(store: Store, figure: str | None = None) -> Rows:

@@ -235,8 +235,7 @@ def _order(rows: Rows, name: str) -> tuple[Index, list[str]]:
     if name not in rows.store.manifest.modules:
         codes, labels = rows.column(name)
         kept, place = np.unique(codes, return_inverse=True)
-        unit = rows.store.manifest.columns[name]
-        return place, [labels[int(code)] if labels else shown(float(code), unit, 4) for code in kept]
+        return place, [labels[int(code)] if labels else shown(float(code), rows.store.manifest.columns[name], 4) for code in kept]
     member, numbers = rows.members[name], np.unique(rows.table[name].to_numpy())
     order = np.lexsort((means_of(member, rows.values).mean, np.bincount(member, np.isinf(rows.values))))
     order = order[np.unique(np.linspace(0, len(order) - 1, CELLS).round().astype(int))]
@@ -376,8 +375,7 @@ def _convergence(answers: Answers) -> Iterable[Chart]:
 def _banded(variants: list[int], triples: list[Any], factor: float) -> tuple[Curve, ...]:
     x, y = np.array(variants, dtype=float), np.array(triples, dtype=float) * factor
     colour, _ = scheme_style(0, 1)
-    ends = [Curve(x, y[:, k], "95 % interval", colour, "dash", 1.0) for k in (1, 2)]
-    return (Curve(x, y[:, 0], "estimate", colour, width=2.0), *ends)
+    return (Curve(x, y[:, 0], "estimate", colour, width=2.0), *(Curve(x, y[:, k], "95 % interval", colour, "dash", 1.0) for k in (1, 2)))
 
 
 def _fronts(answers: Answers, rows: Rows) -> Iterable[dict[str, Any]]:

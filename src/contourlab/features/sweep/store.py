@@ -187,8 +187,7 @@ class Store(Parts):
 
     def seal(self, key: str, data: bytes) -> str:
         """Return the digest in the name of a file: over study, number of the chunk and bytes."""
-        is_older = self.manifest.schema == OLDER
-        return digest(data) if is_older else digest(covered(self.manifest.identity), str(int(key)).encode(), data)
+        return digest(data) if self.manifest.schema == OLDER else digest(covered(self.manifest.identity), str(int(key)).encode(), data)
 
     def fits(self, number: int, data: bytes) -> bool:
         """Return whether the bytes of a part hold the variants of a chunk, with the columns and units of the study."""
