@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -226,6 +226,11 @@ class Space:
                     raise ParameterError(name, f"{asked[name]} and {bounds}", "given bounds once")
                 asked[name] = bounds or asked.get(name, "")
         return Space(tuple(_variable(name, known[name], machine, bounds, width) for name, bounds in asked.items()))
+
+    def only(self, names: Iterable[str]) -> Space:
+        """Return the space of some of the variables."""
+        wanted = set(names)
+        return replace(self, numbers=tuple(variable for variable in self.numbers if variable.name in wanted))
 
 
 # --- distributions ---

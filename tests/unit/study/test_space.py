@@ -99,7 +99,7 @@ def test_the_value_of_the_scenario_is_kept_exactly() -> None:
     number = DesignVariable("a", 3.123456789, 1.0, 9.0)
     assert number.written([3.1234567, 3.123457, 3.12344]).tolist() == [3.123456789, 3.123456789, 3.12344]
     space = Space((number,), written=True)
-    assert space.values(space.start) == {"a": 3.123456789}
+    assert space.values(space.start) == {"a": 3.123456789} and space.only(["a"]).written
 
 
 def test_figures_equal_those_of_a_single_run() -> None:
