@@ -205,7 +205,9 @@ def typed(value: Any, kind: Any, place: str = "") -> Any:
     plain = inner if origin is UnionType else (kind,)
     if isinstance(kind, type) and is_dataclass(kind):
         hints = get_type_hints(kind)
-        if type(value) is dict and value.keys() == hints.keys():
+        if type(value) is dict:
+            if wrong := sorted(value.keys() ^ hints.keys()):
+                raise ValueError(f"{place}{', '.join(wrong)}: is missing or unknown")
             return kind(**{name: typed(value[name], hint, f"{place}{name}: ") for name, hint in hints.items()})
     elif origin is dict and type(value) is dict:
         return {key: typed(item, inner[1], f"{place}{key}: ") for key, item in value.items()}
