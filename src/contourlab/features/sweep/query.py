@@ -23,8 +23,9 @@ from contourlab.errors import ParameterError, UnitError, error_text
 from contourlab.extras import extra_module
 from contourlab.features.sweep.store import SCHEMA, Store
 from contourlab.features.sweep.vary import belongs
-from contourlab.figures import figure, number, shown_unit
+from contourlab.figures import FACTORS, figure, number, shown_unit
 from contourlab.findings import Finding, finding
+from contourlab.metrics.run_figures import FORMS
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result.atomic import replacing
 from contourlab.study.design import DRAWN
@@ -380,10 +381,6 @@ def objectives(store: Store) -> list[str]:
     return [name for name in ("cycle_time", "command_energy") if name in store.manifest.figures]
 
 
-WORKSHOP = {"m": ("um", 1e6), "m s": ("um s", 1e6)}
-"""Display unit of the figures of errors, and the factor from SI."""
-
-
 @dataclass(frozen=True)
 class SweepSummary(Answer):
     """What a store holds.
@@ -501,8 +498,8 @@ def _text(result: SweepSummary) -> str:
 
 def display(unit: str) -> tuple[str, float]:
     """Return the display unit of values in an SI unit, and the factor."""
-    if unit in WORKSHOP:
-        return WORKSHOP[unit]
+    if unit in ("m", "m s"):  # errors, as elsewhere
+        return FORMS[unit][0], FACTORS[FORMS[unit][0]]
     factor, shown = shown_unit(unit)
     return shown, factor
 
