@@ -7,7 +7,7 @@ import io
 import json
 import re
 import zipfile
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, suppress
 from dataclasses import asdict, dataclass, field, is_dataclass
 from functools import cache
@@ -110,9 +110,8 @@ class Checkpoint(Parts):
         """Number of other studies with pieces in the folder."""
         return sum(path != self.home and path.is_dir() for path in self.folder.glob("?" * 16))
 
-    def once(self, key: Iterable[bytes], make: Callable[[], Mapping[str, ArrayLike]]) -> tuple[dict[str, NDArray[Any]], bool]:
+    def once(self, path: Path, make: Callable[[], Mapping[str, ArrayLike]]) -> tuple[dict[str, NDArray[Any]], bool]:
         """Return the arrays of a piece, made and stored if they are not there yet, and whether they were there."""
-        path = self.path(*key)
         if (arrays := self.load(path)) is not None:
             return arrays, True
         arrays = {name: np.asarray(values) for name, values in make().items()}
@@ -206,7 +205,9 @@ def typed(value: Any, kind: Any, place: str = "") -> Any:
     plain = inner if origin is UnionType else (kind,)
     if isinstance(kind, type) and is_dataclass(kind):
         hints = get_type_hints(kind)
-        if type(value) is dict and value.keys() == hints.keys():
+        if type(value) is dict:
+            if wrong := sorted(value.keys() ^ hints.keys()):
+                raise ValueError(f"{place}{', '.join(wrong)}: is missing or unknown")
             return kind(**{name: typed(value[name], hint, f"{place}{name}: ") for name, hint in hints.items()})
     elif origin is dict and type(value) is dict:
         return {key: typed(item, inner[1], f"{place}{key}: ") for key, item in value.items()}

@@ -46,8 +46,24 @@ class Modules:
         return f"{self.name}.module"
 
 
+class Chunked:
+    """Variants, by number, in chunks of equal size; the last one may have fewer."""
+
+    variants: int
+    chunk: int
+
+    @property
+    def chunks(self) -> int:
+        """Number of chunks."""
+        return -(-self.variants // self.chunk)
+
+    def numbers(self, chunk: int) -> range:
+        """Return the numbers of the variants of a chunk."""
+        return range(chunk * self.chunk, min((chunk + 1) * self.chunk, self.variants))
+
+
 @dataclass(frozen=True)
-class Design:
+class Design(Chunked):
     """Places of variants in the unit cube.
 
     Attributes
@@ -75,18 +91,9 @@ class Design:
     modules: tuple[Modules, ...] = ()
 
     @property
-    def chunks(self) -> int:
-        """Number of chunks; the last one may have fewer variants."""
-        return -(-self.variants // self.chunk)
-
-    @property
     def group(self) -> int:
         """Number of successive variants that share a draw."""
         return len(self.levels) + 2 if self.kind == "saltelli" else 1
-
-    def numbers(self, chunk: int) -> range:
-        """Return the numbers of the variants of a chunk."""
-        return range(chunk * self.chunk, min((chunk + 1) * self.chunk, self.variants))
 
     def places(self, chunk: int) -> Array:
         """Return cumulative probabilities (n_variant, n_dimension), 0 to 1, of the variants of a chunk.

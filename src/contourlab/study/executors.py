@@ -99,45 +99,26 @@ class Executor:
             yield made
 
 
-@dataclass(frozen=True)
-class Shared:
-    """A value that many items of work need: sent to each worker once.
+Place: TypeAlias = tuple[Callable[[str], bytes], str]
+"""The function that finds a shared value on a worker, packed, and its argument."""
 
-    Attributes
-    ----------
-    key : str
-        A digest of the value.
-    program : str
-        Versions of contourlab and its libraries.
-    plugins : tuple of str
-        Python files with components.
-    packed : bytes
+
+def _opened(packed: bytes) -> Any:
+    """Return a shared value, on a worker.
+
+    Raises
+    ------
+    EngineError
+        If the worker has another version of contourlab or its libraries.
     """
+    from contourlab.components.registry import load_plugin
 
-    key: str
-    program: str
-    plugins: tuple[str, ...]
-    packed: bytes
-
-    def value(self) -> Any:
-        """Return the value, on a worker.
-
-        Raises
-        ------
-        EngineError
-            If the worker has another version of contourlab or its libraries.
-        """
-        from contourlab.components.registry import load_plugin
-
-        if self.program != program_text(*ROOMS):
-            raise EngineError("a worker has another version of contourlab, numpy or scipy: install the same on all machines")
-        for plugin in self.plugins:
-            load_plugin(plugin)
-        return pickle.loads(self.packed)
-
-
-Place: TypeAlias = tuple[Callable[[str], Shared], str]
-"""The function that finds a shared value on a worker, and its argument."""
+    program, plugins, value = pickle.loads(packed)
+    if program != program_text(*ROOMS):
+        raise EngineError("a worker has another version of contourlab, numpy or scipy: install the same on all machines")
+    for plugin in plugins:
+        load_plugin(plugin)
+    return pickle.loads(value)
 
 
 @dataclass(frozen=True, eq=False)
@@ -156,7 +137,7 @@ class Workers:
     submit : callable
         Starts a call on a worker; returns its `concurrent.futures.Future`.
     share : callable
-        Makes a shared value known to all workers; returns the function that finds it there, and its argument.
+        Makes a shared value known to all workers by its key; returns the function that finds it there, and its argument.
     lost : mapping of type to str
         Exceptions that mean that workers are lost, and what to say.
     places : dict
@@ -168,7 +149,7 @@ class Workers:
     name: str
     plugins: tuple[str, ...]
     submit: Callable[..., Future[Any]]
-    share: Callable[[Shared], Place]
+    share: Callable[[str, bytes], Place]
     lost: Mapping[type[BaseException], str]
     places: dict[str, Place] = field(default_factory=dict, repr=False)
 
@@ -182,7 +163,8 @@ class Workers:
         packed = pickle.dumps(value)
         key = hashlib.sha256(packed).hexdigest()[:16]
         if key not in self.places:
-            self.places[key] = self.share(Shared(key, program_text(*ROOMS), self.plugins, packed))
+            # Packed twice: a worker of another version does not open the value.
+            self.places[key] = self.share(key, pickle.dumps((program_text(*ROOMS), self.plugins, packed)))
         return key
 
     def run(self, work: Work, key: str, items: Iterable[Any]) -> Iterator[tuple[int, Any]]:
@@ -220,8 +202,8 @@ class Workers:
 
     def map(self, work: Work, key: str, items: Iterable[Any]) -> list[Any]:
         """Return ``work(value, item)`` of each item, in order; see `run`."""
-        found = dict(self.run(work, key, items))
-        return [found[number] for number in range(len(found))]
+        done = dict(self.run(work, key, items))
+        return [done[number] for number in range(len(done))]
 
 
 _values: dict[str, Any] = {}
@@ -229,11 +211,11 @@ _values: dict[str, Any] = {}
 _opening = threading.Lock()
 
 
-def _done(find: Callable[[str], Shared], place: str, key: str, work: Work, item: Any) -> Any:
+def _done(find: Callable[[str], bytes], place: str, key: str, work: Work, item: Any) -> Any:
     """Do an item of work on a worker, which opens each shared value once."""
     with _opening:
         if key not in _values:
-            _values[key] = find(place).value()
+            _values[key] = _opened(find(place))
     return work(_values[key], item)
 
 
@@ -255,9 +237,8 @@ def _begin() -> None:
         threading.Thread(target=watch, daemon=True).start()
 
 
-def _read(file: str) -> Shared:
-    shared: Shared = pickle.loads(Path(file).read_bytes())
-    return shared
+def _read(file: str) -> bytes:
+    return Path(file).read_bytes()
 
 
 @contextmanager
@@ -268,10 +249,9 @@ def _processes(executor: Executor, plugins: tuple[str, ...], then: str) -> Itera
     lost: dict[type[BaseException], str] = {BrokenProcessPool: f"a worker process ended: killed, or out of memory. {then}"}
     with tempfile.TemporaryDirectory(prefix="contourlab-") as folder:
 
-        def share(shared: Shared) -> Place:
-            file = Path(folder) / shared.key
-            file.write_bytes(pickle.dumps(shared))
-            return _read, str(file)
+        def share(key: str, packed: bytes) -> Place:
+            (Path(folder) / key).write_bytes(packed)
+            return _read, str(Path(folder) / key)
 
         pool = ProcessPoolExecutor(count, multiprocessing.get_context("spawn"), _begin)
         try:
@@ -287,11 +267,11 @@ def _processes(executor: Executor, plugins: tuple[str, ...], then: str) -> Itera
 # --- Dask ------------------------------------------------------------------------------------------------------------------------------
 
 
-def _carried(key: str) -> Shared:
+def _carried(key: str) -> bytes:
     from distributed import get_worker
 
-    shared: Shared = get_worker().plugins[key].shared
-    return shared
+    packed: bytes = get_worker().plugins[key].packed
+    return packed
 
 
 @contextmanager
@@ -306,10 +286,10 @@ def _cluster(executor: Executor, plugins: tuple[str, ...], then: str) -> Iterato
     count = executor.workers or os.cpu_count() or 1
     with _client(executor.kind, count) as client:
 
-        def share(shared: Shared) -> Place:
+        def share(key: str, packed: bytes) -> Place:
             carrier = WorkerPlugin()  # the scheduler gives it to workers that join later, too
-            carrier.shared = shared
-            name = f"contourlab-{shared.key}"
+            carrier.packed = packed
+            name = f"contourlab-{key}"
             client.register_plugin(carrier, name=name)
             return _carried, name
 
@@ -342,8 +322,7 @@ def _client(executor: str, count: int) -> Iterator[Any]:
             logging.getLogger(name).setLevel(logging.CRITICAL)
     if executor.startswith("dask://"):
         # Dask's configuration names the keys of a cluster, if it has some.
-        protocol = "tls" if distributed.Security().tls_ca_file else "tcp"
-        address = f"{protocol}://{executor.removeprefix('dask://')}"
+        address = f"{'tls' if distributed.Security().tls_ca_file else 'tcp'}://{executor.removeprefix('dask://')}"
         try:
             client = distributed.Client(address, timeout="10s")
         except (OSError, TimeoutError, ValueError) as error:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -79,18 +80,21 @@ class Bounds:
         """Return the relative shortfall of margins: 0 if they are kept, infinite for an unstable loop."""
         if not margins.stable:
             return math.inf
-        gain, phase = 20.0 * math.log10(margins.gain), math.degrees(abs(margins.phase))
-        short = max(0.0, self.gain_margin + slack[0] - gain) / max(self.gain_margin, 1.0) if self.gain_margin else 0.0
-        turn = max(0.0, self.phase_margin + slack[1] - phase) / max(self.phase_margin, 1.0) if self.phase_margin else 0.0
-        return short + turn
+        pairs = zip(in_print(margins), (self.gain_margin, self.phase_margin), slack, strict=True)
+        return sum(max(0.0, wanted + more - margin) / max(wanted, 1.0) for margin, wanted, more in pairs if wanted)
 
     def broken(self, margins: Margins) -> str:
         """Return the margins that are too small, with their values; empty if there are none."""
         if not margins.stable:
             return "unstable"
-        gain, phase = 20.0 * math.log10(margins.gain), math.degrees(abs(margins.phase))
-        found = [f"gain margin {gain:.2f} dB"] if gain < self.gain_margin - ROUNDING else []
-        return ", ".join([*found, *([f"phase margin {phase:.1f} deg"] if phase < self.phase_margin - ROUNDING else [])])
+        gain, phase = in_print(margins)
+        short = [f"gain margin {gain:.2f} dB"] if gain < self.gain_margin - ROUNDING else []
+        return ", ".join([*short, *([f"phase margin {phase:.1f} deg"] if phase < self.phase_margin - ROUNDING else [])])
+
+
+def in_print(margins: Margins) -> tuple[float, float]:
+    """Return gain margin [dB] and phase margin [deg] of a stable loop."""
+    return 20.0 * math.log10(margins.gain), math.degrees(abs(margins.phase))
 
 
 @dataclass(eq=False)
@@ -107,7 +111,6 @@ class Guards:
     cases: Sequence[tuple[Machine, Controller]]
     bounds: Bounds = field(default_factory=Bounds)
     unknown: dict[str, str] = field(default_factory=dict)
-    checks: int = 0
 
     def __post_init__(self) -> None:
         for machine, controller in self.cases:
@@ -126,6 +129,13 @@ class Guards:
         """Return the axes that a parameter affects."""
         return tuple(dict.fromkeys(axis for machine, _ in self.cases for axis in axes_of(name, machine)))
 
+    def _checked(self, cases: Iterable[tuple[Machine, Controller]]) -> Iterator[tuple[Machine, Controller, Axis, float]]:
+        """Yield machine, controller, axis and carried mass of all loops that have a linear model."""
+        for machine, controller in cases:
+            yield from (
+                (machine, controller, axis, machine.carried_mass(axis.name)) for axis in machine.axes if axis.name not in self.unknown
+            )
+
     # --- many designs at once, for searches ---
 
     def excess(self, columns: Mapping[str, Array], known: dict[tuple[object, ...], Array] | None = None) -> Array:
@@ -141,16 +151,13 @@ class Guards:
         worst = np.full(len(next(iter(columns.values()))), -math.inf)
         factors = margin_factors(10.0 ** (self.bounds.gain_margin / 20.0), math.radians(self.bounds.phase_margin))
         known = {} if known is None else known
-        for machine, controller in self.cases:
-            for axis in machine.axes:
-                if axis.name in self.unknown:
-                    continue
-                head, carried = f"controller.axes.{axis.name}.", machine.carried_mass(axis.name)
-                own = {name: np.asarray(values, dtype=float) for name, values in columns.items() if name.startswith(head)}
-                key = (id(axis), carried, *((name, values.tobytes()) for name, values in own.items()))
-                if key not in known:
-                    known[key] = unstable_by(lane_loops(axis, controller.axes[axis.name], machine.servo_period, carried, own), factors)
-                worst = np.maximum(worst, known[key])
+        for machine, controller, axis, carried in self._checked(self.cases):
+            head = f"controller.axes.{axis.name}."
+            own = {name: np.asarray(values, dtype=float) for name, values in columns.items() if name.startswith(head)}
+            key = (id(axis), carried, *((name, values.tobytes()) for name, values in own.items()))
+            if key not in known:
+                known[key] = unstable_by(lane_loops(axis, controller.axes[axis.name], machine.servo_period, carried, own), factors)
+            worst = np.maximum(worst, known[key])
         return worst
 
     def limited(self, figures: Mapping[str, Array]) -> Array:
@@ -160,22 +167,18 @@ class Guards:
 
     def loops(self, columns: Mapping[str, Array], axes: Sequence[str]) -> list[list[SampledLoop]]:
         """Return for each design (n,) the loops of the given axes of all machines."""
-        loops: list[list[SampledLoop]] = [[] for _ in range(len(next(iter(columns.values()))))]
-        for machine, controller in self.cases:
-            for axis in machine.axes:
-                if axis.name in axes and axis.name not in self.unknown:
-                    carried = machine.carried_mass(axis.name)
-                    made = sampled_loops(axis, controller.axes[axis.name], machine.servo_period, columns, carried)
-                    for of_design, loop in zip(loops, made, strict=True):
-                        of_design.append(loop)
-        return loops
+        loops = [
+            sampled_loops(axis, controller.axes[axis.name], machine.servo_period, columns, carried)
+            for machine, controller, axis, carried in self._checked(self.cases)
+            if axis.name in axes
+        ]
+        n = len(next(iter(columns.values())))
+        return [list(of_design) for of_design in zip(*loops, strict=True)] if loops else [[] for _ in range(n)]
 
     def missing(self, loops: Sequence[SampledLoop]) -> tuple[float, float]:
         """Return the largest relative shortfall of margins, and the smallest distance of a loop from -1, both on a grid."""
         short, nearest = 0.0, math.inf
-        for loop in loops:
-            self.checks += 1
-            margins = rough_margins(loop)
+        for margins in map(rough_margins, loops):
             short = max(short, self.bounds.missing(margins, SLACK))
             nearest = min(nearest, margins.modulus if margins.stable else 0.0)
             if math.isinf(short):
@@ -187,13 +190,9 @@ class Guards:
     def exact(self, values: Mapping[str, float]) -> dict[str, Margins]:
         """Return the exact margins of every axis with values [SI], the worst over all machines."""
         worst: dict[str, Margins] = {}
-        for case in self.cases:
-            machine, controller = with_values(*case, values)
-            for axis in machine.axes:
-                if axis.name not in self.unknown:
-                    carried = machine.carried_mass(axis.name)
-                    margins = sampled_loop(axis, controller.axes[axis.name], machine.servo_period, carried).margins()
-                    worst[axis.name] = max(worst.get(axis.name, margins), margins, key=self._badness)
+        for machine, controller, axis, carried in self._checked(with_values(*case, values) for case in self.cases):
+            margins = sampled_loop(axis, controller.axes[axis.name], machine.servo_period, carried).margins()
+            worst[axis.name] = max(worst.get(axis.name, margins), margins, key=self._badness)
         return worst
 
     def _badness(self, margins: Margins) -> tuple[float, float]:

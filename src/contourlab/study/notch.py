@@ -25,6 +25,9 @@ from contourlab.errors import ParameterError
 from contourlab.loop import AxisController, Controller, Machine
 from contourlab.loop.parameters import with_values
 from contourlab.study.guards import SLACK, Bounds
+from contourlab.loop import Controller, Machine
+from contourlab.study.guards import SLACK, Bounds, in_print
+from contourlab.study.values import controller_with, machine_with
 
 NAME = "resonance"
 """Name of the filter."""
@@ -197,15 +200,15 @@ class _Axis:
     def having(self, controller: Controller, notch: Notch) -> Controller:
         """Return a controller with a notch."""
         mine = controller.axes[self.name]
-        others = tuple(pair for pair in mine.filters if pair[0] != NAME)
-        made: AxisController = replace(mine, filters=((NAME, notch), *others))
-        return replace(controller, axes={**controller.axes, self.name: made})
+        filters = ((NAME, notch), *(pair for pair in mine.filters if pair[0] != NAME))
+        return replace(controller, axes={**controller.axes, self.name: replace(mine, filters=filters)})
 
     def margins(self, controller: Controller, move: float = 1.0) -> Margins:
         """Return the exact margins, with the resonance moved by a factor."""
         machine = self.machine
         if move != 1.0:
             machine, _ = with_values(machine, controller, {self.moved: self.own_resonance * move})
+        machine = self.machine if move == 1.0 else machine_with(self.machine, {self.moved: self.own_resonance * move})
         carried = machine.carried_mass(self.name)
         return sampled_loop(machine.axis(self.name), controller.axes[self.name], machine.servo_period, carried).margins()
 
@@ -226,13 +229,9 @@ class _Axis:
         """Return the smaller of gain and phase margin, over their bounds, for each variant; minus infinity for an unstable loop."""
         machine, mine = self.machine, controller.axes[self.name]
         loops = sampled_loops(machine.axis(self.name), mine, machine.servo_period, columns, machine.carried_mass(self.name))
-        return np.array([self._score(rough_margins(loop)) for loop in loops])
-
-    def _score(self, margins: Margins) -> float:
-        if not margins.stable:
-            return -math.inf
-        gain, phase = 20.0 * math.log10(margins.gain), math.degrees(abs(margins.phase))
-        return min(gain / (self.bounds.gain_margin + SLACK[0]), phase / (self.bounds.phase_margin + SLACK[1]))
+        gain, phase = self.bounds.gain_margin + SLACK[0], self.bounds.phase_margin + SLACK[1]
+        found = [in_print(margins) if margins.stable else (-math.inf, -math.inf) for margins in map(rough_margins, loops)]
+        return np.array([min(of_gain / gain, of_phase / phase) for of_gain, of_phase in found])
 
     def best(self, controller: Controller, frequency: float, ratio: float) -> Notch:
         """Return the best notch for the gains of a controller."""

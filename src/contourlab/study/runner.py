@@ -163,15 +163,13 @@ class Runner:
             self.runs += n
             return self.run(columns, threads)
         keys = [f"\n{name}\n".encode() + values.astype("<f8").tobytes() for name, values in columns.items()]
-        file = self.store.path(*keys, *(name.encode() for name in self.figures))
-        figures = self.store.load(file)
-        if figures is None:
-            figures = self.run(columns, threads)
+        path = self.store.path(*keys, *(name.encode() for name in self.figures))
+        figures, was_there = self.store.once(path, lambda: self.run(columns, threads))
+        if not was_there:
             self.runs += n
-            self.store.store(file, figures)
-        elif file not in self._seen:  # several parts of a study need the run with the present values: count it once
+        elif path not in self._seen:  # several parts of a study need the run with the present values: count it once
             self.reused += n
-        self._seen.add(file)
+        self._seen.add(path)
         return figures
 
     def run(self, columns: Columns, threads: int | None = None) -> dict[str, Array]:

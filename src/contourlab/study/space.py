@@ -122,10 +122,8 @@ class DesignVariable:
 
     def physical(self, place: ArrayLike) -> Array:
         """Return the values [SI] at positions from 0 (lower bound) to 1 (upper bound)."""
-        x = np.asarray(place, dtype=float)
-        if self.logarithmic:
-            return np.asarray(np.clip(self.low * (self.high / self.low) ** x, self.low, self.high))
-        return np.asarray(np.clip(self.low + (self.high - self.low) * x, self.low, self.high))
+        kind = "log-uniform" if self.logarithmic else "uniform"
+        return Distribution(kind, (self.low, self.high), self.low, self.high).values(np.asarray(place, dtype=float))
 
     def normalise(self, value: ArrayLike) -> Array:
         """Return the positions from 0 to 1 of values [SI]; values outside are clipped to the bounds."""
@@ -167,8 +165,8 @@ class Space:
     def columns(self, points: ArrayLike) -> dict[str, Array]:
         """Return the values [SI] of points (n, n_variable) by name, each (n,), as `contourlab.loop.simulate_batch` takes them."""
         rows = np.atleast_2d(np.asarray(points, dtype=float))
-        found = {variable: variable.physical(rows[:, i]) for i, variable in enumerate(self.numbers)}
-        return {variable.name: variable.written(values) if self.written else values for variable, values in found.items()}
+        pairs = [(variable, variable.physical(rows[:, i])) for i, variable in enumerate(self.numbers)]
+        return {variable.name: variable.written(values) if self.written else values for variable, values in pairs}
 
     def values(self, point: ArrayLike) -> dict[str, float]:
         """Return the values [SI] of one point."""
@@ -218,8 +216,7 @@ class Space:
         if machine_only:
             known = {name: found for name, found in known.items() if name.startswith("axes.")}
         if not texts:
-            order = calibration_order(machine, controller)
-            names = [name for name in order if _value(known[name]) not in (0.0, math.inf)]
+            names = [name for name in calibration_order(machine, controller) if getattr(*known[name]) not in (0.0, math.inf)]
             return Space(tuple(_variable(name, known[name], machine, "", width) for name in names))
         asked: dict[str, str] = {}
         for text in texts:
@@ -361,14 +358,10 @@ def _over(values: Array, power: Array) -> Array:
 # --- from text ---------------------------------------------------------------------------------------------------------------------------
 
 
-def _value(known: tuple[Component, str]) -> float:
-    return float(getattr(*known))
-
-
 def _variable(name: str, known: tuple[Component, str], machine: Machine, bounds: str, width: float) -> DesignVariable:
     """Return a variable with the bounds of a text, by default its value divided and multiplied by `width`."""
     parameter = replace(declared(machine, name, *known), name=name)
-    value = _value(known)
+    value = float(getattr(*known))
     if bounds:
         low, high = _bounds(name, bounds, parameter.unit, parameter.display)
         for bound in (low, high):
@@ -385,14 +378,12 @@ def _variable(name: str, known: tuple[Component, str], machine: Machine, bounds:
 
 def _bounds(name: str, text: str, unit: str, display: str) -> tuple[float, float]:
     low, dots, high = text.partition("..")
+    shown, fault = display or unit, "two of them are needed"
     try:
         if dots:
             first, second = (read_number(side.strip() if unit else float(side), unit, display) for side in (low, high))
             return first, second
-        fault = "two of them are needed"
     except (UnitError, ValueError) as error:
         fault = str(error)
-    shown = display or unit
-    raise ParameterError(
-        name, repr(text), f"bounds LOW..HIGH, each with its unit, as {f'1 {shown}..2 {shown}' if unit else '1..2'}: {fault}"
-    )
+    example = f"1 {shown}..2 {shown}" if unit else "1..2"
+    raise ParameterError(name, repr(text), f"bounds LOW..HIGH, each with its unit, as {example}: {fault}")

@@ -33,6 +33,7 @@ from contourlab.features.sensitivity.study import (
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.loop.batch import LANES
+from contourlab.loop.tool import ToolPosition
 from contourlab.metrics.run_figures import CONTOUR
 from contourlab.rendering.charts import Bars, Matrix, Multiples, Series, Tile
 from contourlab.rendering.charts import Curve as Line
@@ -357,7 +358,7 @@ def sensitivity(*source: Source, settings: SensitivityOptions, session: Session 
         stages.expect(plan.work(len(drawn)))
         study = sensitivity_study(space, runs, plan, drawn, _failure_level(setting, plan), stages.begin)
     reused = () if kept is None else kept.findings("runs", runs.reused)
-    findings = (*_on_case(case, left_out), *reused, *_on_quick(settings, plan), *verdict(study))
+    findings = (*_remarks(case, left_out, reused, settings, plan), *verdict(study))
     of = str(source[0]) if isinstance(source[0], str | Path) else scenario.name
     about = (of, plan, case.name, case.machine.name, case.machine.servo_period)
     return Sensitivity(*about, runs.runs, runs.reused, study, ranking(study), findings, scenario.inputs)
@@ -370,18 +371,17 @@ def _failure_level(setting: Setting, plan: Plan) -> float:
     return {"m": limit, "m s": float(limit * time)}.get(plan.judged.unit, math.inf)
 
 
-def _on_quick(asked: Plan, done: Plan) -> Iterator[Finding]:
+def _remarks(case: Case, left_out: tuple[str, ...], kept: Sequence[Finding], asked: Plan, done: Plan) -> Iterator[Finding]:
+    """Yield what the study leaves out, what it reused, and what a quick one made smaller."""
+    if left_out:
+        yield finding("CL650", schemes=left_out)
+    if case.learning is not None:
+        yield finding("CL651")
+    if not ToolPosition(case.machine, 0).exact:
+        yield finding("CL652")
+    yield from kept
     if done != asked:
         wider = round(math.sqrt(asked.base / done.base), 1)
         yield finding("CL653", values=done.values, base=done.base, trajectories=done.trajectories, wider=wider)
         if done.chosen != asked.chosen:
             yield finding("CL654")
-
-
-def _on_case(case: Case, left_out: tuple[str, ...]) -> Iterator[Finding]:
-    if left_out:
-        yield finding("CL650", schemes=left_out)
-    if case.learning is not None:
-        yield finding("CL651")
-    if case.machine.squareness or any(axis.error.position.size or axis.error.repeatability for axis in case.machine.axes):
-        yield finding("CL652")

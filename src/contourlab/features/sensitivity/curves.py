@@ -102,7 +102,14 @@ def curves(space: Space, judge: Judge, count: int = 41) -> tuple[Curve, ...]:
         near.append(variable.physical(np.linspace(places[low], places[high], FINE * (high - low) + 1)))
     fine = np.split(judge(one_at_a_time(space, near)), np.cumsum([len(grid) for grid in near])[:-1])
     return tuple(
-        Curve(variable, grid, values, _minimum(variable, *close), _flat(grid, values), _intervals(grid, np.isnan(values)))
+        Curve(
+            variable,
+            grid,
+            values,
+            _minimum(variable, *close),
+            _flat(grid, values),
+            tuple(_interval(grid, a, b - 1) for a, b in true_spans(np.isnan(values))),
+        )
         for variable, grid, values, *close in zip(space.numbers, grids, figures, near, fine, strict=True)
     )
 
@@ -132,15 +139,11 @@ def _flat(values: Array, figures: Array) -> Interval | None:
     best = (0, 0, 0)
     first = 0
     for last in range(len(values)):
-        while first <= last and not _is_flat(figures[first : last + 1]):
+        while first <= last and not ((part := figures[first : last + 1]).max() <= (1.0 + CHANGE) * part.min()):  # nan is not flat
             first += 1
         if last >= first and last - first + 1 >= best[0]:
             best = last - first + 1, first, last
     return _interval(values, *best[1:]) if best[0] and best[0] >= SHARE * len(values) else None
-
-
-def _is_flat(part: Array) -> bool:
-    return bool(np.isfinite(part).all() and part.max() <= (1.0 + CHANGE) * part.min())
 
 
 def _intervals(values: Array, which: Flags) -> tuple[Interval, ...]:

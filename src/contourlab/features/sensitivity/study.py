@@ -302,8 +302,8 @@ def ranking(study: Study) -> Ranking:
     if study.sobol is not None:
         return _ranking(study, "total index", study.sobol.total, study.sobol.total_interval, SMALL)
     if study.morris is not None:
-        top = float(study.morris.mu_star.max())
-        return _ranking(study, "mu*", study.morris.mu_star, study.morris.mu_star_interval, SMALL * top)
+        effect = study.morris.mu_star
+        return _ranking(study, "mu*", effect, study.morris.mu_star_interval, SMALL * float(effect.max()))
     if study.local is not None:
         slopes = np.array([abs(slope.sensitivity) for slope in study.local.slopes])
         differences = np.array([slope.difference for slope in study.local.slopes])

@@ -535,6 +535,7 @@ def answers_of(rows: Rows) -> Answers:
     store, values, tolerance, members = rows.store, rows.values, rows.tolerance, rows.clusters
     about, found = store.manifest, estimate(values, tolerance, members)
     is_drawn, is_search = about.design in DRAWN, about.design == "search"
+    needed = _needed(found, len(members)) if is_drawn else (None, None)
     names, front = _front(rows)
     thinned = front[np.unique(np.linspace(0, len(front) - 1, SHOWN_FRONT).astype(int))] if len(front) else front
     first = about.study.lstrip().partition("\n")[0].strip()
@@ -560,8 +561,8 @@ def answers_of(rows: Rows) -> Answers:
         effects=() if is_search else effects(rows),
         pairings=pairings_of(*best_choice(rows)) if rows.members else None,
         convergence=convergence(values, tolerance, members) if is_drawn else (),
-        needed_for_yield=_needed_for_yield(found, len(members)) if is_drawn else None,
-        needed_for_p95=_needed_for_p95(found, len(members)) if is_drawn else None,
+        needed_for_yield=needed[0],
+        needed_for_p95=needed[1],
         objectives=names,
         front_size=len(front),
         front=tuple(rows.table.take(thinned).to_pylist()) if len(front) else (),
@@ -569,21 +570,20 @@ def answers_of(rows: Rows) -> Answers:
     )
 
 
-def _needed_for_yield(found: Estimate, kinds: int) -> int | None:
-    """Return the variants whose interval of the yield has the half width `GOAL`; of modules, its variance shrinks with their number."""
-    if found.share is None or found.share_low is None or found.share_high is None:
-        return None
-    if not kinds:
-        return variants_needed(found.share, GOAL)
-    return math.ceil(found.variants * ((found.share_high - found.share_low) / 2.0 / GOAL) ** (2 * kinds))
+def _needed(found: Estimate, kinds: int) -> tuple[int | None, int | None]:
+    """Return the variants whose intervals of the yield and the quantile have the half width `GOAL`; None where that is not known.
 
-
-def _needed_for_p95(found: Estimate, kinds: int) -> int | None:
-    """Return the variants for a quantile within `GOAL` of its value; its interval shrinks with the root of their number."""
-    if found.p95 is None or found.p95_low is None or found.p95_high is None or found.p95 <= 0.0:
-        return None
-    ratio = (found.p95_high - found.p95_low) / 2.0 / (GOAL * found.p95)
-    return max(LEAST, math.ceil(found.variants * ratio ** (2 * max(kinds, 1))))
+    That of the quantile is in relation to its value. An interval shrinks with the root of the number of variants; of modules, the variance
+    of the yield shrinks with the number of each kind.
+    """
+    of_yield, of_p95 = None, None
+    if found.share is not None and found.share_low is not None and found.share_high is not None:
+        half = (found.share_high - found.share_low) / 2.0
+        of_yield = math.ceil(found.variants * (half / GOAL) ** (2 * kinds)) if kinds else variants_needed(found.share, GOAL)
+    if found.p95 is not None and found.p95_low is not None and found.p95_high is not None and found.p95 > 0.0:
+        ratio = (found.p95_high - found.p95_low) / 2.0 / (GOAL * found.p95)
+        of_p95 = max(LEAST, math.ceil(found.variants * ratio ** (2 * max(kinds, 1))))
+    return of_yield, of_p95
 
 
 def _front(rows: Rows) -> tuple[dict[str, str], Any]:

@@ -125,8 +125,9 @@ def run_chunks(
     return chunks
 
 
-def chunk_elsewhere(study: Study, number: int, asked: Array | None = None) -> Chunk:
-    """Run a chunk in one thread; raise errors of a kind that can be sent."""
+def chunk_elsewhere(study: Study, item: tuple[int, Array | None]) -> Chunk:
+    """Run a chunk, by its number, or places of it, in one thread; raise errors of a kind that can be sent."""
+    number, asked = item
     try:
         return run_chunks(study, [number], 1, asked=asked)[0]
     except ContourlabError as error:

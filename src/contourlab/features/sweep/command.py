@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import math
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, ExitStack, contextmanager
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from importlib.metadata import version
 from pathlib import Path
@@ -32,7 +31,7 @@ from contourlab.features.sweep.query import SweepSummary, counts, display, remar
 from contourlab.features.sweep.query import export as exported
 from contourlab.features.sweep.query import worst as worst_of
 from contourlab.features.sweep.report import report
-from contourlab.features.sweep.store import Store, numbers_in, read_store, writing
+from contourlab.features.sweep.store import AGAIN, Store, numbers_in, read_store, writing
 from contourlab.features.sweep.store import check_folder as check_store
 from contourlab.features.sweep.store import merge as merged
 from contourlab.features.sweep.study import Structure, Study, load_study
@@ -45,7 +44,6 @@ from contourlab.metrics.run_figures import title_of
 from contourlab.rendering.table import paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.scenario import Case, Scenario, dump, parse_scenario
-from contourlab.study.checkpoint import noted
 from contourlab.study.design import Design
 from contourlab.study.executors import Executor, Workers
 from contourlab.study.space import Distribution
@@ -58,14 +56,9 @@ SHOWN = 20
 """Most variants in the result."""
 
 
-AGAIN = "Repeat the command with --resume to continue"
-
-
-def kept_note(store: Store) -> AbstractContextManager[None]:
-    """If the block is interrupted, add to the interrupt what is kept."""
-    return noted(
-        lambda: f"{len(store.parts)} of {store.chunks} chunks are kept in {store.home}. Repeat the command with --resume to continue."
-    )
+def _run_again(store: str, rows: Sequence[Mapping[str, Any]]) -> Sequence[object] | None:
+    """Return the words that run the first of some variants again."""
+    return ["sweep", "worst", store, "--rerun", rows[0]["variant"], "--out", f"variant-{rows[0]['variant']}"] if store and rows else None
 
 
 @dataclass(frozen=True)
@@ -105,10 +98,7 @@ class Search(Answer):
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
         """Run the best variant again."""
-        if not self.best:
-            return None
-        number = self.best[0]["variant"]
-        return ["sweep", "worst", self.store, "--rerun", number, "--out", f"variant-{number}"]
+        return _run_again(self.store, self.best)
 
     @property
     def text(self) -> str:
@@ -133,14 +123,13 @@ def _space(study: Study, options: Optimise) -> tuple[Study, list[Array]]:
     levels = []
     for i, (_, count) in enumerate(study.dimensions):
         ends = np.concatenate([[0.0], np.cumsum(weights.get(i) or [1.0] * count)]) if count else np.zeros(1)
-        middles = (ends[1:] + ends[:-1]) / 2.0 / max(ends[-1], 1e-300)
-        levels.append(middles[np.diff(ends) > 0.0])
+        levels.append(((ends[1:] + ends[:-1]) / 2.0 / max(ends[-1], 1e-300))[np.diff(ends) > 0.0])
     if options.chosen == "cma-es" and any(len(places) for places in levels):
         raise ParameterError("--sampler", "'cma-es'", "tpe or nsga2 for a study with values = [...]")
     design = Design("search", options.trials, options.batch, study.design.levels, study.design.seed)
     samplers = [version(name) for name in ("optuna", *(["cmaes"] if options.chosen == "cma-es" else []))]  # another may ask for others
-    said = json.dumps([study.identity["study"], options.minimise, options.chosen, options.trials, options.batch, samplers])
-    identity = {**study.identity, "study": hashlib.sha256(said.encode()).hexdigest()}
+    about = repr((study.identity["study"], options.minimise, options.chosen, options.trials, options.batch, samplers))
+    identity = {**study.identity, "study": hashlib.sha256(about.encode()).hexdigest()}
     return replace(study, design=design, identity=identity), levels
 
 
@@ -185,13 +174,9 @@ def _simulated(study: Study, executor: Executor, pool: Workers | None) -> Callab
 
     def run(places: Array, number: int) -> Chunk:
         size = lanes_each(len(places), pool.count)
-        return joined(pool.map(_run_elsewhere, key, [(number, places[first : first + size]) for first in range(0, len(places), size)]))
+        return joined(pool.map(chunk_elsewhere, key, [(number, places[first : first + size]) for first in range(0, len(places), size)]))
 
     return run
-
-
-def _run_elsewhere(study: Study, item: tuple[int, Array]) -> Chunk:
-    return chunk_elsewhere(study, *item)
 
 
 def _batch(
@@ -225,13 +210,11 @@ def _batch(
 
 def _places(trial: Any, levels: Sequence[Array]) -> list[float]:
     """Return the cumulative probabilities of a trial, for each dimension of the study; a finished trial has its own."""
-    found = []
-    for i, places in enumerate(levels):
-        if len(places):
-            found.append(float(places[trial.suggest_categorical(f"u{i}", range(len(places)))]))
-        else:
-            found.append(float(trial.suggest_float(f"u{i}", EDGE, 1.0 - EDGE)))
-    return found
+    most = 1.0 - EDGE
+    return [
+        float(places[trial.suggest_categorical(f"u{i}", range(len(places)))] if len(places) else trial.suggest_float(f"u{i}", EDGE, most))
+        for i, places in enumerate(levels)
+    ]
 
 
 def _result(store: Store, options: Optimise, study: Study) -> Search:
@@ -270,18 +253,16 @@ def sweep(study: str | Path, *, settings: Sweep, session: Session = QUIET) -> Sw
     for package in ("duckdb", "pyarrow.parquet"):
         extra_module(package)
     check_store(settings.out, resume=settings.resume)
-    made, executor = 0, settings.pool
-    with ExitStack() as stack:
-        stages = session.stages()
-        stages.begin("planning the motions")
-        planned = load_study(study, settings.plugin, stages.advance)
-        wanted = settings.chosen(planned.design.chunks)
-        pool = stack.enter_context(executor.started(planned.plugins, AGAIN))
+    made, executor, stages = 0, settings.pool, session.stages()
+    stages.begin("planning the motions")
+    planned = load_study(study, settings.plugin, stages.advance)
+    wanted = settings.chosen(planned.design.chunks)
+    with executor.started(planned.plugins, AGAIN) as pool:
         cost = cost_of(planned, wanted, numbers_in(settings.out), executor, pool)
         session.close()  # a bar would hide the question
         agree(cost, yes=settings.yes or settings.resume)
         stages = session.stages()
-        with writing(settings.out, planned, resume=settings.resume) as store, kept_note(store):
+        with writing(settings.out, planned, resume=settings.resume) as store:
             todo = [number for number in wanted if number not in store.parts]
             total = sum(len(planned.design.numbers(number)) for number in todo)
             done, last = 0, perf_counter()
@@ -325,12 +306,11 @@ def optimise(study: str | Path, *, settings: Optimise, session: Session = QUIET)
     with (
         executor.started(planned.plugins, AGAIN) as pool,
         writing(settings.out, planned, resume=settings.resume) as store,
-        kept_note(store),
         _journal(store, settings) as journal,
     ):
         stages.begin("searching")
         run = _simulated(planned, executor, pool)
-        for number in range(store.chunks):
+        for number in range(store.manifest.chunks):
             _batch(planned, levels, store, journal, settings, number, run)
             stages.advance(store.done, store.manifest.variants)
     return _result(store, settings, planned)
@@ -426,16 +406,14 @@ class Rows(Answer):
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
         """Run the worst variant again."""
-        if not (self.whole and self.store):
-            return None
-        number = self.whole[0]["variant"]
-        return ["sweep", "worst", self.store, "--rerun", number, "--out", f"variant-{number}"]
+        return _run_again(self.store, self.whole)
 
 
 def _chunks(study: Study, numbers: Sequence[int], pool: Workers | None, executor: Executor, tell: Callable[[int], None]) -> Iterator[Chunk]:
     """Yield finished chunks, in any order. They do not depend on the executor; only threads and a GPU tell the variants done in between."""
     if pool is not None:
-        yield from (chunk for _, chunk in pool.run(chunk_elsewhere, pool.shared(replace(study, cases={})), numbers))
+        key = pool.shared(replace(study, cases={}))
+        yield from (chunk for _, chunk in pool.run(chunk_elsewhere, key, ((number, None) for number in numbers)))
         return
     together = max(GPU_LANES // study.design.chunk, 1) if executor.gpu and not study.signals else 1
     for first in range(0, len(numbers), together):

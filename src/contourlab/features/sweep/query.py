@@ -23,8 +23,9 @@ from contourlab.errors import ParameterError, UnitError, error_text
 from contourlab.extras import extra_module
 from contourlab.features.sweep.store import SCHEMA, Store
 from contourlab.features.sweep.vary import belongs
-from contourlab.figures import figure, number, shown_unit
+from contourlab.figures import FACTORS, figure, number, shown_unit
 from contourlab.findings import Finding, finding
+from contourlab.metrics.run_figures import FORMS
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result.atomic import replacing
 from contourlab.study.design import DRAWN
@@ -341,8 +342,8 @@ class Rows:
 
     @cached_property
     def _texts(self) -> set[str]:
-        arrow = extra_module("pyarrow")
-        return {name for name in self.store.manifest.columns if self.store.schema.field(name).type == arrow.string()}
+        text = extra_module("pyarrow").string()
+        return {name for name in self.store.manifest.columns if self.store.schema.field(name).type == text}
 
 
 def read_rows(store: Store, figure: str | None = None) -> Rows:
@@ -378,10 +379,6 @@ def _judged(store: Store, figure: str, names: Sequence[str]) -> Rows:
 def objectives(store: Store) -> list[str]:
     """Return the figures that a compromise weighs against the main one."""
     return [name for name in ("cycle_time", "command_energy") if name in store.manifest.figures]
-
-
-WORKSHOP = {"m": ("um", 1e6), "m s": ("um s", 1e6)}
-"""Display unit of the figures of errors, and the factor from SI."""
 
 
 @dataclass(frozen=True)
@@ -447,7 +444,7 @@ def summary(store: Store, made: int = 0, findings: Sequence[Finding] = ()) -> Sw
         design=store.manifest.design,
         variants=store.manifest.variants,
         done=store.done,
-        chunks=store.chunks,
+        chunks=store.manifest.chunks,
         chunks_done=len(store.parts),
         chunks_made=made,
         columns=store.manifest.columns,
@@ -463,11 +460,14 @@ def summary(store: Store, made: int = 0, findings: Sequence[Finding] = ()) -> Sw
 
 def remarks(store: Store, statuses: Mapping[str, int]) -> tuple[Finding, ...]:
     """Return what to know about the variants of a store: missing, refused, unsure."""
-    found = [finding("CL935", store=str(store.home))] if store.manifest.schema != SCHEMA else []
-    found += [finding("CL931", done=store.done, variants=store.manifest.variants)] if store.done < store.manifest.variants else []
-    found += [finding("CL932", count=statuses["refused"])] if statuses.get("refused") else []
-    found += [finding("CL933", count=statuses["unsure"])] if statuses.get("unsure") else []
-    return tuple(found)
+    about, refused, unsure = store.manifest, statuses.get("refused", 0), statuses.get("unsure", 0)
+    known = (
+        (about.schema != SCHEMA, "CL935", {"store": str(store.home)}),
+        (store.done < about.variants, "CL931", {"done": store.done, "variants": about.variants}),
+        (refused > 0, "CL932", {"count": refused}),
+        (unsure > 0, "CL933", {"count": unsure}),
+    )
+    return tuple(finding(code, **values) for holds, code, values in known if holds)
 
 
 def _text(result: SweepSummary) -> str:
@@ -498,24 +498,22 @@ def _text(result: SweepSummary) -> str:
 
 def display(unit: str) -> tuple[str, float]:
     """Return the display unit of values in an SI unit, and the factor."""
-    if unit in WORKSHOP:
-        return WORKSHOP[unit]
+    if unit in ("m", "m s"):  # errors, as elsewhere
+        return FORMS[unit][0], FACTORS[FORMS[unit][0]]
     factor, shown = shown_unit(unit)
     return shown, factor
 
 
-def rows_text(names: Sequence[str], rows: Sequence[Sequence[Any]], units: Mapping[str, str] | None = None) -> str:
+def rows_text(names: Sequence[str], rows: Sequence[Sequence[Any]], units: Mapping[str, str]) -> str:
     """Return rows of a query as a table; columns with a unit in its display unit."""
-    shown = {name: display(unit) for name, unit in (units or {}).items()}
-    heads = [f"{name} [{shown[name][0]}]" if shown.get(name, ("", 1.0))[0] else name for name in names]
+    shown = [display(units[name]) if name in units else ("", 1.0) for name in names]
+    heads = [f"{name} [{unit}]" if unit else name for name, (unit, _) in zip(names, shown, strict=True)]
     texts = [any(isinstance(row[i], str) for row in rows) for i in range(len(names))]
     table = Table([Column(head, left=left) for head, left in zip(heads, texts, strict=True)])
     for row in rows:
-        table.add(*(_cell(value, shown.get(name, ("", 1.0))[1]) for name, value in zip(names, row, strict=True)))
+        table.add(*(_cell(value, factor) for value, (_, factor) in zip(row, shown, strict=True)))
     return table.text()
 
 
 def _cell(value: Any, factor: float) -> str:
-    if value is None:
-        return "-"
-    return number(value * factor, 5) if isinstance(value, float) else str(value)
+    return "-" if value is None else number(value * factor, 5) if isinstance(value, float) else str(value)

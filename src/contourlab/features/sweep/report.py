@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import astuple, dataclass
+from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
 from typing import Any
@@ -39,26 +39,12 @@ LITTLE = "less than 1 %, or may explain nothing (interval from 0 %)"
 """What a parameter explains that does not matter for certain."""
 
 
-@dataclass(frozen=True)
-class Words:
-    """Sentences.
+def said(answers: Answers) -> dict[str, str]:
+    """Return the answers in sentences, empty where there is none.
 
-    Attributes
-    ----------
-    sentence, decides, stop, front, modules : str
-        The first answer; what decides the figure; whether more variants are needed; the Pareto front; what the modules decide, and which
-        to sort out. Empty where there is none.
+    They are: the first answer; what decides the figure; whether more variants are needed; the Pareto front; what the modules decide, and
+    which to sort out.
     """
-
-    sentence: str
-    decides: str
-    stop: str
-    front: str
-    modules: str
-
-
-def said(answers: Answers) -> Words:
-    """Return the answers in sentences."""
     count, title = f"{answers.judged:,}", answers.title
     sure = " with 95 % confidence)"
     if answers.design == "search":
@@ -73,7 +59,9 @@ def said(answers: Answers) -> Words:
         first = f"95 % of {count} {answers.kind} have a {title} up to {p95}{interval}; half of them up to {median}."
     names = listing([title_of(name) for name in answers.objectives])
     front = f"{answers.front_size:,} of {count} {answers.kind} are best compromises of {names}: no other is better in all." if names else ""
-    return Words(" ".join(filter(None, (first, _which(answers)))), _decides(answers), _stop(answers), front, _modules(answers))
+    sentence = " ".join(filter(None, (first, _which(answers))))
+    rest = {"decides": _decides(answers), "stop": _stop(answers), "front": front, "modules": _modules(answers)}
+    return {"sentence": sentence, **rest}
 
 
 def share_text(share: float | None, digits: int = 4) -> str:
@@ -247,8 +235,7 @@ def _order(rows: Rows, name: str) -> tuple[Index, list[str]]:
     if name not in rows.store.manifest.modules:
         codes, labels = rows.column(name)
         kept, place = np.unique(codes, return_inverse=True)
-        unit = rows.store.manifest.columns[name]
-        return place, [labels[int(code)] if labels else shown(float(code), unit, 4) for code in kept]
+        return place, [labels[int(code)] if labels else shown(float(code), rows.store.manifest.columns[name], 4) for code in kept]
     member, numbers = rows.members[name], np.unique(rows.table[name].to_numpy())
     order = np.lexsort((means_of(member, rows.values).mean, np.bincount(member, np.isinf(rows.values))))
     order = order[np.unique(np.linspace(0, len(order) - 1, CELLS).round().astype(int))]
@@ -288,7 +275,7 @@ TABLE_FRONT = 12
 """Most rows of the table of the Pareto front."""
 
 
-def write_page(answers: Answers, rows: Rows, words: Words, file: Path) -> None:
+def write_page(answers: Answers, rows: Rows, words: dict[str, str], file: Path) -> None:
     """Write the page.
 
     Raises
@@ -302,22 +289,17 @@ def write_page(answers: Answers, rows: Rows, words: Words, file: Path) -> None:
         "front": list(_fronts(answers, rows)),
         "modules": list(matrices(answers, rows)),
     }
-    unit, factor = answers.display
     front = answers.front[:: max(-(-len(answers.front) // TABLE_FRONT), 1)]
     text = page_template("sweep.html.j2").render(
         title=answers.question or Path(answers.store).name,
-        kind=answers.kind,
         answers=answers,
-        words=Words(*(text.replace(" %", "\N{NO-BREAK SPACE}%") for text in astuple(words))),
+        words={name: text.replace(" %", "\N{NO-BREAK SPACE}%") for name, text in words.items()},
         groups=groups,
-        unit=unit,
-        factor=factor,
         front=[[str(row["variant"]), *(shown(row[name], unit, 4) for name, unit in answers.objectives.items())] for row in front],
         titles=[title_of(name) for name in answers.objectives],
         next=as_typed(["contourlab", "sweep", "worst", answers.store]),
         version=__version__,
         study=rows.store.manifest.study,
-        figure_title=answers.title,
         share=share_text,
         between=range_text,
         value=value_text,
@@ -393,8 +375,7 @@ def _convergence(answers: Answers) -> Iterable[Chart]:
 def _banded(variants: list[int], triples: list[Any], factor: float) -> tuple[Curve, ...]:
     x, y = np.array(variants, dtype=float), np.array(triples, dtype=float) * factor
     colour, _ = scheme_style(0, 1)
-    ends = [Curve(x, y[:, k], "95 % interval", colour, "dash", 1.0) for k in (1, 2)]
-    return (Curve(x, y[:, 0], "estimate", colour, width=2.0), *ends)
+    return (Curve(x, y[:, 0], "estimate", colour, width=2.0), *(Curve(x, y[:, k], "95 % interval", colour, "dash", 1.0) for k in (1, 2)))
 
 
 def _fronts(answers: Answers, rows: Rows) -> Iterable[dict[str, Any]]:
@@ -451,9 +432,10 @@ class SweepReport(Answer):
     def text(self) -> str:
         """Text for the terminal."""
         answers = self.answers
-        sentence, decides, stop, front, modules = (paragraphs([part]) if part else "" for part in astuple(said(answers)))
-        first = (sentence, modules, _module_text(answers.pairings), _subset_text(answers), decides, _effect_text(answers.effects))
-        return "\n\n".join(filter(None, (*first, front, stop, paragraphs(map(str, answers.findings)), f"page: {self.page}")))
+        words = {name: paragraphs([text]) if text else "" for name, text in said(answers).items()}
+        first = (words["sentence"], words["modules"], _module_text(answers.pairings), _subset_text(answers))
+        second = (words["decides"], _effect_text(answers.effects), words["front"], words["stop"])
+        return "\n\n".join(filter(None, (*first, *second, paragraphs(map(str, answers.findings)), f"page: {self.page}")))
 
 
 @question(Report)

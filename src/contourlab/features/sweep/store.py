@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import io
 import json
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
@@ -23,10 +24,11 @@ from contourlab.extras import extra_module
 from contourlab.features.sweep.chunk import STATUSES, Chunk
 from contourlab.features.sweep.study import MOST, UNITS, Study
 from contourlab.result.atomic import write_bytes_atomic
-from contourlab.study.checkpoint import Parts, covered, digest, read_record, write_record
-from contourlab.study.design import DRAWN, FIXED
+from contourlab.study.checkpoint import Parts, covered, digest, noted, read_record, write_record
+from contourlab.study.design import DRAWN, FIXED, Chunked
 from contourlab.threads import in_threads
 
+AGAIN = "Repeat the command with --resume to continue"
 MANIFEST, TIMES, LOCK = "manifest.json", "times.jsonl", ".lock"
 SCHEMA, OLDER = "contourlab-sweep/2", "contourlab-sweep/1"
 """Form of a store, and the one before: its manifest had no digest, and the names of its files had the digest of their bytes alone."""
@@ -47,7 +49,7 @@ class SavedStructure:
 
 
 @dataclass(frozen=True)
-class Manifest:
+class Manifest(Chunked):
     """What a store says of its study.
 
     Attributes
@@ -131,19 +133,9 @@ class Store(Parts):
     damaged: tuple[Path, ...] = ()
 
     @property
-    def chunks(self) -> int:
-        """Chunks of the study."""
-        return -(-self.manifest.variants // self.manifest.chunk)
-
-    @property
     def done(self) -> int:
         """Variants in the store."""
-        return sum(len(self.numbers(chunk)) for chunk in self.parts)
-
-    def numbers(self, chunk: int) -> range:
-        """Return the numbers of the variants of a chunk."""
-        size = self.manifest.chunk
-        return range(chunk * size, min((chunk + 1) * size, self.manifest.variants))
+        return sum(len(self.manifest.numbers(chunk)) for chunk in self.parts)
 
     @property
     def tolerance(self) -> float | None:
@@ -170,7 +162,7 @@ class Store(Parts):
     def table(self, chunk: Chunk) -> Any:
         """Return the rows of a chunk as an Arrow table; nan becomes null."""
         arrow = extra_module("pyarrow")
-        columns = {**chunk.columns, "variant": np.array(self.numbers(chunk.number))}
+        columns = {**chunk.columns, "variant": np.array(self.manifest.numbers(chunk.number))}
         columns["status"] = np.array(STATUSES, dtype=object)[chunk.columns["status"]]
         arrays = [arrow.array(columns[field.name], from_pandas=True).cast(field.type) for field in self.schema]
         return arrow.Table.from_arrays(arrays, schema=self.schema)
@@ -190,13 +182,12 @@ class Store(Parts):
             parquet.write_table(self.table(chunk), buffer, compression="zstd")
             self.parts[chunk.number] = self.put(key, buffer.getvalue(), "parquet")
         except OutputError as error:
-            error.add_note(f"{len(self.parts)} finished chunks are kept. Repeat the command with --resume to continue.")
+            error.add_note(f"{len(self.parts)} finished chunks are kept. {AGAIN}.")
             raise
 
     def seal(self, key: str, data: bytes) -> str:
         """Return the digest in the name of a file: over study, number of the chunk and bytes."""
-        is_older = self.manifest.schema == OLDER
-        return digest(data) if is_older else digest(covered(self.manifest.identity), str(int(key)).encode(), data)
+        return digest(data) if self.manifest.schema == OLDER else digest(covered(self.manifest.identity), str(int(key)).encode(), data)
 
     def fits(self, number: int, data: bytes) -> bool:
         """Return whether the bytes of a part hold the variants of a chunk, with the columns and units of the study."""
@@ -208,7 +199,7 @@ class Store(Parts):
             held = file.read(["variant"])["variant"].to_numpy()
         except (arrow.ArrowException, OSError):
             return False
-        wanted = self.numbers(number)
+        wanted = self.manifest.numbers(number)
         return bool(wanted) and np.array_equal(held, wanted)
 
     def _signals(self, chunk: Chunk) -> bytes:
@@ -217,7 +208,7 @@ class Store(Parts):
         dims = ("variant", "sample", "axis")
         arrays = {name: (dims if values.shape[2] > 1 else dims[:2], np.squeeze(values, 2) if values.shape[2] == 1 else values)
                   for name, values in chunk.signals.items()}  # fmt: skip
-        data = xarray.Dataset(arrays, {"variant": np.array(self.numbers(chunk.number))})
+        data = xarray.Dataset(arrays, {"variant": np.array(self.manifest.numbers(chunk.number))})
         with TemporaryDirectory() as folder:
             file = Path(folder) / "signals.nc"
             data.to_netcdf(file, engine="h5netcdf", encoding={key: {"zlib": True, "complevel": 1} for key in arrays})
@@ -264,16 +255,15 @@ def read_store(folder: str | Path, *, repair: bool = False) -> Store:
         If it is no store, a file is damaged, or a chunk has two files.
     """
     store = Store(Path(folder), read_manifest(Path(folder)))
-    named = store.files()
-    faults = dict(zip(named, in_threads(lambda file: _fault(store, file), named), strict=True))
+    named = _numbered(store.home)
+    faults = dict(zip(named, in_threads(lambda file: _fault(store, file, named[file]), named), strict=True))
     store.damaged = tuple(file for file, fault in faults.items() if fault)
     mend = "run the study into another folder" if store.manifest.schema == OLDER else "repeat the study with --resume"
     if store.damaged and not repair:
         raise ResultError(f"{store.damaged[0]}: {faults[store.damaged[0]]}: {mend}")
-    kept = {_number(file) for file in named if file.name.startswith("signals") and not faults[file]}
-    for file in named:
-        number = _number(file)
-        if faults[file] or not file.name.startswith("part"):
+    kept = {number for file, number in named.items() if file.suffix == ".nc" and not faults[file]}
+    for file, number in named.items():
+        if faults[file] or file.suffix == ".nc":
             continue
         if number in store.parts:
             raise ResultError(f"{file}: chunk {number} is there twice, with different bytes: delete the file that is wrong")
@@ -284,22 +274,24 @@ def read_store(folder: str | Path, *, repair: bool = False) -> Store:
     return store
 
 
-def _number(file: Path) -> int:
-    """Return the number of the chunk in the name of a file."""
-    return int(file.name.split("-")[1])
+_NAME = re.compile(r"(?:part-(\d{6,})-[0-9a-f]{16}\.parquet|signals-(\d{6,})-[0-9a-f]{16}\.nc)\Z")
 
 
-def _fault(store: Store, file: Path) -> str:
+def _numbered(folder: Path) -> dict[Path, int]:
+    """Return the files of a store in order, each with the number of its chunk, unchecked."""
+    return {file: int(match[1] or match[2]) for file in sorted(folder.iterdir()) if (match := _NAME.match(file.name))}
+
+
+def _fault(store: Store, file: Path, number: int) -> str:
     """Return what is wrong with a file; empty if nothing is."""
     if (data := store.content(file)) is None:
         return "is damaged, or belongs to another chunk or study"
-    is_right = file.name.startswith("signals") or store.fits(_number(file), data)
-    return "" if is_right else "does not hold the variants and columns of its chunk"
+    return "" if file.suffix == ".nc" or store.fits(number, data) else "does not hold the variants and columns of its chunk"
 
 
 @contextmanager
 def writing(folder: str | Path, study: Study, *, resume: bool) -> Iterator[Store]:
-    """Open or create a store, for one writer at a time.
+    """Open or create a store, for one writer at a time; an interrupt says what is kept.
 
     Parameters
     ----------
@@ -328,7 +320,9 @@ def writing(folder: str | Path, study: Study, *, resume: bool) -> Iterator[Store
             same_study(store.manifest.identity, study.identity, what, cure)
         manifest = manifest_of(study)  # comments and the tolerance may have changed
         write_record(path / MANIFEST, manifest)
-        yield Store(path, manifest) if store is None else replace(store, manifest=manifest)
+        store = Store(path, manifest) if store is None else replace(store, manifest=manifest)
+        with noted(lambda: f"{len(store.parts)} of {manifest.chunks} chunks are kept in {path}. {AGAIN}."):
+            yield store
 
 
 def check_folder(folder: str | Path, *, resume: bool) -> None:
@@ -348,7 +342,8 @@ def check_folder(folder: str | Path, *, resume: bool) -> None:
 
 def numbers_in(folder: str | Path) -> set[int]:
     """Return the numbers of the chunks in a folder by their files, unchecked."""
-    return {_number(file) for file in Path(folder).glob("part-*")}
+    path = Path(folder)
+    return {number for file, number in _numbered(path).items() if file.suffix == ".parquet"} if path.is_dir() else set()
 
 
 def manifest_of(study: Study) -> Manifest:

@@ -10,7 +10,7 @@ import json
 import math
 import pickle
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from itertools import product
 from pathlib import Path
 from typing import Any, Literal
@@ -264,15 +264,11 @@ def _known(content: Table, key: str, names: Sequence[str], known: Mapping[str, s
 
 def _identity(study: Study) -> dict[str, str]:
     """Return digests of all that decides the results: program, scenario, and what the study varies and keeps."""
-    scenario = hashlib.sha256()
-    numbers = []
-    for combo, structure in study.structures.items():
-        scenario.update(f"{combo}\n{run_identity([structure], ROOMS)}\n".encode())
-        numbers.append([list(combo), [(name, i, asdict(drawn)) for name, i, drawn in structure.numbers]])
-    choices = [asdict(choice) for choice in study.choices]
-    settings = {"design": asdict(study.design), "choices": choices, "numbers": numbers, "keep": [*study.figures, *study.signals]}
-    digest = hashlib.sha256(json.dumps(settings, sort_keys=True).encode()).hexdigest()
-    return {"program": program_text(*ROOMS), "scenario": scenario.hexdigest(), "study": digest}
+    scenario = "\n".join(f"{combo}\n{run_identity([structure], ROOMS)}" for combo, structure in study.structures.items())
+    numbers = [(combo, structure.numbers) for combo, structure in study.structures.items()]
+    about = repr((study.design, study.choices, numbers, study.figures, study.signals))
+    digests = {key: hashlib.sha256(text.encode()).hexdigest() for key, text in (("scenario", scenario), ("study", about))}
+    return {"program": program_text(*ROOMS), **digests}
 
 
 # --- choices and structures ------------------------------------------------------------------------------------------------------------
@@ -324,16 +320,21 @@ def _varied(
     return _bound(variations, choosing, cases, references)
 
 
+def _matching(variation: Variation, known: Known) -> tuple[list[str], ParameterError | None]:
+    """Return the parameters that an entry names, and the error where there is none."""
+    try:
+        return matching(variation.key, known, "vary"), None
+    except ParameterError as error:
+        return [], error
+
+
 def _is_choice(variation: Variation, known: Known) -> bool:
     if variation.key.partition(".")[0] not in HEADS:
         return False
-    try:
-        matching(variation.key, known, "vary")
-    except ParameterError as error:
-        if variation.kind == "values":
-            return True
+    _, error = _matching(variation, known)
+    if error is not None and variation.kind != "values":
         raise variation.table.error(f"must be {error.bound}; another key of the scenario takes values = [...] only") from None
-    return False
+    return error is not None
 
 
 def _choice(variation: Variation) -> Choice:
@@ -373,7 +374,7 @@ def _bound(
     numbers: dict[Combo, list[tuple[str, int, Distribution]]] = {combo: [] for combo in cases}
     findings: dict[str, Finding] = {}
     known = {combo: parameters_of(case.machine, case.controller) for combo, case in cases.items()}
-    matches = {i: {combo: _matches(one, known[combo]) for combo in cases} for i, one in enumerate(variations) if i not in choosing}
+    matches = {i: {combo: _matching(one, known[combo])[0] for combo in cases} for i, one in enumerate(variations) if i not in choosing}
     measured = {name for i, found in matches.items() if variations[i].listed for names in found.values() for name in names}
     for i, variation in enumerate(variations):
         if choice := choosing.get(i):
@@ -383,8 +384,8 @@ def _bound(
             listed |= {choice.key} if variation.listed else set()
             continue
         names = tuple(dict.fromkeys(name for found in matches[i].values() for name in found))
-        if not names:
-            _refuse(variation, next(iter(known.values())))
+        if not names and (error := _matching(variation, next(iter(known.values())))[1]):
+            raise variation.table.error(f"must be {error.bound}; or a key of the scenario that begins with {', '.join(HEADS)}") from error
         if "*" in variation.key:  # a column of a file replaces what a pattern draws
             names = tuple(name for name in names if name not in measured) or names
         if twice := next((name for name in names if name in columns), None):
@@ -411,20 +412,6 @@ def _bound(
     }
     remarks = (*findings.values(), *(finding(code) for code, holds in on_cases.items() if holds))
     return Varied(structures, columns, tuple(choices), cases, tuple(dimensions), frozenset(listed), remarks)
-
-
-def _matches(variation: Variation, known: Known) -> list[str]:
-    try:
-        return matching(variation.key, known, "vary")
-    except ParameterError:
-        return []
-
-
-def _refuse(variation: Variation, known: Known) -> None:
-    try:
-        matching(variation.key, known, "vary")
-    except ParameterError as error:
-        raise variation.table.error(f"must be {error.bound}; or a key of the scenario that begins with {', '.join(HEADS)}") from error
 
 
 # --- the design ------------------------------------------------------------------------------------------------------------------------

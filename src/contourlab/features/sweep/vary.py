@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -18,7 +18,7 @@ from contourlab.findings import Finding, finding
 from contourlab.scenario.load import SCHEME_KEYS
 from contourlab.scenario.quantities import read_number
 from contourlab.scenario.tables import keys_of, read_values
-from contourlab.scenario.tree import Leaf, Table, located
+from contourlab.scenario.tree import Leaf, Node, Table, located
 from contourlab.study.space import Distribution
 from contourlab.units import setting
 
@@ -79,25 +79,30 @@ def read_variations(table: Table) -> tuple[Variation, ...]:
     ScenarioError
         If an entry is not a distribution; gives file and key.
     """
-    return tuple(_variation(key, node) for key, node in _flat(table, ""))
+    return tuple(_variation(key, node) for key, node in _entries(table, "", _is_distribution))
 
 
-def _flat(table: Table, prefix: str) -> list[tuple[str, Table]]:
-    pairs = []
+def _is_distribution(table: Table) -> bool:
+    return any(isinstance(node, Leaf) or name in FORMS for name, node in table.entries.items())
+
+
+def _entries(table: Table, prefix: str, is_entry: Callable[[Table], bool]) -> Iterator[tuple[str, Node]]:
+    """Yield the values and entries of a table by their dotted keys; other tables are parts of keys."""
     for name, node in table.entries.items():
         key = f"{prefix}.{name}" if prefix else name
-        if isinstance(node, Leaf):
-            raise _no_distribution(node)
-        is_entry = any(isinstance(inner, Leaf) for inner in node.entries.values()) or any(kind in node.entries for kind in FORMS)
-        pairs += [(key, node)] if is_entry else _flat(node, key)
-    return pairs
+        if isinstance(node, Leaf) or is_entry(node):
+            yield key, node
+        else:
+            yield from _entries(node, key, is_entry)
 
 
 def _no_distribution(node: Leaf) -> ScenarioError:
     return node.error(f'{node.value!r:.60} is not a distribution: write {{ normal = ["80 kg", "4 kg"] }}')
 
 
-def _variation(key: str, table: Table) -> Variation:
+def _variation(key: str, table: Node) -> Variation:
+    if isinstance(table, Leaf):
+        raise _no_distribution(table)
     kinds = [name for name in table.entries if name in FORMS]
     for name, node in table.entries.items():
         if name not in (*FORMS, "within", *keys_of(Variation)) and isinstance(node, Leaf) and not isinstance(node.value, list):
@@ -289,20 +294,11 @@ def module_entries(content: Table) -> dict[str, Leaf]:
     ScenarioError
         If an entry is neither a number nor a file, or one is part of another; gives file and key.
     """
-    found = dict(_leaves(content.table("modules"), ""))
-    for name, leaf in found.items():
+    leaves = {key: node for key, node in _entries(content.table("modules"), "", lambda table: False) if isinstance(node, Leaf)}
+    for name, leaf in leaves.items():
         value = leaf.value
         if isinstance(value, bool) or not (isinstance(value, str) or (isinstance(value, int) and 2 <= value <= MOST)):
             raise leaf.error(f"{value!r:.60}: write the number of modules, 2 to {MOST}, or a .csv or .parquet file with a row for each")
-        if any(belongs(name, other) for other in found if other != name):
+        if any(belongs(name, other) for other in leaves if other != name):
             raise leaf.error("belongs to other modules as well: delete one")
-    return found
-
-
-def _leaves(table: Table, prefix: str) -> Iterator[tuple[str, Leaf]]:
-    for name, node in table.entries.items():
-        key = f"{prefix}.{name}" if prefix else name
-        if isinstance(node, Table):
-            yield from _leaves(node, key)
-        else:
-            yield key, node
+    return leaves

@@ -66,14 +66,14 @@ def test_slopes_and_interactions_are_the_derivatives() -> None:
 
 
 def test_a_corner_is_reported() -> None:
-    found = local(PLANE.only([PLANE.names[0]]), lambda columns: 1.0 + 3.0 * np.abs(next(iter(columns.values())) - 2.0)).slopes[0]
+    found = local(Space(PLANE.numbers[:1]), lambda columns: 1.0 + 3.0 * np.abs(next(iter(columns.values())) - 2.0)).slopes[0]
     assert found.doubt is not None and found.doubt.code == "CL672" and found.sensitivity == pytest.approx(0.0, abs=1e-9)
     assert (found.below, found.above) == (pytest.approx(-6.0), pytest.approx(6.0))
 
 
 def test_a_quantised_figure_is_reported() -> None:
     """The figure has steps as coarse as the changes: no two step sizes agree."""
-    noisy = local(PLANE.only([PLANE.names[0]]), lambda columns: 1.0 + 0.3 * np.sin(2e4 * next(iter(columns.values())) ** 2)).slopes[0]
+    noisy = local(Space(PLANE.numbers[:1]), lambda columns: 1.0 + 0.3 * np.sin(2e4 * next(iter(columns.values())) ** 2)).slopes[0]
     assert noisy.doubt is not None and noisy.doubt.code == "CL673"
 
 
@@ -95,7 +95,7 @@ def test_a_curve_has_its_minimum_and_its_flat_and_failed_segments() -> None:
     assert first.minimum is not None and first.minimum.bound == "lower"
     assert len(first.failed) == 1 and first.failed[0].last and first.failed[0].low == pytest.approx(6.1, abs=0.3)
     assert np.isnan(first.figures[first.values > 6.0]).all()
-    level = curves(PLANE.only([PLANE.names[0]]), lambda columns: 1.0 + np.exp(-3.0 * next(iter(columns.values()))), 41)[0]
+    level = curves(Space(PLANE.numbers[:1]), lambda columns: 1.0 + np.exp(-3.0 * next(iter(columns.values()))), 41)[0]
     assert level.flat is not None and level.flat.last and level.flat.low == pytest.approx(1.0, abs=0.05)
     with pytest.raises(ParameterError, match="5 or more"):
         Plan(values=4)
