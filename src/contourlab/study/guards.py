@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -21,7 +21,7 @@ from contourlab.analysis.linear.sampled_loop import (
 )
 from contourlab.arrays import Array
 from contourlab.errors import ComponentError, ParameterError
-from contourlab.loop import Controller, Machine
+from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.study.space import ROUNDING
 from contourlab.study.values import axes_of, with_values
 
@@ -75,18 +75,22 @@ class Bounds:
         """Return the relative shortfall of margins: 0 if they are kept, infinite for an unstable loop."""
         if not margins.stable:
             return math.inf
-        gain, phase = 20.0 * math.log10(margins.gain), math.degrees(abs(margins.phase))
-        short = max(0.0, self.gain_margin + slack[0] - gain) / max(self.gain_margin, 1.0) if self.gain_margin else 0.0
-        turn = max(0.0, self.phase_margin + slack[1] - phase) / max(self.phase_margin, 1.0) if self.phase_margin else 0.0
-        return short + turn
+        pairs = zip((self.gain_margin, self.phase_margin), slack, in_db_and_degrees(margins), strict=True)
+        return sum(max(0.0, bound + more - margin) / max(bound, 1.0) for bound, more, margin in pairs if bound)
 
     def broken(self, margins: Margins) -> str:
         """Return the margins that are too small, with their values; empty if there are none."""
         if not margins.stable:
             return "unstable"
-        gain, phase = 20.0 * math.log10(margins.gain), math.degrees(abs(margins.phase))
-        found = [f"gain margin {gain:.2f} dB"] if gain < self.gain_margin - ROUNDING else []
-        return ", ".join([*found, *([f"phase margin {phase:.1f} deg"] if phase < self.phase_margin - ROUNDING else [])])
+        gain, phase = in_db_and_degrees(margins)
+        texts = {f"gain margin {gain:.2f} dB": gain < self.gain_margin - ROUNDING}
+        texts |= {f"phase margin {phase:.1f} deg": phase < self.phase_margin - ROUNDING}
+        return ", ".join(text for text, small in texts.items() if small)
+
+
+def in_db_and_degrees(margins: Margins) -> tuple[float, float]:
+    """Return gain margin [dB] and phase margin [deg] of a stable loop."""
+    return 20.0 * math.log10(margins.gain), math.degrees(abs(margins.phase))
 
 
 @dataclass(eq=False)
@@ -103,15 +107,21 @@ class Guards:
     cases: Sequence[tuple[Machine, Controller]]
     bounds: Bounds = field(default_factory=Bounds)
     unknown: dict[str, str] = field(default_factory=dict)
-    checks: int = 0
 
     def __post_init__(self) -> None:
-        for machine, controller in self.cases:
+        for known in self._loops():
+            try:
+                sampled_loop(*known)
+            except ComponentError as error:
+                self.unknown[known[0].name] = str(error)
+
+    def _loops(self, values: Mapping[str, float] | None = None) -> Iterator[tuple[Axis, AxisController, float, float]]:
+        """Yield each axis of all machines, with values [SI], that may have a linear model: what `sampled_loop` takes."""
+        for case in self.cases:
+            machine, controller = case if values is None else with_values(*case, values)
             for axis in machine.axes:
-                try:
-                    sampled_loop(axis, controller.axes[axis.name], machine.servo_period, machine.carried_mass(axis.name))
-                except ComponentError as error:
-                    self.unknown[axis.name] = str(error)
+                if axis.name not in self.unknown:
+                    yield axis, controller.axes[axis.name], machine.servo_period, machine.carried_mass(axis.name)
 
     @property
     def axes(self) -> tuple[str, ...]:
@@ -137,16 +147,13 @@ class Guards:
         worst = np.full(len(next(iter(columns.values()))), -math.inf)
         factors = margin_factors(10.0 ** (self.bounds.gain_margin / 20.0), math.radians(self.bounds.phase_margin))
         known = {} if known is None else known
-        for machine, controller in self.cases:
-            for axis in machine.axes:
-                if axis.name in self.unknown:
-                    continue
-                head, carried = f"controller.axes.{axis.name}.", machine.carried_mass(axis.name)
-                own = {name: np.asarray(values, dtype=float) for name, values in columns.items() if name.startswith(head)}
-                key = (id(axis), carried, *((name, values.tobytes()) for name, values in own.items()))
-                if key not in known:
-                    known[key] = unstable_by(lane_loops(axis, controller.axes[axis.name], machine.servo_period, carried, own), factors)
-                worst = np.maximum(worst, known[key])
+        for axis, slots, period, carried in self._loops():
+            head = f"controller.axes.{axis.name}."
+            own = {name: np.asarray(values, dtype=float) for name, values in columns.items() if name.startswith(head)}
+            key = (id(axis), carried, *((name, values.tobytes()) for name, values in own.items()))
+            if key not in known:
+                known[key] = unstable_by(lane_loops(axis, slots, period, carried, own), factors)
+            worst = np.maximum(worst, known[key])
         return worst
 
     def limited(self, figures: Mapping[str, Array]) -> Array:
@@ -156,21 +163,14 @@ class Guards:
 
     def loops(self, columns: Mapping[str, Array], axes: Sequence[str]) -> list[list[SampledLoop]]:
         """Return for each design (n,) the loops of the given axes of all machines."""
-        loops: list[list[SampledLoop]] = [[] for _ in range(len(next(iter(columns.values()))))]
-        for machine, controller in self.cases:
-            for axis in machine.axes:
-                if axis.name in axes and axis.name not in self.unknown:
-                    carried = machine.carried_mass(axis.name)
-                    made = sampled_loops(axis, controller.axes[axis.name], machine.servo_period, columns, carried)
-                    for of_design, loop in zip(loops, made, strict=True):
-                        of_design.append(loop)
-        return loops
+        chosen = (known for known in self._loops() if known[0].name in axes)
+        made = [sampled_loops(axis, slots, period, columns, carried) for axis, slots, period, carried in chosen]
+        return [list(loops) for loops in zip(*made, strict=True)] or [[] for _ in next(iter(columns.values()))]
 
     def missing(self, loops: Sequence[SampledLoop]) -> tuple[float, float]:
         """Return the largest relative shortfall of margins, and the smallest distance of a loop from -1, both on a grid."""
         short, nearest = 0.0, math.inf
         for loop in loops:
-            self.checks += 1
             margins = rough_margins(loop)
             short = max(short, self.bounds.missing(margins, SLACK))
             nearest = min(nearest, margins.modulus if margins.stable else 0.0)
@@ -183,13 +183,9 @@ class Guards:
     def exact(self, values: Mapping[str, float]) -> dict[str, Margins]:
         """Return the exact margins of every axis with values [SI], the worst over all machines."""
         worst: dict[str, Margins] = {}
-        for case in self.cases:
-            machine, controller = with_values(*case, values)
-            for axis in machine.axes:
-                if axis.name not in self.unknown:
-                    carried = machine.carried_mass(axis.name)
-                    margins = sampled_loop(axis, controller.axes[axis.name], machine.servo_period, carried).margins()
-                    worst[axis.name] = max(worst.get(axis.name, margins), margins, key=self._badness)
+        for known in self._loops(values):
+            name, margins = known[0].name, sampled_loop(*known).margins()
+            worst[name] = max(worst.get(name, margins), margins, key=self._badness)
         return worst
 
     def _badness(self, margins: Margins) -> tuple[float, float]:
