@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -23,7 +24,7 @@ from contourlab.arrays import Array
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.study.space import ROUNDING
-from contourlab.study.values import axes_of, with_values
+from contourlab.study.values import with_values
 
 SLACK = (0.02, 0.05)
 """Additional margin [dB, degrees] required in a search, where margins come from a grid."""
@@ -95,42 +96,34 @@ def in_db_and_degrees(margins: Margins) -> tuple[float, float]:
 
 @dataclass(eq=False)
 class Guards:
-    """Guards on one or more machines whose controllers have the same parameters.
+    """Guards on a machine under a controller.
 
     Attributes
     ----------
-    cases : sequence of (Machine, Controller)
+    machine : Machine
+    controller : Controller
+    bounds : Bounds
     unknown : dict of str to str
         Axes without a linear model, with the reason: their margins are not checked.
     """
 
-    cases: Sequence[tuple[Machine, Controller]]
+    machine: Machine
+    controller: Controller
     bounds: Bounds = field(default_factory=Bounds)
     unknown: dict[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        for known in self._loops():
+        for loop in self._loops(self.machine, self.controller):
             try:
-                sampled_loop(*known)
+                sampled_loop(*loop)
             except ComponentError as error:
-                self.unknown[known[0].name] = str(error)
+                self.unknown[loop[0].name] = str(error)
 
-    def _loops(self, values: Mapping[str, float] | None = None) -> Iterator[tuple[Axis, AxisController, float, float]]:
-        """Yield each axis of all machines, with values [SI], that may have a linear model: what `sampled_loop` takes."""
-        for case in self.cases:
-            machine, controller = case if values is None else with_values(*case, values)
-            for axis in machine.axes:
-                if axis.name not in self.unknown:
-                    yield axis, controller.axes[axis.name], machine.servo_period, machine.carried_mass(axis.name)
-
-    @property
-    def axes(self) -> tuple[str, ...]:
-        """Names of all axes."""
-        return tuple(dict.fromkeys(name for machine, _ in self.cases for name in machine.axis_names))
-
-    def concerned(self, name: str) -> tuple[str, ...]:
-        """Return the axes that a parameter affects."""
-        return tuple(dict.fromkeys(axis for machine, _ in self.cases for axis in axes_of(name, machine)))
+    def _loops(self, machine: Machine, controller: Controller) -> Iterator[tuple[Axis, AxisController, float, float]]:
+        """Yield what `sampled_loop` takes, for each axis that may have a linear model."""
+        for axis in machine.axes:
+            if axis.name not in self.unknown:
+                yield axis, controller.axes[axis.name], machine.servo_period, machine.carried_mass(axis.name)
 
     # --- many designs at once, for searches ---
 
@@ -147,7 +140,7 @@ class Guards:
         worst = np.full(len(next(iter(columns.values()))), -math.inf)
         factors = margin_factors(10.0 ** (self.bounds.gain_margin / 20.0), math.radians(self.bounds.phase_margin))
         known = {} if known is None else known
-        for axis, slots, period, carried in self._loops():
+        for axis, slots, period, carried in self._loops(self.machine, self.controller):
             head = f"controller.axes.{axis.name}."
             own = {name: np.asarray(values, dtype=float) for name, values in columns.items() if name.startswith(head)}
             key = (id(axis), carried, *((name, values.tobytes()) for name, values in own.items()))
@@ -156,14 +149,9 @@ class Guards:
             worst = np.maximum(worst, known[key])
         return worst
 
-    def limited(self, figures: Mapping[str, Array]) -> Array:
-        """Return how far each design (n,) exceeds the share of time with a drive at its limit: above 0 if it does."""
-        share = figures.get("limited_share")
-        return np.asarray(share - self.bounds.limited) if share is not None else np.zeros(1)
-
     def loops(self, columns: Mapping[str, Array], axes: Sequence[str]) -> list[list[SampledLoop]]:
-        """Return for each design (n,) the loops of the given axes of all machines."""
-        chosen = (known for known in self._loops() if known[0].name in axes)
+        """Return for each design (n,) the loops of the given axes."""
+        chosen = (loop for loop in self._loops(self.machine, self.controller) if loop[0].name in axes)
         made = [sampled_loops(axis, slots, period, columns, carried) for axis, slots, period, carried in chosen]
         return [list(loops) for loops in zip(*made, strict=True)] or [[] for _ in next(iter(columns.values()))]
 
@@ -181,29 +169,9 @@ class Guards:
     # --- one design, exactly ---
 
     def exact(self, values: Mapping[str, float]) -> dict[str, Margins]:
-        """Return the exact margins of every axis with values [SI], the worst over all machines."""
-        worst: dict[str, Margins] = {}
-        for known in self._loops(values):
-            name, margins = known[0].name, sampled_loop(*known).margins()
-            worst[name] = max(worst.get(name, margins), margins, key=self._badness)
-        return worst
-
-    def _badness(self, margins: Margins) -> tuple[float, float]:
-        return self.bounds.missing(margins), -margins.modulus if margins.stable else 0.0
-
-    def uncoupled(self, values: Mapping[str, float]) -> str:
-        """Return the verdict on a coupling that is unstable with values [SI]; empty if the coupling is stable or absent."""
-        for case in self.cases:
-            machine, controller = with_values(*case, values)
-            if controller.coupling is None or self.unknown:
-                continue
-            try:
-                stability = internal_stability(machine, controller)
-            except ComponentError:
-                continue
-            if not stability.stable:
-                return str(stability.verdict)
-        return ""
+        """Return the exact margins of every axis with values [SI]."""
+        changed = with_values(self.machine, self.controller, values)
+        return {loop[0].name: sampled_loop(*loop).margins() for loop in self._loops(*changed)}
 
     def broken(
         self, values: Mapping[str, float], limited: float, largest: float, exact: Mapping[str, Margins] | None = None
@@ -211,8 +179,10 @@ class Guards:
         """Return all guards that values [SI] break, from the exact analysis; `exact` gives margins that are already known."""
         margins = self.exact(values) if exact is None else exact
         found = [f"axis {axis}: {words}" for axis, of_axis in margins.items() if (words := self.bounds.broken(of_axis))]
-        coupled = self.uncoupled(values)
-        found += [f"coupling: {coupled}"] if coupled else []
+        with suppress(ComponentError):
+            if self.controller.coupling is not None and not self.unknown:
+                stability = internal_stability(*with_values(self.machine, self.controller, values))
+                found += [] if stability.stable else [f"coupling: {stability.verdict}"]
         if limited > self.bounds.limited + ROUNDING:
             found.append(f"at a limit of a drive for {100.0 * limited:.3g} % of the time")
         if largest > self.bounds.command * (1.0 + ROUNDING):

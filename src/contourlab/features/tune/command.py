@@ -99,7 +99,7 @@ class Calibration(Answer):
     def _charts(self) -> Iterator[Chart]:
         from contourlab.features.tune.report import tuning_charts
 
-        yield from tuning_charts(self.settings.goal, self.result)
+        return tuning_charts(self.settings.goal, self.result)
 
     @property
     def stopped(self) -> BaseException | None:

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from contourlab.analysis.linear.margins import Margins
 from contourlab.arrays import Array
 from contourlab.features.tune.objective import Goal
-from contourlab.features.tune.search import Step
 from contourlab.features.tune.study import Tuned
 from contourlab.figures import figure, listing
 from contourlab.metrics.run_figures import FIGURES
@@ -63,13 +61,10 @@ def _margins(tuned: Tuned) -> Table:
     heads = ("gain margin before", "after", "phase margin before", "after", "modulus margin before", "after")
     table = Table([Column("axis", left=True), *map(Column, heads)])
     for axis, after in tuned.after.margins.items():
-        both = (tuned.before.margins.get(axis), after)
-        table.add(axis, *(show(margins) for show in (decibel, degrees, _modulus) for margins in both))
+        before = tuned.before.margins.get(axis)
+        moduli = (figure(math.nan if before is None else before.modulus), figure(after.modulus))
+        table.add(axis, *(show(margins) for show in (decibel, degrees) for margins in (before, after)), *moduli)
     return table
-
-
-def _modulus(margins: Margins | None) -> str:
-    return figure(math.nan if margins is None else margins.modulus)
 
 
 def _parameters(tuned: Tuned) -> Table:
@@ -97,68 +92,53 @@ def _drives(tuned: Tuned) -> Table:
 
 
 SMALLEST = 1e-12
+Trace = tuple[str, Array, Array]
+"""Name, x and y of a curve."""
 
 
-def tuning_charts(goal: Goal, tuned: Tuned) -> tuple[Chart, ...]:
-    """Return the pictures of a calibration."""
+def tuning_charts(goal: Goal, tuned: Tuned) -> Iterator[Chart]:
+    """Yield the pictures of a calibration."""
     scale = 1e6 if goal.unit.startswith("um") else 1.0
     label = f"{goal.label} [{goal.unit}]" if goal.unit else goal.label
-    charts = []
-    progress = _progress(tuned, scale)
+    steps, progress = tuned.path.steps, list[Trace]()
+    if steps:
+        runs = np.cumsum([0, *(len(step.values) for step in steps)]).astype(float)
+        reached = scale * np.array([tuned.start_objective, *(step.objective_after for step in steps)])
+        progress.append(("one parameter at a time", *_positive(runs, reached)))
+    if tuned.global_result is not None:
+        runs, best = tuned.global_result.search.course.T
+        progress.append(("all parameters at once", *_positive(runs, scale * best)))
     if progress:
         panel = Panel("runs", label, _curves(progress), log_y=True)
         caption = "Objective over runs: after each step of the sequential procedure; for the global search, the best so far."
-        charts.append(Chart("tune-course", "Progress of the calibration", caption, (panel,), panel_height=320))
-    lines = [step for step in tuned.path.steps if step.stage != "repair" and step.before]
-    if lines:
-        charts.append(_lines(label, lines, scale))
-    errors = {}
-    for name, evaluation in (("before", tuned.before), ("after", tuned.after)):
-        if evaluation.run is not None:
-            error = evaluation.run["contour_error"]
-            half = len(error) // 2
-            errors[name] = (evaluation.run.time[half:], 1e6 * error[half:])
-    if errors:
-        panel = Panel("time [s]", "contour error [um]", _curves(errors, positive=False))
-        charts.append(Chart("tune-error", "Contour error before and after", "Second half of the run.", (panel,)))
-    return tuple(charts)
-
-
-def _progress(tuned: Tuned, scale: float) -> dict[str, tuple[Array, Array]]:
-    """Return the objective over runs, by method."""
-    progress = {}
-    steps = tuned.path.steps
-    if steps:
-        runs = np.cumsum([0, *(len(step.values) for step in steps)]).astype(float)
-        objective = np.array([tuned.start_objective, *(step.objective_after for step in steps)])
-        progress["one parameter at a time"] = (runs, scale * objective)
-    if tuned.global_result is not None:
-        course = tuned.global_result.search.course
-        progress["all parameters at once"] = (course[:, 0], scale * course[:, 1])
-    return progress
-
-
-def _lines(label: str, steps: Sequence[Step], scale: float) -> Chart:
-    axes: dict[str, list[tuple[str, Step]]] = {}
+        yield Chart("tune-course", "Progress of the calibration", caption, (panel,), panel_height=320)
+    axes: dict[str, list[Trace]] = {}
     for step in steps:
-        axis, _, name = step.variable.short.partition(".")
-        axes.setdefault(axis, []).append((name, step))
-    panels = []
-    for axis, lines in axes.items():
-        styles = [scheme_style(i, max(len(lines), 2)) for i in range(len(lines))]
-        curves = tuple(
-            Curve(*_positive(step.values / step.before, scale * step.objectives), name, *style)
-            for (name, step), style in zip(lines, styles, strict=True)
+        if step.stage != "repair" and step.before:
+            axis, _, name = step.variable.short.partition(".")
+            axes.setdefault(axis, []).append((name, *_positive(step.values / step.before, scale * step.objectives)))
+    if axes:
+        panels = []
+        for axis, lines in axes.items():
+            log_x = all((x > 0.0).all() for _, x, _ in lines)
+            panels.append(Panel("value / previous value", f"{axis}: {label}", _curves(lines, 2), log_x=log_x, log_y=True))
+        caption = (
+            "Each curve varies one parameter, with all others at their values of that step. A flat curve: the parameter hardly matters."
         )
-        log_x = all((curve.x > 0.0).all() for curve in curves)
-        panels.append(Panel("value / previous value", f"{axis}: {label}", curves, log_x=log_x, log_y=True))
-    caption = "Each curve varies one parameter, with all others at their values of that step. A flat curve: the parameter hardly matters."
-    return Chart("tune-lines", "One parameter at a time", caption, tuple(panels), panel_height=320)
+        yield Chart("tune-lines", "One parameter at a time", caption, tuple(panels), panel_height=320)
+    errors = list[Trace]()
+    for name, run in (("before", tuned.before.run), ("after", tuned.after.run)):
+        if run is not None:
+            half = len(run.time) // 2
+            errors.append((name, run.time[half:], 1e6 * run["contour_error"][half:]))
+    if errors:
+        panel = Panel("time [s]", "contour error [um]", _curves(errors))
+        yield Chart("tune-error", "Contour error before and after", "Second half of the run.", (panel,))
 
 
-def _curves(traces: Mapping[str, tuple[Array, Array]], positive: bool = True) -> tuple[Curve, ...]:
-    drawn = {name: _positive(*trace) if positive else trace for name, trace in traces.items()}
-    return tuple(Curve(x, y, name, *scheme_style(i, len(drawn))) for i, (name, (x, y)) in enumerate(drawn.items()))
+def _curves(traces: Sequence[Trace], least: int = 1) -> tuple[Curve, ...]:
+    count = max(len(traces), least)
+    return tuple(Curve(x, y, name, *scheme_style(i, count)) for i, (name, x, y) in enumerate(traces))
 
 
 def _positive(x: Array, y: Array) -> tuple[Array, Array]:
