@@ -199,15 +199,15 @@ def _design_text(axis: str, design: NotchDesign) -> str:
         f"{figure(design.frequency, 'Hz', 4)}, damping ratio {number(design.denominator_damping_ratio)}, of its zeros "
         f"{number(design.numerator_damping_ratio)}"
     )
-    table = Table([Column(f"axis {axis}", left=True), Column("before"), Column("after")])
     both = (design.margins_before, design.margins_after)
-    table.add("gain margin", *map(decibel, both))
-    table.add("phase margin", *map(degrees, both))
+    rows = [("gain margin", *map(decibel, both)), ("phase margin", *map(degrees, both))]
     for share, moved in zip((-MOVED, MOVED), design.margins_moved, strict=False):
-        table.add(f"margins, resonance {100.0 * share:+.0f} %", "", _margins(moved))
+        rows.append((f"margins, resonance {100.0 * share:+.0f} %", "", _margins(moved)))
     if math.isfinite(design.velocity_gain_before):
-        table.add("velocity gain [command s/m]", number(design.velocity_gain_before, 4), number(design.velocity_gain_after, 4))
-        table.add("largest that keeps the margins", number(design.largest_before, 4), number(design.largest_after, 4))
+        gains = (design.velocity_gain_before, design.velocity_gain_after), (design.largest_before, design.largest_after)
+        heads = ("velocity gain [command s/m]", "largest that keeps the margins")
+        rows += [(name, *(number(gain, 4) for gain in pair)) for name, pair in zip(heads, gains, strict=True)]
+    table = Table([Column(f"axis {axis}", left=True), Column("before"), Column("after")], rows=rows)
     return f"{paragraphs([head])}\n\n{table.text()}"
 
 
@@ -220,8 +220,8 @@ def _runs(notched: Notched) -> str:
         return ""
     runs = {"before": notched.before, "before, lower gain": notched.without, "after": notched.after}
     shown = {head: run for head, run in runs.items() if run is not None}
-    table = Table([Column("run", left=True), *map(Column, shown)])
-    for key in SHOWN:
-        one = FIGURES[key]
-        table.add(one.label, *("diverges" if run.run is None else figure(run.figures[key], one.display) for run in shown.values()))
-    return table.text()
+    rows = []
+    for one in map(FIGURES.__getitem__, SHOWN):
+        texts = ("diverges" if run.run is None else figure(run.figures[one.name], one.display) for run in shown.values())
+        rows.append((one.label, *texts))
+    return Table([Column("run", left=True), *map(Column, shown)], rows=rows).text()

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from contourlab.analysis.linear.margins import Margins
 from contourlab.arrays import Array
 from contourlab.features.tune.objective import Goal
 from contourlab.features.tune.study import Tuned
@@ -39,56 +40,58 @@ def tables(goal: Goal, tuned: Tuned) -> Iterator[str]:
 def _steps(goal: Goal, tuned: Tuned) -> Table:
     left = {"step", "parameter", "unit"}
     heads = ("step", "parameter", "from", "to", "unit", "objective before", "after")
-    table = Table([*(Column(head, left=head in left) for head in heads), Column("limited by", prose=True)], keys=2)
+    rows = []
     for step in tuned.path.steps:
         variable = step.variable
         values = (figure(variable.display_value(value), digits=5) for value in (step.before, step.after))
         objectives = (figure(value, goal.unit, 4) for value in (step.objective_before, step.objective_after))
-        table.add(step.stage, variable.short, *values, variable.display_unit, *objectives, step.bound)
-    return table
+        rows.append((step.stage, variable.short, *values, variable.display_unit, *objectives, step.bound))
+    columns = [Column(head, left=head in left) for head in heads]
+    return Table([*columns, Column("limited by", prose=True)], keys=2, rows=rows)
 
 
 def _figures(tuned: Tuned) -> Table:
-    table = Table([Column("figure", left=True), Column("before"), Column("after"), Column("after/before")])
+    rows: list[tuple[str, ...]] = []
     for name, one in FIGURES.items():
         before, after = tuned.before.figures[name], tuned.after.figures[name]
         ratio = after / before if before * after > 0.0 else math.nan
-        table.add(one.label, figure(before, one.display, 4), figure(after, one.display, 4), figure(ratio))
-    return table
+        rows.append((one.label, figure(before, one.display, 4), figure(after, one.display, 4), figure(ratio)))
+    return Table([Column("figure", left=True), *map(Column, ("before", "after", "after/before"))], rows=rows)
 
 
 def _margins(tuned: Tuned) -> Table:
     heads = ("gain margin before", "after", "phase margin before", "after", "modulus margin before", "after")
-    table = Table([Column("axis", left=True), *map(Column, heads)])
-    for axis, after in tuned.after.margins.items():
-        before = tuned.before.margins.get(axis)
-        moduli = (figure(math.nan if before is None else before.modulus), figure(after.modulus))
-        table.add(axis, *(show(margins) for show in (decibel, degrees) for margins in (before, after)), *moduli)
-    return table
+    both = {axis: (tuned.before.margins.get(axis), after) for axis, after in tuned.after.margins.items()}
+    rows = [(axis, *(show(margins) for show in (decibel, degrees, _modulus) for margins in pair)) for axis, pair in both.items()]
+    return Table([Column("axis", left=True), *map(Column, heads)], rows=rows)
+
+
+def _modulus(margins: Margins | None) -> str:
+    return figure(math.nan if margins is None else margins.modulus)
 
 
 def _parameters(tuned: Tuned) -> Table:
-    table = Table([Column("parameter", left=True), Column("start"), Column("tuned"), Column("unit", left=True)])
-    for variable in tuned.space.numbers:
-        values = (figure(variable.display_value(value), digits=6) for value in (variable.value, tuned.values[variable.name]))
-        table.add(variable.short, *values, variable.display_unit)
-    return table
+    columns = [Column("parameter", left=True), Column("start"), Column("tuned"), Column("unit", left=True)]
+    both = {variable: (variable.value, tuned.values[variable.name]) for variable in tuned.space.numbers}
+    shown = {variable: [figure(variable.display_value(value), digits=6) for value in pair] for variable, pair in both.items()}
+    return Table(columns, rows=[(variable.short, *texts, variable.display_unit) for variable, texts in shown.items()])
 
 
 def _drives(tuned: Tuned) -> Table:
     """Return Kv, the velocity loop, and LinuxCNC's gains for machine units of mm, one axis per column."""
     terms = tuned.drive_terms
     gains = [{} if axis.linuxcnc is None else axis.linuxcnc.per_millimetre() for axis in terms]
-    table = Table([Column("drive terms", left=True), *(Column(f"axis {axis.axis}") for axis in terms)])
-    table.add("Kv [1/s]", *(figure(axis.kv, digits=4) for axis in terms))
-    table.add("Kv [(m/min)/mm]", *(figure(0.06 * axis.kv, digits=4) for axis in terms))
-    table.add("velocity loop, -3 dB", *(figure(axis.velocity_bandwidth, "Hz", 4) for axis in terms))
-    table.add("LinuxCNC output, machine units mm", *(axis.command_unit for axis in terms))
-    for name in dict.fromkeys(name for axis in gains for name in axis):
-        table.add(f"LinuxCNC {name}", *(figure(axis.get(name, math.nan), digits=6) for axis in gains))
-    table.add("LinuxCNC command difference, rms", *(figure(axis.difference_rms, "%", 2) for axis in terms))
-    table.add("LinuxCNC command difference, max", *(figure(axis.difference, "%", 2) for axis in terms))
-    return table
+    rows = {
+        "Kv [1/s]": [figure(axis.kv, digits=4) for axis in terms],
+        "Kv [(m/min)/mm]": [figure(0.06 * axis.kv, digits=4) for axis in terms],
+        "velocity loop, -3 dB": [figure(axis.velocity_bandwidth, "Hz", 4) for axis in terms],
+        "LinuxCNC output, machine units mm": [axis.command_unit for axis in terms],
+        **{f"LinuxCNC {name}": [figure(axis.get(name, math.nan), digits=6) for axis in gains] for known in gains for name in known},
+        "LinuxCNC command difference, rms": [figure(axis.difference_rms, "%", 2) for axis in terms],
+        "LinuxCNC command difference, max": [figure(axis.difference, "%", 2) for axis in terms],
+    }
+    columns = [Column("drive terms", left=True), *(Column(f"axis {axis.axis}") for axis in terms)]
+    return Table(columns, rows=[(head, *texts) for head, texts in rows.items()])
 
 
 SMALLEST = 1e-12
