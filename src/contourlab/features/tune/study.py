@@ -52,6 +52,10 @@ class TuneSettings(Tune):
 
     def __post_init__(self) -> None:
         super().__post_init__()
+        if not 1.0 < self.width <= 1000.0:
+            raise ParameterError("width", f"{self.width:g}", "> 1 and <= 1000")
+        if not 0 <= self.seed < 2**63:
+            raise ParameterError("seed", f"{self.seed}", f"0 to {2**63 - 1}")
         _ = self.goal, self.bounds  # refuse what is wrong before any work
 
     @property
