@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -28,7 +27,6 @@ from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.loop.parameters import with_values
 from contourlab.study.space import ROUNDING
-from contourlab.study.values import axes_of
 
 SLACK = (0.02, 0.05)
 """Additional margin [dB, degrees] required in a search, where margins come from a grid."""
@@ -80,61 +78,54 @@ class Bounds:
         """Return the relative shortfall of margins: 0 if they are kept, infinite for an unstable loop."""
         if not margins.stable:
             return math.inf
-        pairs = zip(in_print(margins), (self.gain_margin, self.phase_margin), slack, strict=True)
-        return sum(max(0.0, wanted + more - margin) / max(wanted, 1.0) for margin, wanted, more in pairs if wanted)
+        pairs = zip((self.gain_margin, self.phase_margin), slack, in_db_and_degrees(margins), strict=True)
+        return sum(max(0.0, bound + more - margin) / max(bound, 1.0) for bound, more, margin in pairs if bound)
 
     def broken(self, margins: Margins) -> str:
         """Return the margins that are too small, with their values; empty if there are none."""
         if not margins.stable:
             return "unstable"
-        gain, phase = in_print(margins)
-        short = [f"gain margin {gain:.2f} dB"] if gain < self.gain_margin - ROUNDING else []
-        return ", ".join([*short, *([f"phase margin {phase:.1f} deg"] if phase < self.phase_margin - ROUNDING else [])])
+        gain, phase = in_db_and_degrees(margins)
+        texts = {f"gain margin {gain:.2f} dB": gain < self.gain_margin - ROUNDING}
+        texts |= {f"phase margin {phase:.1f} deg": phase < self.phase_margin - ROUNDING}
+        return ", ".join(text for text, small in texts.items() if small)
 
 
-def in_print(margins: Margins) -> tuple[float, float]:
+def in_db_and_degrees(margins: Margins) -> tuple[float, float]:
     """Return gain margin [dB] and phase margin [deg] of a stable loop."""
     return 20.0 * math.log10(margins.gain), math.degrees(abs(margins.phase))
 
 
 @dataclass(eq=False)
 class Guards:
-    """Guards on one or more machines whose controllers have the same parameters.
+    """Guards on a machine under a controller.
 
     Attributes
     ----------
-    cases : sequence of (Machine, Controller)
+    machine : Machine
+    controller : Controller
+    bounds : Bounds
     unknown : dict of str to str
         Axes without a linear model, with the reason: their margins are not checked.
     """
 
-    cases: Sequence[tuple[Machine, Controller]]
+    machine: Machine
+    controller: Controller
     bounds: Bounds = field(default_factory=Bounds)
     unknown: dict[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        for machine, controller in self.cases:
-            for axis in machine.axes:
-                try:
-                    sampled_loop(axis, controller.axes[axis.name], machine.servo_period, machine.carried_mass(axis.name))
-                except ComponentError as error:
-                    self.unknown[axis.name] = str(error)
+        for loop in self._loops(self.machine, self.controller):
+            try:
+                sampled_loop(*loop)
+            except ComponentError as error:
+                self.unknown[loop[0].name] = str(error)
 
-    @property
-    def axes(self) -> tuple[str, ...]:
-        """Names of all axes."""
-        return tuple(dict.fromkeys(name for machine, _ in self.cases for name in machine.axis_names))
-
-    def concerned(self, name: str) -> tuple[str, ...]:
-        """Return the axes that a parameter affects."""
-        return tuple(dict.fromkeys(axis for machine, _ in self.cases for axis in axes_of(name, machine)))
-
-    def _checked(self, cases: Iterable[tuple[Machine, Controller]]) -> Iterator[tuple[Machine, Controller, Axis, float]]:
-        """Yield machine, controller, axis and carried mass of all loops that have a linear model."""
-        for machine, controller in cases:
-            yield from (
-                (machine, controller, axis, machine.carried_mass(axis.name)) for axis in machine.axes if axis.name not in self.unknown
-            )
+    def _loops(self, machine: Machine, controller: Controller) -> Iterator[tuple[Axis, AxisController, float, float]]:
+        """Yield what `sampled_loop` takes, for each axis that may have a linear model."""
+        for axis in machine.axes:
+            if axis.name not in self.unknown:
+                yield axis, controller.axes[axis.name], machine.servo_period, machine.carried_mass(axis.name)
 
     # --- many designs at once, for searches ---
 
@@ -151,34 +142,26 @@ class Guards:
         worst = np.full(len(next(iter(columns.values()))), -math.inf)
         factors = margin_factors(10.0 ** (self.bounds.gain_margin / 20.0), math.radians(self.bounds.phase_margin))
         known = {} if known is None else known
-        for machine, controller, axis, carried in self._checked(self.cases):
+        for axis, slots, period, carried in self._loops(self.machine, self.controller):
             head = f"controller.axes.{axis.name}."
             own = {name: np.asarray(values, dtype=float) for name, values in columns.items() if name.startswith(head)}
             key = (id(axis), carried, *((name, values.tobytes()) for name, values in own.items()))
             if key not in known:
-                known[key] = unstable_by(lane_loops(axis, controller.axes[axis.name], machine.servo_period, carried, own), factors)
+                known[key] = unstable_by(lane_loops(axis, slots, period, carried, own), factors)
             worst = np.maximum(worst, known[key])
         return worst
 
-    def limited(self, figures: Mapping[str, Array]) -> Array:
-        """Return how far each design (n,) exceeds the share of time with a drive at its limit: above 0 if it does."""
-        share = figures.get("limited_share")
-        return np.asarray(share - self.bounds.limited) if share is not None else np.zeros(1)
-
     def loops(self, columns: Mapping[str, Array], axes: Sequence[str]) -> list[list[SampledLoop]]:
-        """Return for each design (n,) the loops of the given axes of all machines."""
-        loops = [
-            sampled_loops(axis, controller.axes[axis.name], machine.servo_period, columns, carried)
-            for machine, controller, axis, carried in self._checked(self.cases)
-            if axis.name in axes
-        ]
-        n = len(next(iter(columns.values())))
-        return [list(of_design) for of_design in zip(*loops, strict=True)] if loops else [[] for _ in range(n)]
+        """Return for each design (n,) the loops of the given axes."""
+        chosen = (loop for loop in self._loops(self.machine, self.controller) if loop[0].name in axes)
+        made = [sampled_loops(axis, slots, period, columns, carried) for axis, slots, period, carried in chosen]
+        return [list(loops) for loops in zip(*made, strict=True)] or [[] for _ in next(iter(columns.values()))]
 
     def missing(self, loops: Sequence[SampledLoop]) -> tuple[float, float]:
         """Return the largest relative shortfall of margins, and the smallest distance of a loop from -1, both on a grid."""
         short, nearest = 0.0, math.inf
-        for margins in map(rough_margins, loops):
+        for loop in loops:
+            margins = rough_margins(loop)
             short = max(short, self.bounds.missing(margins, SLACK))
             nearest = min(nearest, margins.modulus if margins.stable else 0.0)
             if math.isinf(short):
@@ -188,15 +171,9 @@ class Guards:
     # --- one design, exactly ---
 
     def exact(self, values: Mapping[str, float]) -> dict[str, Margins]:
-        """Return the exact margins of every axis with values [SI], the worst over all machines."""
-        worst: dict[str, Margins] = {}
-        for machine, controller, axis, carried in self._checked(with_values(*case, values) for case in self.cases):
-            margins = sampled_loop(axis, controller.axes[axis.name], machine.servo_period, carried).margins()
-            worst[axis.name] = max(worst.get(axis.name, margins), margins, key=self._badness)
-        return worst
-
-    def _badness(self, margins: Margins) -> tuple[float, float]:
-        return self.bounds.missing(margins), -margins.modulus if margins.stable else 0.0
+        """Return the exact margins of every axis with values [SI]."""
+        changed = with_values(self.machine, self.controller, values)
+        return {loop[0].name: sampled_loop(*loop).margins() for loop in self._loops(*changed)}
 
     def broken(
         self, values: Mapping[str, float], limited: float, largest: float, exact: Mapping[str, Margins] | None = None
@@ -204,11 +181,10 @@ class Guards:
         """Return all guards that values [SI] break, from the exact analysis; `exact` gives margins that are already known."""
         margins = self.exact(values) if exact is None else exact
         found = [f"axis {axis}: {words}" for axis, of_axis in margins.items() if (words := self.bounds.broken(of_axis))]
-        for case in () if self.unknown else self.cases:
-            machine, controller = with_values(*case, values)
-            if controller.coupling is not None:
-                with suppress(ComponentError):  # not linear
-                    found += [f"coupling: {cause.text}" for cause in internal_stability(machine, controller).findings]
+        with suppress(ComponentError):
+            if self.controller.coupling is not None and not self.unknown:
+                stability = internal_stability(*with_values(self.machine, self.controller, values))
+                found += [f"coupling: {cause.text}" for cause in stability.findings]
         if limited > self.bounds.limited + ROUNDING:
             found.append(f"at a limit of a drive for {100.0 * limited:.3g} % of the time")
         if largest > self.bounds.command * (1.0 + ROUNDING):

@@ -9,9 +9,10 @@ Ellis, "Control System Design Guide", 4th ed., 2012, on resonance; Gross, Hamann
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import product
+from operator import truediv
 from typing import Any
 
 import numpy as np
@@ -24,10 +25,7 @@ from contourlab.components.plant.plant import Plant
 from contourlab.errors import ParameterError
 from contourlab.loop import AxisController, Controller, Machine
 from contourlab.loop.parameters import with_values
-from contourlab.study.guards import SLACK, Bounds
-from contourlab.loop import Controller, Machine
-from contourlab.study.guards import SLACK, Bounds, in_print
-from contourlab.study.values import controller_with, machine_with
+from contourlab.study.guards import SLACK, Bounds, in_db_and_degrees
 
 NAME = "resonance"
 """Name of the filter."""
@@ -132,6 +130,7 @@ def design_notch(machine: Machine, controller: Controller, name: str, bounds: Bo
             notch, most = other, further
         gain = most if most > 0.0 else own
     changed = work.having(with_velocity_gain(controller, name, gain / own) if gain != own else controller, notch)
+    after, *moved = work.margins(changed)
     design = NotchDesign(
         *found,
         notch.frequency,
@@ -141,9 +140,9 @@ def design_notch(machine: Machine, controller: Controller, name: str, bounds: Bo
         gain,
         work.largest(controller),
         most,
-        work.margins(controller),
-        work.margins(changed),
-        tuple(work.margins(changed, factor) for factor in work.moves[1:]),
+        next(work.margins(controller)),
+        after,
+        tuple(moved),
     )
     return design, changed
 
@@ -189,9 +188,11 @@ class _Axis:
     bounds: Bounds
 
     @property
-    def moves(self) -> tuple[float, ...]:
-        """Factors on the resonance."""
-        return (1.0, 1.0 - MOVED, 1.0 + MOVED) if "resonance" in self.machine.axis(self.name).plant.parameters else (1.0,)
+    def resonances(self) -> dict[str, Array]:
+        """The resonance as it is, lower and higher (3,), by its dotted name; empty if the plant does not have it as a parameter."""
+        values = self.machine.axis(self.name).plant.values()
+        moves = np.array([1.0, 1.0 - MOVED, 1.0 + MOVED])
+        return {f"axes.{self.name}.plant.resonance": values["resonance"] * moves} if "resonance" in values else {}
 
     def velocity_gain(self, controller: Controller) -> float:
         """Return the velocity gain, nan if the controller has none."""
@@ -200,38 +201,28 @@ class _Axis:
     def having(self, controller: Controller, notch: Notch) -> Controller:
         """Return a controller with a notch."""
         mine = controller.axes[self.name]
-        filters = ((NAME, notch), *(pair for pair in mine.filters if pair[0] != NAME))
-        return replace(controller, axes={**controller.axes, self.name: replace(mine, filters=filters)})
+        others = tuple(pair for pair in mine.filters if pair[0] != NAME)
+        return replace(controller, axes={**controller.axes, self.name: replace(mine, filters=((NAME, notch), *others))})
 
-    def margins(self, controller: Controller, move: float = 1.0) -> Margins:
-        """Return the exact margins, with the resonance moved by a factor."""
-        machine = self.machine
-        if move != 1.0:
-            machine, _ = with_values(machine, controller, {self.moved: self.own_resonance * move})
-        machine = self.machine if move == 1.0 else machine_with(self.machine, {self.moved: self.own_resonance * move})
-        carried = machine.carried_mass(self.name)
-        return sampled_loop(machine.axis(self.name), controller.axes[self.name], machine.servo_period, carried).margins()
+    def margins(self, controller: Controller) -> Iterator[Margins]:
+        """Yield the exact margins as it is, and wherever the resonance moves."""
+        for values in zip(*(column.tolist() for column in self.resonances.values()), strict=True) if self.resonances else [()]:
+            machine, _ = with_values(self.machine, controller, dict(zip(self.resonances, values, strict=True)))
+            carried = machine.carried_mass(self.name)
+            yield sampled_loop(machine.axis(self.name), controller.axes[self.name], machine.servo_period, carried).margins()
 
     def keeps(self, controller: Controller) -> bool:
         """Return whether the margins are kept wherever the resonance moves."""
-        return not any(self.bounds.broken(self.margins(controller, move)) for move in self.moves)
-
-    @property
-    def moved(self) -> str:
-        """Dotted name of the resonance."""
-        return f"axes.{self.name}.plant.resonance"
-
-    @property
-    def own_resonance(self) -> float:
-        return float(self.machine.axis(self.name).plant.values()["resonance"])
+        return not any(map(self.bounds.broken, self.margins(controller)))
 
     def scores(self, controller: Controller, columns: Mapping[str, Array]) -> Array:
         """Return the smaller of gain and phase margin, over their bounds, for each variant; minus infinity for an unstable loop."""
         machine, mine = self.machine, controller.axes[self.name]
         loops = sampled_loops(machine.axis(self.name), mine, machine.servo_period, columns, machine.carried_mass(self.name))
-        gain, phase = self.bounds.gain_margin + SLACK[0], self.bounds.phase_margin + SLACK[1]
-        found = [in_print(margins) if margins.stable else (-math.inf, -math.inf) for margins in map(rough_margins, loops)]
-        return np.array([min(of_gain / gain, of_phase / phase) for of_gain, of_phase in found])
+        bounds = self.bounds.gain_margin + SLACK[0], self.bounds.phase_margin + SLACK[1]
+        rough = map(rough_margins, loops)
+        scores = (map(truediv, in_db_and_degrees(margins), bounds) if margins.stable else [-math.inf] for margins in rough)
+        return np.array([min(each) for each in scores])
 
     def best(self, controller: Controller, frequency: float, ratio: float) -> Notch:
         """Return the best notch for the gains of a controller."""
@@ -242,11 +233,10 @@ class _Axis:
             for zeros in (ratio, 0.1 * width)
             if frequency * place < nyquist and zeros < width
         ]
-        rows = np.repeat(np.array(shapes), len(self.moves), axis=0)
-        head = f"controller.axes.{self.name}.filters.{NAME}"
-        columns: dict[str, Any] = dict(zip((f"{head}.{key}" for key in _SHAPE), rows.T, strict=True))
-        if len(self.moves) > 1:
-            columns[self.moved] = self.own_resonance * np.tile(self.moves, len(shapes))
+        places = next(iter(self.resonances.values()), np.zeros(1)).size
+        columns = {name: np.tile(values, len(shapes)) for name, values in self.resonances.items()}
+        for key, column in zip(_SHAPE, np.repeat(shapes, places, axis=0).T, strict=True):
+            columns[f"controller.axes.{self.name}.filters.{NAME}.{key}"] = column
         worst = self.scores(self.having(controller, Notch(frequency=frequency)), columns).reshape(len(shapes), -1).min(axis=1)
         return Notch(**dict(zip(_SHAPE, shapes[int(np.argmax(worst))], strict=True)))
 
@@ -260,11 +250,9 @@ class _Axis:
             return self.keeps(with_velocity_gain(controller, self.name, factor))
 
         # Margins from a grid may miss a narrow resonance: they only say where to look.
-        likely = np.flatnonzero(self.scores(controller, _scaled(controller, self.name, FACTORS)) >= 0.9)
-        first = next((int(i) for i in likely[::-1] if keeps(float(FACTORS[i]))), None)
-        if first is None:
-            return math.nan
-        low, high = float(FACTORS[first]), float(FACTORS[min(first + 1, FACTORS.size - 1)])
+        likely = FACTORS[self.scores(controller, _scaled(controller, self.name, FACTORS)) >= 0.9].tolist()
+        low = next(filter(keeps, likely[::-1]), math.nan)
+        high = min(FACTORS[low < FACTORS].tolist(), default=low)
         while high > 1.001 * low:
             middle = math.sqrt(low * high)
             low, high = (middle, high) if keeps(middle) else (low, middle)

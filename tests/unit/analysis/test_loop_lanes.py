@@ -48,7 +48,7 @@ def test_lanes_agree_with_the_margins_of_each_loop(delay: float) -> None:
 
 def test_a_guard_checks_all_axes_and_caches_the_result() -> None:
     stage, made, columns = candidates()
-    guard, known = Guards([(stage, made)], Bounds(GAIN, 25.0)), {}
+    guard, known = Guards(stage, made, Bounds(GAIN, 25.0)), {}
     excess = guard.excess(columns, known)
     assert not guard.unknown and len(known) == 2
     assert np.array_equal(guard.excess(columns, known), excess)

@@ -78,7 +78,7 @@ def link(*source: Source, settings: Link, session: Session = QUIET) -> LinkResul
         interrupted = True
     left_out = [] if interrupted else [case.name for case in cases if case.name not in costs]
     findings = (finding("CL766", schemes=left_out),) if left_out else ()
-    return LinkResult(scenario.name, costs, findings, len(cases) > 1, interrupted, scenario.inputs)
+    return LinkResult(scenario, costs, findings, interrupted)
 
 
 @dataclass(frozen=True)

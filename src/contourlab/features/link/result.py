@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from contourlab.app.json_values import HIDDEN, write_json
+from contourlab.app.json_values import write_json
 from contourlab.app.results import staged
 from contourlab.app.session import Answer, Asked
 from contourlab.features.link.cost import DivisionCost
@@ -22,6 +22,7 @@ from contourlab.metrics.run_figures import GOALS
 from contourlab.rendering.charts import Chart, Curve, Level, Panel
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
+from contourlab.scenario import Scenario
 
 _TITLES = {
     "message_period": ("message period [ms]", 1e3, "Longer message period"),
@@ -100,27 +101,27 @@ class LinkResult(Answer):
 
     Attributes
     ----------
-    name : str
-        Of the scenario.
+    scenario : Scenario
     schemes : dict of str to SchemeCost
     findings : tuple of Finding
     """
 
     SILENT = True
 
-    name: str
+    scenario: Scenario = field(repr=False)
     schemes: dict[str, SchemeCost]
     findings: tuple[Finding, ...] = ()
-    several: bool = field(default=False, metadata=HIDDEN)
-    interrupted: bool = field(default=False, metadata=HIDDEN)
-    inputs: tuple[Path, ...] = field(default=(), metadata=HIDDEN, repr=False)
-    plots: tuple[Path, ...] = field(default=(), metadata=HIDDEN)
-    folder: str = field(default="", metadata=HIDDEN)
+    interrupted: bool = False
+    plots: tuple[Path, ...] = ()
+    folder: str = ""
+
+    json_form: ClassVar = {"name": "scenario.name", "schemes": "schemes", "findings": "findings"}
 
     @property
     def text(self) -> str:
         """The cost of each scheme as tables, and its findings."""
-        texts = [scheme_text(name if self.several else self.name, of_scheme) for name, of_scheme in self.schemes.items()]
+        several = len(self.scenario.cases()) > 1
+        texts = [scheme_text(name if several else self.scenario.name, of_scheme) for name, of_scheme in self.schemes.items()]
         texts += [paragraphs(map(str, self.findings))] if self.findings else []
         texts += ["\n".join(f"plot: {file}" for file in self.plots)] if self.plots else []
         return "\n\n".join([*texts, *([f"results: {self.folder}"] if self.folder else [])])
@@ -167,7 +168,7 @@ class LinkResult(Answer):
         OutputError
             If the folder cannot be written to.
         """
-        with staged(folder, "summary.json", inputs=self.inputs) as stage:
+        with staged(folder, "summary.json", inputs=self.scenario.inputs) as stage:
             write_json(stage / "summary.json", self)
             files = self._draw(stage, folder, plots)
         return replace(self, plots=files, folder=str(folder))

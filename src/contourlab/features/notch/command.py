@@ -6,10 +6,10 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from contourlab.analysis.linear.margins import Margins
-from contourlab.app.json_values import HIDDEN, json_values
+from contourlab.app.json_values import json_values
 from contourlab.app.results import proposed
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.errors import ParameterError
@@ -23,6 +23,7 @@ from contourlab.metrics.run_figures import FIGURES
 from contourlab.rendering.margin_words import decibel, degrees
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
+from contourlab.scenario import Case, Scenario
 from contourlab.study import Setting
 from contourlab.study.guards import Bounds, Guards
 from contourlab.study.notch import MOVED, NotchDesign, design_notch, resonance_of, with_velocity_gain
@@ -37,10 +38,9 @@ class Notched(Answer):
 
     Attributes
     ----------
-    name, scheme : str
-        Name of the scenario and of its scheme.
-    passed : bool
-        Whether every axis keeps the margins.
+    scenario : Scenario
+    case : Case
+        Its scheme.
     bounds : Bounds
     designs : dict of str to NotchDesign
         By axis.
@@ -50,22 +50,33 @@ class Notched(Answer):
         The scenario without notches, each velocity gain lowered until the margins are kept; None where nothing has to be lowered, or
         nothing helps.
     findings : tuple of Finding
+    controller : Controller
+        With the notches.
     controller_file : Path or None
         The file written.
     """
 
-    name: str
-    scheme: str
-    passed: bool
+    scenario: Scenario = field(repr=False)
+    case: Case = field(repr=False)
     bounds: Bounds
     designs: dict[str, NotchDesign]
     before: Evaluation
     after: Evaluation
     without: Evaluation | None
     findings: tuple[Finding, ...]
-    controller_file: Path | None
-    machine: Machine = field(metadata=HIDDEN, repr=False)
-    controller: Controller = field(metadata=HIDDEN, repr=False)
+    controller: Controller = field(repr=False)
+    controller_file: Path | None = None
+
+    json_form: ClassVar = {
+        "name": "scenario.name",
+        "scheme": "case.name",
+        **{name: name for name in ("passed", "bounds", "designs", "before", "after", "without", "findings", "controller_file")},
+    }
+
+    @property
+    def passed(self) -> bool:
+        """Whether every axis keeps the margins."""
+        return not any(map(self.bounds.broken, self.after.margins.values()))
 
     @property
     def rows(self) -> list[dict[str, Any]]:
@@ -94,8 +105,8 @@ class Notched(Answer):
 
         if write is None or not self.designs:
             return self
-        head = f"Notch filters for {self.name}, scheme {self.scheme}."
-        write_text_atomic(Path(write), proposed(head, dump(self.controller, self.machine)))
+        head = f"Notch filters for {self.scenario.name}, scheme {self.case.name}."
+        write_text_atomic(Path(write), proposed(head, dump(self.controller, self.case.machine)))
         return replace(self, controller_file=Path(write))
 
     def _next(self, asked: Asked) -> Sequence[object]:
@@ -106,7 +117,11 @@ class Notched(Answer):
     @property
     def text(self) -> str:
         """Tables, findings, and the file written."""
-        parts = [f"{self.name}, {self.scheme}", *(_design_text(axis, design) for axis, design in self.designs.items()), _runs(self)]
+        parts = [
+            f"{self.scenario.name}, {self.case.name}",
+            *(_design_text(axis, design) for axis, design in self.designs.items()),
+            _runs(self),
+        ]
         parts.append(paragraphs(map(str, self.findings)))
         written = self.controller_file
         parts.append("no controller file: name one with --write" if written is None else f"controller file: {written}")
@@ -135,8 +150,7 @@ def notch(*source: Source, settings: Notch, session: Session = QUIET) -> Notched
     """
     scenario, case = case_asked(source, settings)
     session.will_write(scenario.inputs)
-    bounds = settings.margins
-    machine, made = case.machine, case.controller
+    bounds, machine, made = settings.margins, case.machine, case.controller
     unknown = [name for name in settings.axes if name not in machine.axis_names]
     if unknown:
         raise ParameterError("--axes", unknown[0], f"one of {', '.join(machine.axis_names)}")
@@ -144,16 +158,12 @@ def notch(*source: Source, settings: Notch, session: Session = QUIET) -> Notched
     for name in settings.axes or _in_need(machine, made, bounds):
         designs[name], made = design_notch(machine, made, name, bounds)
     setting = Setting.of(case)
-    runs = [
-        None if tried is None else evaluate(replace(setting, controller=tried), bounds)
-        for tried in (case.controller, made, _lowered(case.controller, designs))
-    ]
-    before, after, without = runs
-    assert before is not None and after is not None
-    findings = tuple(one for name, design in designs.items() for one in _findings(name, design, bounds))
-    findings = findings or ((finding("CL640", bounds=bounds.margin_words),) if not designs else ())
-    passed = not any(bounds.broken(margins) for margins in after.margins.values())
-    return Notched(scenario.name, case.name, passed, bounds, designs, before, after, without, findings, None, machine, made)
+    lowered = _lowered(case.controller, designs)
+    before, after = (evaluate(replace(setting, controller=tried), bounds) for tried in (case.controller, made))
+    without = None if lowered is None else evaluate(replace(setting, controller=lowered), bounds)
+    findings = [one for name, design in designs.items() for one in _findings(name, design, bounds)]
+    findings += [] if designs else [finding("CL640", bounds=bounds.margin_words)]
+    return Notched(scenario, case, bounds, designs, before, after, without, tuple(findings), made)
 
 
 def _lowered(controller: Controller, designs: Mapping[str, NotchDesign]) -> Controller | None:
@@ -168,7 +178,7 @@ def _lowered(controller: Controller, designs: Mapping[str, NotchDesign]) -> Cont
 
 def _in_need(machine: Machine, controller: Controller, bounds: Bounds) -> list[str]:
     """Return the axes with a resonance whose loops break the margins."""
-    margins = Guards([(machine, controller)], bounds).exact({})
+    margins = Guards(machine, controller, bounds).exact({})
     ringing = [name for name in machine.axis_names if resonance_of(machine.loaded_plant(name)) is not None]
     return [name for name in ringing if name in margins and bounds.broken(margins[name])]
 
@@ -189,15 +199,15 @@ def _design_text(axis: str, design: NotchDesign) -> str:
         f"{figure(design.frequency, 'Hz', 4)}, damping ratio {number(design.denominator_damping_ratio)}, of its zeros "
         f"{number(design.numerator_damping_ratio)}"
     )
-    table = Table([Column(f"axis {axis}", left=True), Column("before"), Column("after")])
     both = (design.margins_before, design.margins_after)
-    table.add("gain margin", *map(decibel, both))
-    table.add("phase margin", *map(degrees, both))
+    rows = [("gain margin", *map(decibel, both)), ("phase margin", *map(degrees, both))]
     for share, moved in zip((-MOVED, MOVED), design.margins_moved, strict=False):
-        table.add(f"margins, resonance {100.0 * share:+.0f} %", "", _margins(moved))
+        rows.append((f"margins, resonance {100.0 * share:+.0f} %", "", _margins(moved)))
     if math.isfinite(design.velocity_gain_before):
-        table.add("velocity gain [command s/m]", number(design.velocity_gain_before, 4), number(design.velocity_gain_after, 4))
-        table.add("largest that keeps the margins", number(design.largest_before, 4), number(design.largest_after, 4))
+        gains = (design.velocity_gain_before, design.velocity_gain_after), (design.largest_before, design.largest_after)
+        heads = ("velocity gain [command s/m]", "largest that keeps the margins")
+        rows += [(name, *(number(gain, 4) for gain in pair)) for name, pair in zip(heads, gains, strict=True)]
+    table = Table([Column(f"axis {axis}", left=True), Column("before"), Column("after")], rows=rows)
     return f"{paragraphs([head])}\n\n{table.text()}"
 
 
@@ -210,8 +220,8 @@ def _runs(notched: Notched) -> str:
         return ""
     runs = {"before": notched.before, "before, lower gain": notched.without, "after": notched.after}
     shown = {head: run for head, run in runs.items() if run is not None}
-    table = Table([Column("run", left=True), *map(Column, shown)])
-    for key in SHOWN:
-        one = FIGURES[key]
-        table.add(one.label, *("diverges" if run.run is None else figure(run.figures[key], one.display) for run in shown.values()))
-    return table.text()
+    rows = []
+    for one in map(FIGURES.__getitem__, SHOWN):
+        texts = ("diverges" if run.run is None else figure(run.figures[one.name], one.display) for run in shown.values())
+        rows.append((one.label, *texts))
+    return Table([Column("run", left=True), *map(Column, shown)], rows=rows).text()

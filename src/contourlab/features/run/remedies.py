@@ -47,14 +47,14 @@ def remedies(machine: Machine, controller: Controller) -> list[tuple[str, Contro
     if controller.coupling is None and len(machine.axes) > 1:
         coupled = replace(controller, estimator=Newton(), coupling=ModifiedReference())
         changes.append(("coupling the axes by a modified reference", coupled))
-    kept = Guards([(machine, controller)]).exact({})
+    kept = Guards(machine, controller).exact({})
     return [(name, changed) for name, changed in changes if changed != controller and _keeps_margins(machine, changed, kept)]
 
 
 def _keeps_margins(machine: Machine, changed: Controller, before: Mapping[str, Margins]) -> bool:
     """Tell whether each axis has 6 dB and 30 degrees, or at least the margins it had; an axis without a linear model counts as good."""
     bounds = Bounds()
-    after = Guards([(machine, changed)]).exact({})
+    after = Guards(machine, changed).exact({})
     return all(bounds.missing(margins) <= (bounds.missing(before[axis]) if axis in before else 0.0) for axis, margins in after.items())
 
 

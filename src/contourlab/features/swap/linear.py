@@ -25,7 +25,6 @@ from contourlab.features.swap.variants import Variant
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller
 
-METHODS = ("direct", "three-step", "lmi")
 SEEN = 5e-4
 """Smallest difference of the sum of J/J* that shows in print."""
 SLOWEST, FASTEST = 2.0, 60.0
@@ -107,9 +106,7 @@ def first_order(variant: Variant, controller: Controller, name: str, observer: b
     return LinearAxis(1e3 / inverse, slope / inverse)
 
 
-def linear_swap(
-    variants: Sequence[Variant], controller: Controller, name: str, methods: Sequence[str] = METHODS, weights: LqWeights | None = None
-) -> tuple[LinearSwap, ...]:
+def linear_swap(variants: Sequence[Variant], controller: Controller, name: str, methods: Sequence[str]) -> tuple[LinearSwap, ...]:
     """Return the loss of linear designs at a swap of one axis: as raw drive, and behind the observer if there is one.
 
     Parameters
@@ -120,10 +117,8 @@ def linear_swap(
     name : str
         The axis.
     methods : sequence of str
-        From `METHODS`.
-    weights : LqWeights, optional
+        ``"direct"``, ``"three-step"`` and ``"lmi"``.
     """
-    weights = weights or LqWeights()
     modules: dict[str, Variant] = {}
     for variant in variants:
         modules.setdefault(dict(variant.modules)[name], variant)
@@ -131,15 +126,13 @@ def linear_swap(
     for case, observer in (("raw drive", False), ("behind the observer", True)):
         if observer and controller.axes[name].observer is None:
             continue
-        models = tuple(first_order(variant, controller, name, observer) for variant in modules.values())
-        designs = tuple(design for method in methods for design in _designs(method, models, weights))
-        found.append(LinearSwap(name, case, tuple(modules), models, blind_swaps(models, weights), designs))
+        models, weights = tuple(first_order(variant, controller, name, observer) for variant in modules.values()), LqWeights()
+        designs: list[ModularDesign] = []
+        for method in methods:
+            if method == "lmi":
+                designs.append(lmi_design(models, weights)[0])
+            else:  # nothing local, then each gain alone
+                design = direct_design if method == "direct" else three_step_design
+                designs += [design(models, local, weights) for local in ((), *((gain,) for gain in GAINS))]
+        found.append(LinearSwap(name, case, tuple(modules), models, blind_swaps(models, weights), tuple(designs)))
     return tuple(found)
-
-
-def _designs(method: str, models: Sequence[LinearAxis], weights: LqWeights) -> list[ModularDesign]:
-    """Return the designs of a method: nothing local, then each gain alone if the method allows it."""
-    if method == "lmi":
-        return [lmi_design(models, weights)[0]]
-    design = direct_design if method == "direct" else three_step_design
-    return [design(models, local, weights) for local in ((), *((gain,) for gain in GAINS))]

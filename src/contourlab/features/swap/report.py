@@ -246,63 +246,57 @@ def _losses(study: SwapStudy) -> Table:
     tolerance = figure(variants.floor, variants.unit)
     title = f"J: {variants.objective.replace('_', ' ')} [{variants.unit}]; loss: (J - J*)/max(J*, J_tol), J_tol {tolerance}"
     columns = [Column("local parameters", left=True, prose=True), Column("number"), *map(Column, variants.names), Column("loss [%]")]
-    table = Table(columns, title)
-
-    def add(name: str, number: str, values: Iterable[float], loss: str) -> None:
-        table.add(name, number, *(_number(value, variants.unit) for value in values), loss)
-
-    add("J*, best value of all searches", "", variants.best, "")
-    add("best value of its own search", "", (optimum.reached for optimum in study.optima), "")
-    add("the scenario's own", "", study.given.values, _percent(study.given.swap_loss))
-    for choice in study.choices:
-        add(choice.name, str(len(choice.local)), choice.values, _percent(choice.swap_loss))
-    return table
+    rows: list[tuple[str, str, Iterable[float], str]] = [
+        ("J*, best value of all searches", "", variants.best, ""),
+        ("best value of its own search", "", (optimum.reached for optimum in study.optima), ""),
+        ("the scenario's own", "", study.given.values, _percent(study.given.swap_loss)),
+        *((choice.name, str(len(choice.local)), choice.values, _percent(choice.swap_loss)) for choice in study.choices),
+    ]
+    shown = [(name, count, *(_number(value, variants.unit) for value in values), loss) for name, count, values, loss in rows]
+    return Table(columns, title, rows=shown)
 
 
 def _division(study: SwapStudy, choice: Design) -> Table:
     """Return the table of a design: base parameters once, local parameters for each variant."""
     columns = [Column("parameter", left=True), Column("", left=True), *map(Column, study.variants.names), Column("unit", left=True)]
-    table = Table(columns, "Recommended design")
+    rows = []
     for number in study.variants.space.numbers:
         local = number.name in choice.local
         values = [f"{number.display_value(point[number.name]):.6g}" for point in choice.parameters]
         shown = values if local else [values[0], *[""] * (len(values) - 1)]
-        table.add(number.short, "local" if local else "base", *shown, number.display_unit)
-    return table
+        rows.append((number.short, "local" if local else "base", *shown, number.display_unit))
+    return Table(columns, "Recommended design", rows=rows)
 
 
 def _margins(result: SwapResult, which: str) -> Table:
     columns = [Column("variant", left=True), Column("axis", left=True), Column("gain margin"), Column("phase margin")]
-    table = Table(columns, f"Exact margins of {which}")
-    for name, variant in result.variants.items():
-        for axis, margins in variant.margins.items():
-            table.add(name, axis, decibel(margins), degrees(margins))
-    return table
+    margins = [(name, axis, of_axis) for name, variant in result.variants.items() for axis, of_axis in variant.margins.items()]
+    rows: list[tuple[str, ...]] = [(name, axis, decibel(of_axis), degrees(of_axis)) for name, axis, of_axis in margins]
+    return Table(columns, f"Exact margins of {which}", rows=rows)
 
 
 def _networks(result: SwapResult, which: str) -> Table:
     heads = ("wired", "allowed", "as given", "longest period that holds")
-    columns = [Column("division, variant", left=True), *map(Column, heads)]
     unit = result.study.variants.unit
-    table = Table(columns, f"J of {which} over a network [{unit}]")
+    rows: list[tuple[str, ...]] = []
     for cost in result.networks:
-        table.add(cost.name, "", "", "", "")
+        rows.append((cost.name, "", "", "", ""))
         for variant in cost.variants:
             values = [_number(value, unit, "diverges") for value in (variant.undivided, variant.allowed, variant.as_given)]
-            table.add(f"  {variant.variant}", *values, largest_held(variant.sweep))
-    return table
+            rows.append((f"  {variant.variant}", *values, largest_held(variant.sweep)))
+    return Table([Column("division, variant", left=True), *map(Column, heads)], f"J of {which} over a network [{unit}]", rows=rows)
 
 
 def _linear(designs: LinearSwap) -> Table:
     title = f"Linear designs, axis {designs.axis}, {designs.case}: J/J* of each module"
-    table = Table([Column("method, local", left=True), *map(Column, designs.modules)], title)
-    table.add("a [mm/s^2]", *(f"{model.gain:.4g}" for model in designs.models))
-    table.add("b [1/s]", *(f"{model.damping:.3g}" for model in designs.models))
-    for module, row in zip(designs.modules, designs.blind, strict=True):
-        table.add(f"optimal for {module}", *(f"{ratio:.4g}" for ratio in row))
-    for design in designs.designs:
-        table.add(f"{design.method}, {', '.join(design.local) or 'nothing'}", *(f"{ratio:.4g}" for ratio in design.ratio))
-    return table
+    rows = [
+        ("a [mm/s^2]", *(f"{model.gain:.4g}" for model in designs.models)),
+        ("b [1/s]", *(f"{model.damping:.3g}" for model in designs.models)),
+    ]
+    ratios = {f"optimal for {module}": row for module, row in zip(designs.modules, designs.blind, strict=True)}
+    ratios |= {f"{design.method}, {', '.join(design.local) or 'nothing'}": design.ratio for design in designs.designs}
+    rows += [(name, *(f"{ratio:.4g}" for ratio in row)) for name, row in ratios.items()]
+    return Table([Column("method, local", left=True), *map(Column, designs.modules)], title, rows=rows)
 
 
 def _number(value: float, unit: str, missing: str = "breaks a guard") -> str:

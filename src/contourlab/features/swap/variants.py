@@ -113,7 +113,7 @@ class Variants:
         self.space = replace(self.space, written=True)
         figures = (self.objective, "limited_share")
         self.runners = tuple(Runner(replace(self.setting, machine=v.machine), figures, self.threads, self.gpu) for v in self)
-        self.guards = tuple(Guards([(v.machine, self.setting.controller)], self.bounds) for v in self)
+        self.guards = tuple(Guards(v.machine, self.setting.controller, self.bounds) for v in self)
         self.best = np.full(len(self), np.inf)
         self.best_points = self.everywhere(self.space.start)
 
@@ -190,7 +190,7 @@ class Variants:
         which = range(len(self)) if only is None else only
         known: dict[tuple[object, ...], Array] = {}
         columns = [self.space.columns(rows) for rows in points]
-        excess = [np.broadcast_to(self.guards[i].excess(column, known), len(points[0])) for column, i in zip(columns, which, strict=True)]
+        excess = [self.guards[i].excess(column, known) for column, i in zip(columns, which, strict=True)]
         run = [np.full(len(over), True) if whole else over < 0.0 for over in excess]
         chosen = [{name: values[r] for name, values in column.items()} for column, r in zip(columns, run, strict=True)]
         judged = [self._judged(*args) for args in zip(which, points, excess, run, self._figures(which, chosen), strict=True)]
@@ -218,7 +218,7 @@ class Variants:
         values, limited = np.full(len(points), np.inf), np.zeros(len(points))
         if figures:
             values[run] = np.where(np.isfinite(figures[self.objective]), figures[self.objective], np.inf)
-            limited[run] = np.nan_to_num(self.guards[i].limited(figures), nan=1.0)
+            limited[run] = np.nan_to_num(figures["limited_share"] - self.bounds.limited, nan=1.0)
         good = (excess < 0.0) & (limited <= 0.0) & np.isfinite(values)
         at = int(np.argmin(np.where(good, values, np.inf)))
         if good[at] and values[at] < self.best[i]:
@@ -273,9 +273,8 @@ def variants_of(machine: Machine, swaps: Mapping[str, Sequence[tuple[str, Axis]]
     """
     if not swaps:
         raise ParameterError("axis", "none", f"at least one axis to swap, of {', '.join(machine.axis_names)}")
-    choices = [_choices(machine, name, others) for name, others in swaps.items()]
     variants = []
-    for picked in product(*choices):
+    for picked in product(*(_choices(machine, name, others) for name, others in swaps.items())):
         made = machine
         for name, _, module in picked:
             made = made if module is None else made.swapped(name, module)
@@ -291,32 +290,26 @@ def _choices(machine: Machine, name: str, others: Sequence[tuple[str, Axis]]) ->
     if not others:
         raise ParameterError("with", "nothing", f"at least one module for axis {name}")
     own = machine.axis(name)
-    itself = next((called for called, other in others if _alike(own, other)), "as it is")
-    modules = [(called, other) for called, other in others if not _alike(own, other)]
     for (first, one), (second, other) in combinations(others, 2):
         if _alike(one, other):
-            wanted = f"modules of axis {name} that differ: these two are identical"
-            raise ParameterError("with", f"{first}, {second}", wanted)
+            raise ParameterError("with", f"{first}, {second}", f"modules of axis {name} that differ: these two are identical")
+    copies, modules = ([pair for pair in others if _alike(own, pair[1]) is alike] for alike in (True, False))
     if not modules:
         wanted = f"a module that differs from axis {name} of the machine: a copy loses nothing"
         raise ParameterError("with", ", ".join(called for called, _ in others), wanted)
+    itself = copies[0][0] if copies else "as it is"
     names = [itself, *(called for called, _ in modules)]
     if len(set(names)) != len(names):
         raise ParameterError("with", ", ".join(names), "modules with different names")
+    unit, sides = own.plant.command_unit, ("without a separate motor side", "with a motor and a load side")
     for called, other in modules:
-        _check_fits(own, other, called)
+        if other.plant.command_unit != unit:
+            wanted = f"a module whose drive takes its command in {unit}, like axis {name}, not in {other.plant.command_unit}"
+            raise ParameterError("with", called, wanted)
+        if other.plant.two_sided != own.plant.two_sided:
+            raise ParameterError("with", called, f"a module {sides[own.plant.two_sided]}, like axis {name}")
     return [(name, itself, None), *((name, called, other) for called, other in modules)]
 
 
 def _alike(one: Axis, other: Axis) -> bool:
     return all(getattr(one, slot) == getattr(other, slot) for slot in (*AXIS_SLOTS, "substeps", "stage_mass", "limits"))
-
-
-def _check_fits(own: Axis, other: Axis, called: str) -> None:
-    unit, wanted = other.plant.command_unit, own.plant.command_unit
-    if unit != wanted:
-        fitting = f"a module whose drive takes its command in {wanted}, like axis {own.name}, not in {unit}"
-        raise ParameterError("with", called, fitting)
-    if other.plant.two_sided != own.plant.two_sided:
-        side = "with a motor and a load side" if own.plant.two_sided else "without a separate motor side"
-        raise ParameterError("with", called, f"a module {side}, like axis {own.name}")

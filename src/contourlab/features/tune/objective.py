@@ -12,8 +12,6 @@ from contourlab.analysis.linear.margins import Margins
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.errors import DivergenceError, ParameterError
-from contourlab.feed import Reference
-from contourlab.loop import Machine
 from contourlab.metrics import judge
 from contourlab.metrics.figures import judged_part
 from contourlab.metrics.judge import check_follows
@@ -145,10 +143,9 @@ class Objective:
             self._rms = rms if rms > 0.0 else math.inf
         if self.goal.figure is None:
             figures = self.at(self.start).figures
-            scales = {name: float(figures[name][0]) for name in self.goal.names}
-            if not all(math.isfinite(scale) and scale > 0.0 for scale in scales.values()):
+            self._scales = {name: float(figures[name][0]) for name in self.goal.names}
+            if not all(math.isfinite(scale) and scale > 0.0 for scale in self._scales.values()):
                 raise ParameterError("objective", self.goal.label, "a single figure: the run at the start fails, so a sum has no scale")
-            self._scales = scales
 
     @property
     def _part(self) -> bool:
@@ -186,7 +183,7 @@ class Problem:
     def of(runner: Runner, goal: Goal, bounds: Bounds, space: Space) -> Problem:
         """Return the problem of the setting of a runner; the figures of a sum are scaled to 1 at its values, or the nearest bounds."""
         setting, start = runner.setting, {variable.name: variable.nearest for variable in space.numbers}
-        return Problem(Objective(runner, goal, start), Guards([(setting.machine, setting.controller)], bounds), space)
+        return Problem(Objective(runner, goal, start), Guards(setting.machine, setting.controller, bounds), space)
 
 
 @dataclass(frozen=True, eq=False)
@@ -219,21 +216,16 @@ class Evaluation:
 
 def evaluate(setting: Setting, bounds: Bounds) -> Evaluation:
     """Run a controller once, judge it exactly, and check it against the bounds."""
-    exact = Guards([(setting.machine, setting.controller)], bounds)
+    exact = Guards(setting.machine, setting.controller, bounds)
     margins = exact.exact({})
     try:
         run = judge(setting.single(), setting.reference)
         check_follows(run, setting.reference)
     except DivergenceError as error:
         return Evaluation(dict.fromkeys(FIGURES, math.nan), margins, (f"diverges: {error}",), None)
-    figures = _figures(run, setting.machine, setting.reference)
-    return Evaluation(figures, margins, exact.broken({}, figures["limited_share"], figures["command_largest"], margins), run)
-
-
-def _figures(run: Result, machine: Machine, reference: Reference) -> dict[str, float]:
-    judged = judged_part(run, reference).samples
+    judged = judged_part(run, setting.reference).samples
     # Relative to the drive's limit, if any, as in `contourlab.loop.BatchResult`.
-    limits = np.array([getattr(axis.drive, "limit", math.inf) for axis in machine.axes], dtype=float)
+    limits = np.array([getattr(axis.drive, "limit", math.inf) for axis in setting.machine.axes], dtype=float)
     scales = np.where(np.isfinite(limits), limits, 1.0)
     asked, applied = run["command"][judged], run["applied_command"][judged]
     effort = {
@@ -242,5 +234,6 @@ def _figures(run: Result, machine: Machine, reference: Reference) -> dict[str, f
         "largest": (np.abs(asked) / scales).max(),
         "limited": (np.abs(asked) > limits).any(axis=1).sum(),
     }
-    figures = figures_of_run(run, judged) | figures_from(EFFORT, effort, run.servo_period)
-    return {name: float(value) for name, value in figures.items()}
+    values = figures_of_run(run, judged) | figures_from(EFFORT, effort, run.servo_period)
+    figures = {name: float(value) for name, value in values.items()}
+    return Evaluation(figures, margins, exact.broken({}, figures["limited_share"], figures["command_largest"], margins), run)

@@ -29,8 +29,6 @@ class Tune(Workers, Seeded, Varied, Margins, Motion):
     )
     budget: int = option(6000, "Runs of the global search.", least=32, most=10_000_000, advanced=True)
     starts: int = option(5, "Starts of the global search.", least=1, most=100, advanced=True)
-    width: float = option(4.0, Varied.PARTS["width"].option.help, above=1.0, most=1000.0, advanced=True)
-    seed: int = option(0, Seeded.PARTS["seed"].option.help, least=0, most=2**63 - 1, advanced=True)
 
 
 @options

@@ -18,6 +18,7 @@ from contourlab.loop import Controller, Machine, parameters_of
 from contourlab.study import DesignVariable, Found, Runner, search
 from contourlab.study.guards import Bounds, Guards, designed, fastest_speed, model_of
 from contourlab.study.search import drawn_starts
+from contourlab.study.values import axes_of
 
 FRACTIONS = np.geomspace(0.1, 1.0, 32)
 """Fractions of the fastest poles, tried for all axes together."""
@@ -200,7 +201,7 @@ class _Line:
 
     def __init__(self, problem: Problem, variable: DesignVariable, values: Mapping[str, float]) -> None:
         self.problem, self.variable, self.given, self.own = problem, variable, values, float(values[variable.name])
-        self.axes = problem.guards.concerned(variable.name)
+        self.axes = axes_of(variable.name, problem.guards.machine)
         self.objective: dict[float, float] = {}
         self.limits: dict[float, tuple[float, float]] = {}
         self.loops: dict[float, list[SampledLoop]] = {}
@@ -284,8 +285,8 @@ def restore_margins(problem: Problem, values: Mapping[str, float]) -> SearchPath
     nearest changes, and then the next. If the ranges are too narrow, margins stay broken.
     """
     guards, now, steps = problem.guards, dict(values), list[Step]()
-    for axis in guards.axes:
-        variables = [variable for variable in problem.space.numbers if axis in guards.concerned(variable.name)]
+    for axis in guards.machine.axis_names:
+        variables = [variable for variable in problem.space.numbers if axis in axes_of(variable.name, guards.machine)]
         for _ in variables:
             columns = {name: np.array([value]) for name, value in now.items()}
             missing = guards.missing(guards.loops(columns, (axis,))[0])[0]
@@ -399,7 +400,7 @@ def _ranked(problem: Problem, points: Array) -> Array:
     if np.isfinite(bounds.command):
         excess = excess + np.maximum(runs.largest / bounds.command - 1.0, 0.0)
     excess = np.where(np.isfinite(excess), excess, np.inf)
-    axes = tuple(dict.fromkeys(axis for name in problem.space.names for axis in problem.guards.concerned(name)))
+    axes = tuple(dict.fromkeys(axis for name in problem.space.names for axis in axes_of(name, problem.guards.machine)))
     ranked = runs.value.copy()
     for first in range(0, len(points), POPULATION):
         part = slice(first, first + POPULATION)

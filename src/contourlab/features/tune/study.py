@@ -31,6 +31,7 @@ from contourlab.metrics.run_figures import FIGURES
 from contourlab.study import Runner, Setting, Space, calibration_order
 from contourlab.study.executors import Executor, Workers
 from contourlab.study.guards import Bounds, Guards
+from contourlab.study.values import axes_of, with_values
 
 Candidate = tuple[float, str, Mapping[str, float]]
 """Objective, method, and values [SI]."""
@@ -52,6 +53,10 @@ class TuneSettings(Tune):
 
     def __post_init__(self) -> None:
         super().__post_init__()
+        if not 1.0 < self.width <= 1000.0:
+            raise ParameterError("width", f"{self.width:g}", "> 1 and <= 1000")
+        if not 0 <= self.seed < 2**63:
+            raise ParameterError("seed", f"{self.seed}", f"0 to {2**63 - 1}")
         _ = self.goal, self.bounds  # refuse what is wrong before any work
 
     @property
@@ -209,8 +214,9 @@ def _left(problem: Problem, best: Mapping[str, float], rule: LineRule) -> tuple[
     share = SETTLED if rule.plateau == "best" else rule.within
     reached, began = (float(objective.at(values).value[0]) for values in (best, start))
     limit, kept = min(reached * (1.0 + share), max(reached, began)), list[str]()
-    for axes in dict.fromkeys(guards.concerned(variable.name) for variable in moved):
-        back = [variable for variable in moved if guards.concerned(variable.name) == axes]
+    owners = {variable: axes_of(variable.name, guards.machine) for variable in moved}
+    for axes in dict.fromkeys(owners.values()):
+        back = [variable for variable in moved if owners[variable] == axes]
         rise = {variable: float(objective.at({**best, variable.name: start[variable.name]}).value[0]) for variable in back}
         while back:
             trial = {**best, **{variable.name: start[variable.name] for variable in back}}

@@ -154,7 +154,7 @@ def _gain(first: int, result: Calibrated) -> Iterator[Row]:
     yield ours("least phase margin after the calibration", case, phase_here, "deg", note)
     words = "the paper's gains; the swap requires 6 dB and 30 deg, so they are inadmissible"
     for reading, filters in ((Reading(), ""), (FITTED, ", fitted filters")):
-        gain, phase = _least(Guards([(machine(first, reading), controller(first, TABLE_3, reading))], Bounds()).exact({}))
+        gain, phase = _least(Guards(machine(first, reading), controller(first, TABLE_3, reading)).exact({}))
         for name, margin, unit in (("gain", gain, "dB"), ("phase", phase, "deg")):
             case, other = f"A3-A{first}{filters}", filters.removeprefix(", ")
             yield ours(f"{name} margin of Table III", case, margin, unit, words, reading=other, main=not filters)

@@ -25,6 +25,8 @@ from contourlab.loop.parameters import with_values
 from contourlab.papers.ghaffari.setup import TABLE_2, TABLE_3, Reading, controller, machine
 from contourlab.study import Runner, Setting, Space
 from contourlab.study.guards import Bounds, Guards
+from contourlab.study.guards import Bounds
+from contourlab.study.values import with_values
 
 FREE = Bounds(gain_margin=0.0, phase_margin=0.0)
 BEST = LineRule(plateau="best")
@@ -197,27 +199,6 @@ def test_a_single_run_and_the_lanes_agree_on_the_result() -> None:
     lanes = runner({name: np.array([value]) for name, value in found.values.items()})
     for name in ("contour_error_integral", "contour_error_max", "command_energy", "command_largest", "limited_share"):
         assert found.after.figures[name] == pytest.approx(lanes[name][0], rel=1e-6, abs=1e-12), name
-
-
-def test_the_worst_of_several_machines_counts() -> None:
-    stages, made = (rigid_stage(), rigid_stage(0.8 * GAIN)), position_control()
-    name = "controller.axes.x.controller.model_gain"
-    guards = Guards([(stage, made) for stage in stages], Bounds())
-    values = {name: 1.0, "controller.axes.x.controller.position_gain": 20000.0}
-    worst = guards.exact(values)["x"]
-    alone = [Guards([(stage, made)], Bounds()).exact(values)["x"] for stage in stages]
-    assert worst in alone
-    assert worst.modulus == min(one.modulus for one in alone)
-
-
-@pytest.mark.parametrize("order", [(0, 1), (1, 0)])
-def test_a_machine_with_a_violated_margin_counts_before_one_nearer_to_instability(order: tuple[int, int]) -> None:
-    """A loop may keep its phase margin and yet be nearer to -1 than one that does not."""
-    made, stages = position_control(), [rigid_stage(5.0 * GAIN), rigid_stage()]
-    strong, weak = (Guards([(stage, made)], FREE).exact({})["x"] for stage in stages)
-    assert strong.modulus < weak.modulus and strong.phase > weak.phase
-    wanted = Bounds(gain_margin=0.0, phase_margin=math.degrees(strong.phase + weak.phase) / 2.0)
-    assert Guards([(stages[i], made) for i in order], wanted).exact({})["x"] == weak
 
 
 def test_an_unlimited_drive_never_saturates() -> None:
