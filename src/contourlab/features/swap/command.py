@@ -30,7 +30,6 @@ from contourlab.rendering.stages import Stages
 from contourlab.study import Setting, Space
 from contourlab.study.checkpoint import Checkpoint, resumable
 from contourlab.study.runner import run_identity
-from contourlab.study.checkpoint import Checkpoint, resumable, run_identity
 from contourlab.study.space import ROUNDING
 
 if TYPE_CHECKING:
