@@ -445,6 +445,15 @@ class FrictionFit:
     findings: tuple[Finding, ...]
     usable: bool
 
+    @property
+    def writable(self) -> FrictionCurve | None:
+        """The curve for an axis file: the chosen one, or the best one without a bend if the chosen one is below zero at rest."""
+        chosen = self.chosen
+        drop = 0.5 * sum(chosen.drops) if chosen.model.directed else chosen["drop"]
+        if not chosen.model.stribeck or _level(chosen)[0] + drop >= 0.0:
+            return chosen
+        return min((curve for curve in self.tried if not curve.model.stribeck), key=lambda curve: curve.criterion, default=None)
+
 
 def fit_friction(speed: ArrayLike, command: ArrayLike, deviation: ArrayLike) -> FrictionFit:
     """Fit all friction models and choose one.

@@ -29,6 +29,7 @@ from contourlab.analysis.identification.least_squares import (
     coloured_deviations,
     deviation_findings,
     fit_findings,
+    mass_findings,
     usual_lags,
 )
 from contourlab.arrays import Array
@@ -43,25 +44,10 @@ EXPLAINED, LEAST = 90.0, 75.0
 The log of the EMPS leaves 4 % of the force unexplained. For one measured table at constant speeds, a fit of 80 % or more gives the mass
 within 8 %; at 72 % the mass is a fifth too large, at 51 % two thirds. The EMPS with its reference in place of its position has 69 %.
 """
-LIGHT, HEAVY = 1e-2, 2e4
-"""Moved masses [kg] from small stages to gantries; outside this range the units are in doubt."""
-IMPOSSIBLE = (1e-5, 1e6)
-"""Range of possible masses [kg]."""
 COLOURED = 1.5
 """Ratio of the deviations with and without correlation of the residual, above which the residual is coloured."""
 AT_REST, RESTS = 5e-3, 0.05
 """Share of the largest speed below which an axis is at rest, and largest share of rows at rest."""
-
-
-def mass_findings(mass: float) -> tuple[list[Finding], bool]:
-    """Return a finding for an implausible moved mass [kg], and whether the mass is possible at all.
-
-    >>> mass_findings(95.1)
-    ([], True)
-    """
-    if LIGHT <= mass <= HEAVY:
-        return [], True
-    return [finding("CL532", mass=mass)], IMPOSSIBLE[0] <= mass <= IMPOSSIBLE[1]
 
 
 PARAMETERS = {"symmetric": ("M", "Fv", "Fc", "offset"), "asymmetric": ("M", "Fv+", "Fc+", "Fv-", "Fc-")}

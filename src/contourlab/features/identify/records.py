@@ -135,6 +135,15 @@ def newtons_per(unit: str) -> str:
     return f"N/({unit})" if "*" in unit else f"N/{unit}".removesuffix("/")
 
 
+def command_label(unit: str, name: str = "command") -> str:
+    """Return the label of a command in a picture.
+
+    >>> command_label("V"), command_label("")
+    ('command [V]', 'command')
+    """
+    return f"{name} [{unit}]" if unit else name
+
+
 def unit_findings(unit: str) -> list[Finding]:
     """Return a finding if friction in the unit of the command fits no plant; newtons and shares of full scale fit."""
     return [] if unit in ("", "N", "full_scale") else [finding("CL505", unit=unit, option=newton_option(unit))]

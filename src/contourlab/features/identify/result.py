@@ -282,12 +282,3 @@ def chart(key: str, title: str, x_label: str, panels: Mapping[str, Traces], capt
         curves = (Curve(x, y, name, *looks[name], half=half[0] if half else None) for name, (x, y, *half) in traces.items())
         drawn.append(Panel(x_label, label, tuple(curves), levels, log_x=log_y is not None, log_y=label == log_y))
     return Chart(key, title, caption, tuple(drawn))
-
-
-def command_label(unit: str, name: str = "command") -> str:
-    """Return the label of a command in a picture.
-
-    >>> command_label("V"), command_label("")
-    ('command [V]', 'command')
-    """
-    return f"{name} [{unit}]" if unit else name
