@@ -378,8 +378,8 @@ def planned_commands(program: Path, setup: Setup) -> dict[str, Array]:
     from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 
     made = read_program(program, reading=Reading(require_end=False))
-    letters = [letter for letter in "xyz" if _limits(setup, letter) is not None]
-    pairs = np.array([_limits(setup, letter) for letter in letters]) * setup.unit
+    known = {letter: pair for letter in "xyz" if (pair := _limits(setup, letter)) is not None}
+    letters, pairs = list(known), np.array(list(known.values())) * setup.unit
     # LinuxCNC speeds up along an arc with half the acceleration.
     straight = [any(not isinstance(move, Arc | Dwell) and move.start[k] != move.end[k] for move in made.moves) for k in range(3)]
     pairs[:, 1] *= [1.0 if straight["xyz".index(letter)] else 0.5 for letter in letters]

@@ -74,11 +74,9 @@ def read_log(file: str | Path, setup: Setup) -> tuple[dict[str, AxisLog], list[F
     numbered = {column: str(k + 1) for k, column in enumerate(sampler_columns(setup))} if record.format == "halsampler" else {}
     columns, findings, recorded = [], list[Finding](), list[AxisSetup]()
     for axis in setup.axes:
-        place = f"axis {axis.name}"
         chosen = {signal: _column(names, numbered, axis, signal) for signal in (*SIGNALS, "load")}
-        if chosen["command"] is None or chosen["feedback"] is None:
-            missing = "command" if chosen["command"] is None else "position"
-            findings.append(finding("CL870", place, signal=missing, log=record.file.name))
+        if missing := [word for signal, word in (("command", "command"), ("feedback", "position")) if chosen[signal] is None]:
+            findings.append(finding("CL870", f"axis {axis.name}", signal=missing[0], log=record.file.name))
             continue
         recorded.append(axis)
         for signal, kind in (("command", "reference"), ("feedback", "position"), ("load", "axis_position"), ("output", "command")):
@@ -97,15 +95,12 @@ def read_log(file: str | Path, setup: Setup) -> tuple[dict[str, AxisLog], list[F
         findings.append(finding("CL871", record.file.name, period=period, ini=setup.period))
     logs = {}
     for axis in recorded:
-        column = log.result.axes.index(axis.name)
-        signals = {name: np.asarray(log.result[name][:, column]) for name in log.result.signals}
-        command, measured = signals["reference"], signals["position"]
-        output, load = signals.get("command"), signals.get("axis_position")
-        if output is None or not np.isfinite(output).all():  # it was not recorded
+        command, measured = (log.result[name][:, log.result.axes.index(axis.name)] for name in ("reference", "position"))
+        output, load = log.signal(axis.name, "command"), log.signal(axis.name, "axis_position")
+        if output is None:  # it was not recorded
             findings.append(finding("CL872", f"axis {axis.name}"))
             law = Law(period, axis.previous_target is not False)
             output = law_output(command, measured, axis.row(setup.unit).tolist(), law)
-        load = load if load is not None and np.isfinite(load).all() else None
         logs[axis.name] = AxisLog(record.file.name, axis.name, period, command, measured, output, load)
     return logs, findings
 
