@@ -27,7 +27,7 @@ from contourlab.logs.clock import (
 from contourlab.logs.delimited import CURE
 from contourlab.logs.formats import read_record
 from contourlab.logs.mapping import SIGNALS, TIME, USUAL, Column, Columns, guessed
-from contourlab.logs.record import AXIS_LETTERS, Channel, Record, join_names, quoted
+from contourlab.logs.reading import AXIS_LETTERS, Channel, Record, join_names, quoted
 from contourlab.result import Result, Signal
 from contourlab.units import from_si, show, si_unit, to_si
 

@@ -499,17 +499,13 @@ def fit_friction(speed: ArrayLike, command: ArrayLike, deviation: ArrayLike) -> 
 def _columns(model: FrictionModel, v: Array, vs: float, offset: bool) -> tuple[list[str], Array]:
     """Return names and columns of the linear parameters of a model."""
     way, bend = np.sign(v), np.exp(-((v / vs) ** 2)) if vs > 0.0 else np.zeros_like(v)
+    halves = {"+": way == 1.0, "-": way == -1.0} if model.directed else {"": way != 0.0}
     parts: list[tuple[str, Array]] = []
-    if model.directed:
-        for sign, mark in ((1.0, "+"), (-1.0, "-")):
-            here = (way == sign).astype(float)
-            parts += [(f"Fc{mark}", way * here), (f"Fv{mark}", v * here)]
-            parts += [(f"drop{mark}", way * here * bend)] if model.stribeck else []
-    else:
-        parts = [("Fc", way)] if model.coulomb else []
-        parts += [("Fv", v)] if model.viscous else []
-        parts += [("drop", way * bend)] if model.stribeck else []
-        parts += [("offset", np.ones_like(v))] if offset else []
+    for mark, here in halves.items():
+        parts += [(f"Fc{mark}", way * here)] if model.coulomb else []
+        parts += [(f"Fv{mark}", v * here)] if model.viscous else []
+        parts += [(f"drop{mark}", way * here * bend)] if model.stribeck else []
+    parts += [("offset", np.ones_like(v))] if offset and not model.directed else []
     return [name for name, _ in parts], np.column_stack([column for _, column in parts])
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -211,20 +210,21 @@ def _left(difference: Array) -> float:
 
 def _diagnosis(log: AxisLog, gains: Array, laws: Sequence[Law], place: str) -> list[Finding]:
     used = np.flatnonzero(gains)
-    best: tuple[float, list[float]] = (math.inf, [1.0] * used.size)
-    for law in laws:
+
+    def scaled(law: Law) -> tuple[float, list[float]]:
+        """Return what is left of the output after a fit of all gains, and their factors."""
         columns = [law_output(log.command, log.measured, np.where(np.arange(7) == k, gains, 0.0).tolist(), law) for k in used]
         rows = np.column_stack([*columns, np.ones(log.output.size)])
         shares = np.linalg.lstsq(rows, log.output, rcond=None)[0]
-        left = _left(rows @ shares - log.output) / float(log.output.std())
-        if left < best[0]:
-            best = (left, shares[:-1].tolist())
-    left, factors = best
+        return _left(rows @ shares - log.output) / float(log.output.std()), shares[:-1].tolist()
+
+    left, factors = min(map(scaled, laws), key=lambda fit: fit[0])
     if left > 5.0 * AGREES:
         return [finding("CL880", place, share=min(left, 1.0))]
     names = [GAINS[k] for k in used]
-    p = factors[names.index("Pgain")] if "Pgain" in names else factors[0]
-    ahead = factors[names.index("FF1")] if "FF1" in names else p
+    by_name = dict(zip(names, factors, strict=True))
+    p = by_name.get("Pgain", factors[0])
+    ahead = by_name.get("FF1", p)
     if p < 0.0:
         return [finding("CL881", place)]
     if abs(p - 1.0) < 0.05 and abs(ahead - 1.0) > 0.05 and ahead > 0.0:

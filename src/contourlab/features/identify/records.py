@@ -18,7 +18,7 @@ from contourlab.features.measure.log_choice import LogChoice, distinct_names, op
 from contourlab.features.measure.plausibility import motion_findings, period_findings, same_column_findings
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log
-from contourlab.logs.record import join_names
+from contourlab.logs.reading import join_names
 from contourlab.units import split, to_si
 
 POSITIONS = ("position", "motor_position", "axis_position")

@@ -18,7 +18,7 @@ from contourlab.app.session import Answer, Asked
 from contourlab.arrays import Array
 from contourlab.components.origin import Origin
 from contourlab.findings import Finding
-from contourlab.logs.record import join_names
+from contourlab.logs.reading import join_names
 from contourlab.rendering.charts import Chart, Curve, Level, Panel
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
