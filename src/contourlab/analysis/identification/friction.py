@@ -414,6 +414,11 @@ class FrictionCurve(Estimate):
     predicted: Array
 
     @property
+    def level(self) -> tuple[float, float]:
+        """Mean Coulomb friction of both directions and its deviation; for a model without it, the viscous friction."""
+        return self.mean("Fc" if self.model.coulomb else "Fv")
+
+    @property
     def rises(self) -> bool:
         """Whether friction is smallest at rest, the opposite of a Stribeck dip."""
         return sum(self.drops) < 0.0
@@ -449,8 +454,7 @@ class FrictionFit:
     def writable(self) -> FrictionCurve | None:
         """The curve for an axis file: the chosen one, or the best one without a bend if the chosen one is below zero at rest."""
         chosen = self.chosen
-        drop = 0.5 * sum(chosen.drops) if chosen.model.directed else chosen["drop"]
-        if not chosen.model.stribeck or _level(chosen)[0] + drop >= 0.0:
+        if not chosen.model.stribeck or chosen.level[0] + chosen.mean("drop")[0] >= 0.0:
             return chosen
         return min((curve for curve in self.tried if not curve.model.stribeck), key=lambda curve: curve.criterion, default=None)
 
@@ -577,15 +581,7 @@ def _is_friction(curve: FrictionCurve) -> bool:
     """Return whether no Coulomb or viscous friction is below zero by more than two deviations."""
     # By direction, Fc+ and Fc- include the offset.
     tested = [name for name in curve.names if name == "Fc" or name.startswith("Fv")]
-    return not any(curve[name] < -2.0 * curve.deviation(name) for name in tested) and _level(curve)[0] > 0.0
-
-
-def _level(curve: FrictionCurve) -> tuple[float, float]:
-    """Return the mean Coulomb friction of both directions and its deviation; for a model without it, the viscous friction."""
-    for name in ("Fc", "Fv"):
-        if name in curve.names:
-            return curve[name], curve.deviation(name)
-    return 0.5 * (curve["Fc+"] + curve["Fc-"]), 0.5 * math.hypot(curve.deviation("Fc+"), curve.deviation("Fc-"))
+    return not any(curve[name] < -2.0 * curve.deviation(name) for name in tested) and curve.level[0] > 0.0
 
 
 def _curve_findings(chosen: FrictionCurve, v: Array, both: bool) -> tuple[list[Finding], bool]:
@@ -597,7 +593,7 @@ def _curve_findings(chosen: FrictionCurve, v: Array, both: bool) -> tuple[list[F
         findings.append(finding("CL545"))
     elif chosen.rises or (unseen := chosen["vs"] < 1.2 * slowest):
         findings.append(finding("CL546" if chosen.rises else "CL547", speed=slowest))
-    level, deviation = _level(chosen)
+    level, deviation = chosen.level
     poor = fit_findings(chosen.fit, EXPLAINED, "command")
     findings += poor if both else []
     within_noise = bool(poor) and level < 2.0 * deviation

@@ -169,12 +169,6 @@ class InverseDynamicsFit(Validation, Estimate):
         """The larger deviation (p,) of each parameter."""
         return np.maximum(self.deviations, self.robust_deviations)
 
-    @property
-    def coulomb(self) -> tuple[float, float]:
-        """Mean Coulomb friction of both directions and its deviation; that of one direction includes the offset, such as gravity."""
-        places = [i for i, name in enumerate(self.names) if name.startswith("Fc")]
-        return float(self.values[places].mean()), float(np.sqrt(np.sum(self.known[places] ** 2)) / len(places))
-
 
 def identify_inverse_dynamics(
     time: ArrayLike, position: ArrayLike, force: ArrayLike, settings: InverseDynamicsSettings | None = None
@@ -217,7 +211,7 @@ def identify_inverse_dynamics(
         settings=chosen,
         **vars(_judged(rows, rows.columns @ values)),
     )
-    friction, deviation = fit.coulomb
+    friction, deviation = replace(fit, robust_deviations=fit.known).mean("Fc")
     if fit["M"] <= 0.0:
         bound = "> 0: force or position is counted the other way round, they are not of one axis, or the record hardly accelerates"
         raise ParameterError("M", f"{fit['M']:.4g} kg", bound)
@@ -236,7 +230,7 @@ def _doubts(fit: InverseDynamicsFit, columns: Array) -> tuple[list[Finding], boo
         for name, value, deviation in zip(fit.names, fit.values.tolist(), fit.known.tolist(), strict=True)
         if name != "offset"  # it may be zero
     }
-    negative, friction = {name: value for name, value in fit.parameters.items() if value < 0.0}, fit.coulomb[0]
+    negative, friction = {name: value for name, value in fit.parameters.items() if value < 0.0}, fit.mean("Fc")[0]
     coulomb = [finding("CL531", name, value=value) for name, value in negative.items() if name in ("Fc+", "Fc-")]
     viscous = [finding("CL530", name, value=value) for name, value in negative.items() if name.startswith("Fv")]
     findings = [*chain(*poor.values()), *on_mass, *([finding("CL530", "Fc", value=friction)] if friction < 0.0 else coulomb), *viscous]

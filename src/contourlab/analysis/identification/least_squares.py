@@ -81,6 +81,13 @@ class Estimate:
         """
         return float(self.robust_deviations[self.names.index(name)]) if name in self.names else 0.0
 
+    def mean(self, name: str) -> tuple[float, float]:
+        """Return a parameter and its deviation; of the mean if there is one for each direction, which alone includes an offset."""
+        if f"{name}+" not in self.names:
+            return self[name], self.deviation(name)
+        ways = f"{name}+", f"{name}-"
+        return 0.5 * sum(map(self.__getitem__, ways)), 0.5 * math.hypot(*map(self.deviation, ways))
+
 
 @dataclass(frozen=True, eq=False)
 class OutputFit(Estimate):

@@ -181,7 +181,7 @@ def _propagated(
     numbers: Callable[[Mapping[str, float]], Mapping[str, float]],
     note: str = "frequency response",
 ) -> Propagated:
-    return propagate(numbers, fit.found, reference_name(records), note)
+    return propagate(numbers, fit.estimate, reference_name(records), note)
 
 
 def _largest_acceleration(records: Sequence[AxisRecord], fit: DriveFit) -> float:
@@ -205,7 +205,7 @@ def _identified(
     findings: Sequence[Finding] = (),
 ) -> Identification:
     """Return the result of a model fitted to a response."""
-    unit, estimate = records[0].unit, fit.found
+    unit, estimate = records[0].unit, fit.estimate
     force = unit or "command"
     mass, loss = ("kg", "N*s/m") if unit == "N" else (f"{force}*s^2/m", f"{force}*s/m")
     units = dict.fromkeys(("M", "mass", "motor_mass", "load_mass"), mass) | dict.fromkeys(("B", "damping", "shaft_damping"), loss)

@@ -123,8 +123,8 @@ class Identification(Answer):
         parts += [] if self.fit_percent is None else [f"fit {self.fit_percent:.4g} %"]
         parts += self.lines
         parts += [] if self.points is None else [self.points.text()]
-        told = "\n".join([*parts, paragraphs(map(str, self.findings))]).rstrip()
-        lines = [told, *(f"plot: {file}" for file in self.plots)]
+        body = "\n".join([*parts, paragraphs(map(str, self.findings))]).rstrip()
+        lines = [body, *(f"plot: {file}" for file in self.plots)]
         if self.axis_file is not None:
             lines.append(f"axis file: {self.axis_file}")
         elif self.wanted is not None:
