@@ -24,7 +24,7 @@ from contourlab.errors import DivergenceError as DivergenceError
 from contourlab.features.analyse.command import Analysis as Analysis
 from contourlab.features.backlash.command import BacklashOutcome as BacklashOutcome
 from contourlab.features.check.program_check import Checked as Checked
-from contourlab.features.circle.result import CircleTest as CircleTest
+from contourlab.features.circle.command import CircleTest as CircleTest
 from contourlab.features.commission.command import Commissioned as Commissioned
 from contourlab.features.export.command import Exported as Exported
 from contourlab.features.identify.result import Identification as Identification

@@ -12,7 +12,7 @@ def results() -> dict[str, Any]:
     from contourlab.features.backlash.command import BacklashOutcome
     from contourlab.features.check.canon import Canon
     from contourlab.features.check.program_check import Checked
-    from contourlab.features.circle.result import CircleTest
+    from contourlab.features.circle.command import CircleTest
     from contourlab.features.commission.command import Commissioned
     from contourlab.features.components.description import ComponentDescription
     from contourlab.features.export.command import Exported

@@ -14,7 +14,7 @@ from contourlab.arrays import Array, Index
 from contourlab.errors import LogError
 from contourlab.findings import Finding, finding
 from contourlab.logs import reading
-from contourlab.logs.record import COLUMNS, Channel, Record, check_limit
+from contourlab.logs.reading import COLUMNS, Channel, Record, check_limit
 
 MARKS = (";", "\t", ",")
 ENDINGS = (".csv", ".tsv", ".txt", ".dat", ".log")

@@ -20,8 +20,7 @@ from contourlab.errors import ContourlabError, LogError, MissingPackageError, Pa
 from contourlab.file_kinds import mistaken
 from contourlab.findings import Finding
 from contourlab.logs import delimited, linuxcnc, matlab, parquet, results, sinumerik, twincat
-from contourlab.logs.reading import head_of
-from contourlab.logs.record import MEMORY, TIME, Channel, Record, factor, raised
+from contourlab.logs.reading import MEMORY, TIME, Channel, Record, factor, head_of, raised
 
 _CODE = "from contourlab.logs.formats import main; main()"
 

@@ -15,8 +15,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.errors import LogError
 from contourlab.findings import finding
-from contourlab.logs.reading import columns_of, lines_of, number_channel
-from contourlab.logs.record import Channel, Record
+from contourlab.logs.reading import Channel, Record, columns_of, lines_of, number_channel
 
 OVERRUN = "overrun"
 MOSTLY = 0.9

@@ -31,6 +31,8 @@ from contourlab.logs.formats import read_record
 from contourlab.logs.mapping import SIGNALS, TIME, USUAL, Column, Columns, guessed, parse_columns
 from contourlab.logs.reading import name_and_unit
 from contourlab.logs.record import AXIS_LETTERS, Channel, Record, quoted
+from contourlab.logs.mapping import SIGNALS, TIME, USUAL, Column, Columns, guessed
+from contourlab.logs.reading import AXIS_LETTERS, Channel, Record, join_names, quoted
 from contourlab.result import Result, Signal
 from contourlab.units import from_si, show, si_unit, to_si
 
@@ -78,6 +80,11 @@ class Log:
         return str(self.record.file)
 
     __str__ = __fspath__
+
+    def signal(self, axis: str, *names: str) -> Array | None:
+        """Return the first of some signals that an axis has at all samples (n,); None if there is none."""
+        columns = (self.result[name][:, self.result.axes.index(axis)] for name in names if name in self.result)
+        return next((values for values in columns if np.isfinite(values).all()), None)
 
     def clock_findings(self) -> list[Finding]:
         """Return the findings on uneven sample times; they name the channels unless all are alike."""
@@ -398,6 +405,4 @@ def about(*files: str | os.PathLike[str], options: Container[str] = ()) -> Itera
         is_an_option = isinstance(error, ParameterError) and (error.name.startswith("--") or error.name == "LOG" or error.name in options)
         if is_an_option or any(re.search(rf"(?<!\w){re.escape(Path(file).name)}(?!\w)", str(error)) for file in files):
             raise
-        more = f" and {len(files) - 2} more" if len(files) > 3 else ""
-        named = ", ".join(str(file) for file in (files[:2] if more else files))
-        raise LogError(str(error), file=f"{named}{more}") from error
+        raise LogError(str(error), file=join_names([*map(str, files)])) from error

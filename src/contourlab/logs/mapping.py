@@ -12,8 +12,7 @@ from typing import Any
 
 from contourlab.errors import LogError, UnitError
 from contourlab.file_kinds import mistaken
-from contourlab.logs.reading import name_and_unit, readable
-from contourlab.logs.record import AXIS_LETTERS, Channel, Record
+from contourlab.logs.reading import AXIS_LETTERS, Channel, Record, name_and_unit, readable
 from contourlab.units import same_dimension, to_si
 
 TIME = "time"

@@ -10,8 +10,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import LogError
-from contourlab.logs.reading import name_and_unit
-from contourlab.logs.record import COLUMNS, NUMBERS, Channel, Record, check_limit
+from contourlab.logs.reading import COLUMNS, NUMBERS, Channel, Record, check_limit, name_and_unit
 
 HDF = b"\x89HDF\r\n\x1a\n"
 SHORTEST = 2

@@ -9,8 +9,7 @@ import numpy as np
 
 from contourlab.extras import extra_module
 from contourlab.findings import finding
-from contourlab.logs.reading import name_and_unit
-from contourlab.logs.record import COLUMNS, NUMBERS, Channel, Record, check_limit
+from contourlab.logs.reading import COLUMNS, NUMBERS, Channel, Record, check_limit, name_and_unit
 
 MAGIC = b"PAR1"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from contourlab.errors import LogError, ResultError
-from contourlab.logs.record import Channel, Record
+from contourlab.logs.reading import Channel, Record
 from contourlab.result import Result
 
 

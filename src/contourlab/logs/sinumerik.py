@@ -17,8 +17,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.errors import LogError
 from contourlab.findings import finding
-from contourlab.logs.reading import is_unit, number, readable, shown
-from contourlab.logs.record import COLUMNS, NUMBERS, Channel, Record, check_limit
+from contourlab.logs.reading import COLUMNS, NUMBERS, Channel, Record, check_limit, is_unit, number, readable, shown
 
 NOTHING = 9.2e18
 """Larger numbers are the bits of NaN, written as an integer."""

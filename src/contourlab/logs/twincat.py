@@ -11,8 +11,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.errors import LogError
 from contourlab.findings import finding
-from contourlab.logs.reading import cell_number, cells_of, lines_of, number
-from contourlab.logs.record import Channel, Record
+from contourlab.logs.reading import Channel, Record, cell_number, cells_of, lines_of, number
 
 MARKS = "\t;:, "
 TICK = 1e-7

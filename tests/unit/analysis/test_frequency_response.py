@@ -199,7 +199,7 @@ def test_two_inertias_are_identified_at_the_motor(how: str) -> None:
     for name, value in true.items():
         assert fit[name] == pytest.approx(value * TURN**2, rel=0.02), name
     assert fit.usable and fit.fit > 85.0
-    x = dict(zip(fit.found.names, fit.found.values.tolist(), strict=True))
+    x = fit.estimate.parameters
     resonance = math.sqrt(200.0 * (1.0 / 5e-4 + 1.0 / 4e-4)) / (2.0 * math.pi)
     assert resonances(x) == pytest.approx((resonance, math.sqrt(200.0 / 4e-4) / (2.0 * math.pi)), rel=5e-3)
 

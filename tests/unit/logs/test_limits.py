@@ -11,7 +11,7 @@ from refusals import refuses
 from scipy.io import savemat
 
 from contourlab.errors import LogError, ParameterError
-from contourlab.logs import formats, read_record, record
+from contourlab.logs import formats, read_record, reading
 
 
 @pytest.fixture
@@ -29,8 +29,8 @@ def test_a_crash_of_a_library_is_an_error_of_the_file(mat: Path, monkeypatch: py
 
 def test_a_library_that_does_not_end_is_stopped(mat: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(formats, "_CODE", "import time; time.sleep(60)")
-    monkeypatch.setenv(record.SETTING, "0.005")
-    with refuses(LogError, f"0.3 s.*{record.SETTING}=1", file=mat):
+    monkeypatch.setenv(reading.SETTING, "0.005")
+    with refuses(LogError, f"0.3 s.*{reading.SETTING}=1", file=mat):
         read_record(mat)
 
 
@@ -38,7 +38,7 @@ def test_a_library_that_does_not_end_is_stopped(mat: Path, monkeypatch: pytest.M
 def test_memory_is_limited(tmp_path: Path) -> None:
     """A file of 100 kB with 800 MB of zeros."""
     savemat(tmp_path / "a.mat", {"x": np.zeros(100_000_000, dtype=np.int8)}, do_compression=True)
-    with refuses(LogError, f"{record.SETTING}=2", file=tmp_path / "a.mat"):
+    with refuses(LogError, f"{reading.SETTING}=2", file=tmp_path / "a.mat"):
         read_record(tmp_path / "a.mat")
 
 
@@ -46,7 +46,7 @@ def test_numbers_are_counted_before_they_are_read(tmp_path: Path) -> None:
     """An HDF5 dataset and a column of Parquet may be larger than any memory."""
     with h5py.File(tmp_path / "a.mat", "w") as stored:
         stored.create_dataset("t", shape=(2_000_000_000,), chunks=(1_000_000,), dtype="f8")
-    with refuses(LogError, f"2000000000.*{record.SETTING}=40", file=tmp_path / "a.mat"):
+    with refuses(LogError, f"2000000000.*{reading.SETTING}=40", file=tmp_path / "a.mat"):
         read_record(tmp_path / "a.mat")
 
 
@@ -55,14 +55,14 @@ def test_numbers_of_parquet_are_counted(tmp_path: Path) -> None:
     from pyarrow import parquet
 
     parquet.write_table(arrow.table({"on": np.zeros(60_000_000, dtype=bool)}), tmp_path / "a.parquet")
-    with refuses(LogError, f"60000000.*{record.SETTING}=2", file=tmp_path / "a.parquet"):
+    with refuses(LogError, f"60000000.*{reading.SETTING}=2", file=tmp_path / "a.parquet"):
         read_record(tmp_path / "a.parquet")
 
 
 @pytest.mark.parametrize("value", ["0", "-1", "nan", "inf", "many"])
 def test_the_setting_is_a_positive_factor(mat: Path, monkeypatch: pytest.MonkeyPatch, value: str) -> None:
-    monkeypatch.setenv(record.SETTING, value)
-    with refuses(ParameterError, "factor", name=record.SETTING, value=repr(value)):
+    monkeypatch.setenv(reading.SETTING, value)
+    with refuses(ParameterError, "factor", name=reading.SETTING, value=repr(value)):
         read_record(mat)
 
 
@@ -96,7 +96,7 @@ def test_items_that_contain_themselves(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_a_matrix_of_many_columns(tmp_path: Path) -> None:
     savemat(tmp_path / "a.mat", {"x": np.zeros((20_000, 20_000), dtype=bool)}, do_compression=True)
-    with refuses(LogError, f"columns.*{record.SETTING}=2", file=tmp_path / "a.mat"):
+    with refuses(LogError, f"columns.*{reading.SETTING}=2", file=tmp_path / "a.mat"):
         read_record(tmp_path / "a.mat")
 
 
@@ -116,7 +116,7 @@ def trace(folder: Path, inside: str, head: str = "") -> Path:
 def test_held_samples_of_a_trace_are_counted(tmp_path: Path) -> None:
     """3 MB of changes that stand for 90 million samples."""
     file = trace(tmp_path, "".join(f'<rec time="{k * 900e-6:.6f}" s="{k}"/>' for k in range(100_000)))
-    with refuses(LogError, f"{record.SETTING}=4", file=file):
+    with refuses(LogError, f"{reading.SETTING}=4", file=file):
         read_record(file)
 
 
@@ -130,13 +130,13 @@ def test_a_trace_declares_no_entities(tmp_path: Path, entity: str) -> None:
 @pytest.mark.parametrize(("kind", "head"), [("csv", "t,x\n"), ("halsampler", ""), ("halscope", "# Sampling period is 1000 ns\na\n")])
 def test_a_line_has_a_limit(tmp_path: Path, kind: str, head: str) -> None:
     (tmp_path / "a.csv").write_text(head + "1," * 3_000_000 + "\n")
-    with refuses(LogError, f"{record.SETTING}=6", file=tmp_path / "a.csv", line=head.count("\n") + 1):
+    with refuses(LogError, f"{reading.SETTING}=6", file=tmp_path / "a.csv", line=head.count("\n") + 1):
         read_record(tmp_path / "a.csv", kind)
 
 
 def test_columns_have_a_limit(tmp_path: Path) -> None:
     (tmp_path / "a.csv").write_text("1,2\n" + ("1," * 25_000 + "1\n") * 3)
-    with refuses(LogError, f"25001.*{record.SETTING}=3", file=tmp_path / "a.csv", line=2):
+    with refuses(LogError, f"25001.*{reading.SETTING}=3", file=tmp_path / "a.csv", line=2):
         read_record(tmp_path / "a.csv")
 
 
@@ -153,5 +153,5 @@ def test_a_damaged_item_is_not_left_out(tmp_path: Path) -> None:
 
 def test_a_trace_with_many_attributes(tmp_path: Path) -> None:
     file = trace(tmp_path, '<rec time="0" ' + " ".join(f'a{k}="1"' for k in range(20_000)) + "/>")
-    with refuses(LogError, f"{record.SETTING}=3", file=file, line=1):
+    with refuses(LogError, f"{reading.SETTING}=3", file=file, line=1):
         read_record(file)

@@ -134,7 +134,7 @@ class DriveFit:
 
     Attributes
     ----------
-    found : OutputFit
+    estimate : OutputFit
         Of M, B, delay; or of motor_mass, load_mass, stiffness, shaft_damping, damping, delay; or, measured at the load without a known
         motor mass, of mass, resonance [Hz], damping_ratio, damping, delay as in `load_side`. Units are kg, N/m, N s/m and s if the command
         is a force in N; for another command, masses, stiffness and damping are divided by newtons per command.
@@ -149,7 +149,7 @@ class DriveFit:
         Parameters with given values.
     """
 
-    found: OutputFit
+    estimate: OutputFit
     frequency: Array
     measured: Complex
     predicted: Complex
@@ -162,7 +162,7 @@ class DriveFit:
     @property
     def parameters(self) -> dict[str, float]:
         """All parameters of the model by name, fitted and given."""
-        return {**self.given, **self.found.parameters}
+        return {**self.given, **self.estimate.parameters}
 
     def __getitem__(self, name: str) -> float:
         """Return a parameter by name."""
@@ -423,8 +423,8 @@ def _with_resonance(points: _Points, fit: DriveFit, rigid: DriveFit) -> DriveFit
     n = 2 * points.frequency.size
 
     def criterion(fitted: DriveFit) -> float:
-        left = float(np.sum((fitted.found.measured - fitted.found.predicted) ** 2))
-        k = len(fitted.found.names) + 1
+        left = float(np.sum((fitted.estimate.measured - fitted.estimate.predicted) ** 2))
+        k = len(fitted.estimate.names) + 1
         return n * math.log(max(left / n, 1e-300)) + 2.0 * k + 2.0 * k * (k + 1) / max(n - k - 1, 1)
 
     needless = criterion(fit) > criterion(rigid) - 2.0

@@ -538,3 +538,20 @@ def sine_responses(runs: Sequence[Measured], names: Sequence[str]) -> MeasuredRe
     keys = ("frequency", "response", "deviation", "coherence", "distortion")
     frequency, response, deviation, coherence, distortion = (np.array([getattr(p, key) for p in points]) for key in keys)
     return MeasuredResponse(frequency, response, deviation, coherence, "one sine a run, least squares", period, distortion, tuple(findings))
+
+
+def measured_response(runs: Sequence[Measured], names: Sequence[str]) -> MeasuredResponse:
+    """Return the frequency response by the method that fits the excitation of runs, each with its name.
+
+    Raises
+    ------
+    ParameterError
+        If a run is too short, or the runs do not fit together.
+    """
+    excitations = [run.command if run.outside is None else run.outside for run in runs]
+    if any(sine_stretch(excitation, run.period) is not None for excitation, run in zip(excitations, runs, strict=True)):
+        return sine_responses(runs, names)
+    if len(runs) == 1 and (repeated := repeating(excitations[0])) is not None:
+        lap, stretch = repeated
+        return periodic_response(runs[0].part(stretch), lap)
+    return swept_response(runs[0]) if len(runs) == 1 and is_sweep(excitations[0]) else spectral_response(runs)

@@ -414,6 +414,11 @@ class FrictionCurve(Estimate):
     predicted: Array
 
     @property
+    def level(self) -> tuple[float, float]:
+        """Mean Coulomb friction of both directions and its deviation; for a model without it, the viscous friction."""
+        return self.mean("Fc" if self.model.coulomb else "Fv")
+
+    @property
     def rises(self) -> bool:
         """Whether friction is smallest at rest, the opposite of a Stribeck dip."""
         return sum(self.drops) < 0.0
@@ -444,6 +449,14 @@ class FrictionFit:
     tried: tuple[FrictionCurve, ...]
     findings: tuple[Finding, ...]
     usable: bool
+
+    @property
+    def writable(self) -> FrictionCurve | None:
+        """The curve for an axis file: the chosen one, or the best one without a bend if the chosen one is below zero at rest."""
+        chosen = self.chosen
+        if not chosen.model.stribeck or chosen.level[0] + chosen.mean("drop")[0] >= 0.0:
+            return chosen
+        return min((curve for curve in self.tried if not curve.model.stribeck), key=lambda curve: curve.criterion, default=None)
 
 
 def fit_friction(speed: ArrayLike, command: ArrayLike, deviation: ArrayLike) -> FrictionFit:
@@ -490,17 +503,13 @@ def fit_friction(speed: ArrayLike, command: ArrayLike, deviation: ArrayLike) -> 
 def _columns(model: FrictionModel, v: Array, vs: float, offset: bool) -> tuple[list[str], Array]:
     """Return names and columns of the linear parameters of a model."""
     way, bend = np.sign(v), np.exp(-((v / vs) ** 2)) if vs > 0.0 else np.zeros_like(v)
+    halves = {"+": way == 1.0, "-": way == -1.0} if model.directed else {"": way != 0.0}
     parts: list[tuple[str, Array]] = []
-    if model.directed:
-        for sign, mark in ((1.0, "+"), (-1.0, "-")):
-            here = (way == sign).astype(float)
-            parts += [(f"Fc{mark}", way * here), (f"Fv{mark}", v * here)]
-            parts += [(f"drop{mark}", way * here * bend)] if model.stribeck else []
-    else:
-        parts = [("Fc", way)] if model.coulomb else []
-        parts += [("Fv", v)] if model.viscous else []
-        parts += [("drop", way * bend)] if model.stribeck else []
-        parts += [("offset", np.ones_like(v))] if offset else []
+    for mark, here in halves.items():
+        parts += [(f"Fc{mark}", way * here)] if model.coulomb else []
+        parts += [(f"Fv{mark}", v * here)] if model.viscous else []
+        parts += [(f"drop{mark}", way * here * bend)] if model.stribeck else []
+    parts += [("offset", np.ones_like(v))] if offset and not model.directed else []
     return [name for name, _ in parts], np.column_stack([column for _, column in parts])
 
 
@@ -572,15 +581,7 @@ def _is_friction(curve: FrictionCurve) -> bool:
     """Return whether no Coulomb or viscous friction is below zero by more than two deviations."""
     # By direction, Fc+ and Fc- include the offset.
     tested = [name for name in curve.names if name == "Fc" or name.startswith("Fv")]
-    return not any(curve[name] < -2.0 * curve.deviation(name) for name in tested) and _level(curve)[0] > 0.0
-
-
-def _level(curve: FrictionCurve) -> tuple[float, float]:
-    """Return the mean Coulomb friction of both directions and its deviation; for a model without it, the viscous friction."""
-    for name in ("Fc", "Fv"):
-        if name in curve.names:
-            return curve[name], curve.deviation(name)
-    return 0.5 * (curve["Fc+"] + curve["Fc-"]), 0.5 * math.hypot(curve.deviation("Fc+"), curve.deviation("Fc-"))
+    return not any(curve[name] < -2.0 * curve.deviation(name) for name in tested) and curve.level[0] > 0.0
 
 
 def _curve_findings(chosen: FrictionCurve, v: Array, both: bool) -> tuple[list[Finding], bool]:
@@ -592,7 +593,7 @@ def _curve_findings(chosen: FrictionCurve, v: Array, both: bool) -> tuple[list[F
         findings.append(finding("CL545"))
     elif chosen.rises or (unseen := chosen["vs"] < 1.2 * slowest):
         findings.append(finding("CL546" if chosen.rises else "CL547", speed=slowest))
-    level, deviation = _level(chosen)
+    level, deviation = chosen.level
     poor = fit_findings(chosen.fit, EXPLAINED, "command")
     findings += poor if both else []
     within_noise = bool(poor) and level < 2.0 * deviation

@@ -29,6 +29,7 @@ from contourlab.analysis.identification.least_squares import (
     coloured_deviations,
     deviation_findings,
     fit_findings,
+    mass_findings,
     usual_lags,
 )
 from contourlab.arrays import Array
@@ -43,25 +44,10 @@ EXPLAINED, LEAST = 90.0, 75.0
 The log of the EMPS leaves 4 % of the force unexplained. For one measured table at constant speeds, a fit of 80 % or more gives the mass
 within 8 %; at 72 % the mass is a fifth too large, at 51 % two thirds. The EMPS with its reference in place of its position has 69 %.
 """
-LIGHT, HEAVY = 1e-2, 2e4
-"""Moved masses [kg] from small stages to gantries; outside this range the units are in doubt."""
-IMPOSSIBLE = (1e-5, 1e6)
-"""Range of possible masses [kg]."""
 COLOURED = 1.5
 """Ratio of the deviations with and without correlation of the residual, above which the residual is coloured."""
 AT_REST, RESTS = 5e-3, 0.05
 """Share of the largest speed below which an axis is at rest, and largest share of rows at rest."""
-
-
-def mass_findings(mass: float) -> tuple[list[Finding], bool]:
-    """Return a finding for an implausible moved mass [kg], and whether the mass is possible at all.
-
-    >>> mass_findings(95.1)
-    ([], True)
-    """
-    if LIGHT <= mass <= HEAVY:
-        return [], True
-    return [finding("CL532", mass=mass)], IMPOSSIBLE[0] <= mass <= IMPOSSIBLE[1]
 
 
 PARAMETERS = {"symmetric": ("M", "Fv", "Fc", "offset"), "asymmetric": ("M", "Fv+", "Fc+", "Fv-", "Fc-")}
@@ -183,12 +169,6 @@ class InverseDynamicsFit(Validation, Estimate):
         """The larger deviation (p,) of each parameter."""
         return np.maximum(self.deviations, self.robust_deviations)
 
-    @property
-    def coulomb(self) -> tuple[float, float]:
-        """Mean Coulomb friction of both directions and its deviation; that of one direction includes the offset, such as gravity."""
-        places = [i for i, name in enumerate(self.names) if name.startswith("Fc")]
-        return float(self.values[places].mean()), float(np.sqrt(np.sum(self.known[places] ** 2)) / len(places))
-
 
 def identify_inverse_dynamics(
     time: ArrayLike, position: ArrayLike, force: ArrayLike, settings: InverseDynamicsSettings | None = None
@@ -231,7 +211,7 @@ def identify_inverse_dynamics(
         settings=chosen,
         **vars(_judged(rows, rows.columns @ values)),
     )
-    friction, deviation = fit.coulomb
+    friction, deviation = replace(fit, robust_deviations=fit.known).mean("Fc")
     if fit["M"] <= 0.0:
         bound = "> 0: force or position is counted the other way round, they are not of one axis, or the record hardly accelerates"
         raise ParameterError("M", f"{fit['M']:.4g} kg", bound)
@@ -250,7 +230,7 @@ def _doubts(fit: InverseDynamicsFit, columns: Array) -> tuple[list[Finding], boo
         for name, value, deviation in zip(fit.names, fit.values.tolist(), fit.known.tolist(), strict=True)
         if name != "offset"  # it may be zero
     }
-    negative, friction = {name: value for name, value in fit.parameters.items() if value < 0.0}, fit.coulomb[0]
+    negative, friction = {name: value for name, value in fit.parameters.items() if value < 0.0}, fit.mean("Fc")[0]
     coulomb = [finding("CL531", name, value=value) for name, value in negative.items() if name in ("Fc+", "Fc-")]
     viscous = [finding("CL530", name, value=value) for name, value in negative.items() if name.startswith("Fv")]
     findings = [*chain(*poor.values()), *on_mass, *([finding("CL530", "Fc", value=friction)] if friction < 0.0 else coulomb), *viscous]

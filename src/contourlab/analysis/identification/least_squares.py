@@ -81,6 +81,13 @@ class Estimate:
         """
         return float(self.robust_deviations[self.names.index(name)]) if name in self.names else 0.0
 
+    def mean(self, name: str) -> tuple[float, float]:
+        """Return a parameter and its deviation; of the mean if there is one for each direction, which alone includes an offset."""
+        if f"{name}+" not in self.names:
+            return self[name], self.deviation(name)
+        ways = f"{name}+", f"{name}-"
+        return 0.5 * sum(map(self.__getitem__, ways)), 0.5 * math.hypot(*map(self.deviation, ways))
+
 
 @dataclass(frozen=True, eq=False)
 class OutputFit(Estimate):
@@ -116,6 +123,23 @@ def deviation_findings(name: str, value: float, deviation: float) -> list[Findin
 def fit_findings(fit: float, least: float, output: str) -> list[Finding]:
     """Return a finding on a fit [percent] of an output that is below the least one of a model that is not in doubt."""
     return [finding("CL533", fit=fit / 100.0, output=output)] if fit < least else []
+
+
+LIGHT, HEAVY = 1e-2, 2e4
+"""Moved masses [kg] from small stages to gantries; outside this range the units are in doubt."""
+IMPOSSIBLE = (1e-5, 1e6)
+"""Range of possible masses [kg]."""
+
+
+def mass_findings(mass: float) -> tuple[list[Finding], bool]:
+    """Return a finding for an implausible moved mass [kg], and whether the mass is possible at all.
+
+    >>> mass_findings(95.1)
+    ([], True)
+    """
+    if LIGHT <= mass <= HEAVY:
+        return [], True
+    return [finding("CL532", mass=mass)], IMPOSSIBLE[0] <= mass <= IMPOSSIBLE[1]
 
 
 def fit_percent(measured: NDArray[Any], predicted: NDArray[Any]) -> float:
@@ -617,3 +641,27 @@ def parted_deviations(jacobian: Array, residual: Array, parts: int) -> Array:
             return np.full(lengths.size, math.inf)
         moved.append(np.linalg.solve(rest, part.T @ residual[rows]))
     return np.asarray(np.std(moved, axis=0) * math.sqrt(parts - 1.0) / lengths)
+
+
+PARTS = range(4, 13)
+"""Numbers of parts that a record is divided into. How long it lasts what the model lacks is unknown: the largest deviation counts."""
+Model = Callable[[Sequence[Mapping[str, float]]], Array]
+"""Outputs (m, n) of a model for m sets of its parameters."""
+
+
+def descended(model: Model, measured: Array, free: Mapping[str, Free], settings: DescentSettings | None = None) -> OutputFit:
+    """Fit a model's output (n,) in steps that bridge its kinks; deviations are those of the jackknife over parts of the record."""
+    names, (start, low, high, scale) = tuple(free), arrays_of(free)
+
+    def predicted(points: Array) -> Array:
+        return model([dict(zip(names, x.tolist(), strict=True)) for x in points])
+
+    size = float(np.sqrt(np.mean((predicted(start[None]) - measured) ** 2)))
+    result = descend(lambda points: (predicted(points) - measured) / size, start, low, high, scale, settings)
+    inside = (result.values > low) & (result.values < high)
+    deviations = np.zeros(len(names))
+    deviations[inside] = np.max([parted_deviations(result.jacobian[:, inside], result.residual, parts) for parts in PARTS], axis=0)
+    stuck = tuple(name for name, is_free in zip(names, inside, strict=True) if not is_free)
+    output = measured + size * result.residual
+    fit = fit_percent(measured, output)
+    return OutputFit(names, result.values, deviations, deviations, np.eye(len(names)), 1.0, stuck, measured, output, fit)

@@ -11,8 +11,7 @@ import numpy as np
 
 from contourlab.arrays import Array, Flags, true_spans
 from contourlab.errors import LogError, ParameterError, ResultError
-from contourlab.logs.reading import name_and_unit
-from contourlab.logs.record import Channel, Record
+from contourlab.logs.reading import Channel, Record, name_and_unit
 from contourlab.metrics.circles import LEAST_SAMPLES
 from contourlab.units import to_si
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import TypeAlias
@@ -11,16 +11,7 @@ from typing import TypeAlias
 import numpy as np
 
 from contourlab.analysis.identification.first_order import first_order_start
-from contourlab.analysis.identification.least_squares import (
-    DescentSettings,
-    Free,
-    OutputFit,
-    arrays_of,
-    descend,
-    fit_percent,
-    parted_deviations,
-    spread_starts,
-)
+from contourlab.analysis.identification.least_squares import DescentSettings, Free, Model, OutputFit, arrays_of, descended, spread_starts
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array, true_spans
 from contourlab.errors import ParameterError
@@ -34,8 +25,6 @@ WELL_KNOWN = 0.1
 """Largest deviation of gain, relative to itself, with which the gains can be trusted."""
 USABLE, POOR = 60.0, 95.0
 """Fit [percent] below which the model is unusable, or gets a warning."""
-PARTS = range(4, 13)
-"""Numbers of parts that a record is divided into. How long it lasts what the model lacks is unknown: the largest deviation counts."""
 SHAFT = {
     "resonance": Free(60.0, 15.0, 400.0, 10.0),
     "damping_ratio": Free(0.03, 3e-3, 0.3, 0.02),
@@ -60,8 +49,6 @@ RUN_ON = 0.125
 STEP = 0.05
 """Smallest part of the friction that has to return behind the play to be seen."""
 Values: TypeAlias = Mapping[str, float]
-Model: TypeAlias = Callable[[Sequence[Values]], Array]
-"""Velocities (m, n) [m/s] for values of the parameters."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,7 +167,7 @@ def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, s: int, fi
         "offset": Free(a * first["offset"], -10.0 * size, 10.0 * size, 0.1 * size),
     }
     free["delay"] = Free(0.0, -0.75 * period, (MOST_DELAY - 1) * period, period)
-    rigid = _descended(model, measured, free)
+    rigid = descended(model, measured, free)
     two = _with_shaft(model, measured, free, rigid)
     sure = two.deviation("resonance") < SURE * two["resonance"] and 4.0 * two.deviation("share") < two["share"]
     # The criterion of Schwarz: the residual is smaller than by chance.
@@ -202,29 +189,11 @@ def _with_shaft(model: Model, measured: Array, free: Mapping[str, Free], rigid: 
         ends = ends and [best]
         for point in spread_starts(left, start, low, high, count, 256, reach):
             shaft = {name: replace(part, start=float(at)) for (name, part), at in zip(SHAFT.items(), point, strict=True)}
-            ends.append(_descended(model, measured, {**known, **shaft}, settings))
+            ends.append(descended(model, measured, {**known, **shaft}, settings))
         best = max(ends, key=lambda end: end.fit)
         start = best.values[-len(SHAFT) :]
     # Behind play a search does not always end at the same point: how far its ends differ is not known better.
     return replace(best, robust_deviations=np.hypot(best.robust_deviations, np.std([end.values for end in ends], axis=0)))
-
-
-def _descended(model: Model, measured: Array, free: Mapping[str, Free], settings: DescentSettings | None = None) -> OutputFit:
-    """Fit a model's output in steps that bridge its kinks; deviations are those of the jackknife over parts of the record."""
-    names, (start, low, high, scale) = tuple(free), arrays_of(free)
-
-    def predicted(points: Array) -> Array:
-        return model([dict(zip(names, x.tolist(), strict=True)) for x in points])
-
-    size = float(np.sqrt(np.mean((predicted(start[None]) - measured) ** 2)))
-    result = descend(lambda points: (predicted(points) - measured) / size, start, low, high, scale, settings)
-    inside = (result.values > low) & (result.values < high)
-    deviations = np.zeros(len(names))
-    deviations[inside] = np.max([parted_deviations(result.jacobian[:, inside], result.residual, parts) for parts in PARTS], axis=0)
-    stuck = tuple(name for name, kept in zip(names, inside, strict=True) if not kept)
-    output = measured + size * result.residual
-    fit = fit_percent(measured, output)
-    return OutputFit(names, result.values, deviations, deviations, np.eye(len(names)), 1.0, stuck, measured, output, fit)
 
 
 def _noise_at_rest(log: AxisLog) -> Array:

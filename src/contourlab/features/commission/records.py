@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -74,11 +73,9 @@ def read_log(file: str | Path | Log, setup: Setup) -> tuple[dict[str, AxisLog], 
     numbered = {column: str(k + 1) for k, column in enumerate(sampler_columns(setup))} if record.format == "halsampler" else {}
     columns, findings, recorded = [], list[Finding](), list[AxisSetup]()
     for axis in setup.axes:
-        place = f"axis {axis.name}"
         chosen = {signal: _column(names, numbered, axis, signal) for signal in (*SIGNALS, "load")}
-        if chosen["command"] is None or chosen["feedback"] is None:
-            missing = "command" if chosen["command"] is None else "position"
-            findings.append(finding("CL870", place, signal=missing, log=record.file.name))
+        if missing := [word for signal, word in (("command", "command"), ("feedback", "position")) if chosen[signal] is None]:
+            findings.append(finding("CL870", f"axis {axis.name}", signal=missing[0], log=record.file.name))
             continue
         recorded.append(axis)
         for signal, kind in (("command", "reference"), ("feedback", "position"), ("load", "axis_position"), ("output", "command")):
@@ -97,15 +94,12 @@ def read_log(file: str | Path | Log, setup: Setup) -> tuple[dict[str, AxisLog], 
         findings.append(finding("CL871", record.file.name, period=period, ini=setup.period))
     logs = {}
     for axis in recorded:
-        column = log.result.axes.index(axis.name)
-        signals = {name: np.asarray(log.result[name][:, column]) for name in log.result.signals}
-        command, measured = signals["reference"], signals["position"]
-        output, load = signals.get("command"), signals.get("axis_position")
-        if output is None or not np.isfinite(output).all():  # it was not recorded
+        command, measured = (log.result[name][:, log.result.axes.index(axis.name)] for name in ("reference", "position"))
+        output, load = log.signal(axis.name, "command"), log.signal(axis.name, "axis_position")
+        if output is None:  # it was not recorded
             findings.append(finding("CL872", f"axis {axis.name}"))
             law = Law(period, axis.previous_target is not False)
             output = law_output(command, measured, axis.row(setup.unit).tolist(), law)
-        load = load if load is not None and np.isfinite(load).all() else None
         logs[axis.name] = AxisLog(record.file.name, axis.name, period, command, measured, output, load)
     return logs, findings
 
@@ -216,20 +210,21 @@ def _left(difference: Array) -> float:
 
 def _diagnosis(log: AxisLog, gains: Array, laws: Sequence[Law], place: str) -> list[Finding]:
     used = np.flatnonzero(gains)
-    best: tuple[float, list[float]] = (math.inf, [1.0] * used.size)
-    for law in laws:
+
+    def scaled(law: Law) -> tuple[float, list[float]]:
+        """Return what is left of the output after a fit of all gains, and their factors."""
         columns = [law_output(log.command, log.measured, np.where(np.arange(7) == k, gains, 0.0).tolist(), law) for k in used]
         rows = np.column_stack([*columns, np.ones(log.output.size)])
         shares = np.linalg.lstsq(rows, log.output, rcond=None)[0]
-        left = _left(rows @ shares - log.output) / float(log.output.std())
-        if left < best[0]:
-            best = (left, shares[:-1].tolist())
-    left, factors = best
+        return _left(rows @ shares - log.output) / float(log.output.std()), shares[:-1].tolist()
+
+    left, factors = min(map(scaled, laws), key=lambda fit: fit[0])
     if left > 5.0 * AGREES:
         return [finding("CL880", place, share=min(left, 1.0))]
     names = [GAINS[k] for k in used]
-    p = factors[names.index("Pgain")] if "Pgain" in names else factors[0]
-    ahead = factors[names.index("FF1")] if "FF1" in names else p
+    by_name = dict(zip(names, factors, strict=True))
+    p = by_name.get("Pgain", factors[0])
+    ahead = by_name.get("FF1", p)
     if p < 0.0:
         return [finding("CL881", place)]
     if abs(p - 1.0) < 0.05 and abs(ahead - 1.0) > 0.05 and ahead > 0.0:

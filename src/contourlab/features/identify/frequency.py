@@ -8,30 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.analysis.identification.drive_fit import (
-    DriveFit,
-    damping_ratio,
-    fit_linear_motor,
-    fit_load_share,
-    fit_two_inertia,
-    fit_two_mass,
-    held_response,
-    resonances,
-)
+from contourlab.analysis.identification import drive_fit
+from contourlab.analysis.identification.drive_fit import DriveFit
 from contourlab.analysis.identification.filtered_motion import filtered_motion
-from contourlab.analysis.identification.frequency_response import (
-    Measured,
-    MeasuredResponse,
-    is_sweep,
-    periodic_response,
-    repeating,
-    response_findings,
-    sine_responses,
-    sine_stretch,
-    spectral_response,
-    swept_response,
-)
-from contourlab.analysis.identification.inverse_dynamics import mass_findings
+from contourlab.analysis.identification.frequency_response import Measured, MeasuredResponse, measured_response, response_findings
+from contourlab.analysis.identification.least_squares import mass_findings
 from contourlab.arrays import Array, Complex
 from contourlab.components.plant.two_mass import TwoMass
 from contourlab.errors import ParameterError
@@ -80,7 +61,7 @@ def identify_response(records: Sequence[AxisRecord], options: Identify) -> Ident
     ParameterError
         If a record is too short, or its response is noise.
     """
-    response, unit = measured_response(records, options.excitation), records[0].unit
+    response, unit = _measured(records, options.excitation), records[0].unit
     weak = int(np.count_nonzero(response.coherence < COHERENT))
     low = [finding("CL507", limit=COHERENT, count=weak, points=response.frequency.size)] if weak else []
     doubts = response_findings(response)
@@ -107,8 +88,8 @@ def identify_linear_motor(records: Sequence[AxisRecord], options: Identify) -> I
     ResultError, ParameterError
         If the response cannot be measured or the model cannot be fitted.
     """
-    response = measured_response(records, options.excitation)
-    fit, forces = fit_linear_motor(response), forces_of(records)
+    response = _measured(records, options.excitation)
+    fit, forces = drive_fit.fit_linear_motor(response), forces_of(records)
     uncertainty = _propagated(records, fit, lambda x: plant_numbers(forces, 1.0 / x["M"], x["B"] / x["M"]) | {"drive.delay": x["delay"]})
     tables = _rigid_tables(records, fit, fit["M"], fit["B"], uncertainty) if fit.usable else {}
     return _identified("linear-motor", records, response, fit, tables, uncertainty)
@@ -129,14 +110,14 @@ def identify_two_inertia(records: Sequence[AxisRecord], options: Identify) -> Id
     side, lead, inertia = options.side, options.si("lead"), options.si("motor_inertia")
     if inertia is not None and side == "motor":
         raise ParameterError("motor_inertia", f"{inertia:g} kg*m^2", "omitted: with the position of the motor it is identified")
-    response, unit = measured_response(records, options.excitation), records[0].unit
-    fit = fit_two_inertia(response, side)
+    response, unit = _measured(records, options.excitation), records[0].unit
+    fit = drive_fit.fit_two_inertia(response, side)
     if inertia is not None and lead is not None and unit == "N" and fit.usable:
         arm = lead / (2.0 * math.pi)
         if inertia >= fit["mass"] * arm**2:
             bound = f"below the total inertia of the response, {fit['mass'] * arm**2:.4g}"
             raise ParameterError("motor_inertia", f"{inertia:.4g}", bound, "kg*m^2")
-        fit = fit_load_share(response, fit, inertia / arm**2)
+        fit = drive_fit.fit_load_share(response, fit, inertia / arm**2)
     missing = [] if lead is not None else [TRAVEL]
     missing += ["--motor-inertia, of motor and screw"] if side == "load" and inertia is None else []
     missing += [] if unit == "N" else [newton_option(records[0].logged)]
@@ -157,8 +138,8 @@ def identify_two_mass(records: Sequence[AxisRecord], options: Identify) -> Ident
     ResultError, ParameterError
         If the response cannot be measured or the model cannot be fitted.
     """
-    response = measured_response(records, options.excitation)
-    fit = fit_two_mass(response, options.side)
+    response = _measured(records, options.excitation)
+    fit = drive_fit.fit_two_mass(response, options.side)
     if not fit.usable or records[0].unit != "N":
         findings = [finding("CL504", options=(newton_option(records[0].logged),))] if fit.usable else []
         return _identified("two-mass", records, response, fit, {}, Propagated(), findings)
@@ -181,26 +162,17 @@ def _rigid_tables(records: Sequence[AxisRecord], fit: DriveFit, mass: float, los
     return rigid_tables(records, 1.0 / mass, loss / mass, origin, delay=fit["delay"], peak=peak)
 
 
-def measured_response(records: Sequence[AxisRecord], excitation: str = EXCITATIONS[0]) -> MeasuredResponse:
-    """Return position over command of an axis, measured by the method that fits the excitation, one of `EXCITATIONS`."""
+def _measured(records: Sequence[AxisRecord], excitation: str) -> MeasuredResponse:
+    """Return position over command of an axis; a moving reference means a closed loop, and it, unlike the command, has no noise."""
     if excitation not in EXCITATIONS:
         raise ParameterError("--excitation", repr(excitation), f"one of {', '.join(EXCITATIONS)}")
     common_unit(records, "one response")
-    runs = [_run(record, excitation) for record in records]
-    excitations = [run.command if run.outside is None else run.outside for run in runs]
-    if any(sine_stretch(excitation, run.period) is not None for excitation, run in zip(excitations, runs, strict=True)):
-        return sine_responses(runs, [record.source for record in records])
-    if len(runs) == 1 and (repeated := repeating(excitations[0])) is not None:
-        lap, stretch = repeated
-        return periodic_response(runs[0].part(stretch), lap)
-    return swept_response(runs[0]) if len(runs) == 1 and is_sweep(excitations[0]) else spectral_response(runs)
-
-
-def _run(record: AxisRecord, excitation: str) -> Measured:
-    # A moving reference means a closed loop. The reference, unlike the command, has no noise.
-    closed = excitation == "reference" and record.reference is not None and np.ptp(record.reference) > 0.0
-    with about(record.source):
-        return Measured(record.period, record.driven(), record.position, record.reference if closed else None)
+    runs = []
+    for record in records:
+        closed = excitation == "reference" and record.reference is not None and np.ptp(record.reference) > 0.0
+        with about(record.source):
+            runs.append(Measured(record.period, record.driven(), record.position, record.reference if closed else None))
+    return measured_response(runs, [record.source for record in records])
 
 
 def _propagated(
@@ -209,7 +181,7 @@ def _propagated(
     numbers: Callable[[Mapping[str, float]], Mapping[str, float]],
     note: str = "frequency response",
 ) -> Propagated:
-    return propagate(numbers, fit.found, reference_name(records), note)
+    return propagate(numbers, fit.estimate, reference_name(records), note)
 
 
 def _largest_acceleration(records: Sequence[AxisRecord], fit: DriveFit) -> float:
@@ -233,7 +205,7 @@ def _identified(
     findings: Sequence[Finding] = (),
 ) -> Identification:
     """Return the result of a model fitted to a response."""
-    unit, estimate = records[0].unit, fit.found
+    unit, estimate = records[0].unit, fit.estimate
     force = unit or "command"
     mass, loss = ("kg", "N*s/m") if unit == "N" else (f"{force}*s^2/m", f"{force}*s/m")
     units = dict.fromkeys(("M", "mass", "motor_mass", "load_mass"), mass) | dict.fromkeys(("B", "damping", "shaft_damping"), loss)
@@ -265,9 +237,9 @@ def _resonance_lines(fit: DriveFit) -> tuple[str, ...]:
         return (f"antiresonance {fit['resonance'] * math.sqrt(1.0 - fit['load_share']):.4g} Hz",)
     if "resonance" in fit.parameters:
         return ()
-    resonance, antiresonance = resonances(fit.parameters)
+    resonance, antiresonance = drive_fit.resonances(fit.parameters)
     given = "".join(f", {name} {value:.4g} as given" for name, value in fit.given.items())
-    ratio = damping_ratio(fit.parameters)
+    ratio = drive_fit.damping_ratio(fit.parameters)
     return (f"resonance {resonance:.4g} Hz with a damping ratio of {ratio:.3g}, antiresonance {antiresonance:.4g} Hz{given}",)
 
 
@@ -337,7 +309,7 @@ def _bode(title: str, response: MeasuredResponse, unit: str, model: tuple[Array,
 
 def _charts(title: str, response: MeasuredResponse, fit: DriveFit, unit: str) -> tuple[Chart, ...]:
     f = np.geomspace(response.frequency[0], response.frequency[-1], MODEL_POINTS)
-    velocity = 2j * np.pi * f * held_response(fit.transfer, f, response.period)
+    velocity = 2j * np.pi * f * drive_fit.held_response(fit.transfer, f, response.period)
     ratio, of = fit.measured / fit.predicted, fit.frequency
     points = (np.zeros(of.size),) if of.size <= FEW else ()
     left = {"magnitude [%]": 100.0 * (np.abs(ratio) - 1.0), "phase [deg]": np.degrees(np.angle(ratio))}

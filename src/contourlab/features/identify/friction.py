@@ -12,7 +12,6 @@ from contourlab.analysis.identification.friction import (
     LEAST_TRAVEL,
     Breakaway,
     FrictionCurve,
-    FrictionFit,
     Stretch,
     breakaways,
     constant_speed_stretches,
@@ -20,20 +19,8 @@ from contourlab.analysis.identification.friction import (
 )
 from contourlab.errors import ParameterError
 from contourlab.features.identify.options import Identify
-from contourlab.features.identify.records import AxisRecord, common_unit, log_names, reference_name, unit_findings
-from contourlab.features.identify.result import (
-    Figure,
-    Identification,
-    Propagated,
-    Row,
-    Tables,
-    assumed,
-    chart,
-    command_label,
-    figures,
-    fitted,
-    propagate,
-)
+from contourlab.features.identify.records import AxisRecord, command_label, common_unit, log_names, reference_name, unit_findings
+from contourlab.features.identify.result import Figure, Identification, Propagated, Tables, assumed, chart, figures, fitted, propagate
 from contourlab.features.identify.rigid import direction_findings
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
@@ -68,7 +55,7 @@ def identify_friction(records: Sequence[AxisRecord], options: Identify) -> Ident
         If there are fewer than three stretches of constant speed, or the command helps the motion.
     """
     unit = common_unit(records, "one friction curve")
-    stretches: list[Stretch] = []
+    stretches = list[Stretch]()
     for record in records:
         with about(record.source):
             stretches += constant_speed_stretches(record.period, record.position, record.driven(), record.reference, record.source)
@@ -80,7 +67,7 @@ def identify_friction(records: Sequence[AxisRecord], options: Identify) -> Ident
     findings = [*fit.findings, *([finding("CL512", logs=bare, share=LEAST_TRAVEL)] if bare else [])]
     findings += [finding("CL510", source) for source in log_names(records) if source not in with_points]
     findings += [finding("CL511", share=uneven)] if uneven > UNEVEN else []
-    curve, written, units = fit.chosen, _writable(fit) if usable else None, _units(unit)
+    curve, written, units = fit.chosen, fit.writable if usable else None, _units(unit)
     tables, uncertainty = Tables(), Propagated()
     if written is not None and (wrong_unit := unit_findings(unit)):
         findings += wrong_unit
@@ -130,15 +117,6 @@ def _stretch_table(stretches: Sequence[Stretch], unit: str) -> Table:
     return table
 
 
-def _writable(fit: FrictionFit) -> FrictionCurve | None:
-    """Return the curve for the axis file: the chosen curve, or the best curve without a bend if the chosen one is below zero at rest."""
-    x = fit.chosen.parameters
-    if not fit.chosen.model.stribeck or _mean(x, "Fc") + _mean(x, "drop") >= 0.0:
-        return fit.chosen
-    plain = [curve for curve in fit.tried if not curve.model.stribeck]
-    return min(plain, key=lambda curve: curve.criterion) if plain else None
-
-
 def _mean(x: Mapping[str, float], name: str) -> float:
     """Return a parameter: the mean of both directions if it has two; 0 if the curve lacks it."""
     return 0.5 * (x[f"{name}+"] + x[f"{name}-"]) if f"{name}+" in x else x.get(name, 0.0)
@@ -156,8 +134,8 @@ def _numbers(x: Mapping[str, float], rises: bool) -> dict[str, float]:
 def _curve_tables(curve: FrictionCurve, unit: str, uncertainty: Propagated) -> Tables:
     force = unit or "full_scale"
     units = {"friction.viscous": f"{force}*s/m", f"friction.{DIP}": "m/s", f"friction.{RISE}": "m/s"}
-    kind: Row = ("rising" if curve.rises else "coulomb", "", None)
-    tables: Tables = {"friction": {"kind": kind}, "disturbance": {"kind": ("constant", "", None)}}
+    kind = "rising" if curve.rises else "coulomb"
+    tables: Tables = {"friction": {"kind": (kind, "", None)}, "disturbance": {"kind": ("constant", "", None)}}
     for name, value in _numbers(curve.parameters, curve.rises).items():
         table, _, key = name.partition(".")
         note = "offset of the command" if table == "disturbance" else "constant speeds"
@@ -199,8 +177,7 @@ def identify_stiction(records: Sequence[AxisRecord], options: Identify) -> Ident
         See `contourlab.analysis.identification.friction.breakaways`; with several records, if none has a breakaway.
     """
     unit = common_unit(records, "one axis")
-    ramps: list[Breakaway] = []
-    findings: list[Finding] = []
+    ramps, findings = list[Breakaway](), list[Finding]()
     for record in records:
         try:
             moved, without = breakaways(record.time, record.driven(), record.position)
@@ -271,15 +248,17 @@ def _stiction_tables(ways: Sequence[Sequence[Breakaway]], unit: str, source: str
     levels = [float(_levels(ramps).mean()) for ramps in ways]
     level, spread = float(np.mean(levels)), float(np.hypot.reduce([_spread(ramps) for ramps in ways])) / len(ways)
     force, count = unit or "full_scale", sum(map(len, ways))
-    friction: dict[str, Row] = {
-        "kind": ("coulomb", "", None),
-        "coulomb": (level, force, assumed("equal to breakaway")),
-        "breakaway": (level, force, fitted(source, spread, f"spread over {count} slow ramps")),
+    tables: Tables = {
+        "friction": {
+            "kind": ("coulomb", "", None),
+            "coulomb": (level, force, assumed("equal to breakaway")),
+            "breakaway": (level, force, fitted(source, spread, f"spread over {count} slow ramps")),
+        }
     }
-    if len(ways) == 1:
-        return {"friction": friction}
-    half = fitted(source, spread, "half the difference between the directions")
-    return {"friction": friction, "disturbance": {"kind": ("constant", "", None), "force": (0.5 * (levels[1] - levels[0]), force, half)}}
+    if len(ways) == 2:
+        half = fitted(source, spread, "half the difference between the directions")
+        tables["disturbance"] = {"kind": ("constant", "", None), "force": (0.5 * (levels[1] - levels[0]), force, half)}
+    return tables
 
 
 def _stiction_charts(ways: Mapping[str, Sequence[Breakaway]], unit: str, first: AxisRecord) -> tuple[Chart, ...]:

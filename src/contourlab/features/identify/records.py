@@ -18,6 +18,7 @@ from contourlab.features.measure.log_choice import LogChoice, distinct_names, op
 from contourlab.features.measure.plausibility import motion_findings, period_findings, same_column_findings
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log
+from contourlab.logs.reading import join_names
 from contourlab.units import split, to_si
 
 POSITIONS = ("position", "motor_position", "axis_position")
@@ -135,6 +136,15 @@ def newtons_per(unit: str) -> str:
     return f"N/({unit})" if "*" in unit else f"N/{unit}".removesuffix("/")
 
 
+def command_label(unit: str, name: str = "command") -> str:
+    """Return the label of a command in a picture.
+
+    >>> command_label("V"), command_label("")
+    ('command [V]', 'command')
+    """
+    return f"{name} [{unit}]" if unit else name
+
+
 def unit_findings(unit: str) -> list[Finding]:
     """Return a finding if friction in the unit of the command fits no plant; newtons and shares of full scale fit."""
     return [] if unit in ("", "N", "full_scale") else [finding("CL505", unit=unit, option=newton_option(unit))]
@@ -162,15 +172,6 @@ def common_unit(records: Sequence[AxisRecord], what: str) -> str:
 def log_names(records: Sequence[AxisRecord]) -> tuple[str, ...]:
     """Return the names of the logs of records, each once."""
     return tuple(dict.fromkeys(record.source for record in records))
-
-
-def join_names(names: Sequence[str]) -> str:
-    """Join the names of logs; shorten the list if there are more than three.
-
-    >>> join_names(["a", "b", "c", "d"])
-    'a, b and 2 more'
-    """
-    return ", ".join(names) if len(names) <= 3 else f"{', '.join(names[:2])} and {len(names) - 2} more"
 
 
 def reference_name(records: Sequence[AxisRecord]) -> str:
@@ -236,19 +237,12 @@ def samples_digest(pieces: Sequence[AxisRecord]) -> str:
 def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None, source: str, lead: float | None) -> AxisRecord:
     """Return the signals of an axis, gaps included."""
     result = log.result
-    column = result.axes.index(axis)
-
-    def signal(name: str) -> Array | None:
-        values = result[name][:, column] if name in result else None
-        return None if values is None or not np.isfinite(values).any() else values
-
-    position = next((values for name in POSITIONS if (values := signal(name)) is not None), None)
+    position, command, force = log.signal(axis, *POSITIONS), log.signal(axis, "command"), log.signal(axis, "force")
     if position is None:
         problem = f"no position of {axis} in {result.source}: give --column 'position.{axis}=NAME [mm]'"
         raise ResultError("; ".join([problem, *(doubt.text for doubt in log.doubtful)]))
-    command, force = signal("command"), signal("force")
     logged = result.signals["command"].unit if command is not None else ""
-    if command is None and force is None and (command := signal("torque")) is not None:
+    if command is None and force is None and (command := log.signal(axis, "torque")) is not None:
         logged = "N*m"
     if command is None and gain is not None and force is not None:
         raise ResultError(f"{source} has the force of {axis} and no command: omit --gain")
@@ -263,7 +257,7 @@ def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None, so
         command, unit = command / full_scale, "full_scale"
     elif gain is None and force is not None:
         command, unit = force, "N"
-    signals = position, command, unit, signal("reference"), signal("disturbance_estimate")
+    signals = position, command, unit, log.signal(axis, "reference"), log.signal(axis, "disturbance_estimate")
     return AxisRecord(source, axis, result.servo_period, *signals, gain=1.0 if gain is None else gain, logged=logged)
 
 

@@ -18,8 +18,8 @@ from contourlab.app.results import staged
 from contourlab.app.session import Answer, Asked
 from contourlab.arrays import Array
 from contourlab.components.origin import Origin
-from contourlab.features.identify.records import join_names
 from contourlab.findings import Finding
+from contourlab.logs.reading import join_names
 from contourlab.rendering.charts import Chart, Curve, Level, Panel
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
@@ -124,8 +124,8 @@ class Identification(Answer):
         parts += [] if self.fit_percent is None else [f"fit {self.fit_percent:.4g} %"]
         parts += self.lines
         parts += [] if self.points is None else [self.points.text()]
-        told = "\n".join([*parts, paragraphs(map(str, self.findings))]).rstrip()
-        lines = [told, *(f"plot: {file}" for file in self.plots)]
+        body = "\n".join([*parts, paragraphs(map(str, self.findings))]).rstrip()
+        lines = [body, *(f"plot: {file}" for file in self.plots)]
         if self.axis_file is not None:
             lines.append(f"axis file: {self.axis_file}")
         elif self.wanted is not None:
@@ -283,12 +283,3 @@ def chart(key: str, title: str, x_label: str, panels: Mapping[str, Traces], capt
         curves = (Curve(x, y, name, *looks[name], half=half[0] if half else None) for name, (x, y, *half) in traces.items())
         drawn.append(Panel(x_label, label, tuple(curves), levels, log_x=log_y is not None, log_y=label == log_y))
     return Chart(key, title, caption, tuple(drawn))
-
-
-def command_label(unit: str, name: str = "command") -> str:
-    """Return the label of a command in a picture.
-
-    >>> command_label("V"), command_label("")
-    ('command [V]', 'command')
-    """
-    return f"{name} [{unit}]" if unit else name

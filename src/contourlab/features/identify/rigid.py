@@ -9,17 +9,13 @@ from typing import Any
 import numpy as np
 
 from contourlab.analysis.identification.first_order import FirstOrderFit, identify_closed_loop, identify_first_order
-from contourlab.analysis.identification.inverse_dynamics import (
-    InverseDynamicsSettings,
-    cross_validate,
-    identify_inverse_dynamics,
-    mass_findings,
-)
+from contourlab.analysis.identification.inverse_dynamics import InverseDynamicsSettings, cross_validate, identify_inverse_dynamics
+from contourlab.analysis.identification.least_squares import mass_findings
 from contourlab.errors import ParameterError, ResultError, UnitError
 from contourlab.features.identify.axis_tables import forces_of, friction_tables, plant_numbers, rigid_tables
 from contourlab.features.identify.options import Identify
-from contourlab.features.identify.records import AxisRecord, newton_option, samples_digest
-from contourlab.features.identify.result import Identification, Tables, chart, command_label, figures, propagate
+from contourlab.features.identify.records import AxisRecord, command_label, newton_option, samples_digest
+from contourlab.features.identify.result import Identification, Tables, chart, figures, propagate
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
 from contourlab.rendering.charts import Chart

@@ -11,9 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from contourlab.errors import ResultError
-from contourlab.features.circle.command import HELD, _fit_findings
+from contourlab.features.circle.command import HELD, Cause, _fit_findings, causes_of, correlations_of, lags_of, plus_minus, value_text
 from contourlab.features.circle.fit import fit_circle
-from contourlab.features.circle.result import Cause, causes_of, correlations_of, lags_of, plus_minus, value_text
 from contourlab.features.circle.runs import CircleRun, find_circle, runs_of, runs_of_angles
 
 AXES = ("x", "y")
