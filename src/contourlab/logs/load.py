@@ -29,10 +29,7 @@ from contourlab.logs.clock import (
 from contourlab.logs.delimited import CURE
 from contourlab.logs.formats import read_record
 from contourlab.logs.mapping import SIGNALS, TIME, USUAL, Column, Columns, guessed, parse_columns
-from contourlab.logs.reading import name_and_unit
-from contourlab.logs.record import AXIS_LETTERS, Channel, Record, quoted
-from contourlab.logs.mapping import SIGNALS, TIME, USUAL, Column, Columns, guessed
-from contourlab.logs.reading import AXIS_LETTERS, Channel, Record, join_names, quoted
+from contourlab.logs.reading import AXIS_LETTERS, Channel, Record, join_names, name_and_unit, quoted
 from contourlab.result import Result, Signal
 from contourlab.units import from_si, show, si_unit, to_si
 

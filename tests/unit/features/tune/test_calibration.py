@@ -24,9 +24,7 @@ from contourlab.loop import AxisController, Controller
 from contourlab.loop.parameters import with_values
 from contourlab.papers.ghaffari.setup import TABLE_2, TABLE_3, Reading, controller, machine
 from contourlab.study import Runner, Setting, Space
-from contourlab.study.guards import Bounds, Guards
 from contourlab.study.guards import Bounds
-from contourlab.study.values import with_values
 
 FREE = Bounds(gain_margin=0.0, phase_margin=0.0)
 BEST = LineRule(plateau="best")
