@@ -27,7 +27,7 @@ from contourlab.features.commission.command import Commissioned as Commissioned
 from contourlab.features.export.command import Exported as Exported
 from contourlab.features.identify.command import Identification as Identification
 from contourlab.features.interpolate.command import Interpolated as Interpolated
-from contourlab.features.learn.stopping import Stopping as Stopping
+from contourlab.features.learn.run import Stopping as Stopping
 from contourlab.features.learn.table import LearnedTable as LearnedTable
 from contourlab.features.limits.result import LimitTest as LimitTest
 from contourlab.features.link.cost import message_rate as message_rate

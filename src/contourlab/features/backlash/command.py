@@ -79,10 +79,8 @@ def backlash(*source: Source, settings: Backlash, session: Session = QUIET) -> B
         for i, case in enumerate(cases):
             stages.begin(f"planning {case.name}")
             reference = case.reference()
-            left = (1.0 - (process_time() - began) / PLANNED) / (len(cases) - i)
-            given = {"quick": max(left, 0.5 / len(cases)) if settings.quick else None, "stage": stages.begin, "progress": stages.advance}
-            study = backlash_study(case.name, case.machine, case.controller, reference, seed=case.seed, **given)  # type: ignore[arg-type]
-            studies[case.name] = study
+            left = max((1.0 - (process_time() - began) / PLANNED) / (len(cases) - i), 0.5 / len(cases))
+            studies[case.name] = backlash_study(case, reference, stages, left if settings.quick else None)
     return outcome
 
 

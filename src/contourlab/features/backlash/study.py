@@ -24,7 +24,9 @@ from contourlab.findings import Finding, finding
 from contourlab.loop import Axis, Controller, Machine, simulate
 from contourlab.loop.sensing import SURE
 from contourlab.metrics import CircleBacklash, LostMotion, backlash_of_runs, circles_of, judge, lost_motion_from_pair, summarise
+from contourlab.rendering.stages import Stages
 from contourlab.result import Result
+from contourlab.scenario import Case
 from contourlab.scenario.dump import component_table
 from contourlab.scenario.toml_text import toml
 from contourlab.threads import in_threads
@@ -165,34 +167,19 @@ class BacklashStudy:
     findings: tuple[Finding, ...]
 
 
-def backlash_study(
-    name: str,
-    machine: Machine,
-    controller: Controller,
-    reference: Reference,
-    *,
-    seed: int = 0,
-    quick: float | None = None,
-    stage: Callable[[str], None] | None = None,
-    progress: Callable[[int, int], None] | None = None,
-) -> BacklashStudy:
+def backlash_study(case: Case, reference: Reference, stages: Stages, quick: float | None = None) -> BacklashStudy:
     """Estimate the gap of each axis from a simulated run, predict its limit cycles, and try compensations.
 
     Parameters
     ----------
-    name : str
-        Name of the case.
-    machine, controller, reference
-        See `contourlab.loop.simulate`.
-    seed : int
-        Seed of all noise.
+    case : Case
+    reference : Reference
+        Of the case.
+    stages : Stages
+        Where to show the work.
     quick : float, optional
         Share of the time of a quick answer. The gap observers, and if need be all runs, then follow only the beginning of the motion, and
         limit cycles come from the describing function alone.
-    stage : callable, optional
-        Called with the name of each stage.
-    progress : callable, optional
-        Called with the number of samples done and in all.
 
     Raises
     ------
@@ -201,11 +188,13 @@ def backlash_study(
     DivergenceError
         If the run without a compensation diverges.
     """
-    begin = stage or (lambda title: None)
+    machine, controller = case.machine, case.controller
 
     def run(tried: Controller, motion: Reference, extra: tuple[str, ...] = ()) -> Result:
-        report = None if progress is None else lambda done: progress(done, motion.n_sample)
-        return simulate(machine, tried, motion, seed=seed, signals=(*SIGNALS, *extra), progress=report)
+        signals = (*SIGNALS, *extra)
+        return simulate(
+            machine, tried, motion, seed=case.seed, signals=signals, progress=lambda done: stages.advance(done, motion.n_sample)
+        )
 
     loose = loose_axes(machine)
     chains = [axis for axis in machine.axes if axis.plant.two_sided and not isinstance(axis.plant, TwoInertia)]
@@ -213,7 +202,7 @@ def backlash_study(
         others = sorted({axis.plant.kind for axis in chains})
         why = f": this study supports two-inertia drives only, not {', '.join(others)}" if others else ""
         raise ComponentError(f"{machine.name} has no axis with backlash{why}")
-    begin(f"simulating {name} with gap observers")
+    stages.begin(f"simulating {case.name} with gap observers")
     watched, refused = _watched(machine, controller, loose)
     observed = any(loop.gap_observer is not None for loop in watched.axes.values())
     findings = [finding("CL380", place=f"axis {axis}") for axis in refused]
@@ -227,12 +216,12 @@ def backlash_study(
     result = seen_alone if part.n_sample == reference.n_sample else run(controller, reference)
     axes = {}
     for axis in loose:
-        begin(f"finding limit cycles of axis {axis.name}")
+        stages.begin(f"finding limit cycles of axis {axis.name}")
         alone = seen_alone if observed and axis.name not in refused else None
         axes[axis.name] = _axis_gap(machine, controller, axis, result, alone, findings, exact=quick is None)
     judged = judge(result, reference)
     first = summarise(judged, reference).part_error
-    begin(f"simulating {name} with compensations")
+    stages.begin(f"simulating {case.name} with compensations")
 
     def tried(name: str, parts: Mapping[str, Component]) -> Trial:
         changed = {axis: replace(loop, compensation=parts.get(axis, loop.compensation)) for axis, loop in controller.axes.items()}

@@ -109,15 +109,15 @@ def axis_control(machine: Machine, controller: Controller, axis: str) -> AxisCon
     _check(controller, axis)
     alone = replace(machine, axes=(replace(machine.axis(axis), mounted_on="", alignment=0.0),), squareness={}, correlations=())
     steered = Controller({axis: controller.axes[axis]})
-    loop, moved, third = (loop_of(alone, steered, at) for at in (0.0, 1.0, -2.5))
+    places = 0.0, 1.0, -2.5
+    loops = [loop_of(alone, steered, at) for at in places]
     outside = (f"{axis}.sensor", f"{axis}.motor_sensor", "watch")
-    names = tuple(node.name for node in loop.nodes[: loop.record_point] if node.name not in outside)
+    names = tuple(node.name for node in loops[0].nodes[: loops[0].record_point] if node.name not in outside)
     measured: dict[str, str] = {}
     velocity = controller.axes[axis].velocity
-    wholes = ((loop, 0.0), (moved, 1.0), (third, -2.5))
-    cut, *others = (_cut(whole, names, axis, measured, velocity.at_rest(at)) for whole, at in wholes)
-    group, *later = (InterpretedGroup(schedule, 1, slice(0, 1)) for schedule in (cut, *others))
-    rest, at_1, further_on = (at.memory[:, 0] for at in (group, *later))
+    cuts = [_cut(loop, names, axis, measured, velocity.at_rest(at)) for loop, at in zip(loops, places, strict=True)]
+    groups = [InterpretedGroup(cut, 1, slice(0, 1)) for cut in cuts]
+    rest, at_1, further_on = (group.memory[:, 0] for group in groups)
     slope = np.subtract(at_1, rest, out=np.zeros(rest.size), where=at_1 != rest)  # parameters may be infinite
     if not np.array_equal(further_on, rest - 2.5 * slope):
         raise ParameterError(f"controller.axes.{axis}", "a state", "linear in the position where the axis rests")
@@ -130,7 +130,7 @@ def axis_control(machine: Machine, controller: Controller, axis: str) -> AxisCon
     adjustable, fixed = _described(parts, axis, machine)
     command = Field("command", unit, "command to the drive, within its limit")
     made = control_of(
-        *(cut, group.places, rest, slope),
+        *(cuts[0], groups[0].places, rest, slope),
         output=signal,
         command=command,
         inputs=INPUTS,
@@ -139,7 +139,8 @@ def axis_control(machine: Machine, controller: Controller, axis: str) -> AxisCon
         name="axis_" + re.sub(r"\W", "_", axis, flags=re.ASCII),
         notes=_notes(machine, axis, kinds, digest, limit, unit),
     )
-    return AxisControl(axis, machine.axis_names.index(axis), cut, alone, steered, made, kinds, signal, measured, rest, slope, digest, limit)
+    number = machine.axis_names.index(axis)
+    return AxisControl(axis, number, cuts[0], alone, steered, made, kinds, signal, measured, rest, slope, digest, limit)
 
 
 def _check(controller: Controller, axis: str) -> None:

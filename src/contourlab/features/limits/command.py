@@ -18,11 +18,11 @@ from contourlab.features.check.reading import reading_of, refuse_drawing
 from contourlab.features.limits.log_limits import KINDS, AxisPeak, control_samples, course, moving_part
 from contourlab.features.limits.options import Limits
 from contourlab.features.limits.result import LimitTest, ProgramLine
-from contourlab.features.measure.log_choice import PROGRAMS, LogChoice, open_log
+from contourlab.features.measure.log_choice import PROGRAMS, LogChoice, open_log, positive
 from contourlab.features.measure.measured_path import progress_along
 from contourlab.features.measure.plausibility import known_signal
 from contourlab.features.measure.study import ACTUAL
-from contourlab.feed import AxisLimits, Reference
+from contourlab.feed import AxisLimits
 from contourlab.feed.verify import KINDS as ALL_KINDS
 from contourlab.feed.verify import LineUse, Worst, limit_report_by_line
 from contourlab.file_kinds import kind_of
@@ -35,8 +35,8 @@ from contourlab.scenario.load import machine_of
 from contourlab.scenario.values import program_motion, program_route
 from contourlab.units import to_si
 
-_UNITS = {"velocity": "m/s", "acceleration": "m/s^2", "jerk": "m/s^3"}
-_EXAMPLES = {"velocity": "200 mm/s", "acceleration": "2 m/s^2", "jerk": "50 m/s^3"}
+_UNITS = {"velocity": ("m/s", "200 mm/s"), "acceleration": ("m/s^2", "2 m/s^2"), "jerk": ("m/s^3", "50 m/s^3")}
+"""Unit of each kind of limits, and an example."""
 _LINES = ("line", "program-line", "program_line", "source_line", "motion.program-line", "motion-line", "block", "n")
 HELD = 0.005
 """Part by which a limit may be exceeded, by default."""
@@ -92,31 +92,17 @@ def _share(text: str) -> float:
 def _limits(options: Limits, axes: Sequence[str], machine: Machine | None) -> dict[str, list[float]]:
     """Return the limits of each kind by axis, inf for none."""
     limits: dict[str, list[float]] = {}
-    for kind, unit in _UNITS.items():
+    for kind, (unit, example) in _UNITS.items():
         known = {} if machine is None else dict(zip(machine.axis_names, getattr(machine.planner_limits(), kind).tolist(), strict=True))
-        text = getattr(options, kind)
-        if text is not None:
-            known |= _by_axis(f"--{kind}", text, unit, axes, _EXAMPLES[kind])
+        option, text = f"--{kind}", getattr(options, kind)
+        for part in () if text is None else text.split(","):  # one for all axes, or x=..., y=...
+            name, quantity = (word.strip() for word in part.rpartition("=")[::2])
+            if name and name not in axes:
+                raise ParameterError(option, repr(text), f"limits of {', '.join(axes)}, such as {axes[0]}={example}")
+            value = positive(option, quantity, unit, f'a limit with its unit, such as "{example}" or "{axes[0]}={example}"')
+            known |= dict.fromkeys([name] if name else axes, value)
         limits[kind] = [known.get(axis, math.inf) for axis in axes]
     return limits
-
-
-def _by_axis(option: str, text: str, unit: str, axes: Sequence[str], example: str) -> dict[str, float]:
-    """Read one quantity for all axes, or ``x=..., y=...``."""
-    values: dict[str, float] = {}
-    for part in text.split(","):
-        name, equals, quantity = part.partition("=")
-        name, quantity = (name.strip(), quantity) if equals else ("", name)
-        if name and name not in axes:
-            raise ParameterError(option, repr(text), f"limits of {', '.join(axes)}, such as {axes[0]}={example}")
-        try:
-            value = to_si(quantity.strip(), unit)
-        except UnitError as error:
-            raise ParameterError(option, repr(text), f'a limit with its unit, such as "{example}" or "{axes[0]}={example}"') from error
-        if not value > 0.0:
-            raise ParameterError(option, text, "> 0")
-        values |= {name: value} if name else dict.fromkeys(axes, value)
-    return values
 
 
 def _planned(file: Path, options: Limits, tolerance: float, reading: Reading) -> LimitTest:
@@ -136,23 +122,16 @@ def _planned(file: Path, options: Limits, tolerance: float, reading: Reading) ->
         for kind, worst in zip(ALL_KINDS, of_axis, strict=True)
         if worst.sample >= 0 and (worst.value > 0.0 or kind in KINDS)
     ]
-    rows = _rows(_sample_lines(reference), reference.servo_period, use, machine.axis_names)
+    blocks = (reference.block(start, min(start + BLOCK, reference.n_sample)) for start in range(0, reference.n_sample, BLOCK))
+    lines = np.concatenate([reference.source_line(block.arc_length) for block in blocks])
+    rows = _rows(lines, reference.servo_period, use, machine.axis_names)
     passed = all(peak.use is None or peak.use <= 1.0 + tolerance for peak in peaks)
     kept = "given" if given and options.machine is None else "machine"
     head = (file.name, "plan", machine.axis_names, machine.servo_period, reference.duration, machine.name, tolerance, passed)
     return LimitTest(*head, tuple(peaks), rows, _exceeded(peaks, tolerance), given, kept)
 
 
-def _sample_lines(reference: Reference) -> Index:
-    """Return the program line of each sample (n,)."""
-    starts = range(0, reference.n_sample, BLOCK)
-    blocks = (reference.block(start, min(start + BLOCK, reference.n_sample)) for start in starts)
-    return np.concatenate([reference.source_line(block.arc_length) for block in blocks])
-
-
-def _rows(
-    lines: Index, period: float, use: LineUse, axes: Sequence[str], errors: Array | None = None, start: float = 0.0
-) -> tuple[ProgramLine, ...]:
+def _rows(lines: Index, period: float, use: LineUse, axes: Sequence[str], errors: Array | None = None) -> tuple[ProgramLine, ...]:
     """Return what each program line does, from the line of each sample."""
     rows = []
     present, first, count = np.unique(lines, return_index=True, return_counts=True)
@@ -160,13 +139,13 @@ def _rows(
     if errors is not None:
         np.maximum.at(largest, lines, errors)
     for line, at, n in zip(present.tolist(), first.tolist(), count.tolist(), strict=True):
-        if line <= 0:
-            continue
-        known = line < len(use.ratio) and use.kind[line] >= 0
-        share = float(use.ratio[line]) if known else None
-        kind, axis = (ALL_KINDS[use.kind[line]], axes[use.axis[line]]) if known else ("", "")
-        error = float(largest[line]) if errors is not None else None
-        rows.append(ProgramLine(line, at * period + start, n * period, share, kind, axis, error))
+        if line > 0:
+            known = line < len(use.ratio) and use.kind[line] >= 0
+            share: tuple[float | None, str, str] = (
+                (float(use.ratio[line]), ALL_KINDS[use.kind[line]], axes[use.axis[line]]) if known else (None, "", "")
+            )
+            error = None if errors is None else float(largest[line])
+            rows.append(ProgramLine(line, at * period, n * period, *share, error))
     return tuple(rows)
 
 
@@ -175,7 +154,10 @@ def _logged(choice: LogChoice, options: Limits, tolerance: float, reading: Readi
     log = open_log(choice)
     result, axes = log.result, tuple(choice.axes) or log.result.axes
     with about(choice.file):
-        source, position = _positions(log, axes)
+        known = known_signal(result, axes, ("reference", *ACTUAL, "motor_position"))
+        if known is None:
+            raise ResultError(f"no reference or position of {', '.join(axes)} in {result.source}: name the columns with --column")
+        position = known[1]
         moves = moving_part(position)
     if not moves.any():
         raise LogError("nothing moves: position or reference is the same at all samples", file=log.record.file)
@@ -188,20 +170,12 @@ def _logged(choice: LogChoice, options: Limits, tolerance: float, reading: Readi
     first, commanded = control_samples(position, result.servo_period)
     peaks, findings = _log_peaks(position[first], commanded, axes, limits, lines[first], moves[first], use)
     rows = _rows(np.where(moves, lines, 0), result.servo_period, use, axes, errors) if lines.any() else ()
-    known = [peak for peak in peaks if peak.use is not None]
-    passed = all((peak.use or 0.0) <= 1.0 + tolerance for peak in known) if known else None
-    cycle = float(np.count_nonzero(moves) - 1) * result.servo_period
-    found = (*_exceeded(peaks, tolerance), *findings, *log.findings)
-    name = "" if machine is None else machine.name
-    return LimitTest(Path(choice.file).name, source, axes, commanded, cycle, name, tolerance, passed, tuple(peaks), rows, found)
-
-
-def _positions(log: Log, axes: Sequence[str]) -> tuple[str, Array]:
-    """Return "reference" or "position", and the values (n, n_axis) [m]."""
-    known = known_signal(log.result, axes, ("reference", *ACTUAL, "motor_position"))
-    if known is None:
-        raise ResultError(f"no reference or position of {', '.join(axes)} in {log.result.source}: name the columns with --column")
-    return "reference" if known[0] == "reference" else "position", known[1]
+    uses = [peak.use for peak in peaks if peak.use is not None]
+    passed = max(uses) <= 1.0 + tolerance if uses else None
+    source = "reference" if known[0] == "reference" else "position"
+    cycle, name = float(np.count_nonzero(moves) - 1) * result.servo_period, "" if machine is None else machine.name
+    head = (Path(choice.file).name, source, axes, commanded, cycle, name, tolerance, passed)
+    return LimitTest(*head, tuple(peaks), rows, (*_exceeded(peaks, tolerance), *findings, *log.findings))
 
 
 def _lines_of(
