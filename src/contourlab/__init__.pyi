@@ -29,7 +29,7 @@ from contourlab.features.identify.command import Identification as Identificatio
 from contourlab.features.interpolate.command import Interpolated as Interpolated
 from contourlab.features.learn.run import Stopping as Stopping
 from contourlab.features.learn.table import LearnedTable as LearnedTable
-from contourlab.features.limits.result import LimitTest as LimitTest
+from contourlab.features.limits.command import LimitTest as LimitTest
 from contourlab.features.link.cost import message_rate as message_rate
 from contourlab.features.link.result import LinkResult as LinkResult
 from contourlab.features.measure.command import MeasuredRuns as MeasuredRuns

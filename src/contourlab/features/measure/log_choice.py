@@ -30,8 +30,7 @@ class LogChoice:
         As ``position.x=NAME [mm]``.
     mapping : str or Path, optional
         A TOML file of columns.
-    period : str, optional
-        As ``"1 ms"``.
+    period : float, optional [s]
     axes : sequence of str
         Axes of the contour; by default all.
     """
@@ -40,13 +39,13 @@ class LogChoice:
     columns: Sequence[str] = ()
     mapping: str | Path | None = None
     format: str | None = None
-    period: str | None = None
+    period: float | None = None
     axes: Sequence[str] = ()
 
     @classmethod
     def of(cls, file: str | Path, options: LogColumns) -> LogChoice:
         """Return a log, to be read as the options say."""
-        return cls(file, options.column, options.columns, options.format, options.period, getattr(options, "axes", ()))
+        return cls(file, options.column, options.columns, options.format, options.si("period"), getattr(options, "axes", ()))
 
     @property
     def files(self) -> tuple[str | Path, ...]:
@@ -71,11 +70,8 @@ def open_log(choice: LogChoice, more: Sequence[Column] = ()) -> Log:
     typed = once((*parse_columns(choice.columns), *more), "--column and --reference")
     overridden = {(column.signal, column.axis) for column in typed}
     columns = (*typed, *(c for c in mapping.columns if (c.signal, c.axis) not in overridden))
-    period = mapping.period
-    if choice.period is not None:
-        period = positive("--period", choice.period, "s", 'a time with its unit, such as "1 ms"')
     record = read_record(choice.file, choice.format or mapping.format)
-    return result_of(record, Columns(columns, period))
+    return result_of(record, Columns(columns, choice.period or mapping.period))
 
 
 def distinct_names(files: Sequence[str | Path]) -> list[str]:
