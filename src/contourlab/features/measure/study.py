@@ -88,8 +88,16 @@ def measure(
             reference, run = path.position(along), replace(run, attributes={**run.attributes, **NO_REFERENCE})
     if not NO_REFERENCE.items() <= run.attributes.items():
         findings += _reference_findings(run.axes, reference, position)
-    motion = Reference.from_samples(reference, result.servo_period, path, arc_length=along)
-    judged = judge(_with_motion(run, position, reference, along), motion)
+    period, of_axes, of_time = result.servo_period, ("sample", "axis"), ("sample",)
+    motion = Reference.from_samples(reference, period, path, arc_length=along)
+    simulated = run.with_signals(
+        tool_position=Signal(position, of_axes, "m"),
+        reference=Signal(reference, of_axes, "m"),
+        arc_length=Signal(along, of_time, "m"),
+        feedrate=Signal(np.abs(np.gradient(along, period)), of_time, "m/s"),
+        reference_velocity=Signal(np.gradient(reference, period, axis=0), of_axes, "m/s"),
+    )
+    judged = judge(simulated, motion)
     window = moving(reference)
     stated = _stated(run) if of_samples else None
     if of_samples:
@@ -170,18 +178,6 @@ def _reference_findings(axes: tuple[str, ...], reference: Array, position: Array
     left, whole = np.var(reference - position, axis=0), np.var(reference, axis=0)
     unlike = tuple(axis for axis, off, size in zip(axes, left, whole, strict=True) if off > (1.0 - FOLLOWS) * size > 0.0)
     return [*([finding("CL405", axes=unlike)] if unlike else []), *same_column_findings(axes, reference, position)]
-
-
-def _with_motion(run: Result, position: Array, reference: Array, along: Array) -> Result:
-    """Return the result with the signals of a simulation."""
-    period = run.servo_period
-    return run.with_signals(
-        tool_position=Signal(position, ("sample", "axis"), "m"),
-        reference=Signal(reference, ("sample", "axis"), "m"),
-        arc_length=Signal(along, ("sample",), "m"),
-        feedrate=Signal(np.abs(np.gradient(along, period)), ("sample",), "m/s"),
-        reference_velocity=Signal(np.gradient(reference, period, axis=0), ("sample", "axis"), "m/s"),
-    )
 
 
 def _on_the_path(judged: Result, reference: Reference, window: tuple[int, int]) -> tuple[tuple[int, int], int]:

@@ -175,7 +175,10 @@ class Runs(JudgedRuns):
         from contourlab.rendering.switching import switch_lines
 
         data, outcomes = self.data, self.outcomes
-        reversals = reversal_text(data) if any(map(_shows_reversals, outcomes)) else ""
+        axes = [axis for outcome in outcomes for axis in outcome.case.machine.axes]
+        # Friction, backlash and hysteresis show at reversals.
+        shows = any(not isinstance(axis.friction, NoFriction) or axis.error.repeatability > 0.0 for axis in axes)
+        reversals = reversal_text(data) if shows or any(axis.plant.linear() != axis.plant for axis in axes) else ""
         shared = [finding for finding in outcomes[0].findings if all(finding in other.findings for other in outcomes)]
         endings = [line for outcome in outcomes for line in _ending(outcome, shared)]
         ends = paragraphs([*endings, *map(str, shared)])
@@ -371,14 +374,6 @@ def file_names(names: Sequence[str]) -> dict[str, str]:
         chosen[name] = next(file for file in candidates if file.casefold() not in taken)
         taken.add(chosen[name].casefold())
     return chosen
-
-
-def _shows_reversals(outcome: Outcome) -> bool:
-    """Tell whether an axis has friction, backlash or hysteresis, which show at reversals."""
-    return any(
-        axis.plant.linear() != axis.plant or not isinstance(axis.friction, NoFriction) or axis.error.repeatability > 0.0
-        for axis in outcome.case.machine.axes
-    )
 
 
 def _ending(outcome: Outcome, shared: Sequence[Finding]) -> Iterator[str]:

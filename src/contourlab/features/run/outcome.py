@@ -22,7 +22,7 @@ from contourlab.engine.runner import make_group
 from contourlab.errors import ComponentError, ResultError
 from contourlab.features.check.program_check import path_mode_assumed, travel_unknown
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
-from contourlab.features.run.trust import numbers_of, part_interval, trust_of
+from contourlab.features.run.trust import numbers_of, part_interval, stated
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import LimitReport, Reference, limit_report
 from contourlab.feed.planner import NEAR_FEED
@@ -37,6 +37,7 @@ from contourlab.metrics import Spike, circles_of, judge, judged_part, reversal_s
 from contourlab.metrics.circles import Bidirectional, pairs
 from contourlab.metrics.judge import check_follows
 from contourlab.rendering.data import ClosedLoop, JudgedRun
+from contourlab.rendering.judgement import Trust
 from contourlab.rendering.page_tables import nearest
 from contourlab.rendering.stages import Stages
 from contourlab.result import Result
@@ -263,7 +264,7 @@ def run_case(
         Before the run, if its signals do not fit into the memory that is free.
     """
     shown, machine, controller = stages or Stages(), case.machine, case.controller
-    begin = shown.begin
+    begin, numbers = shown.begin, numbers_of(machine, controller)
     begin(f"planning {case.name}")
     reference = case.reference()
     free, needed = free_memory(), reference.n_sample * (BYTES + BYTES_PER_AXIS * reference.n_axis)
@@ -299,7 +300,7 @@ def run_case(
         ways: dict[str, Any] = {"slower": case.reference, "closer": case.closer, "rerun": partial(simulate, **noise)}
         answer = verdict(machine, controller, reference, judged, case.tolerance, lines=case.lines, explain=explain, **ways)
     if interval is not False:
-        if any(number.drawn for number in numbers_of(machine, controller)):
+        if any(number.drawn for number in numbers):
             begin(f"drawing machines from the deviations, {case.name}")
         setting = Setting(machine, controller, reference, **noise)
         sampled = part_interval(setting, tolerance=case.tolerance, changes=case.changes, learned=given["learned"], progress=shown.advance)
@@ -318,7 +319,7 @@ def run_case(
         tick=tick_cost(machine, controller, reference) if costs else None,
         switches=switches_of(judged, controller, reference, case.changes),
         gaps=_gaps(machine, judged),
-        trust=trust_of(machine, controller, sampled),
+        trust=Trust(stated(numbers), tuple(number.name for number in numbers if not number.is_stated), sampled),
         lines=reference.source_line(judged["arc_length"]) if case.lines else None,
     )  # fmt: skip
 
