@@ -10,7 +10,7 @@ import numpy as np
 
 from contourlab.components.contract import Component, Port, ports
 from contourlab.components.registry import component, components
-from contourlab.features.export.axis_controller import AxisControl, Recorded, axis_control, replayed
+from contourlab.features.export.command import AxisControl, Recorded, axis_control, replayed
 from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.primitives import copysign, fabs
 

@@ -15,7 +15,7 @@ from reference_data import SHARED, part_programs
 
 from contourlab.cli.main import main
 from contourlab.errors import ProgramError
-from contourlab.features.limits.result import moves_of
+from contourlab.features.limits.command import moves_of
 from contourlab.program import Reading
 
 PROGRAM = "G21 G90 G17 G61\nG0 X10 Y0\n(a comment)\nG1 X30 F1200 ; cut\nG3 X30 Y0 I-30 J0\nM2\n"

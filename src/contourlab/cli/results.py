@@ -18,7 +18,7 @@ def results() -> dict[str, Any]:
     from contourlab.features.export.command import Exported
     from contourlab.features.identify.result import Identification
     from contourlab.features.interpolate.command import Interpolated
-    from contourlab.features.limits.result import LimitTest
+    from contourlab.features.limits.command import LimitTest
     from contourlab.features.link.result import LinkResult
     from contourlab.features.machines.command import Shipped
     from contourlab.features.measure.command import MeasuredRuns

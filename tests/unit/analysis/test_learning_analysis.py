@@ -29,7 +29,6 @@ from contourlab.components.learning.error_law import CrossCoupledLearning, PType
 from contourlab.components.learning.law import LearningLaw, TrialRecord
 from contourlab.components.learning.least_squares import NormOptimal, PlantInversion
 from contourlab.errors import ComponentError
-from contourlab.features.learn.foretold import learning_findings
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 
@@ -187,12 +186,12 @@ def test_divergence_is_a_finding() -> None:
     assert not found.monotone
     assert found.worst_factor == pytest.approx(1.025, abs=2e-3)
     assert found.worst_frequency / TURN == pytest.approx(9.3, abs=0.3)
-    assert [one.code for one in learning_findings(found)] == ["CL310", "CL312"]
+    assert [one.code for one in found.findings] == ["CL310", "CL312"]
     assert found.design is not None
     better = ZeroPhase(gain=found.design.gain, half_width=found.design.half_width, passes=found.design.passes, lead=found.design.lead)
     assert learning_analysis(*stages(0.1, 15e-3), better).worst_factor <= 1.001
     bare = learning_analysis(*stages(0.1, 0.0), PType(gain=5.0))
-    assert [one.code for one in learning_findings(bare)] == ["CL310"]
+    assert [one.code for one in bare.findings] == ["CL310"]
 
 
 @pytest.mark.slow
@@ -203,7 +202,7 @@ def test_divergence_is_a_finding() -> None:
 def test_slow_growth_is_told_from_a_runaway(factor: float, code: str, trials: float) -> None:
     found = learning_analysis(*stages(0.1, 15e-3), ZeroPhase())
     response = dataclasses.replace(found.response, worst_radius=(118.0 * TURN, factor))
-    (first, *_) = learning_findings(dataclasses.replace(found, response=response, design=None))
+    (first, *_) = dataclasses.replace(found, response=response, design=None).findings
     assert first.code == code
     assert dict(first.values) == pytest.approx({"frequency": 118.0, "growth": factor - 1.0, "doubling": trials}, rel=1e-3)
     # The error has doubled after so many factors.
@@ -213,7 +212,7 @@ def test_slow_growth_is_told_from_a_runaway(factor: float, code: str, trials: fl
 def test_growth_along_the_path_alone_has_the_same_figures() -> None:
     found = learning_analysis(*stages(0.1, 15e-3), ZeroPhase())
     response = dataclasses.replace(found.response, worst_radius=(118.0 * TURN, 0.9), worst_norm=(118.0 * TURN, 0.9))
-    one, *_ = learning_findings(dataclasses.replace(found, response=response, design=None, lifted=LiftedLearning(1.02, 1.1)))
+    one, *_ = dataclasses.replace(found, response=response, design=None, lifted=LiftedLearning(1.02, 1.1)).findings
     assert (one.code, dict(one.values)) == ("CL314", pytest.approx({"growth": 0.02, "doubling": math.log(2.0) / math.log(1.02)}))
 
 
@@ -223,7 +222,7 @@ def test_convergence_is_reported() -> None:
     found = learning_analysis(*stages(0.1, 0.0), PType(gain=5.0, bandwidth=TURN * 1.5, order=4), reference)
     assert found.converges
     assert found.monotone
-    assert not list(learning_findings(found))
+    assert not list(found.findings)
     assert found.lifted is not None
     assert found.lifted.radius <= 1.0
 

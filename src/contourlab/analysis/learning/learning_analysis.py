@@ -8,7 +8,7 @@ the trial and its transpose to tables.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -29,11 +29,13 @@ from contourlab.analysis.learning.learning_frequency import (
     peak,
 )
 from contourlab.analysis.linear.coupled_loop import CoupledLoop, TrialMap, coupled_loop
+from contourlab.analysis.linear.margins import doubling
 from contourlab.arrays import Array, Complex
 from contourlab.components.learning.error_law import ZeroPhase
 from contourlab.components.learning.law import LearningLaw, LearningProblem
 from contourlab.errors import ComponentError
 from contourlab.feed import Reference
+from contourlab.findings import Finding, finding
 from contourlab.loop.machine import Controller, Machine
 
 WIDEST = 400
@@ -230,6 +232,8 @@ def lifted_learning(loop: CoupledLoop, law: LearningLaw, tangents: ArrayLike) ->
 Closed = Callable[[Array], Complex]
 GROWTH = 1e-6
 """Numerical tolerance of a factor of 1."""
+RUNAWAY = 10.0
+"""Learning runs away if an error doubles within this many trials."""
 
 
 @dataclass(frozen=True)
@@ -413,6 +417,25 @@ class LearningAnalysis:
     def monotone(self) -> bool:
         """Whether no frequency grows in any trial. At the ends of a trial, and where the path turns, `lifted.norm` may still exceed 1."""
         return self.response.worst_norm[1] <= 1.0 + GROWTH
+
+    @property
+    def findings(self) -> Iterator[Finding]:
+        """Predicted faults, and better settings from the design rule."""
+        design, factor, (at, size) = self.design, self.worst_factor, self.response.worst_norm
+        grows = factor > 1.0 + GROWTH
+        if grows:
+            code, hertz = "CL315" if doubling(factor) <= RUNAWAY else "CL310", self.worst_frequency / (2.0 * math.pi)
+            yield finding(code, frequency=hertz, growth=factor - 1.0, doubling=doubling(factor))
+        elif not self.monotone:
+            yield finding("CL311", frequency=at / (2.0 * math.pi), growth=size - 1.0)
+        if design is not None and design.worst_factor < factor:
+            values = {name: getattr(design, name) for name in ("half_width", "gain", "passes", "lead")}
+            values |= {"bandwidth": design.bandwidth / (2.0 * math.pi), "growth": max(design.worst_factor - 1.0, 0.0)}
+            yield finding("CL312", **values)
+        elif design is None and grows and isinstance(self.law, ZeroPhase):
+            yield finding("CL313")
+        if not self.converges and not grows and self.lifted is not None:
+            yield finding("CL314", growth=self.lifted.radius - 1.0, doubling=doubling(self.lifted.radius))
 
 
 def learning_analysis(machine: Machine, controller: Controller, law: LearningLaw, reference: Reference | None = None) -> LearningAnalysis:

@@ -26,7 +26,6 @@ from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array, Complex
 from contourlab.errors import ComponentError
 from contourlab.features.analyse.options import Analyse
-from contourlab.features.learn.foretold import learning_findings
 from contourlab.features.run.command import file_names
 from contourlab.features.run.source import Source, scenario_asked
 from contourlab.figures import NONE, listing, number
@@ -241,7 +240,7 @@ def _analyse(case: Case, whole: bool) -> SchemeAnalysis:
                 findings.append(finding("CL354", left=learning.worst_factor, frequency=learning.worst_frequency))
             if foretold.lifted is not None:
                 findings.append(finding("CL356", left=foretold.lifted.radius, most=foretold.lifted.norm))
-            findings += learning_findings(foretold)
+            findings += foretold.findings
     except ComponentError as error:
         unknown.append(finding("CL350", reason=str(error)))
     return SchemeAnalysis(good, margins, coupling, growth, learning, (*findings, *unknown), transfer, foretold)

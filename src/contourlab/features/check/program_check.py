@@ -43,6 +43,12 @@ class Message:
     column: int = 0
     file: str = ""
 
+    @classmethod
+    def of(cls, fault: Any) -> Message:
+        """Return what an error or a notice says."""
+        place = [getattr(fault, name, 0) for name in ("line", "column")]
+        return cls(getattr(fault, "message", str(fault)), *place, str(getattr(fault, "file", "")))
+
     def text(self, program: str, note: str = "") -> str:
         """Return ``file:line:column: message``."""
         place = "".join(f"{number}:" for number in (self.line, self.column) if self.line and number)
@@ -171,8 +177,8 @@ def check(file: str | Path, *, settings: Check, session: Session = QUIET) -> Che
         notices, n_line = reader.notices, reader.count_lines()
     checked = Checked(
         program=str(file),
-        problems=tuple(map(_problem, [*problems, *motion.problems])),
-        notices=tuple(Message(notice.message, notice.line, notice.column) for notice in notices),
+        problems=tuple(map(Message.of, [*problems, *motion.problems])),
+        notices=tuple(map(Message.of, notices)),
         n_line=n_line,
         moves=dict(seen.moves),
         feeds_mm_per_min=tuple(sorted(seen.feeds)),
@@ -206,11 +212,6 @@ class _Seen:
                 self.tools[int(value if event.word == "M61" and event.value is not None else self._selected)] = None
 
 
-def _problem(error: ContourlabError) -> Message:
-    message, file = getattr(error, "message", str(error)), getattr(error, "file", "")
-    return Message(message, getattr(error, "line", 0), getattr(error, "column", 0), str(file))
-
-
 def _duration(seconds: float) -> str:
     """Write a time in hours, minutes and seconds.
 
@@ -238,17 +239,23 @@ def parts(reader: Reader, problems: list[ProgramError]) -> Iterator[Part]:
     """Yield a program in parts that end where the motion stops, or at `2 * PART` moves; a fatal fault goes to `problems`."""
     moves: list[Move] = []
     first = 0
+
+    def part(cut: bool) -> Part:
+        events = tuple(replace(event, after=event.after - first) for event in reader.state.events)
+        reader.state.events.clear()
+        return Part(Program(Path(reader.name).name, tuple(moves), (), events), cut)
+
     try:
         for move in reader.moves():
             if len(moves) >= PART:
                 stops = _stops(moves[-1], move)
                 if stops or len(moves) >= 2 * PART:
-                    yield _part(reader, moves, first, cut=not stops)
+                    yield part(not stops)
                     first, moves = first + len(moves), []
             moves.append(move)
     except ProgramError as error:
         problems.append(error)
-    yield _part(reader, moves, first, cut=False)
+    yield part(False)
 
 
 def _stops(before: Move, after: Move) -> bool:
@@ -258,14 +265,6 @@ def _stops(before: Move, after: Move) -> bool:
     if isinstance(after, Dwell):  # it belongs to the motion before it
         return False
     return before.mode.control == "exact_stop" or isinstance(before, Traverse) != isinstance(after, Traverse)
-
-
-def _part(reader: Reader, moves: list[Move], first: int, *, cut: bool) -> Part:
-    """Take moves and their events out of a reader; the moves before it are `first`."""
-    events = reader.state.events
-    mine = tuple(replace(event, after=event.after - first) for event in events)
-    events.clear()
-    return Part(Program(Path(reader.name).name, tuple(moves), (), mine), cut)
 
 
 class PlannedMotion:

@@ -1,7 +1,6 @@
 """Learning from trial to trial: the run, its stopping rule, and the learned table."""
 
-from contourlab.features.learn.run import LearningRun, learn
-from contourlab.features.learn.stopping import Stopping
+from contourlab.features.learn.run import LearningRun, Stopping, learn
 from contourlab.features.learn.table import LearnedTable
 from contourlab.features.learn.trial import TrialFigures, input_response, learning_problem
 

@@ -2,41 +2,50 @@
 
 from __future__ import annotations
 
+import io
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
+from contourlab.app.json_values import HIDDEN, json_values
 from contourlab.app.results import check_file
-from contourlab.app.session import QUIET, Session, question
+from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array, Flags, Index
-from contourlab.errors import LogError, ParameterError, ResultError, UnitError
+from contourlab.errors import LogError, ParameterError, ProgramError, ResultError, UnitError
+from contourlab.features.check.canon import Listed
 from contourlab.features.check.program_check import DEFAULT_MACHINE
 from contourlab.features.check.reading import reading_of, refuse_drawing
 from contourlab.features.limits.log_limits import KINDS, AxisPeak, control_samples, course, moving_part
 from contourlab.features.limits.options import Limits
-from contourlab.features.limits.result import LimitTest, ProgramLine
-from contourlab.features.measure.log_choice import PROGRAMS, LogChoice, open_log
+from contourlab.features.measure.log_choice import PROGRAMS, LogChoice, open_log, positive
 from contourlab.features.measure.measured_path import progress_along
 from contourlab.features.measure.plausibility import known_signal
 from contourlab.features.measure.study import ACTUAL
-from contourlab.feed import AxisLimits, Reference
+from contourlab.feed import AxisLimits
 from contourlab.feed.verify import KINDS as ALL_KINDS
 from contourlab.feed.verify import LineUse, Worst, limit_report_by_line
+from contourlab.figures import NONE, figure, listing, number
 from contourlab.file_kinds import kind_of
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log
 from contourlab.logs.load import about
 from contourlab.loop import Machine
 from contourlab.program import Reading, read_program
+from contourlab.rendering.charts import Bars, Series
+from contourlab.rendering.style import scheme_style
+from contourlab.rendering.table import Column, Table, paragraphs
+from contourlab.result import write_bytes_atomic
 from contourlab.scenario.load import machine_of
 from contourlab.scenario.values import program_motion, program_route
 from contourlab.units import to_si
 
-_UNITS = {"velocity": "m/s", "acceleration": "m/s^2", "jerk": "m/s^3"}
-_EXAMPLES = {"velocity": "200 mm/s", "acceleration": "2 m/s^2", "jerk": "50 m/s^3"}
+_UNITS = {"velocity": ("m/s", "200 mm/s"), "acceleration": ("m/s^2", "2 m/s^2"), "jerk": ("m/s^3", "50 m/s^3")}
+"""Unit of each kind of limits, and an example."""
 _LINES = ("line", "program-line", "program_line", "source_line", "motion.program-line", "motion-line", "block", "n")
 HELD = 0.005
 """Part by which a limit may be exceeded, by default."""
@@ -64,7 +73,12 @@ def limits(file: str | Path | Log, *, settings: Limits, session: Session = QUIET
         If an option is out of range, or has no effect.
     """
     choice, reading = LogChoice.of(file, settings), reading_of(settings.program or Path("log"), settings)
-    tolerance = HELD if settings.tolerance is None else _share(settings.tolerance)
+    try:
+        tolerance = HELD if settings.tolerance is None else to_si(settings.tolerance, "")
+    except UnitError as error:
+        raise ParameterError("--tolerance", repr(settings.tolerance), 'a share such as "1 %"') from error
+    if not 0.0 <= tolerance < 1.0:
+        raise ParameterError("--tolerance", str(settings.tolerance), "between 0 and 100 %")
     is_program = Path(file).suffix.lower() in PROGRAMS and kind_of(file) != "a log"  # .nc: G-code or NetCDF
     planned = is_program and not choice.format and not choice.columns
     program = Path(file) if planned else settings.program
@@ -79,44 +93,20 @@ def limits(file: str | Path | Log, *, settings: Limits, session: Session = QUIET
     return replace(test, program=program, reading=reading)
 
 
-def _share(text: str) -> float:
-    try:
-        share = to_si(text, "")
-    except UnitError as error:
-        raise ParameterError("--tolerance", repr(text), 'a share such as "1 %"') from error
-    if not 0.0 <= share < 1.0:
-        raise ParameterError("--tolerance", text, "between 0 and 100 %")
-    return share
-
-
 def _limits(options: Limits, axes: Sequence[str], machine: Machine | None) -> dict[str, list[float]]:
     """Return the limits of each kind by axis, inf for none."""
     limits: dict[str, list[float]] = {}
-    for kind, unit in _UNITS.items():
+    for kind, (unit, example) in _UNITS.items():
         known = {} if machine is None else dict(zip(machine.axis_names, getattr(machine.planner_limits(), kind).tolist(), strict=True))
-        text = getattr(options, kind)
-        if text is not None:
-            known |= _by_axis(f"--{kind}", text, unit, axes, _EXAMPLES[kind])
+        option, text = f"--{kind}", getattr(options, kind)
+        for part in () if text is None else text.split(","):  # one for all axes, or x=..., y=...
+            name, quantity = (word.strip() for word in part.rpartition("=")[::2])
+            if name and name not in axes:
+                raise ParameterError(option, repr(text), f"limits of {', '.join(axes)}, such as {axes[0]}={example}")
+            value = positive(option, quantity, unit, f'a limit with its unit, such as "{example}" or "{axes[0]}={example}"')
+            known |= dict.fromkeys([name] if name else axes, value)
         limits[kind] = [known.get(axis, math.inf) for axis in axes]
     return limits
-
-
-def _by_axis(option: str, text: str, unit: str, axes: Sequence[str], example: str) -> dict[str, float]:
-    """Read one quantity for all axes, or ``x=..., y=...``."""
-    values: dict[str, float] = {}
-    for part in text.split(","):
-        name, equals, quantity = part.partition("=")
-        name, quantity = (name.strip(), quantity) if equals else ("", name)
-        if name and name not in axes:
-            raise ParameterError(option, repr(text), f"limits of {', '.join(axes)}, such as {axes[0]}={example}")
-        try:
-            value = to_si(quantity.strip(), unit)
-        except UnitError as error:
-            raise ParameterError(option, repr(text), f'a limit with its unit, such as "{example}" or "{axes[0]}={example}"') from error
-        if not value > 0.0:
-            raise ParameterError(option, text, "> 0")
-        values |= {name: value} if name else dict.fromkeys(axes, value)
-    return values
 
 
 def _planned(file: Path, options: Limits, tolerance: float, reading: Reading) -> LimitTest:
@@ -136,23 +126,16 @@ def _planned(file: Path, options: Limits, tolerance: float, reading: Reading) ->
         for kind, worst in zip(ALL_KINDS, of_axis, strict=True)
         if worst.sample >= 0 and (worst.value > 0.0 or kind in KINDS)
     ]
-    rows = _rows(_sample_lines(reference), reference.servo_period, use, machine.axis_names)
+    blocks = (reference.block(start, min(start + BLOCK, reference.n_sample)) for start in range(0, reference.n_sample, BLOCK))
+    lines = np.concatenate([reference.source_line(block.arc_length) for block in blocks])
+    rows = _rows(lines, reference.servo_period, use, machine.axis_names)
     passed = all(peak.use is None or peak.use <= 1.0 + tolerance for peak in peaks)
     kept = "given" if given and options.machine is None else "machine"
     head = (file.name, "plan", machine.axis_names, machine.servo_period, reference.duration, machine.name, tolerance, passed)
     return LimitTest(*head, tuple(peaks), rows, _exceeded(peaks, tolerance), given, kept)
 
 
-def _sample_lines(reference: Reference) -> Index:
-    """Return the program line of each sample (n,)."""
-    starts = range(0, reference.n_sample, BLOCK)
-    blocks = (reference.block(start, min(start + BLOCK, reference.n_sample)) for start in starts)
-    return np.concatenate([reference.source_line(block.arc_length) for block in blocks])
-
-
-def _rows(
-    lines: Index, period: float, use: LineUse, axes: Sequence[str], errors: Array | None = None, start: float = 0.0
-) -> tuple[ProgramLine, ...]:
+def _rows(lines: Index, period: float, use: LineUse, axes: Sequence[str], errors: Array | None = None) -> tuple[ProgramLine, ...]:
     """Return what each program line does, from the line of each sample."""
     rows = []
     present, first, count = np.unique(lines, return_index=True, return_counts=True)
@@ -160,13 +143,13 @@ def _rows(
     if errors is not None:
         np.maximum.at(largest, lines, errors)
     for line, at, n in zip(present.tolist(), first.tolist(), count.tolist(), strict=True):
-        if line <= 0:
-            continue
-        known = line < len(use.ratio) and use.kind[line] >= 0
-        share = float(use.ratio[line]) if known else None
-        kind, axis = (ALL_KINDS[use.kind[line]], axes[use.axis[line]]) if known else ("", "")
-        error = float(largest[line]) if errors is not None else None
-        rows.append(ProgramLine(line, at * period + start, n * period, share, kind, axis, error))
+        if line > 0:
+            known = line < len(use.ratio) and use.kind[line] >= 0
+            share: tuple[float | None, str, str] = (
+                (float(use.ratio[line]), ALL_KINDS[use.kind[line]], axes[use.axis[line]]) if known else (None, "", "")
+            )
+            error = None if errors is None else float(largest[line])
+            rows.append(ProgramLine(line, at * period, n * period, *share, error))
     return tuple(rows)
 
 
@@ -175,7 +158,10 @@ def _logged(choice: LogChoice, options: Limits, tolerance: float, reading: Readi
     log = open_log(choice)
     result, axes = log.result, tuple(choice.axes) or log.result.axes
     with about(choice.file):
-        source, position = _positions(log, axes)
+        known = known_signal(result, axes, ("reference", *ACTUAL, "motor_position"))
+        if known is None:
+            raise ResultError(f"no reference or position of {', '.join(axes)} in {result.source}: name the columns with --column")
+        position = known[1]
         moves = moving_part(position)
     if not moves.any():
         raise LogError("nothing moves: position or reference is the same at all samples", file=log.record.file)
@@ -188,20 +174,12 @@ def _logged(choice: LogChoice, options: Limits, tolerance: float, reading: Readi
     first, commanded = control_samples(position, result.servo_period)
     peaks, findings = _log_peaks(position[first], commanded, axes, limits, lines[first], moves[first], use)
     rows = _rows(np.where(moves, lines, 0), result.servo_period, use, axes, errors) if lines.any() else ()
-    known = [peak for peak in peaks if peak.use is not None]
-    passed = all((peak.use or 0.0) <= 1.0 + tolerance for peak in known) if known else None
-    cycle = float(np.count_nonzero(moves) - 1) * result.servo_period
-    found = (*_exceeded(peaks, tolerance), *findings, *log.findings)
-    name = "" if machine is None else machine.name
-    return LimitTest(Path(choice.file).name, source, axes, commanded, cycle, name, tolerance, passed, tuple(peaks), rows, found)
-
-
-def _positions(log: Log, axes: Sequence[str]) -> tuple[str, Array]:
-    """Return "reference" or "position", and the values (n, n_axis) [m]."""
-    known = known_signal(log.result, axes, ("reference", *ACTUAL, "motor_position"))
-    if known is None:
-        raise ResultError(f"no reference or position of {', '.join(axes)} in {log.result.source}: name the columns with --column")
-    return "reference" if known[0] == "reference" else "position", known[1]
+    uses = [peak.use for peak in peaks if peak.use is not None]
+    passed = max(uses) <= 1.0 + tolerance if uses else None
+    source = "reference" if known[0] == "reference" else "position"
+    cycle, name = float(np.count_nonzero(moves) - 1) * result.servo_period, "" if machine is None else machine.name
+    head = (Path(choice.file).name, source, axes, commanded, cycle, name, tolerance, passed)
+    return LimitTest(*head, tuple(peaks), rows, (*_exceeded(peaks, tolerance), *findings, *log.findings))
 
 
 def _lines_of(
@@ -259,3 +237,267 @@ def _exceeded(peaks: Sequence[AxisPeak], tolerance: float) -> tuple[Finding, ...
         finding("CL472", place, kind=peak.kind, axis=peak.axis, use=peak.use, time=peak.worst.time)
         for place, peak in zip(places, over, strict=True)
     )
+
+
+# --- the result as JSON, as text, and as comments in the program ---
+
+
+MOST_LINES = 8
+"""Most program lines in the table."""
+UNITS = {"velocity": "mm/s", "kink": "mm/s", "acceleration": "m/s^2", "curvature step": "m/s^2", "jerk": "m/s^3"}
+
+
+@dataclass(frozen=True)
+class ProgramLine:
+    """What one program line does.
+
+    Attributes
+    ----------
+    line : int
+    start, duration : float [s]
+        When it first begins, and how long it takes in all.
+    use : float or None
+        Largest part of a limit that it uses; above 1 the limit is exceeded. Null without limits.
+    kind, axis : str
+        Of this limit; empty without one.
+    error : float or None [m]
+        Largest distance of the position from the programmed path; null without a measured position.
+    """
+
+    line: int
+    start: float
+    duration: float
+    use: float | None = None
+    kind: str = ""
+    axis: str = ""
+    error: float | None = None
+
+
+@dataclass(frozen=True)
+class LimitTest(Answer):
+    """The result of a check of limits.
+
+    Attributes
+    ----------
+    name : str
+    source : str
+        "reference" or "position" of a log, or "plan".
+    axes : tuple of str
+    servo_period : float [s]
+    cycle_time : float [s]
+        From the first to the last motion; of a plan all of it.
+    machine : str
+        Whose limits hold where no option gives one; empty for none.
+    tolerance : float
+        Part by which a limit may be exceeded.
+    passed : bool or None
+        Whether all limits hold; null without limits.
+    peaks : tuple of AxisPeak
+    lines : tuple of ProgramLine
+        In the order of the program; empty if unknown.
+    given : tuple of str
+        Kinds of limits that options give for a plan: "velocity", "acceleration", "jerk".
+    planned_within : str
+        Limits that the plan keeps: "given", with the machine's for the rest, or "machine"; empty for a log.
+    annotated : str
+        Program written with comments; empty for none.
+    """
+
+    name: str
+    source: str
+    axes: tuple[str, ...]
+    servo_period: float
+    cycle_time: float
+    machine: str
+    tolerance: float
+    passed: bool | None
+    peaks: tuple[AxisPeak, ...]
+    lines: tuple[ProgramLine, ...]
+    findings: tuple[Finding, ...]
+    given: tuple[str, ...] = ()
+    planned_within: str = ""
+    annotated: str = ""
+    program: Path | None = field(default=None, metadata=HIDDEN)
+    reading: Reading | None = field(default=None, metadata=HIDDEN, repr=False)
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The largest values, one a row [SI]."""
+        return [json_values(peak) for peak in self.peaks]
+
+    def _charts(self) -> Iterator[Bars]:
+        limited = [peak for peak in self.peaks if peak.use is not None]
+        use = Series("use", 100.0 * np.array([peak.use for peak in limited]), np.zeros(len(limited)), scheme_style(0, 1)[0])
+        yield Bars("use", self.name, "", "use of the limit [%]", tuple(f"{peak.axis}, {peak.kind}" for peak in limited), (use,))
+
+    def save(self, *, annotate: str | Path | None = None) -> LimitTest:  # type: ignore[override]
+        """Write the program with times, limits and errors as comments.
+
+        Parameters
+        ----------
+        annotate : str or Path, optional
+            File to write; none by default.
+
+        Returns
+        -------
+        LimitTest
+            With the name of its file.
+
+        Raises
+        ------
+        ParameterError
+            If the program is not known.
+        OutputError
+            If the file cannot be written.
+        """
+        if annotate is None:
+            return self
+        if self.program is None or self.reading is None:
+            raise ParameterError("annotate", repr(str(annotate)), "with the program of the log: add --program PART.ngc")
+        skipped = write_annotated(self.program, Path(annotate), comments(self.lines), self.reading)
+        more = (finding("CL475", lines=skipped),) if skipped else ()
+        return replace(self, annotated=str(annotate), findings=(*self.findings, *more))
+
+    def _next(self, asked: Asked) -> Sequence[object]:
+        """Give limits, write the annotated program, run it, or judge the log."""
+        file, settings = asked.inputs[0], asked.settings
+        if self.passed is None:
+            return ["limits", file, "--machine", "xyz"]
+        if self.program is not None and not self.annotated:
+            out = f"{self.program.stem}-annotated{self.program.suffix}"
+            of_log = [] if self.source == "plan" else ["--program", self.program]
+            limits = [word for name in ("machine", *KINDS) for word in settings.PARTS[name].words(getattr(settings, name))]
+            return ["limits", file, *of_log, *limits, "--annotate", out]
+        if self.source == "plan":
+            return ["run", file, "--machine", settings.machine or "xyz"]
+        return ["measure", file]
+
+    @property
+    def worst(self) -> tuple[ProgramLine, ...]:
+        """The program lines that use most of a limit, the worst first."""
+        known = [line for line in self.lines if line.use is not None]
+        return tuple(sorted(known, key=lambda line: -(line.use or 0.0))[:MOST_LINES])
+
+    @property
+    def text(self) -> str:
+        """The result for the terminal."""
+        lines = self._lines().text() if self.worst else ""
+        annotated = f"annotated program: {self.annotated}" if self.annotated else ""
+        parts = (paragraphs([self._sentence()]), self._peaks().text(), lines, paragraphs(map(str, self.findings)), annotated)
+        return "\n\n".join(filter(None, parts))
+
+    def _sentence(self) -> str:
+        of = {"plan": "planned", "reference": "commanded", "position": "measured"}[self.source]
+        verdict = {True: "PASS, all limits hold", False: "FAIL, a limit is exceeded", None: "no limits given"}[self.passed]
+        at = f" of {self.machine}" if self.machine else ""
+        if self.planned_within:
+            given, own = f"the given {listing(self.given)}", f"the limits of {self.machine}"
+            at = f"; planned within {own}" + (f", compared with {given}" if self.given else "")
+            at = f"; planned within {given}, else {own}" if self.planned_within == "given" else at
+        return f"{self.name}: {verdict}{at}; cycle time {number(self.cycle_time, 5)} s, {of} every {figure(self.servo_period, 'ms', 4)}."
+
+    def _peaks(self) -> Table:
+        heads = [Column("axis", left=True), Column("", left=True), *map(Column, ("largest", "limit", "use", "at", "line"))]
+        table = Table(heads, keys=2)
+        for peak in self.peaks:
+            unit, worst = UNITS[peak.kind], peak.worst
+            limit = figure(worst.limit, unit) if math.isfinite(worst.limit) else NONE
+            largest = figure(worst.value, unit)
+            if 0.0 < 1e-3 * worst.value < worst.allowance:
+                largest = f"{largest.split()[0]} +- {figure(worst.allowance, unit, 2)}"
+            table.add(peak.axis, peak.kind, largest, limit, _percent(peak.use), f"{number(worst.time, 5)} s", str(peak.line or NONE))
+        return table
+
+    def _lines(self) -> Table:
+        heads = ("line", "use", "limit", "at [s]", "takes [s]", "largest error [um]")
+        shown = heads if any(line.error is not None for line in self.worst) else heads[:-1]
+        table = Table([Column(head, left=head == "limit") for head in shown], "Worst lines of the program")
+        for row in self.worst:
+            error = NONE if row.error is None else number(1e6 * row.error)
+            cells = (str(row.line), _percent(row.use), f"{row.kind} {row.axis}", number(row.start, 5), number(row.duration), error)
+            table.add(*cells[: len(shown)])
+        return table
+
+
+def _percent(use: float | None) -> str:
+    return NONE if use is None else f"{100.0 * use:.0f} %"
+
+
+def comments(lines: tuple[ProgramLine, ...]) -> Iterator[tuple[int, str]]:
+    """Yield each program line with the text of its comment."""
+    for row in lines:
+        words = [f"{row.start:.3f} s + {row.duration:.3f} s"]
+        words += [f"{row.kind} {row.axis} {100.0 * row.use:.0f} %"] if row.use is not None and row.kind else []
+        words += [f"error {number(1e6 * row.error)} um"] if row.error is not None else []
+        yield row.line, ", ".join(words)
+
+
+# --- comments in a part program, whose moves stay the same ---
+
+LONGEST = 255
+"""Characters in a line that LinuxCNC reads."""
+_ACTIVE = re.compile(rb"[(;]\s*(msg|debug|print|log|probe|py|abort|hide)", re.IGNORECASE)
+"""Comments that act: with another comment behind them they may not."""
+_PLAIN = re.compile(rb"\s*([(/;%]|n\d|[a-z]\s*[-+.\d\[#]|#)", re.IGNORECASE)
+_O_WORD = re.compile(rb"\s*(n\s*[\d.]+\s*)?o\s*[<\d#\[]", re.IGNORECASE)
+
+
+def annotated(program: Path, texts: Iterable[tuple[int, str]]) -> tuple[bytes, int]:
+    """Return a program with comments at the ends of its lines, and how many lines stay without.
+
+    Parameters
+    ----------
+    program : Path
+    texts : iterable of (int, str)
+        Line, from 1, and its comment.
+
+    Notes
+    -----
+    No line is inserted, so line numbers stay. A line that is an O-word, holds an active comment, has a comment without end, or would be
+    longer than `LONGEST` stays as it is.
+    """
+    lines = program.read_bytes().splitlines(keepends=True)
+    skipped = 0
+    for place, text in texts:
+        line = lines[place - 1] if 0 < place <= len(lines) else b""
+        body = line.rstrip(b"\r\n")
+        end, comment = line[len(body) :], f"({text})".encode("ascii")
+        body = body.rstrip()
+        is_open = body.count(b"(") != body.count(b")")
+        longer = len(body) + 1 + len(comment) > LONGEST
+        if not _PLAIN.match(body) or _O_WORD.match(body) or _ACTIVE.search(body) or is_open or longer:
+            skipped += 1
+            continue
+        lines[place - 1] = body + b" " + comment + end
+    return b"".join(lines), skipped
+
+
+def write_annotated(program: Path, out: Path, texts: Iterable[tuple[int, str]], reading: Reading) -> int:
+    """Write an annotated program; return how many lines stay without a comment.
+
+    Raises
+    ------
+    ProgramError
+        If the written program would not have the same moves; it is then not written.
+    OutputError
+        If the file cannot be written.
+    """
+    import tempfile
+
+    content, skipped = annotated(program, texts)
+    # Subprogram files lie beside the program.
+    beside = replace(reading, folder=program.parent) if reading.folder is None else reading
+    with tempfile.TemporaryDirectory() as folder:
+        trial = Path(folder) / program.name
+        trial.write_bytes(content)
+        if moves_of(trial, beside) != moves_of(program, beside):
+            raise ProgramError("comments would change its moves: it is not annotated", file=program)
+    write_bytes_atomic(out, content)
+    return skipped
+
+
+def moves_of(program: Path, reading: Reading) -> str:
+    """Return the moves of a program as canonical text."""
+    text = io.StringIO()
+    Listed(program, reading).write(text, as_json=True)
+    return text.getvalue()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import shlex
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, ClassVar, Literal
@@ -13,9 +13,8 @@ import numpy as np
 
 from contourlab import __version__
 from contourlab.app.command_line import as_typed, chosen_options
-from contourlab.app.json_values import json_values, write_json
 from contourlab.app.results import staged
-from contourlab.app.session import QUIET, Answer, Session, question
+from contourlab.app.session import QUIET, Session, question
 from contourlab.arrays import Array
 from contourlab.errors import LogError, ParameterError, ResultError, UnitError
 from contourlab.features.measure.log_choice import (
@@ -29,11 +28,14 @@ from contourlab.features.measure.log_choice import (
 from contourlab.features.measure.options import Measure
 from contourlab.features.measure.study import Measured, gap_findings
 from contourlab.features.measure.study import measure as judged_log
-from contourlab.features.run.command import SCHEMA, Runs, compare_schemes, file_names
+from contourlab.features.run.command import SCHEMA, JudgedRuns, Runs, compare_schemes, file_names
 from contourlab.features.run.options import Compare
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import Log, about
+from contourlab.findings import finding
+from contourlab.logs import Log
+from contourlab.logs.load import about
 from contourlab.rendering.data import Provenance, ReportData
 from contourlab.units import to_si
 
@@ -93,7 +95,7 @@ class MeasuredRun(Measured):
 
 
 @dataclass(frozen=True, eq=False)
-class MeasuredRuns(Answer):
+class MeasuredRuns(JudgedRuns):
     """Judged measured runs.
 
     Attributes
@@ -108,6 +110,7 @@ class MeasuredRuns(Answer):
         Version of contourlab.
     """
 
+    ROW = "run"
     json_form: ClassVar = {"name": "title"} | {name: name for name in ("command", "tolerance", "passed", "schemes", "schema", "version")}
 
     title: str
@@ -123,11 +126,6 @@ class MeasuredRuns(Answer):
         """Whether each run is within the tolerance; None without one."""
         limit = self.tolerance
         return None if limit is None else all(run.metrics.contour_error.max <= limit for run in self.runs)
-
-    @property
-    def findings(self) -> tuple[Finding, ...]:
-        """The findings of all runs, each once."""
-        return tuple({str(one): one for run in self.runs for one in run.findings}.values())
 
     @property
     def schemes(self) -> dict[str, MeasuredRun]:
@@ -153,16 +151,6 @@ class MeasuredRuns(Answer):
         lines += [line for run in self.runs for line in _lines(run, self.tolerance)]
         files = [f"{what}: {file}" for what, file in self.files.items()]
         return "\n".join([*lines, *files, *([f"\nnext: {self._step[1]}"] if files else [])])
-
-    @property
-    def rows(self) -> list[dict[str, Any]]:
-        """The figures of each run, one run a row."""
-        return [{"run": name, **json_values(scheme)} for name, scheme in self.schemes.items()]
-
-    def _charts(self) -> Iterator[Any]:
-        from contourlab.rendering.plots import charts_of
-
-        yield from charts_of(self.data)
 
     @property
     def _step(self) -> tuple[str, str]:
@@ -197,18 +185,11 @@ class MeasuredRuns(Answer):
         OutputError
             If the folder cannot be written to.
         """
-        from contourlab.rendering.html import write_html
-
         files = file_names([run.name for run in self.runs])
         with staged(folder, *_outputs(self.runs), inputs=[file for run in self.runs for file in run.inputs]) as stage:
             for run in self.runs:
                 run.result.save(stage / "signals" / f"{files[run.name]}.nc")
-            write_json(stage / "summary.json", self)
-            write_html(self.data, stage / "report.html")
-            if plots:
-                from contourlab.rendering.plots import write_plots
-
-                write_plots(self.data, stage / "plots", tuple(plots))
+            self._write(stage, plots)
         return replace(self, files={"report": str(Path(folder) / "report.html")})
 
 

@@ -33,8 +33,7 @@ class LogChoice:
         As ``position.x=NAME [mm]``.
     mapping : str or Path, optional
         A TOML file of columns.
-    period : str, optional
-        As ``"1 ms"``.
+    period : float, optional [s]
     axes : sequence of str
         Axes of the contour; by default all.
     """
@@ -43,13 +42,13 @@ class LogChoice:
     columns: Sequence[str] = ()
     mapping: str | Path | None = None
     format: str | None = None
-    period: str | None = None
+    period: float | None = None
     axes: Sequence[str] = ()
 
     @classmethod
     def of(cls, file: str | Path | Log, options: LogColumns) -> LogChoice:
         """Return a log, to be read as the options say."""
-        return cls(cast("Path", file), options.column, options.columns, options.format, options.period, getattr(options, "axes", ()))
+        return cls(cast("Path", file), options.column, options.columns, options.format, options.si("period"), getattr(options, "axes", ()))
 
     @property
     def files(self) -> tuple[str | Path, ...]:
@@ -71,10 +70,7 @@ class LogChoice:
         typed = once((*parse_columns(self.columns), *more), "--column and --reference")
         overridden = {(column.signal, column.axis) for column in typed}
         columns = (*typed, *(c for c in mapping.columns if (c.signal, c.axis) not in overridden))
-        period = mapping.period
-        if self.period is not None:
-            period = positive("--period", self.period, "s", 'a time with its unit, such as "1 ms"')
-        return read_record(self.file, self.format or mapping.format), Columns(columns, period)
+        return read_record(self.file, self.format or mapping.format), Columns(columns, self.period or mapping.period)
 
 
 def open_log(choice: LogChoice, more: Sequence[Column] = ()) -> Log:

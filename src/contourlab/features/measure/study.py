@@ -88,8 +88,16 @@ def measure(
             reference, run = path.position(along), replace(run, attributes={**run.attributes, **NO_REFERENCE})
     if not NO_REFERENCE.items() <= run.attributes.items():
         findings += _reference_findings(run.axes, reference, position)
-    motion = Reference.from_samples(reference, result.servo_period, path, arc_length=along)
-    judged = judge(_with_motion(run, position, reference, along), motion)
+    period, of_axes, of_time = result.servo_period, ("sample", "axis"), ("sample",)
+    motion = Reference.from_samples(reference, period, path, arc_length=along)
+    simulated = run.with_signals(
+        tool_position=Signal(position, of_axes, "m"),
+        reference=Signal(reference, of_axes, "m"),
+        arc_length=Signal(along, of_time, "m"),
+        feedrate=Signal(np.abs(np.gradient(along, period)), of_time, "m/s"),
+        reference_velocity=Signal(np.gradient(reference, period, axis=0), of_axes, "m/s"),
+    )
+    judged = judge(simulated, motion)
     window = moving(reference)
     stated = _stated(run) if of_samples else None
     if of_samples:
@@ -100,7 +108,12 @@ def measure(
             ranges = ((max(first, kept[0]), min(last, kept[1])) for first, last in stated.ranges)
             stated = stated._replace(ranges=tuple(part for part in ranges if part[0] < part[1]) or (window,))
         findings += [finding("CL408", samples=left_out)] if left_out else []
-        _check_near(judged["contour_error"][slice(*window)], path, position)
+        off, size = float(np.sqrt(np.mean(judged["contour_error"][slice(*window)] ** 2))), size_of(path)
+        moved = float(np.ptp(position, axis=0).max())
+        if off > farthest(min(size, moved)):  # as with exchanged columns or different units
+            sizes = f"{off * 1e3:.4g} mm rms, on a path of {size * 1e3:.4g} mm in size, and moves by {moved * 1e3:.4g} mm"
+            cure = "do position and reference have the right columns, axes, coordinates and units?"
+            raise ResultError(f"the tool is off the path of its reference by {sizes}: {cure}")
         findings += _last_lap_findings(judged, motion, window)
     findings += _outlier_findings(judged, window)
     if stated is not None:
@@ -128,72 +141,36 @@ def gap_findings(log: Log, measured: Measured, *, of_samples: bool) -> list[Find
     An error belongs to a gap if its sample lies in a gap of a position, or its foot point on the bridge over a gap of a reference. A tool
     that lags reaches the bridge after the gap; a tool that leads reaches it before.
     """
-    worst = measured.metrics.contour_error.worst.time
+    result, period, worst = measured.result, measured.result.servo_period, measured.metrics.contour_error.worst.time
     if inside := log.gaps_at(worst):
         return [finding("CL411", time=worst, channels=tuple(inside))]
-    bridged = _bridged_at(log, measured, worst) if of_samples else ()
-    return [finding("CL412", time=worst, channels=bridged)] if bridged else []
-
-
-def _bridged_at(log: Log, measured: Measured, time: float) -> tuple[str, ...]:
-    """Return the reference channels with a gap whose bridge contains the foot point at a time [s]."""
-    result, period = measured.result, measured.result.servo_period
-    along, foot = result["arc_length"], result["foot_arc_length"][round(time / period)]
-    channels = []
-    for name, start, stop in log.gaps("reference"):
+    along, foot = result["arc_length"], result["foot_arc_length"][round(worst / period)]
+    bridged: dict[str, None] = {}
+    for name, start, stop in log.gaps("reference") if of_samples else ():
         edges = np.array([np.floor(start / period + EVEN), np.ceil(stop / period - EVEN)], dtype=np.int64)
         before, behind = along[np.clip(edges, 0, len(along) - 1)]
         if before <= foot <= behind:
-            channels.append(name)
-    return tuple(dict.fromkeys(channels))
+            bridged[name] = None
+    return [finding("CL412", time=worst, channels=tuple(bridged))] if bridged else []
 
 
 def _signals_of(run: Result, path: Path | None) -> list[Array]:
-    """Return the position, and without a path the reference; raise one error for all that are missing."""
-    signals, missing = [], []
-    for signal_of in (_position_of, *([_reference_of] if path is None else [])):
-        try:
-            signals.append(signal_of(run))
-        except ResultError as error:
-            missing.append(str(error))
+    """Return the position (n_sample, n_axis) [m], and without a path the reference; raise one error for all that are missing."""
+    wanted = {"position": next((name for name in ACTUAL if name in run), "position")} | ({"reference": "reference"} if path is None else {})
+    missing = []
+    for kind, name in wanted.items():
+        if name not in run:
+            cure = "" if kind == "position" else ", or the part program with --reference part.ngc"
+            missing.append(f"no {kind} in {run.source}: name its columns, such as --column '{kind}.x=NAME [mm]'{cure}")
+            continue
+        known = np.isfinite(run[name])
+        whole = np.asarray(known.all(axis=0) if kind == "position" else known.any(axis=0))
+        if axes := [axis for axis, is_known in zip(run.axes, whole.tolist(), strict=True) if not is_known]:
+            cure = f"name its column, such as --column '{kind}.{axes[0]}=NAME [mm]', or exclude the axis with --axes"
+            missing.append(f"no {kind} of {', '.join(axes)} in {run.source}: {cure}")
     if missing:
         raise ResultError("; ".join(missing))
-    return signals
-
-
-def _position_of(run: Result) -> Array:
-    """Return the tool's position (n_sample, n_axis) [m]."""
-    name = next((name for name in ACTUAL if name in run), None)
-    if name is None:
-        raise ResultError(f"no position in {run.source}: name its column, such as --column 'position.x=NAME [mm]'")
-    position = run[name]
-    missing = [axis for axis, column in zip(run.axes, position.T, strict=True) if not np.isfinite(column).all()]
-    if missing:
-        raise ResultError(f"no position of {', '.join(missing)} in {run.source}: name its column, or exclude the axis with --axes")
-    return position
-
-
-def _reference_of(run: Result) -> Array:
-    if "reference" not in run:
-        raise ResultError(f"no reference in {run.source}: name its columns, or the part program with --reference part.ngc")
-    reference = run["reference"]
-    missing = [axis for axis, column in zip(run.axes, reference.T, strict=True) if not np.isfinite(column).any()]
-    if missing:
-        example = f"--column 'reference.{missing[0]}=NAME [mm]'"
-        raise ResultError(
-            f"no reference of {', '.join(missing)} in {run.source}: name its column, such as {example}, or exclude the axis with --axes"
-        )
-    return reference
-
-
-def _check_near(contour: Array, path: Path, position: Array) -> None:
-    """Raise if the positions are far from the path of their reference, as with exchanged columns or different units."""
-    rms, size, moved = float(np.sqrt(np.mean(contour**2))), size_of(path), float(np.ptp(position, axis=0).max())
-    if rms > farthest(min(size, moved)):
-        raise ResultError(
-            f"the tool is off the path of its reference by {rms * 1e3:.4g} mm rms, on a path of {size * 1e3:.4g} mm in size, and moves by "
-            f"{moved * 1e3:.4g} mm: do position and reference have the right columns, axes, coordinates and units?"
-        )
+    return [run[name] for name in wanted.values()]
 
 
 def _reference_findings(axes: tuple[str, ...], reference: Array, position: Array) -> list[Finding]:
@@ -201,18 +178,6 @@ def _reference_findings(axes: tuple[str, ...], reference: Array, position: Array
     left, whole = np.var(reference - position, axis=0), np.var(reference, axis=0)
     unlike = tuple(axis for axis, off, size in zip(axes, left, whole, strict=True) if off > (1.0 - FOLLOWS) * size > 0.0)
     return [*([finding("CL405", axes=unlike)] if unlike else []), *same_column_findings(axes, reference, position)]
-
-
-def _with_motion(run: Result, position: Array, reference: Array, along: Array) -> Result:
-    """Return the result with the signals of a simulation."""
-    period = run.servo_period
-    return run.with_signals(
-        tool_position=Signal(position, ("sample", "axis"), "m"),
-        reference=Signal(reference, ("sample", "axis"), "m"),
-        arc_length=Signal(along, ("sample",), "m"),
-        feedrate=Signal(np.abs(np.gradient(along, period)), ("sample",), "m/s"),
-        reference_velocity=Signal(np.gradient(reference, period, axis=0), ("sample", "axis"), "m/s"),
-    )
 
 
 def _on_the_path(judged: Result, reference: Reference, window: tuple[int, int]) -> tuple[tuple[int, int], int]:

@@ -208,11 +208,6 @@ class _Place:
         run = self.rerun(machine, controller, self.reference, on_failure="return", signals=signals)
         return self.of(run.window(self.sample, self.sample + 1)) if run.n_sample > self.sample else float("nan")
 
-    def followed_perfectly(self) -> float:
-        """Return the error of a tool that is where it was asked to be."""
-        here = self.judged.window(self.sample, self.sample + 1)
-        return self.of(here.with_signals(tool_position=Signal(here["reference"], ("sample", "axis"), "m")))
-
     def of(self, here: Result) -> float:
         judged = judge(here, self.reference)
         off = judged["tool_position"][0] - self.reference.programmed.position(judged["foot_arc_length"])[0]
@@ -263,7 +258,8 @@ def causes(
         left = float(np.nanmean(copies))
     else:
         diverging.append("servo mismatch")
-    planning = place.followed_perfectly()
+    here = judged.window(sample, sample + 1)
+    planning = place.of(here.with_signals(tool_position=Signal(here["reference"], ("sample", "axis"), "m")))
     contributions += [("lag", left - planning), ("planning", planning)]
     total = sum(abs(value) for _, value in contributions) or 1.0
     ranked = (Cause(name, float(value), float(abs(value) / total)) for name, value in contributions)

@@ -44,8 +44,52 @@ class DivergedScheme:
     status: Status
 
 
+class JudgedRuns(Answer):
+    """Judged runs, simulated or measured: `schemes` has them by name, `data` is their report."""
+
+    ROW: ClassVar = "scheme"
+    schemes: Any
+    data: Any
+
+    @cached_property
+    def summary(self) -> dict[str, Any]:
+        """The figures of all runs, as in ``summary.json``."""
+        values: dict[str, Any] = json_values(self)
+        return values
+
+    @property
+    def json(self) -> dict[str, Any]:
+        """The summary."""
+        return self.summary
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """The findings of all runs, each once."""
+        return tuple({str(each): each for run in self.schemes.values() for each in getattr(run, "findings", ())}.values())
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The figures of each run, one run a row."""
+        return [{self.ROW: name, **figures} for name, figures in self.summary["schemes"].items()]
+
+    def _charts(self) -> Iterator[Any]:
+        from contourlab.rendering.plots import charts_of
+
+        yield from charts_of(self.data)
+
+    def _write(self, stage: Path, plots: Sequence[str]) -> None:
+        """Write summary.json, report.html and plots into a temporary folder."""
+        from contourlab.rendering.html import write_html
+        from contourlab.rendering.plots import write_plots
+
+        write_json(stage / "summary.json", self.summary)
+        write_html(self.data, stage / "report.html")
+        if plots:
+            write_plots(self.data, stage / "plots", tuple(plots))
+
+
 @dataclass(frozen=True, eq=False)
-class Runs(Answer):
+class Runs(JudgedRuns):
     """Judged runs of the schemes of a scenario.
 
     Attributes
@@ -84,17 +128,6 @@ class Runs(Answer):
     schema: str = SCHEMA
     version: str = __version__
 
-    @cached_property
-    def summary(self) -> dict[str, Any]:
-        """The figures of all schemes, as in ``summary.json``."""
-        values: dict[str, Any] = json_values(self)
-        return values
-
-    @property
-    def json(self) -> dict[str, Any]:
-        """The summary."""
-        return self.summary
-
     @property
     def schemes(self) -> dict[str, Outcome | DivergedScheme]:
         """The schemes by name; of those that diverged the status only."""
@@ -111,11 +144,6 @@ class Runs(Answer):
         """Whether every verdict passed; None without a tolerance."""
         verdicts = [outcome.verdict.passed for outcome in self.outcomes if outcome.verdict is not None]
         return False if self.diverged else all(verdicts) if verdicts else None
-
-    @property
-    def findings(self) -> tuple[Finding, ...]:
-        """The findings of all schemes, each once."""
-        return tuple({str(one): one for outcome in self.outcomes for one in outcome.findings}.values())
 
     @property
     def stopped(self) -> BaseException | None:
@@ -147,7 +175,10 @@ class Runs(Answer):
         from contourlab.rendering.switching import switch_lines
 
         data, outcomes = self.data, self.outcomes
-        reversals = reversal_text(data) if any(map(_shows_reversals, outcomes)) else ""
+        axes = [axis for outcome in outcomes for axis in outcome.case.machine.axes]
+        # Friction, backlash and hysteresis show at reversals.
+        shows = any(not isinstance(axis.friction, NoFriction) or axis.error.repeatability > 0.0 for axis in axes)
+        reversals = reversal_text(data) if shows or any(axis.plant.linear() != axis.plant for axis in axes) else ""
         shared = [finding for finding in outcomes[0].findings if all(finding in other.findings for other in outcomes)]
         endings = [line for outcome in outcomes for line in _ending(outcome, shared)]
         ends = paragraphs([*endings, *map(str, shared)])
@@ -155,16 +186,6 @@ class Runs(Answer):
         files = "\n".join([*written, *(f"next: {step}" for _, step in self.steps[:1])])
         texts = [comparison_text(data), trials_text(data), reversals, "\n".join(switch_lines(data)), ends, files]
         return "\n\n".join(filter(None, texts))
-
-    @property
-    def rows(self) -> list[dict[str, Any]]:
-        """The figures of each scheme, one scheme a row."""
-        return [{"scheme": name, **scheme} for name, scheme in self.summary["schemes"].items()]
-
-    def _charts(self) -> Iterator[Any]:
-        from contourlab.rendering.plots import charts_of
-
-        yield from charts_of(self.data)
 
     def save(self, folder: str | Path = "results", *, plots: Sequence[str] = (), pdf: bool = False, signals: Sequence[str] = ()) -> Runs:
         """Write signals, summary.json, report.html, plots and proposed controllers into a folder.
@@ -189,7 +210,6 @@ class Runs(Answer):
         OutputError
             If the folder cannot be written.
         """
-        from contourlab.rendering.html import write_html
         from contourlab.scenario.dump import dump
 
         out, names = Path(folder), file_names([case.name for case in self.scenario.cases()])
@@ -198,7 +218,12 @@ class Runs(Answer):
             files: dict[str, str] = {}
             for outcome in self.outcomes:
                 name = names[outcome.name]
-                _write_signals(outcome, stage / "signals" / f"{name}.nc", signals or outcome.case.signals)
+                judged = judged_part(outcome.result, outcome.reference).text  # for a comparison of finished runs
+                result = replace(outcome.result, attributes={**outcome.result.attributes, "judged": judged})
+                if wanted := signals or outcome.case.signals:
+                    # Asking for the data says clearly which signals there are, if one is not.
+                    result = replace(result, signals={key: result.signals[key] for key in wanted if result[key] is not None})
+                result.save(stage / "signals" / f"{name}.nc")
                 if outcome.learning is not None:
                     outcome.learning.table.save(stage / "learned" / f"{name}.nc")
                 if outcome.verdict is not None and outcome.verdict.proposed is not None:
@@ -208,17 +233,12 @@ class Runs(Answer):
                 if outcome.switches is not None:
                     with switch_file(stage / "switches" / f"{name}.csv") as write_switches:
                         write_switches(outcome.switches)
-            write_json(stage / "summary.json", self.summary)
             begin_stage("writing the report")
             steps = tuple(next_steps(self.outcomes, self.command, out, list(files.values())))
             files |= {"report": "report.html"} | ({"to print": "report.pdf"} if pdf else {})
             saved = replace(self, steps=steps, files={what: str(out / file) for what, file in files.items()})
             vars(saved)["summary"] = self.summary  # computed once
-            write_html(saved.data, stage / "report.html")
-            if plots:
-                from contourlab.rendering.plots import write_plots
-
-                write_plots(saved.data, stage / "plots", plots)
+            saved._write(stage, plots)
             if pdf:
                 from contourlab.rendering.one_page import write_page
 
@@ -308,8 +328,7 @@ def run_schemes(
     stages.expect(_work(cases, interval))
     for case in cases:
         try:
-            shown: dict[str, Any] = {"progress": stages.advance, "stage": stages.begin}
-            outcomes.append(run_case(case, costs=costs, foretell=foretell, interval=interval, **shown))
+            outcomes.append(run_case(case, stages, costs=costs, foretell=foretell, interval=interval))
         except DivergenceError as error:
             diverged[case.name] = error
         except KeyboardInterrupt:
@@ -344,15 +363,6 @@ def _work(cases: Sequence[Case], interval: bool | None) -> list[tuple[str, float
     return [*work, *((words, amount * len(cases)) for words, amount in WRITING)]
 
 
-def _write_signals(outcome: Outcome, file: Path, wanted: Sequence[str]) -> None:
-    judged = judged_part(outcome.result, outcome.reference).text  # so that a comparison of finished runs judges the same samples
-    result = replace(outcome.result, attributes={**outcome.result.attributes, "judged": judged})
-    if wanted:
-        # Asking for the data says clearly which signals there are, if one is not.
-        result = replace(result, signals={name: result.signals[name] for name in wanted if result[name] is not None})
-    result.save(file)
-
-
 def file_names(names: Sequence[str]) -> dict[str, str]:
     """Return a portable file name for each scheme; no two differ in case only."""
     chosen: dict[str, str] = {}
@@ -364,14 +374,6 @@ def file_names(names: Sequence[str]) -> dict[str, str]:
         chosen[name] = next(file for file in candidates if file.casefold() not in taken)
         taken.add(chosen[name].casefold())
     return chosen
-
-
-def _shows_reversals(outcome: Outcome) -> bool:
-    """Tell whether an axis has friction, backlash or hysteresis, which show at reversals."""
-    return any(
-        axis.plant.linear() != axis.plant or not isinstance(axis.friction, NoFriction) or axis.error.repeatability > 0.0
-        for axis in outcome.case.machine.axes
-    )
 
 
 def _ending(outcome: Outcome, shared: Sequence[Finding]) -> Iterator[str]:

@@ -22,12 +22,11 @@ from contourlab.engine.runner import make_group
 from contourlab.errors import ComponentError, ResultError
 from contourlab.features.check.program_check import path_mode_assumed, travel_unknown
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
-from contourlab.features.learn.foretold import learning_findings
-from contourlab.features.run.trust import numbers_of, part_interval, trust_of
+from contourlab.features.run.trust import numbers_of, part_interval, stated
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import LimitReport, Reference, limit_report
 from contourlab.feed.planner import NEAR_FEED
-from contourlab.feed.verify import Worst
+from contourlab.feed.verify import KINDS, Worst
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.loop.feeding import Feed
@@ -38,7 +37,9 @@ from contourlab.metrics import Spike, circles_of, judge, judged_part, reversal_s
 from contourlab.metrics.circles import Bidirectional, pairs
 from contourlab.metrics.judge import check_follows
 from contourlab.rendering.data import ClosedLoop, JudgedRun
+from contourlab.rendering.judgement import Trust
 from contourlab.rendering.page_tables import nearest
+from contourlab.rendering.stages import Stages
 from contourlab.result import Result
 from contourlab.scenario import Case, PartProgram
 from contourlab.study import Setting
@@ -130,25 +131,6 @@ class NearestLimit:
     worst: Worst
 
 
-@dataclass(frozen=True)
-class LimitSummary:
-    """The planned motion against the limits of the axes, checked from its samples alone; null for a kind that does not occur.
-
-    Attributes
-    ----------
-    curvature_step : NearestLimit or None
-        Steps of acceleration where the curvature jumps; `jerk` leaves them out.
-    kink : NearestLimit or None
-        Steps of velocity where the direction jumps slightly.
-    """
-
-    velocity: NearestLimit | None
-    acceleration: NearestLimit | None
-    jerk: NearestLimit | None
-    curvature_step: NearestLimit | None
-    kink: NearestLimit | None
-
-
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Outcome(JudgedRun):
     """A judged case; of a case that learns, its best trial.
@@ -171,8 +153,10 @@ class Outcome(JudgedRun):
         Null if no axis has several controllers.
     margins : mapping of str to Margins
         Of the sampled loop of each axis; all but `stable` are null if it is unstable.
-    limits : LimitSummary or None
-        Null under the uniform law.
+    limits : mapping of str to NearestLimit or None
+        The planned motion against the limits of the axes, checked from its samples alone: velocity, acceleration (without kinks), jerk
+        (without curvature steps), curvature_step (of the acceleration, where the curvature jumps) and kink (of the velocity, where the
+        direction jumps slightly); null for a kind that does not occur. Null under the uniform law.
     learning : LearningRun or None
         All other figures are those of its best trial.
     warnings : tuple of str
@@ -234,12 +218,12 @@ class Outcome(JudgedRun):
         return SwitchSummary(axes, tuple(switches.rows(LISTED)), max(len(switches) - LISTED, 0))
 
     @property
-    def limit_summary(self) -> LimitSummary | None:
+    def limit_summary(self) -> dict[str, NearestLimit | None] | None:
         """The axis nearest to each kind of limit."""
         if self.limits is None:
             return None
-        worsts = map(nearest, self.limits.kinds)
-        return LimitSummary(*(None if worst is None else NearestLimit(self.result.axes[worst.axis], worst) for worst in worsts))
+        worsts = {kind.replace(" ", "_"): nearest(entries) for kind, entries in zip(KINDS, self.limits.kinds, strict=True)}
+        return {kind: None if worst is None else NearestLimit(self.result.axes[worst.axis], worst) for kind, worst in worsts.items()}
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -249,10 +233,9 @@ class Outcome(JudgedRun):
 
 def run_case(
     case: Case,
+    stages: Stages | None = None,
     *,
     explain: bool = True,
-    progress: Callable[[int, int], None] | None = None,
-    stage: Callable[[str], None] | None = None,
     costs: bool = False,
     foretell: bool = False,
     interval: bool | None = False,
@@ -262,12 +245,10 @@ def run_case(
     Parameters
     ----------
     case : Case
+    stages : Stages, optional
+        Where to show the work.
     explain : bool
         Whether to find causes and advice of a failed verdict. A case that learns gets none: what it learned belongs to its own machine.
-    progress : callable, optional
-        Called with samples done and samples in all, while simulating.
-    stage : callable, optional
-        Called with the name of each stage.
     costs : bool
         Whether to time the servo tick.
     foretell : bool
@@ -282,7 +263,8 @@ def run_case(
     MemoryError
         Before the run, if its signals do not fit into the memory that is free.
     """
-    begin, machine, controller = stage or (lambda name: None), case.machine, case.controller
+    shown, machine, controller = stages or Stages(), case.machine, case.controller
+    begin, numbers = shown.begin, numbers_of(machine, controller)
     begin(f"planning {case.name}")
     reference = case.reference()
     free, needed = free_memory(), reference.n_sample * (BYTES + BYTES_PER_AXIS * reference.n_axis)
@@ -291,8 +273,7 @@ def run_case(
         raise MemoryError(f"{reference.n_sample} samples of {reference.n_axis} axes need about {need}, {have} are free")
 
     def report_progress(done: int) -> None:
-        if progress is not None:
-            progress(done, reference.n_sample * (1 if case.learning is None else case.learning.trials + 1))
+        shown.advance(done, reference.n_sample * (1 if case.learning is None else case.learning.trials + 1))
 
     foretold = learned = None
     if case.learning is not None:
@@ -305,8 +286,8 @@ def run_case(
     begin(f"simulating {case.name}" + ("" if learned is None else f", trial {learned.best}"))
     noise: dict[str, Any] = {"seed": case.seed, "moving": case.moving}
     given: dict[str, Any] = {"learned": None if learned is None else learned.table.learned, "changes": case.changes}
-    shown = {"progress": report_progress} if learned is None else {"trial": learned.best}
-    result = simulate(machine, controller, reference, scheme=case.name, **noise, **given, **shown)
+    given |= {"progress": report_progress} if learned is None else {"trial": learned.best}
+    result = simulate(machine, controller, reference, scheme=case.name, **noise, **given)
     begin(f"judging {case.name}")
     judged = judge(result, reference)
     check_follows(judged, reference)
@@ -319,10 +300,10 @@ def run_case(
         ways: dict[str, Any] = {"slower": case.reference, "closer": case.closer, "rerun": partial(simulate, **noise)}
         answer = verdict(machine, controller, reference, judged, case.tolerance, lines=case.lines, explain=explain, **ways)
     if interval is not False:
-        if any(number.drawn for number in numbers_of(machine, controller)):
+        if any(number.drawn for number in numbers):
             begin(f"drawing machines from the deviations, {case.name}")
         setting = Setting(machine, controller, reference, **noise)
-        sampled = part_interval(setting, tolerance=case.tolerance, progress=progress, **given)
+        sampled = part_interval(setting, tolerance=case.tolerance, changes=case.changes, learned=given["learned"], progress=shown.advance)
     begin(f"checking limits and margins of {case.name}")
     bode = bode_of(machine, controller)
     findings = [*_remarks(case, reference, foretold, costs or foretell)]
@@ -338,7 +319,7 @@ def run_case(
         tick=tick_cost(machine, controller, reference) if costs else None,
         switches=switches_of(judged, controller, reference, case.changes),
         gaps=_gaps(machine, judged),
-        trust=trust_of(machine, controller, sampled),
+        trust=Trust(stated(numbers), tuple(number.name for number in numbers if not number.is_stated), sampled),
         lines=reference.source_line(judged["arc_length"]) if case.lines else None,
     )  # fmt: skip
 
@@ -397,7 +378,7 @@ def _remarks(case: Case, reference: Reference, foretold: LearningAnalysis | None
         if change.sample(reference.servo_period) >= reference.n_sample:
             yield finding("CL104", time=change.time, end=last)
     if foretold is not None:
-        yield from learning_findings(foretold)
+        yield from foretold.findings
 
 
 def _learned(case: Case, reference: Reference, report_progress: Callable[[int], None]) -> LearningRun:

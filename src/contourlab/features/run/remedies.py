@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 
-from contourlab.analysis.linear.margins import Margins
 from contourlab.components.compensation.backlash_inverse import BacklashInverse
 from contourlab.components.compensation.backlash_offset import BacklashOffset
 from contourlab.components.controller.cascade import Cascade
@@ -47,15 +46,14 @@ def remedies(machine: Machine, controller: Controller) -> list[tuple[str, Contro
     if controller.coupling is None and len(machine.axes) > 1:
         coupled = replace(controller, estimator=Newton(), coupling=ModifiedReference())
         changes.append(("coupling the axes by a modified reference", coupled))
-    kept = Guards(machine, controller).exact({})
-    return [(name, changed) for name, changed in changes if changed != controller and _keeps_margins(machine, changed, kept)]
+    bounds, kept = Bounds(), Guards(machine, controller).exact({})
 
+    def keeps_margins(changed: Controller) -> bool:
+        """Tell whether each axis has 6 dB and 30 degrees, or at least its margins of before; without a linear model it counts as good."""
+        after = Guards(machine, changed).exact({})
+        return all(bounds.missing(margins) <= (bounds.missing(kept[axis]) if axis in kept else 0.0) for axis, margins in after.items())
 
-def _keeps_margins(machine: Machine, changed: Controller, before: Mapping[str, Margins]) -> bool:
-    """Tell whether each axis has 6 dB and 30 degrees, or at least the margins it had; an axis without a linear model counts as good."""
-    bounds = Bounds()
-    after = Guards(machine, changed).exact({})
-    return all(bounds.missing(margins) <= (bounds.missing(before[axis]) if axis in before else 0.0) for axis, margins in after.items())
+    return [(name, changed) for name, changed in changes if changed != controller and keeps_margins(changed)]
 
 
 def _faster(factor: float, machine: Machine, name: str, part: AxisController) -> AxisController:
@@ -78,9 +76,8 @@ def _cascaded(machine: Machine, name: str, part: AxisController) -> AxisControll
     """Replace the law by a cascade with the fastest poles that keep the margins."""
     if part.others:
         return part
-    axis, law = machine.axis(name), part.controller
-    law = law if isinstance(law, Cascade) else Cascade(position_gain=1.0, velocity_gain=1.0)
-    velocity = part.velocity
+    axis, velocity = machine.axis(name), part.velocity
+    law = part.controller if isinstance(part.controller, Cascade) else Cascade(position_gain=1.0, velocity_gain=1.0)
     if isinstance(velocity, FilteredDifference):
         velocity = velocity.replace(bandwidth=max(velocity.bandwidth, SHARPEST / machine.servo_period))
         law = law.replace(balance_bandwidth=velocity.bandwidth)
@@ -145,8 +142,7 @@ def lost_motion_of(axis: Axis) -> float:
 
 def offset_of(axis: Axis, lost_motion: float) -> tuple[BacklashOffset, BacklashInverse]:
     """Return offset and inverse for a lost motion [m]: half of it accelerating, half braking, at the limit of the axis."""
-    most = axis.limits.acceleration
-    acceleration = most if math.isfinite(most) else 1.0
+    acceleration = axis.limits.acceleration if math.isfinite(axis.limits.acceleration) else 1.0
     speed = math.sqrt(acceleration * lost_motion)
     offset = BacklashOffset(backlash_gap=lost_motion, backlash_velocity=speed, backlash_acceleration=acceleration)
     return offset, BacklashInverse(backlash_gap=lost_motion, jump_velocity=speed)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import count
 from pathlib import Path
 
 import numpy as np
@@ -107,11 +108,8 @@ def _named(results: Result | Sequence[Result] | Mapping[str, Result]) -> dict[st
         return dict(results)
     named: dict[str, Result] = {}
     for result in members:
-        name, number = result.scheme, 1
-        while name in named:
-            number += 1
-            name = f"{result.scheme} {number}"
-        named[name] = result
+        names = (result.scheme if number == 1 else f"{result.scheme} {number}" for number in count(1))
+        named[next(name for name in names if name not in named)] = result
     return named
 
 
@@ -132,17 +130,9 @@ def _scheme(name: str, result: Result, reference: Reference, tolerance: float | 
     """Judge a run where necessary, and sum it up."""
     judged = result if {"part_error", "tracking_error"} <= set(result.signals) else judge(result, reference)
     verdict = None if tolerance is None else unexplained(reference, judged, tolerance, () if program is None else program.lines)
-    return JudgedRun(
-        name=name,
-        reference=reference,
-        result=judged,
-        metrics=summarise(judged, reference),
-        verdict=verdict,
-        circles=circles_of(judged, reference),
-        spikes=judged_spikes(judged, reference),
-        findings=() if verdict is None else verdict.findings,
-        lines=None if program is None else reference.source_line(judged["arc_length"]),
-    )
+    figures = (summarise(judged, reference), verdict, circles_of(judged, reference), judged_spikes(judged, reference))
+    findings, lines = () if verdict is None else verdict.findings, None if program is None else reference.source_line(judged["arc_length"])
+    return JudgedRun(name, reference, judged, *figures, findings, lines=lines)
 
 
 def report_data(title: str, outcomes: Sequence[Outcome], *, scenario: str, command: str) -> ReportData:

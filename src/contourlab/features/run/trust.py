@@ -17,7 +17,7 @@ from contourlab.errors import ContourlabError
 from contourlab.findings import finding
 from contourlab.loop import Axis, Controller, Learned, Machine, parameters_of
 from contourlab.loop.machine import AXIS_SLOTS
-from contourlab.rendering.judgement import Interval, Number, Rank, Spread, Trust
+from contourlab.rendering.judgement import Interval, Number, Rank, Spread
 from contourlab.study import Setting
 from contourlab.study.space import Distribution
 
@@ -178,12 +178,6 @@ def _root(uncertain: Sequence[Number], machine: Machine) -> Array:
 
 
 # --- the source of every number of a machine and its controller ---
-
-
-def trust_of(machine: Machine, controller: Controller, interval: Interval | None = None) -> Trust:
-    """Return the sources of the numbers, with the interval of the part error where one was asked for."""
-    numbers = numbers_of(machine, controller)
-    return Trust(stated(numbers), tuple(number.name for number in numbers if not number.is_stated), interval)
 
 
 def stated(numbers: Iterable[Number]) -> tuple[Number, ...]:

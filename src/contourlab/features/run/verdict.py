@@ -129,8 +129,7 @@ def _place(judged: Result, reference: Reference, sample: int, lines: tuple[str, 
     line = int(reference.source_line(np.array([along]))[0])
     text = lines[line - 1].strip() if 0 < line <= len(lines) else ""
     position = tuple(float(v) for v in judged["tool_position"][sample])
-    value = float(abs(judged["part_error"][sample]))
-    return Worst(value, sample, sample * judged.servo_period, position, along, line, text)
+    return Worst(float(abs(judged["part_error"][sample])), sample, sample * judged.servo_period, position, along, line, text)
 
 
 @dataclass(frozen=True, eq=False)

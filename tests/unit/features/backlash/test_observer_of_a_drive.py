@@ -7,7 +7,7 @@ import pytest
 
 import contourlab as cl
 from contourlab.components.registry import component
-from contourlab.features.backlash.study import _gap_where_it_turns, observer_of
+from contourlab.features.backlash.command import _gap_where_it_turns, observer_of
 
 DRIVE = {"motor_inertia": 2e-4, "mass": 33.0, "lead": 0.01, "stiffness": 253.0}
 

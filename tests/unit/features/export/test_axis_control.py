@@ -12,7 +12,7 @@ from tests.helpers.refusals import refuses
 
 from contourlab.components.ideal import IdealSensor
 from contourlab.errors import ParameterError
-from contourlab.features.export.axis_controller import axis_control, record, there_and_back
+from contourlab.features.export.command import axis_control, record, there_and_back
 from contourlab.loop import Controller, Machine
 from contourlab.scenario import load_controller, load_machine
 

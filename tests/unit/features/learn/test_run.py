@@ -15,8 +15,8 @@ import contourlab as cl
 from contourlab.components.learning.law import LearningProblem
 from contourlab.errors import OutputError, ParameterError, ResultError
 from contourlab.features.learn import LearnedTable, Stopping, TrialFigures, learn
+from contourlab.features.learn.run import best_of, verdict
 from contourlab.features.learn.split import Memory, growth_of
-from contourlab.features.learn.stopping import best_of, verdict
 from contourlab.feed import AxisLimits
 from contourlab.geometry import Line
 from contourlab.geometry import Path as Contour

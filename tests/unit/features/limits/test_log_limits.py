@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from contourlab.features.limits.command import LimitTest, annotated
 from contourlab.features.limits.log_limits import AxisPeak, control_samples, course, moving_part, position_error
-from contourlab.features.limits.result import LimitTest, annotated
 from contourlab.feed.verify import Worst
 
 PERIOD = 1e-3
