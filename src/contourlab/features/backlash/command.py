@@ -28,7 +28,7 @@ from contourlab.feed import Reference
 from contourlab.figures import NONE, figure, number
 from contourlab.findings import Finding, finding
 from contourlab.loop import Axis, Controller, Machine, simulate
-from contourlab.loop.sensing import SURE
+from contourlab.loop.builder import SURE
 from contourlab.metrics import CircleBacklash, LostMotion, backlash_of_runs, circles_of, judge, lost_motion_from_pair, summarise
 from contourlab.rendering.stages import Stages
 from contourlab.rendering.table import Column, Table, paragraphs

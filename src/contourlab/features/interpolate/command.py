@@ -34,8 +34,8 @@ from contourlab.features.interpolate.options import Interpolate
 from contourlab.findings import Finding, finding
 from contourlab.logs import Channel, Record, read_record
 from contourlab.logs.load import about
-from contourlab.rendering.charts import Chart, Curve, Panel
 from contourlab.logs.reading import CUT, lines_in, text_of
+from contourlab.rendering.charts import Chart, Curve, Panel
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import paragraphs
 from contourlab.units import to_si

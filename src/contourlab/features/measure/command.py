@@ -31,11 +31,8 @@ from contourlab.features.measure.study import measure as judged_log
 from contourlab.features.run.command import SCHEMA, JudgedRuns, Runs, compare_schemes, file_names
 from contourlab.features.run.options import Compare
 from contourlab.figures import figure
-from contourlab.findings import Finding, finding
-from contourlab.logs.load import Log, about
 from contourlab.findings import finding
-from contourlab.logs import Log
-from contourlab.logs.load import about
+from contourlab.logs.load import Log, about
 from contourlab.rendering.data import Provenance, ReportData
 from contourlab.units import to_si
 
