@@ -11,8 +11,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.contours.drawing import Drawing, LeftOut, drawing_of, strand_of, unit_size
-from contourlab.contours.shapes import ConicShape, LineShape, Shape, SplineShape
+from contourlab.contours.drawing import ConicShape, Drawing, LeftOut, LineShape, Shape, SplineShape, drawing_of, strand_of, unit_size
 from contourlab.errors import ContourlabError, GeometryError
 from contourlab.extras import extra_module
 

@@ -21,8 +21,18 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.contours.drawing import Drawing, LeftOut, Strand, drawing_of, strand_of, unit_size
-from contourlab.contours.shapes import ConicShape, LineShape, Shape, SplineShape
+from contourlab.contours.drawing import (
+    ConicShape,
+    Drawing,
+    LeftOut,
+    LineShape,
+    Shape,
+    SplineShape,
+    Strand,
+    drawing_of,
+    strand_of,
+    unit_size,
+)
 from contourlab.errors import GeometryError
 from contourlab.extras import extra_module
 

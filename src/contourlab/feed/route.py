@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.contours.shapes import spline_curves
+from contourlab.contours.drawing import spline_curves
 from contourlab.errors import FeedError, GeometryError, ProgramError
 from contourlab.feed.limits import AxisLimits
 from contourlab.geometry import Arc, Curve, Line, Path

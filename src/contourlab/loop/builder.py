@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -17,12 +18,22 @@ from contourlab.engine.step import Step, ports
 from contourlab.errors import ParameterError
 from contourlab.geometry import Path
 from contourlab.loop.machine import SIDES, Axis, Controller, Machine
-from contourlab.loop.tool import stream_of
 from contourlab.primitives import select
 
 Overrides = Mapping[str, Array]
 Signals = Mapping[str, tuple[str, ...]]
 """Signals of a result by name: one for each axis, or one for the machine."""
+
+
+def check_seed(seed: object, name: str = "seed") -> None:
+    """Raise ParameterError unless a seed, or the number of a trial, is a whole number >= 0."""
+    if not isinstance(seed, int | np.integer) or seed < 0:
+        raise ParameterError(name, repr(seed), "a whole number >= 0")
+
+
+def stream_of(seed: int, *words: object) -> float:
+    """Return the number of a noise stream, below 2**48, from a seed and its use (variant, trial, axis, signal)."""
+    return float(int.from_bytes(hashlib.sha256("/".join(map(str, (seed, *words))).encode()).digest()[:6], "big"))
 
 
 @dataclass(eq=False)

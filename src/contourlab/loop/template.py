@@ -37,12 +37,11 @@ from contourlab.engine.step import Port, Step, ports
 from contourlab.errors import ParameterError
 from contourlab.geometry import Path
 from contourlab.geometry.view import PathView, view_of
-from contourlab.loop.builder import ZERO, Builder, Overrides, Sensing, Signals, sum_step
+from contourlab.loop.builder import ZERO, Builder, Overrides, Sensing, Signals, check_seed, sum_step
 from contourlab.loop.feeding import AHEAD, LEARNED_COMMAND, LEARNED_REFERENCE, SOURCE_LINE
 from contourlab.loop.judging import watch_node
 from contourlab.loop.link_insertion import add_taken, insert_links, subtract_node
 from contourlab.loop.machine import Axis, Controller, Machine
-from contourlab.loop.tool import check_seed
 from contourlab.primitives import select
 
 

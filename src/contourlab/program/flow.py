@@ -13,8 +13,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from contourlab.errors import ProgramError
-from contourlab.program.block import without_blanks
-from contourlab.program.expressions import NUMBER, Cursor, Parameters, read_value
+from contourlab.program.block import NUMBER, Cursor, Parameters, read_value, without_blanks
 from contourlab.program.vocabulary import BlockError, refuse
 
 KEYWORDS = (

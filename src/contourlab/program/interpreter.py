@@ -11,8 +11,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from contourlab.program.block import Block, Code, Word
-from contourlab.program.expressions import SELECTED_SYSTEM
+from contourlab.program.block import SELECTED_SYSTEM, Block, Code, Word
 from contourlab.program.motions import LONGEST_DWELL, add_control_point, bezier, close_curve, drill, make_arc
 from contourlab.program.moves import Mode, Move, Point
 from contourlab.program.state import (

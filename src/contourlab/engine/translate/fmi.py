@@ -10,8 +10,7 @@ import uuid
 from xml.sax.saxutils import quoteattr
 
 from contourlab.engine.translate.c99 import literal
-from contourlab.engine.translate.c99_control import comment
-from contourlab.engine.translate.control import Control, Field
+from contourlab.engine.translate.control import Control, Field, comment
 
 VERSIONS = ("2.0", "3.0")
 _TYPES_3 = ("Float32", *(f"{sign}Int{bits}" for bits in (8, 16, 32, 64) for sign in ("", "U")), "Boolean", "String", "Binary", "Clock")
@@ -195,7 +194,7 @@ int fmi3DoStep(void *self, double time, double size, bool final, bool *event, bo
 
 
 def wrapper_of(made: Control, version: str) -> str:
-    """Return the C source of the interface; it includes the header of `contourlab.engine.translate.c99_control`."""
+    """Return the C source of the interface; it includes the header of `contourlab.engine.translate.control`."""
     output = 1 + len(made.inputs)
     values = [0.0, *(0.0 for _ in made.inputs), 0.0, *(p.value for p in made.parameters.values())]
     common = _COMMON.format(

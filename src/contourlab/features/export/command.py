@@ -15,8 +15,8 @@ from contourlab.app.json_values import HIDDEN, json_values, write_json
 from contourlab.app.results import staged
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array
-from contourlab.engine.translate import c99_control, fmi, hal, structured_text
-from contourlab.engine.translate.control import LIBRARY, Field
+from contourlab.engine.translate import fmi, hal, structured_text
+from contourlab.engine.translate.control import LIBRARY, Field, bench_of, header_of, source_of
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.export.axis_controller import SAMPLES, AxisControl, axis_control, record, there_and_back
 from contourlab.features.export.mock_up import compiler, unit_of
@@ -134,9 +134,9 @@ def _names(fields: Sequence[Field]) -> str:
 def _c99(found: AxisControl, motion: Motion) -> dict[str, str | bytes]:
     name = found.control.name
     return {
-        f"{name}.h": c99_control.header_of(found.control),
-        f"{name}.c": c99_control.source_of(found.control),
-        f"{name}_bench.c": c99_control.bench_of(found.control),
+        f"{name}.h": header_of(found.control),
+        f"{name}.c": source_of(found.control),
+        f"{name}_bench.c": bench_of(found.control),
         f"{name}_run.csv": record(found, motion(found.axis)).text,
     }
 

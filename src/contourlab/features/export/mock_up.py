@@ -12,8 +12,8 @@ import tempfile
 import zipfile
 from pathlib import Path
 
-from contourlab.engine.translate import c99_control, fmi
-from contourlab.engine.translate.control import Control
+from contourlab.engine.translate import fmi
+from contourlab.engine.translate.control import Control, header_of, source_of
 from contourlab.errors import ParameterError
 
 _SYSTEMS = {"linux": ("linux", ".so"), "darwin": ("darwin", ".dylib"), "win32": ("win", ".dll")}
@@ -41,8 +41,8 @@ def unit_of(made: Control, version: str) -> bytes:
     """
     library, interface = fmi.source_files(made)
     sources = {
-        f"{made.name}.h": c99_control.header_of(made),
-        library: c99_control.source_of(made),
+        f"{made.name}.h": header_of(made),
+        library: source_of(made),
         interface: fmi.wrapper_of(made, version),
     }
     files: dict[str, bytes] = {"modelDescription.xml": fmi.description_of(made, version).encode()}
