@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from contourlab.arrays import Array, Flags, Index
 from contourlab.contours.drawing import spline_curves
 from contourlab.errors import FeedError, GeometryError, ProgramError
-from contourlab.feed.limits import AxisLimits
+from contourlab.feed.bounds import AxisLimits
 from contourlab.geometry import Arc, Curve, Line, Path
 from contourlab.geometry.path import CORNER_ANGLE
 from contourlab.program import Arc as ArcMove

@@ -13,7 +13,7 @@ from contourlab.components.contract import Component
 from contourlab.components.ideal import IdealLink
 from contourlab.components.origin import Origin
 from contourlab.errors import ParameterError
-from contourlab.feed.limits import RANGES
+from contourlab.feed.bounds import RANGES
 from contourlab.units import setting
 
 

@@ -19,7 +19,7 @@ from contourlab.loop.builder import check_seed, stream_of
 from contourlab.loop.feeding import BLOCK, Feed, Learned
 from contourlab.loop.judging import all_finite, watched
 from contourlab.loop.machine import Controller, Machine
-from contourlab.loop.reconfigure import Change, prepared, taken_over
+from contourlab.loop.switches import Change, prepared, taken_over
 from contourlab.loop.template import Loop, build
 from contourlab.primitives import normal
 from contourlab.result import Result, Signal, Status
