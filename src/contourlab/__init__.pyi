@@ -52,7 +52,7 @@ from contourlab.features.sweep.report import SweepReport as SweepReport
 from contourlab.features.sweep.summary import SweepSummary as SweepSummary
 from contourlab.features.tune.command import Calibration as Calibration
 from contourlab.feed.blending import blended as blended
-from contourlab.feed.limits import AxisLimits as AxisLimits
+from contourlab.feed.bounds import AxisLimits as AxisLimits
 from contourlab.feed.planner import plan as plan
 from contourlab.feed.reference import Reference as Reference
 from contourlab.feed.reference import uniform as uniform
@@ -66,16 +66,16 @@ from contourlab.geometry.path import Path as Path
 from contourlab.loop.axis_parts import AxisError as AxisError
 from contourlab.loop.axis_parts import Division as Division
 from contourlab.loop.axis_parts import Limits as Limits
+from contourlab.loop.batch import BatchResult as BatchResult
 from contourlab.loop.batch import simulate_batch as simulate_batch
-from contourlab.loop.batch_result import BatchResult as BatchResult
 from contourlab.loop.feeding import Learned as Learned
 from contourlab.loop.machine import Axis as Axis
 from contourlab.loop.machine import AxisController as AxisController
 from contourlab.loop.machine import Controller as Controller
 from contourlab.loop.machine import Machine as Machine
 from contourlab.loop.parameters import parameter_names as parameter_names
-from contourlab.loop.reconfigure import Change as Change
 from contourlab.loop.simulate import simulate as simulate
+from contourlab.loop.switches import Change as Change
 from contourlab.metrics.circles import backlash_from_circle as backlash_from_circle
 from contourlab.metrics.circles import backlash_of_runs as backlash_of_runs
 from contourlab.metrics.circles import circles_of as circles_of

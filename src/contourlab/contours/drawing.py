@@ -17,7 +17,7 @@ from typing import TypeAlias
 import numpy as np
 
 from contourlab.arrays import Array, Index
-from contourlab.errors import GeometryError, UnitError
+from contourlab.errors import GeometryError, UnitError, refuse
 from contourlab.geometry import Arc, BSpline, Curve, EllipticalArc, Line, Nurbs, Path, backwards, with_ends
 from contourlab.geometry.nurbs import cut_where_curvature_jumps, inner_knots, split_at
 from contourlab.units import to_si
@@ -578,8 +578,7 @@ def drawing_of(
         If the tolerance is out of range.
     """
     gap = TOLERANCE if tolerance is None else tolerance
-    if not (0.0 < gap < math.inf):
-        raise GeometryError(f"tolerance = {tolerance!r} m: must be > 0 and finite")
+    refuse(not (0.0 < gap < math.inf), GeometryError, f"tolerance = {tolerance!r} m: must be > 0 and finite")
     chains, dropped = chains_of(strands, gap)
     return Drawing(file, tuple(chains), tuple(left_out), (*notes, *dropped), tuple(layers))
 
@@ -603,6 +602,5 @@ def unit_size(unit: str) -> float:
             raise UnitError(f'unit = "{unit}": {error}') from error
         except Exception:  # the unit parser may raise anything
             size = 0.0
-    if not (size > 0.0 and math.isfinite(size)):
-        raise UnitError(f'{unit!r} is not a unit of length: write for example "mm" or "inch"')
+    refuse(not (size > 0.0 and math.isfinite(size)), UnitError, f'{unit!r} is not a unit of length: write for example "mm" or "inch"')
     return size

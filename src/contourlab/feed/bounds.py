@@ -37,7 +37,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.errors import FeedError, ParameterError
+from contourlab.errors import FeedError, ParameterError, refuse
 from contourlab.native.kernel import kernel
 
 RANGES = {"velocity": (1e-6, 1e6), "acceleration": (1e-6, 1e9), "jerk": (1e-6, 1e12)}
@@ -47,8 +47,7 @@ RANGES = {"velocity": (1e-6, 1e6), "acceleration": (1e-6, 1e9), "jerk": (1e-6, 1
 def _checked(name: str, value: ArrayLike, unit: str, *, finite: bool) -> Array:
     """Return `value` as a read-only vector of valid limits."""
     array = np.array(value, dtype=np.float64, ndmin=1)
-    if array.ndim != 1:
-        raise ParameterError(name, array.tolist(), "one number per axis", unit)
+    refuse(array.ndim != 1, ParameterError, name, array.tolist(), "one number per axis", unit)
     low, high = RANGES[name]
     if not bool(np.all((array >= low) & (array <= high) | (np.isposinf(array) & (not finite)))):
         raise ParameterError(name, array.tolist(), f"{low:g} to {high:g}" + ("" if finite else ", or inf for no limit"), unit)
@@ -88,8 +87,7 @@ class AxisLimits:
         }
         size = max(part.size for part in parts.values())
         for name, part in parts.items():
-            if part.size not in (1, size):
-                raise ParameterError(name, part.tolist(), f"of length 1 or {size}, like the other limits")
+            refuse(part.size not in (1, size), ParameterError, name, part.tolist(), f"of length 1 or {size}, like the other limits")
             object.__setattr__(self, name, np.broadcast_to(part, (size,)))
 
     @property
@@ -112,8 +110,7 @@ class AxisLimits:
         """
         if self.n_axis == n_axis:
             return self
-        if self.n_axis != 1:
-            raise FeedError(f"limits for {self.n_axis} axes, the path has {n_axis}: give one limit per axis")
+        refuse(self.n_axis != 1, FeedError, f"limits for {self.n_axis} axes, the path has {n_axis}: give one limit per axis")
         return AxisLimits(*(np.repeat(part, n_axis) for part in (self.velocity, self.acceleration, self.jerk)))
 
 

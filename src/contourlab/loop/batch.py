@@ -22,7 +22,7 @@ from contourlab.engine.schedule import Node
 from contourlab.engine.step import Step
 from contourlab.engine.translate.outer import Reads
 from contourlab.engine.translate.step_graph import graph_of
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.feed import Reference
 from contourlab.figures import number
 from contourlab.geometry.view import PathView, check_view, view_of
@@ -103,8 +103,7 @@ class BatchResult:
         ParameterError
             If there is no such figure.
         """
-        if figure not in self.figures:
-            raise ParameterError("figure", repr(figure), "one of " + ", ".join(self.figures))
+        refuse(figure not in self.figures, ParameterError, "figure", repr(figure), "one of " + ", ".join(self.figures))
         name, values = next(iter(self.variants.items()))
         order = np.argsort(values, kind="stable")
         factor, unit = self._shown(figure)
@@ -246,8 +245,7 @@ def simulate_batch(
     lanes = lanes_of(n, sum(memory_rows(loop.schedule))) if gpu else LANES
     groups = [make_group(loop.schedule, lanes, slice(i, i + lanes), compiled, device) for i in range(0, n, lanes)]
     for name in keep:
-        if name not in loop.signals:
-            raise ParameterError("keep", name, "one of " + ", ".join(loop.signals))
+        refuse(name not in loop.signals, ParameterError, "keep", name, "one of " + ", ".join(loop.signals))
     rows = [loop.schedule.row(signal) for name in keep for signal in loop.signals[name]]
     shape = (len(groups), reference.n_sample, len(rows), lanes)
     log = reuse.log if reuse is not None and reuse.log.shape == shape else aligned(shape)
@@ -306,8 +304,7 @@ def checked_variants(
     named = [(name, values) for wanted, values in variants.items() for name in matching(str(wanted), known, "variants")]
     for name, values in named:
         part, parameter = known[name]
-        if name in columns:
-            raise ParameterError("variants", name, "given once")
+        refuse(name in columns, ParameterError, "variants", name, "given once")
         try:
             columns[name] = np.atleast_1d(np.asarray(values)).astype(float, casting="same_kind")
             if columns[name].ndim != 1:

@@ -15,7 +15,7 @@ from contourlab.components.contract import Component
 from contourlab.components.ideal import IdealSensor, TrueVelocity
 from contourlab.engine.schedule import Late, Node
 from contourlab.engine.step import Step, ports
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.geometry import Path
 from contourlab.loop.machine import SIDES, Axis, Controller, Machine
 from contourlab.primitives import select
@@ -27,8 +27,7 @@ Signals = Mapping[str, tuple[str, ...]]
 
 def check_seed(seed: object, name: str = "seed") -> None:
     """Raise ParameterError unless a seed, or the number of a trial, is a whole number >= 0."""
-    if not isinstance(seed, int | np.integer) or seed < 0:
-        raise ParameterError(name, repr(seed), "a whole number >= 0")
+    refuse(not isinstance(seed, int | np.integer) or seed < 0, ParameterError, name, repr(seed), "a whole number >= 0")
 
 
 def stream_of(seed: int, *words: object) -> float:

@@ -12,7 +12,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.engine.runner import Group, make_group
-from contourlab.errors import DivergenceError, ParameterError
+from contourlab.errors import DivergenceError, ParameterError, refuse
 from contourlab.feed import Reference, ReferenceBlock
 from contourlab.geometry.view import PathView, check_view
 from contourlab.loop.builder import check_seed, stream_of
@@ -45,8 +45,7 @@ UNITS = {name: unit for unit, names in _OF_UNIT.items() for name in names}
 
 def jit_enabled(jit: bool | None = None) -> bool:
     """Return whether steps are compiled: as given, or unless ``CONTOURLAB_JIT`` is 0."""
-    if jit is not None and not isinstance(jit, bool | np.bool_):
-        raise ParameterError("jit", repr(jit), "True, False or None")
+    refuse(jit is not None and not isinstance(jit, bool | np.bool_), ParameterError, "jit", repr(jit), "True, False or None")
     return os.environ.get("CONTOURLAB_JIT", "1") != "0" if jit is None else bool(jit)
 
 
@@ -120,8 +119,7 @@ def simulate(
         If an argument is out of its range, or the view is that of another path.
     """
     check_kinds(machine, controller, reference)
-    if on_failure not in ("raise", "return"):
-        raise ParameterError("on_failure", repr(on_failure), "'raise' or 'return'")
+    refuse(on_failure not in ("raise", "return"), ParameterError, "on_failure", repr(on_failure), "'raise' or 'return'")
     kept: dict[str, Array] = {}
     status, done = Status(ok=True), 0
     for block, now in simulate_blocks(
@@ -148,8 +146,7 @@ def simulate(
 def check_kinds(machine: Machine, controller: Controller, reference: Reference) -> None:
     """Raise `ParameterError` if an argument is another thing, such as two in exchanged places."""
     for name, value, kind in (("machine", machine, Machine), ("controller", controller, Controller), ("reference", reference, Reference)):
-        if not isinstance(value, kind):
-            raise ParameterError(name, f"a {type(value).__name__}", f"a {kind.__name__}")
+        refuse(not isinstance(value, kind), ParameterError, name, f"a {type(value).__name__}", f"a {kind.__name__}")
 
 
 def result_of(
@@ -282,11 +279,9 @@ def _wanted(loops: Sequence[Loop], signals: Sequence[str] | None) -> frozenset[s
     """Return the signals to keep: those common to all controllers, and those of supervisors."""
     known = {*_GIVEN, "tool_position", *frozenset.intersection(*(frozenset(loop.signals) for loop in loops))}
     known |= {name for loop in loops for name in loop.signals if name in _SUPERVISED}
-    if signals is not None and not signals:
-        raise ParameterError("signals", "()", "at least one name, or None for all signals")
+    refuse(signals is not None and not signals, ParameterError, "signals", "()", "at least one name, or None for all signals")
     for name in signals or ():
-        if name not in known:
-            raise ParameterError("signals", repr(name), "one of " + ", ".join(sorted(known)))
+        refuse(name not in known, ParameterError, "signals", repr(name), "one of " + ", ".join(sorted(known)))
     return frozenset(signals if signals is not None else known)
 
 

@@ -24,7 +24,7 @@ from contourlab.arrays import Array, Index
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.schedule import Node
 from contourlab.engine.step import record
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.feed import Reference
 from contourlab.loop.machine import AxisController, Controller, Machine
 from contourlab.loop.template import Loop, build
@@ -60,8 +60,7 @@ class Change:
     file: str = field(default="", metadata=setting(name="controller"))
 
     def __post_init__(self) -> None:
-        if not (self.time > 0.0 and math.isfinite(self.time)):
-            raise ParameterError("time", f"{self.time:g}", "> 0 and finite", "s")
+        refuse(not (self.time > 0.0 and math.isfinite(self.time)), ParameterError, "time", f"{self.time:g}", "> 0 and finite", "s")
         if not (self.handover_time >= 0.0 and math.isfinite(self.handover_time)):
             raise ParameterError("handover_time", f"{self.handover_time:g}", ">= 0 and finite", "s")
 

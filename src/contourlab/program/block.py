@@ -16,7 +16,8 @@ from collections.abc import Callable, Mapping
 from itertools import chain
 from typing import NamedTuple, TypeAlias
 
-from contourlab.program.vocabulary import G_GROUPS, M_GROUPS, O_WORD_ALONE, USED_LETTERS, BlockError, EndMarkError, g_name, refusal, refuse
+from contourlab.errors import refuse
+from contourlab.program.vocabulary import G_GROUPS, M_GROUPS, O_WORD_ALONE, USED_LETTERS, BlockError, EndMarkError, g_name, refusal
 
 LARGEST_PARAMETER = 5601
 SELECTED_SYSTEM = 5220
@@ -257,7 +258,7 @@ def _number(cursor: Cursor) -> float:
     if digits in ("", "."):
         what = f"found '{cursor.next}'" if cursor.next else "the line ends here"
         raise BlockError(f"a number is missing: {what}; write for example 10.5, #1 or [1 + 2]", column)
-    refuse(len(digits) > 100, "the number has more than 100 digits: shorten it", column)
+    refuse(len(digits) > 100, BlockError, "the number has more than 100 digits: shorten it", column)
     return float(digits)
 
 
@@ -466,8 +467,9 @@ def _words_and_values(line: str, parameters: Parameters) -> list[Word]:
             settings.append(read_assignment(cursor, parameters))
         elif letter in _LETTERS:
             cursor.at += 1
-            refuse(letter == "O", O_WORD_ALONE, column)
-            refuse(letter == "N" and not cursor.next.isdigit(), "a line number must be digits only: write for example N10", column)
+            refuse(letter == "O", BlockError, O_WORD_ALONE, column)
+            if letter == "N" and not cursor.next.isdigit():
+                raise BlockError("a line number must be digits only: write for example N10", column)
             value = read_value(cursor, parameters)
             if abs(value) > LARGEST_NUMBER:
                 raise BlockError(f"{letter}{value:g} is too large: keep it below {LARGEST_NUMBER:.0e}", column)
@@ -614,7 +616,8 @@ def _add_g(codes: dict[str, Code], word: Word) -> None:
 
 def _add_m(codes: dict[str, Code], word: Word) -> None:
     number = round(word.value)
-    refuse(word.value != number or number < 0, f"M{word.value:g} is not a known M-code: write a whole number, 0 or more", word.column)
+    if word.value != number or number < 0:
+        raise BlockError(f"M{word.value:g} is not a known M-code: write a whole number, 0 or more", word.column)
     group = M_GROUPS.get(number)
     if group is None:
         raise BlockError(refusal(f"M{number}", "M-code"), word.column)
