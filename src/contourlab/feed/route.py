@@ -219,6 +219,8 @@ def _point(values: Sequence[float], columns: list[int]) -> Array:
 
 def _check_axes(program: Program, move: Any, columns: list[int]) -> None:
     """Raise an error for a move of an axis (0 = x, 1 = y, 2 = z) that the machine lacks."""
+    if len(columns) == 3:
+        return
     turning = move.directions()[:2] if isinstance(move, ArcMove) else ()
     points = (*move.points, move.end) if isinstance(move, Spline) else (move.end,)
     absent = (i for i in range(3) if i not in columns)
