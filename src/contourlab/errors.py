@@ -23,8 +23,9 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
+from typing import Any
 
 __all__ = [
     "ComponentError",
@@ -43,6 +44,15 @@ __all__ = [
     "ScenarioError",
     "UnitError",
 ]
+
+
+def refuse(fault: object, error: Callable[..., Exception], *words: Any) -> None:
+    """Raise an error, made of words, if there is a fault.
+
+    The words are computed in any case: where they cost time, or exist only with the fault, write an ``if``.
+    """
+    if fault:
+        raise error(*words)
 
 
 def error_text(error: BaseException) -> str:

@@ -12,7 +12,7 @@ from typed_commands import POSIX
 
 from contourlab.loop import batch
 from contourlab.loop.feeding import Feed
-from contourlab.loop.tool import ToolPosition
+from contourlab.loop.simulate import ToolPosition
 from contourlab.program import reader, state
 from contourlab.scenario import tables
 

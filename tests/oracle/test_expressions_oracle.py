@@ -10,8 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from contourlab.program.block import read_words
-from contourlab.program.expressions import Parameters
+from contourlab.program.block import Parameters, read_words
 from contourlab.program.vocabulary import BlockError
 
 pytestmark = [

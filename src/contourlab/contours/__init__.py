@@ -1,7 +1,7 @@
 """Contours from files: DXF and SVG drawings, and lists of points.
 
-Readers: `dxf`, `svg`, and `reader` for points, which also picks one by the file's suffix. `shapes` makes the curves, `drawing` joins those
-that meet. `fit` fits a path to points.
+Readers: `dxf`, `svg`, and `reader` for points, which also picks one by the file's suffix. `drawing` makes the curves of
+shapes, and joins those that meet. `fit` fits a path to points.
 """
 
 from contourlab.contours.drawing import Drawing, unit_size

@@ -11,9 +11,8 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.contours.drawing import Drawing, LeftOut, drawing_of, strand_of, unit_size
-from contourlab.contours.shapes import ConicShape, LineShape, Shape, SplineShape
-from contourlab.errors import ContourlabError, GeometryError
+from contourlab.contours.drawing import ConicShape, Drawing, LeftOut, LineShape, Shape, SplineShape, drawing_of, strand_of, unit_size
+from contourlab.errors import ContourlabError, GeometryError, refuse
 from contourlab.extras import extra_module
 
 FLAT = 1e-9
@@ -214,8 +213,7 @@ def _line(entity: Any) -> list[Shape]:
 def _circle(entity: Any) -> list[Shape]:
     ux, uy, _ = _axes(entity)
     centre, radius = _point(entity.ocs().to_wcs(entity.dxf.center)), abs(entity.dxf.radius)
-    if not math.isfinite(radius):
-        raise GeometryError(f"its radius, {radius:g}, is not finite: correct the drawing")
+    refuse(not math.isfinite(radius), GeometryError, f"its radius, {radius:g}, is not finite: correct the drawing")
     start, sweep = 0.0, 2.0 * math.pi
     if entity.dxftype() == "ARC":
         start = math.radians(entity.dxf.start_angle)

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.errors import GeometryError
+from contourlab.errors import GeometryError, refuse
 from contourlab.geometry import BSpline, Curve, Line, Path
 from contourlab.geometry.curve import angle_between
 from contourlab.geometry.nurbs import split_at
@@ -480,8 +480,7 @@ def fit_points(
     """
     if tolerance is not None and not (0.0 < tolerance < math.inf):
         raise GeometryError(f"tolerance = {tolerance!r} m: must be > 0 and finite")
-    if not 0.0 < corner_angle < math.pi:
-        raise GeometryError(f"corner_angle = {math.degrees(corner_angle):g} deg: must be > 0 and < 180 deg")
+    refuse(not 0.0 < corner_angle < math.pi, GeometryError, f"corner_angle = {math.degrees(corner_angle):g} deg: must be > 0 and < 180 deg")
     n = len(points)
     closed = n > 2 and float(np.linalg.norm(points[-1] - points[0])) <= SAME_PLACE
     if closed:

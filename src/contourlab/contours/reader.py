@@ -16,7 +16,7 @@ from contourlab.contours.drawing import unit_size
 from contourlab.contours.dxf import read_dxf
 from contourlab.contours.fit import PointFit, fit_points
 from contourlab.contours.svg import read_svg
-from contourlab.errors import GeometryError, UnitError
+from contourlab.errors import GeometryError, UnitError, refuse
 from contourlab.geometry import Path
 from contourlab.units import setting
 
@@ -139,26 +139,21 @@ def _checked(path: File, given: ContourOptions) -> str:
     chain, ignore, scale = typed.chain, typed.ignore, typed.scale
     if chain is not None and (isinstance(chain, bool) or not isinstance(chain, numbers.Integral)):
         raise GeometryError(f"chain = {chain!r}: write a whole number, counted from 1")
-    if isinstance(ignore, str):
-        raise GeometryError(f'ignore = "{ignore}": write a list: ignore = ["{ignore}"]')
+    refuse(isinstance(ignore, str), GeometryError, f'ignore = "{ignore}": write a list: ignore = ["{ignore}"]')
     if not isinstance(ignore, Iterable) or not all(isinstance(kind, str) for kind in ignore):
         raise GeometryError(f'ignore = {ignore!r}: write a list of kinds, such as ["TEXT"]')
     suffix = path.suffix.lower()
-    if suffix not in SUFFIXES:
-        raise GeometryError(f"{path}: unknown suffix: use one of {', '.join(SUFFIXES)}")
+    refuse(suffix not in SUFFIXES, GeometryError, f"{path}: unknown suffix: use one of {', '.join(SUFFIXES)}")
     for name in ("layer", "chain", "axes", "ignore", "corner_angle"):
         if (ignore if name == "ignore" else getattr(given, name) is not None) and name not in SUFFIXES[suffix]:
             raise GeometryError(f"{path}: {name} does not apply to a {suffix} file: delete it")
-    if not (scale > 0.0 and math.isfinite(scale)):
-        raise GeometryError(f"scale = {scale!r}: must be > 0 and finite")
+    refuse(not (scale > 0.0 and math.isfinite(scale)), GeometryError, f"scale = {scale!r}: must be > 0 and finite")
     try:
         there = path.is_file()
     except (OSError, ValueError) as error:
         raise GeometryError(f"{str(path)!r} is not a file name: {error}") from error
-    if not there:
-        raise GeometryError(f"no file {str(path)!r}")
-    if given.axes not in (None, 2, 3):
-        raise GeometryError(f"axes = {given.axes!r}: write 2 or 3")
+    refuse(not there, GeometryError, f"no file {str(path)!r}")
+    refuse(given.axes not in (None, 2, 3), GeometryError, f"axes = {given.axes!r}: write 2 or 3")
     return suffix
 
 
@@ -215,8 +210,7 @@ def read_points(
     if again.size:
         i = int(again[0])
         raise GeometryError(f"{path}:{rows[i + 1][0]}: repeats the point of line {rows[i][0]}: delete one of them")
-    if len(points) < 2:
-        raise GeometryError(f"{path}: needs at least two points, but has {len(points)}")
+    refuse(len(points) < 2, GeometryError, f"{path}: needs at least two points, but has {len(points)}")
     if set(names) <= {"x", "y", "z"}:  # else the columns keep their order
         points = points[:, np.argsort(names)]
     lines = [line for line, _ in rows]
@@ -252,8 +246,7 @@ def _rows(path: File) -> list[tuple[int, list[str]]]:
 
 def _head(rows: list[tuple[int, list[str]]], path: File, unit: str | None) -> tuple[list[str], list[float], list[tuple[int, list[str]]]]:
     """Return names and units [m] of the columns, and the rows below the header."""
-    if not rows:
-        raise GeometryError(f"{path}: contains no points: write one point on each line")
+    refuse(not rows, GeometryError, f"{path}: contains no points: write one point on each line")
     line, cells = rows[0]
     heads = [_HEAD.match(cell) for cell in cells]
     if not any(head is not None and head[1].lower() not in ("nan", "inf", "infinity") for head in heads):
@@ -268,8 +261,7 @@ def _head(rows: list[tuple[int, list[str]]], path: File, unit: str | None) -> tu
         rows = rows[1:]
     if len(names) < 2 or len(names) > 3:
         raise GeometryError(f"{path}:{line}: has {len(names)} columns: give two or three, one for each axis")
-    if len(set(names)) != len(names):
-        raise GeometryError(f"{path}:{line}: an axis is named twice: rename one column")
+    refuse(len(set(names)) != len(names), GeometryError, f"{path}:{line}: an axis is named twice: rename one column")
     return names, [_factor(name, own, unit, path, line) for name, own in zip(names, units, strict=True)], rows
 
 

@@ -21,9 +21,19 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.contours.drawing import Drawing, LeftOut, Strand, drawing_of, strand_of, unit_size
-from contourlab.contours.shapes import ConicShape, LineShape, Shape, SplineShape
-from contourlab.errors import GeometryError
+from contourlab.contours.drawing import (
+    ConicShape,
+    Drawing,
+    LeftOut,
+    LineShape,
+    Shape,
+    SplineShape,
+    Strand,
+    drawing_of,
+    strand_of,
+    unit_size,
+)
+from contourlab.errors import GeometryError, refuse
 from contourlab.extras import extra_module
 
 LARGEST = 1e12
@@ -325,13 +335,11 @@ def _parsed(path: File) -> Element:
     except (ElementTree.ParseError, ValueError, LookupError) as error:
         raise GeometryError(f"{path}: is not an SVG drawing: {error}") from error
     tag = root.tag.rpartition("}")[2]
-    if tag != "svg":
-        raise GeometryError(f"{path}: is not an SVG drawing: its root is <{tag}>")
+    refuse(tag != "svg", GeometryError, f"{path}: is not an SVG drawing: its root is <{tag}>")
     level = [root]
     for _ in range(DEEPEST):
         level = [child for element in level for child in element]
-    if level:
-        raise GeometryError(f"{path}: has elements nested more than {DEEPEST} deep: ungroup them")
+    refuse(level, GeometryError, f"{path}: has elements nested more than {DEEPEST} deep: ungroup them")
     return root
 
 

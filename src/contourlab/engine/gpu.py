@@ -13,7 +13,7 @@ from typing import Any
 
 from contourlab.arrays import Array, Index
 from contourlab.engine.translate import llvm_ir
-from contourlab.errors import EngineError
+from contourlab.errors import EngineError, refuse
 
 THREADS = 64
 """Threads of a block."""
@@ -101,8 +101,7 @@ class Gpu:
             If it fails.
         """
         code = getattr(self._driver, name)(*arguments)
-        if code == _OUT_OF_MEMORY:
-            raise EngineError("the GPU has no memory left: does another program use it?")
+        refuse(code == _OUT_OF_MEMORY, EngineError, "the GPU has no memory left: does another program use it?")
         if code:
             text = _NAME()
             self._driver.cuGetErrorString(code, ctypes.byref(text))

@@ -1,12 +1,12 @@
 """Feed planning: turn a path with feedrates, and the axis limits, into a sampled reference.
 
-`limits` and `route` are the inputs. `blending` joins short lines and rounds corners. `pieces` divides the route, at its stops too. `bounds`
-plans straight segments, `smooth` with `kernels` the others; `planner` combines both, and finds what limits the speed. `profile` and
-`reference` are the outputs; `profile` holds the samples that count. `verify` is an independent check.
+`route` and the limits in `bounds` are the inputs. `blending` joins short lines and rounds corners. `pieces` divides the route, at its stops
+too. `bounds` plans straight segments, `smooth` with `kernels` the others; `planner` combines both, and finds what limits the speed.
+`profile` and `reference` are the outputs; `profile` holds the samples that count. `verify` is an independent check.
 """
 
 from contourlab.feed.blending import blended
-from contourlab.feed.limits import AxisLimits
+from contourlab.feed.bounds import AxisLimits
 from contourlab.feed.planner import Binding, limiting, plan
 from contourlab.feed.profile import Judged, Profile
 from contourlab.feed.reference import Reference, ReferenceBlock, uniform

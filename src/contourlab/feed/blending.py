@@ -39,8 +39,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.feed.bounds import Samples, Share, peak_speed, ramps, speed_limit
-from contourlab.feed.limits import AxisLimits
+from contourlab.feed.bounds import AxisLimits, Samples, Share, peak_speed, ramps, speed_limit
 from contourlab.feed.route import Correspondence, Route
 from contourlab.geometry import Arc, Curve, Line, Path
 from contourlab.geometry.blend import blends, halves, quintic_bezier, shapes

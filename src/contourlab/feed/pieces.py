@@ -14,8 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.arrays import Array, Flags, Index, across, ranges
-from contourlab.feed.bounds import SHARES, Bounds, Samples, piece_bounds, speed_limit
-from contourlab.feed.limits import AxisLimits
+from contourlab.feed.bounds import SHARES, AxisLimits, Bounds, Samples, piece_bounds, speed_limit
 from contourlab.feed.route import NUDGE, Junctions, Route, junction_speed, junctions
 from contourlab.geometry import Arc, Curve, Line
 from contourlab.geometry.blend import Blend

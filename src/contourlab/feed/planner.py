@@ -16,8 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from contourlab.arrays import Array, Flags, Index, ranges
 from contourlab.errors import FeedError
-from contourlab.feed.bounds import N_SPAN, Bounds, border_speeds, move_spans, peak_speed
-from contourlab.feed.limits import AxisLimits
+from contourlab.feed.bounds import N_SPAN, AxisLimits, Bounds, border_speeds, move_spans, peak_speed
 from contourlab.feed.pieces import Pieces, Segments, Survey, cut, sample_segments, split_at_stops, survey
 from contourlab.feed.profile import Profile
 from contourlab.feed.reference import Reference, lap_ranges, whole_samples

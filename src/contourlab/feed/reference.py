@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.errors import FeedError
+from contourlab.errors import FeedError, refuse
 from contourlab.feed.profile import CUTTING, LAST_LAP, WHOLE, Judged, Profile, ranges_of_curves
 from contourlab.feed.route import Correspondence, place_on_programmed
 from contourlab.figures import figure
@@ -364,8 +364,7 @@ class Reference:
         if points.ndim != 2 or points.shape[0] < 2 or points.shape[1] != path.n_axis:
             raise FeedError(f"position has shape {points.shape}: give (n_sample >= 2, {path.n_axis})")
         finite = np.isfinite(points).all(axis=1)
-        if not finite.all():
-            raise FeedError(f"position is not finite at sample {int(np.argmin(finite))}")
+        refuse(not finite.all(), FeedError, f"position is not finite at sample {int(np.argmin(finite))}")
         if arc_length is None:
             progress = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
         else:
@@ -420,15 +419,11 @@ def uniform(path: Path, frequency: float, laps: int, servo_period: float) -> Ref
         If the path is open, or the laps do not end on a sample.
     """
     period = checked_period(servo_period)
-    if not path.closed:
-        raise FeedError("uniform() needs a closed path; use plan() for an open one")
-    if not (frequency > 0.0 and math.isfinite(frequency)):
-        raise FeedError(f"frequency = {frequency!r}: must be finite and > 0 Hz")
-    if int(laps) != laps or laps < 1:
-        raise FeedError(f"laps = {laps!r}: must be a whole number >= 1")
+    refuse(not path.closed, FeedError, "uniform() needs a closed path; use plan() for an open one")
+    refuse(not (frequency > 0.0 and math.isfinite(frequency)), FeedError, f"frequency = {frequency!r}: must be finite and > 0 Hz")
+    refuse(int(laps) != laps or laps < 1, FeedError, f"laps = {laps!r}: must be a whole number >= 1")
     exact = laps / max(frequency * period, 1e-300)
-    if exact > MOST_SAMPLES:
-        raise FeedError(f"{laps} laps at {frequency:g} Hz take {exact:.3g} servo periods: use a frequency near 1 Hz")
+    refuse(exact > MOST_SAMPLES, FeedError, f"{laps} laps at {frequency:g} Hz take {exact:.3g} servo periods: use a frequency near 1 Hz")
     n_sample = round(exact)
     if n_sample < 1 or abs(exact - n_sample) > 1e-9 * exact:
         per_lap = max(round(1.0 / (frequency * period)), 1)

@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.contours.shapes import spline_curves
-from contourlab.errors import FeedError, GeometryError, ProgramError
-from contourlab.feed.limits import AxisLimits
+from contourlab.contours.drawing import spline_curves
+from contourlab.errors import FeedError, GeometryError, ProgramError, refuse
+from contourlab.feed.bounds import AxisLimits
 from contourlab.geometry import Arc, Curve, Line, Path
 from contourlab.geometry.path import CORNER_ANGLE
 from contourlab.program import Arc as ArcMove
@@ -176,8 +176,7 @@ class Route:
             raise FeedError("dwell: each must be finite and >= 0 s")
         for name in ("corner_tolerance", "merge_tolerance"):
             values = getattr(self, name)
-            if not np.all(np.isfinite(values) & (values >= 0.0)):
-                raise FeedError(f"{name}: each must be finite and >= 0 m")
+            refuse(not np.all(np.isfinite(values) & (values >= 0.0)), FeedError, f"{name}: each must be finite and >= 0 m")
 
     @property
     def n_curve(self) -> int:
@@ -220,6 +219,8 @@ def _point(values: Sequence[float], columns: list[int]) -> Array:
 
 def _check_axes(program: Program, move: Any, columns: list[int]) -> None:
     """Raise an error for a move of an axis (0 = x, 1 = y, 2 = z) that the machine lacks."""
+    if len(columns) == 3:
+        return
     turning = move.directions()[:2] if isinstance(move, ArcMove) else ()
     points = (*move.points, move.end) if isinstance(move, Spline) else (move.end,)
     absent = (i for i in range(3) if i not in columns)
@@ -323,8 +324,7 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
             curves.append(None)
             ends.append((move.start, move.end))
             rows.append(row)
-    if not rows:
-        raise FeedError(f"{program.name}: the program moves no axis: add a move")
+    refuse(not rows, FeedError, f"{program.name}: the program moves no axis: add a move")
     starts, stops = np.array(ends).reshape(-1, 2, 3)[:, :, columns].transpose(1, 0, 2)
     lines = iter(Line.many(starts, stops))
     path = Path([next(lines) if curve is None else curve for curve in curves])
@@ -433,8 +433,7 @@ def junctions(route: Route) -> Junctions:
 
 def junction_speed(at: Junctions, limits: AxisLimits, curvature_step: float) -> Array:
     """Return the speed ceiling (n_curve,) [m/s] of each junction from its steps of acceleration, |jump| v^2, and velocity, |kink| v."""
-    if not curvature_step >= 0.0:
-        raise FeedError(f"curvature_step = {curvature_step}: give a fraction of the acceleration limit, >= 0")
+    refuse(not curvature_step >= 0.0, FeedError, f"curvature_step = {curvature_step}: give a fraction of the acceleration limit, >= 0")
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         square = np.where(at.jump == 0.0, np.inf, curvature_step * limits.acceleration / np.abs(at.jump))
         step = min(curvature_step, 1.0) * limits.acceleration * KINK_TIME

@@ -24,8 +24,8 @@ import numpy as np
 
 from contourlab.arrays import Array, Flags, Index, across
 from contourlab.feed import kernels
+from contourlab.feed.bounds import AxisLimits
 from contourlab.feed.kernels import LOWERED, MOVED
-from contourlab.feed.limits import AxisLimits
 from contourlab.feed.pieces import SegmentSamples
 from contourlab.geometry import Path
 from contourlab.threads import in_threads

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index, ranges
-from contourlab.feed.limits import AxisLimits
+from contourlab.feed.bounds import AxisLimits
 from contourlab.feed.reference import Reference
 from contourlab.feed.route import KINK_TIME, MOST_KINK, curvature_jump, direction_jump
 from contourlab.geometry import Path

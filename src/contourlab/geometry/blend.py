@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.errors import GeometryError
+from contourlab.errors import GeometryError, refuse
 from contourlab.geometry.curve import Curve, CurveBatch, by_arc_length, clenshaw
 from contourlab.native.kernel import kernel
 
@@ -170,8 +170,7 @@ class Blend(Curve):
         if c.ndim != 2 or c.shape[0] != 6 or c.shape[1] < 1 or not np.isfinite(c).all():
             raise GeometryError(f"coefficients of shape {c.shape}: must be finite, (6, n_axis)")
         borders, inverse, good = _inverted(c[None])
-        if not good[0]:
-            raise GeometryError("a blend without length, or too uneven for its series: use blends(), which divides it")
+        refuse(not good[0], GeometryError, "a blend without length, or too uneven for its series: use blends(), which divides it")
         self._fill(c, borders[0], inverse[0], float(borders[0, -1]))
 
     def _fill(self, coefficients: Array, borders: Array, inverse: Array, length: float) -> None:
@@ -275,8 +274,7 @@ def blends(coefficients: ArrayLike) -> tuple[list[Blend], Index]:
         If a curve has no length, a cusp, or a non-finite coordinate; the error names the curve.
     """
     c = np.array(coefficients, dtype=float)
-    if c.ndim != 3 or c.shape[1] != 6 or c.shape[2] < 1:
-        raise GeometryError(f"coefficients of shape {c.shape}: must be (n, 6, n_axis)")
+    refuse(c.ndim != 3 or c.shape[1] != 6 or c.shape[2] < 1, GeometryError, f"coefficients of shape {c.shape}: must be (n, 6, n_axis)")
     usable = np.isfinite(c).all(axis=(1, 2)) & (c[:, 1:] != 0.0).any(axis=(1, 2))
     if not usable.all():
         raise GeometryError(f"blend {int(np.argmin(usable))} has no length, or coordinates that are not finite")

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Index
-from contourlab.errors import GeometryError
+from contourlab.errors import GeometryError, refuse
 
 
 class Curve(ABC):
@@ -212,8 +212,7 @@ class CurveSequence:
 
     def __init__(self, curves: Sequence[Curve], closed: bool = False) -> None:
         self.curves = tuple(curves)
-        if not self.curves:
-            raise GeometryError("a path needs at least one curve")
+        refuse(not self.curves, GeometryError, "a path needs at least one curve")
         self.n_axis, self.closed = self.curves[0].n_axis, closed
         if any(curve.n_axis != self.n_axis for curve in self.curves):
             raise GeometryError("the curves of a path must all have the same number of coordinates")

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Index, ranges
-from contourlab.errors import GeometryError
+from contourlab.errors import GeometryError, refuse
 from contourlab.geometry.curve import CurveSequence
 from contourlab.geometry.table import PathTable, path_table
 from contourlab.native.kernel import kernel
@@ -312,8 +312,7 @@ def foot_point(path: CurveSequence, points: ArrayLike, around: ArrayLike, window
     if reach.shape not in ((), s.shape) or not (reach > 0.0).all():
         raise GeometryError(f"window = {window!r}: must be > 0 m, one for all points or one for each")
     reach = np.broadcast_to(reach, s.shape)
-    if not (np.isfinite(p).all() and np.isfinite(s).all()):
-        raise GeometryError("points and progress must be finite")
+    refuse(not (np.isfinite(p).all() and np.isfinite(s).all()), GeometryError, "points and progress must be finite")
     chunks = [slice(i, i + _CHUNK) for i in range(0, max(s.size, 1), _CHUNK)]
     parts = in_threads(lambda some: _chunk(path, p[some], s[some], reach[some]), chunks)
     return FootPoint(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from contourlab.errors import GeometryError, hint
+from contourlab.errors import GeometryError, hint, refuse
 from contourlab.geometry.curve import Curve, positive
 from contourlab.geometry.line_and_arc import Arc, Line
 from contourlab.geometry.nurbs import Nurbs
@@ -146,8 +146,7 @@ def spiral(inner_radius: float = 0.005, pitch: float = 0.005, turns: float = 3) 
 def helix(radius: float = 0.02, pitch: float = 0.005, turns: float = 3) -> Path:
     """Helix around the z axis from (radius, 0, 0), counter-clockwise and up by `pitch` per turn: a contour of three axes."""
     positive(radius=radius, turns=turns)
-    if not math.isfinite(pitch):
-        raise GeometryError(f"pitch = {pitch!r} m: must be finite")
+    refuse(not math.isfinite(pitch), GeometryError, f"pitch = {pitch!r} m: must be finite")
     return Path([Arc((0.0, 0.0, 0.0), radius, 0.0, 2.0 * math.pi * turns, rise=(0.0, 0.0, pitch * turns))])
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Index
-from contourlab.errors import GeometryError
+from contourlab.errors import GeometryError, refuse
 from contourlab.geometry.curve import Curve, by_arc_length
 from contourlab.geometry.parametric import Parametric
 
@@ -60,8 +60,7 @@ class _Knotted(Parametric):
         if degree < 1 or len(c) <= degree or t.shape != (len(c) + degree + 1,):
             raise GeometryError(f"degree {degree} with {len(c)} control points needs {len(c) + degree + 1} knots, not {t.size}")
         self.n_axis, self.first, self.last = c.shape[1], float(t[degree]), float(t[len(c)])
-        if np.any(np.diff(t) < 0.0) or not self.last > self.first:
-            raise GeometryError("knots must not decrease, and must span an interval")
+        refuse(np.any(np.diff(t) < 0.0) or not self.last > self.first, GeometryError, "knots must not decrease, and must span an interval")
 
     def joints(self) -> Array:
         return np.unique(self.knots[(self.knots >= self.first) & (self.knots <= self.last)])

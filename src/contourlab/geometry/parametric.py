@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.errors import GeometryError
+from contourlab.errors import GeometryError, refuse
 from contourlab.geometry.curve import Curve, by_arc_length, clenshaw, positive, vector
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
@@ -328,8 +328,7 @@ class Lissajous(Parametric):
                 raise GeometryError(f"{name} = {value!r}: must be a whole number from {low} to {high}")
         positive(amplitude=amplitude)
         self.n_axis, self.amplitude, self.lowest, self.phase = int(axes), float(amplitude), int(lowest), float(phase)
-        if not math.isfinite(self.phase):
-            raise GeometryError(f"phase = {phase!r} rad: must be finite")
+        refuse(not math.isfinite(self.phase), GeometryError, f"phase = {phase!r} rad: must be finite")
         if abs(math.cos(self.lowest * self.phase)) < 0.1:
             raise GeometryError(
                 f"phase = {phase!r} rad: with lowest = {self.lowest} all axes reverse at once, in a cusp; "
@@ -396,8 +395,7 @@ class Spiral(Parametric):
         self.pitch, self.turns, self.inner_radius = float(pitch), float(turns), float(inner_radius)
         if not (self.inner_radius >= 0.0 and math.isfinite(self.inner_radius)):
             raise GeometryError(f"inner_radius = {inner_radius!r}: must be >= 0 and finite")
-        if self.turns > 1000.0:
-            raise GeometryError(f"turns = {turns!r}: must be at most 1000")
+        refuse(self.turns > 1000.0, GeometryError, f"turns = {turns!r}: must be at most 1000")
         self.first, self.last = 0.0, 2.0 * math.pi * self.turns
         self.n_joint = max(1, math.ceil(4.0 * self.turns)) + 1
         self.measure()

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Index, ranges
-from contourlab.errors import GeometryError
+from contourlab.errors import GeometryError, refuse
 from contourlab.geometry.curve import CurveBatch, CurveSequence
 from contourlab.native.kernel import kernel
 
@@ -109,8 +109,7 @@ def path_table(path: CurveSequence, tolerance: float, pieces: int = 1) -> PathTa
     GeometryError
         If the tolerance is not positive, or below the rounding of a curve.
     """
-    if not tolerance > 0.0:
-        raise GeometryError(f"tolerance = {tolerance!r}: must be > 0 m")
+    refuse(not tolerance > 0.0, GeometryError, f"tolerance = {tolerance!r}: must be > 0 m")
     longest = path.length / max(pieces, 1) * (1.0 + 1e-12)
     parts, bound = [], 0.0
     for batch, numbers in path.kinds:

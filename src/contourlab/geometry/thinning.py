@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from contourlab.arrays import Array, Index
-from contourlab.errors import GeometryError
+from contourlab.errors import GeometryError, refuse
 from contourlab.native.kernel import kernel
 
 
@@ -28,10 +28,8 @@ def polygon_corners(points: Array, tolerance: float) -> Index:
     -----
     Each line is found by doubling the number of its points, then by bisection: the time grows as n log(points of a line).
     """
-    if points.ndim != 2 or not len(points):
-        raise GeometryError(f"points of shape {points.shape}: must be (n, n_axis), n >= 1")
-    if not (np.diff(points, axis=0) != 0.0).any(axis=1).all():
-        raise GeometryError("two neighbouring points are equal")
+    refuse(points.ndim != 2 or not len(points), GeometryError, f"points of shape {points.shape}: must be (n, n_axis), n >= 1")
+    refuse(not (np.diff(points, axis=0) != 0.0).any(axis=1).all(), GeometryError, "two neighbouring points are equal")
     kept, count = np.empty(len(points), dtype=np.int64), np.empty(1, dtype=np.int64)
     corners(np.ascontiguousarray(points), float(tolerance), kept, count)
     return kept[: count[0]].copy()

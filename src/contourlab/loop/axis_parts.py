@@ -12,8 +12,8 @@ from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.components.ideal import IdealLink
 from contourlab.components.origin import Origin
-from contourlab.errors import ParameterError
-from contourlab.feed.limits import RANGES
+from contourlab.errors import ParameterError, refuse
+from contourlab.feed.bounds import RANGES
 from contourlab.units import setting
 
 
@@ -52,8 +52,7 @@ class Limits:
     def __post_init__(self) -> None:
         for name in ("velocity", "acceleration", "jerk", "following_error"):
             value = getattr(self, name)
-            if not value > 0.0:
-                raise ParameterError(f"limits.{name}", f"{value:g}", "> 0")
+            refuse(not value > 0.0, ParameterError, f"limits.{name}", f"{value:g}", "> 0")
         if not (self.ends[0] < self.ends[1] and self.extent > 0.0):
             raise ParameterError("limits.travel", f"{self.travel}", "two positions, the lower one first, or a length > 0", "m")
 
@@ -102,8 +101,7 @@ class AxisError:
             raise ParameterError("error.position", "a table", "as long as lead_error, with increasing positions", "m")
         if not (np.isfinite(self.position).all() and np.isfinite(self.lead_error).all()):
             raise ParameterError("error.lead_error", "a table", "finite", "m")
-        if not self.repeatability >= 0.0:
-            raise ParameterError("error.repeatability", f"{self.repeatability:g}", ">= 0", "m")
+        refuse(not self.repeatability >= 0.0, ParameterError, "error.repeatability", f"{self.repeatability:g}", ">= 0", "m")
 
 
 DIVISIONS = {
@@ -150,8 +148,7 @@ class Division:
     up: Component | None = field(default_factory=IdealLink)
 
     def __post_init__(self) -> None:
-        if self.division not in DIVISIONS:
-            raise ParameterError("link.division", repr(self.division), "one of " + ", ".join(DIVISIONS))
+        refuse(self.division not in DIVISIONS, ParameterError, "link.division", repr(self.division), "one of " + ", ".join(DIVISIONS))
         if self.up is None and self.division != "controller":
             bound = f'a link, because with division = "{self.division}" the base needs measurements; "ideal" if it has its own wires'
             raise ParameterError("link.up", '"none"', bound)

@@ -15,7 +15,7 @@ from contourlab.components.friction.laws import NoFriction
 from contourlab.components.ideal import IdealSensor, TrueVelocity
 from contourlab.components.origin import Origin
 from contourlab.components.plant.plant import Plant
-from contourlab.errors import FeedError, ParameterError
+from contourlab.errors import FeedError, ParameterError, refuse
 from contourlab.feed import AxisLimits
 from contourlab.loop.axis_parts import AxisError, Division, Limits
 from contourlab.notebook import facts_line
@@ -165,8 +165,7 @@ class Machine:
         """Raise if the axis needs more sub-steps: the Runge-Kutta step is stable up to a decay by friction of 2.78 per step."""
         plant = self.loaded_plant(axis.name)
         wanted, why = plant.fewest_substeps(self.servo_period)
-        if axis.substeps < wanted:
-            raise ParameterError(f"axes.{axis.name}.substeps", f"{axis.substeps}", f"at least {wanted} for {why}")
+        refuse(axis.substeps < wanted, ParameterError, f"axes.{axis.name}.substeps", f"{axis.substeps}", f"at least {wanted} for {why}")
         for friction, mobility in zip((axis.friction, axis.motor_friction), plant.mobilities(), strict=False):
             steepest = getattr(type(friction), "steepest", None)
             decay = mobility * steepest(friction.constants()) * self.servo_period if steepest is not None else 0.0
@@ -287,8 +286,7 @@ class AxisController:
 
     def __post_init__(self) -> None:
         for name in ("feedback", "velocity_feedback"):
-            if getattr(self, name) not in SIDES:
-                raise ParameterError(name, repr(getattr(self, name)), "one of " + ", ".join(SIDES))
+            refuse(getattr(self, name) not in SIDES, ParameterError, name, repr(getattr(self, name)), "one of " + ", ".join(SIDES))
         if bool(self.others) != (self.supervisor is not None):
             shown = '"none"' if self.supervisor is None else f'"{self.supervisor.kind}"'
             raise ParameterError("supervisor", shown, "given if the axis has several controllers, and only then")

@@ -12,16 +12,17 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.engine.runner import Group, make_group
-from contourlab.errors import DivergenceError, ParameterError
+from contourlab.errors import DivergenceError, ParameterError, refuse
 from contourlab.feed import Reference, ReferenceBlock
 from contourlab.geometry.view import PathView, check_view
+from contourlab.loop.builder import check_seed, stream_of
 from contourlab.loop.feeding import BLOCK, Feed, Learned
 from contourlab.loop.judging import all_finite, watched
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.parameters import with_values
-from contourlab.loop.reconfigure import Change, prepared, taken_over
+from contourlab.loop.switches import Change, prepared, taken_over
 from contourlab.loop.template import Loop, build
-from contourlab.loop.tool import ToolPosition
+from contourlab.primitives import normal
 from contourlab.result import Result, Signal, Status
 
 LONG_BLOCK = 1 << 20
@@ -45,8 +46,7 @@ UNITS = {name: unit for unit, names in _OF_UNIT.items() for name in names}
 
 def jit_enabled(jit: bool | None = None) -> bool:
     """Return whether steps are compiled: as given, or unless ``CONTOURLAB_JIT`` is 0."""
-    if jit is not None and not isinstance(jit, bool | np.bool_):
-        raise ParameterError("jit", repr(jit), "True, False or None")
+    refuse(jit is not None and not isinstance(jit, bool | np.bool_), ParameterError, "jit", repr(jit), "True, False or None")
     return os.environ.get("CONTOURLAB_JIT", "1") != "0" if jit is None else bool(jit)
 
 
@@ -125,8 +125,7 @@ def simulate(
     check_kinds(machine, controller, reference)
     if values:
         machine, controller = with_values(machine, controller, values)
-    if on_failure not in ("raise", "return"):
-        raise ParameterError("on_failure", repr(on_failure), "'raise' or 'return'")
+    refuse(on_failure not in ("raise", "return"), ParameterError, "on_failure", repr(on_failure), "'raise' or 'return'")
     kept: dict[str, Array] = {}
     status, done = Status(ok=True), 0
     for block, now in simulate_blocks(
@@ -153,8 +152,7 @@ def simulate(
 def check_kinds(machine: Machine, controller: Controller, reference: Reference) -> None:
     """Raise `ParameterError` if an argument is another thing, such as two in exchanged places."""
     for name, value, kind in (("machine", machine, Machine), ("controller", controller, Controller), ("reference", reference, Reference)):
-        if not isinstance(value, kind):
-            raise ParameterError(name, f"a {type(value).__name__}", f"a {kind.__name__}")
+        refuse(not isinstance(value, kind), ParameterError, name, f"a {type(value).__name__}", f"a {kind.__name__}")
 
 
 def result_of(
@@ -185,6 +183,50 @@ def result_of(
         start=start,
         motion=reference,
     )
+
+
+class ToolPosition:
+    """Convert blocks of true axis positions, in order, to tool positions; the direction of motion is kept between blocks."""
+
+    def __init__(self, machine: Machine, seed: int, trial: int = 0) -> None:
+        check_seed(trial, "trial")
+        self.machine = machine
+        self._streams = [stream_of(seed, axis.name, "repeatability", *((trial,) if trial else ())) for axis in machine.axes]
+        self._direction = np.zeros(len(machine.axes))
+        self._reversals = np.zeros(len(machine.axes), dtype=int)
+        names = machine.axis_names
+        self._shear = [(names.index(a), names.index(b), angle) for (a, b), angle in machine.squareness.items() if angle]
+
+    @property
+    def exact(self) -> bool:
+        """Whether the tool position equals the axis positions."""
+        return not self._shear and not any(axis.error.position.size or axis.error.repeatability for axis in self.machine.axes)
+
+    def of(self, position: Array, velocity: Array) -> Array:
+        """Return tool positions (n_sample, n_axis) [m] from axis positions and velocities."""
+        if self.exact:
+            return position
+        tool = position.copy()
+        for j, axis in enumerate(self.machine.axes):
+            if axis.error.position.size:
+                tool[:, j] += np.interp(position[:, j], axis.error.position, axis.error.lead_error)
+            if axis.error.repeatability:
+                tool[:, j] += self._approach_offset(j, velocity[:, j], axis.error.repeatability / 4.0)
+        for j, i, angle in self._shear:
+            tool[:, j] += angle * position[:, i]
+        return tool
+
+    def _approach_offset(self, j: int, velocity: Array, deviation: float) -> Array:
+        direction = np.sign(velocity)
+        # At rest the last direction of motion holds.
+        last = np.maximum.accumulate(np.where(direction != 0.0, np.arange(1, len(direction) + 1), 0))
+        direction = np.where(last > 0, direction[np.maximum(last - 1, 0)], self._direction[j])
+        before = np.concatenate([[self._direction[j]], direction[:-1]])
+        count = self._reversals[j] + np.cumsum((direction != before) & (before != 0.0))
+        self._direction[j], self._reversals[j] = direction[-1], count[-1]
+        numbers, index = np.unique(count, return_inverse=True)
+        drawn = np.array([normal(self._streams[j], float(n)) for n in numbers])
+        return np.asarray(deviation * drawn[index])
 
 
 def simulate_blocks(
@@ -243,11 +285,9 @@ def _wanted(loops: Sequence[Loop], signals: Sequence[str] | None) -> frozenset[s
     """Return the signals to keep: those common to all controllers, and those of supervisors."""
     known = {*_GIVEN, "tool_position", *frozenset.intersection(*(frozenset(loop.signals) for loop in loops))}
     known |= {name for loop in loops for name in loop.signals if name in _SUPERVISED}
-    if signals is not None and not signals:
-        raise ParameterError("signals", "()", "at least one name, or None for all signals")
+    refuse(signals is not None and not signals, ParameterError, "signals", "()", "at least one name, or None for all signals")
     for name in signals or ():
-        if name not in known:
-            raise ParameterError("signals", repr(name), "one of " + ", ".join(sorted(known)))
+        refuse(name not in known, ParameterError, "signals", repr(name), "one of " + ", ".join(sorted(known)))
     return frozenset(signals if signals is not None else known)
 
 

@@ -16,7 +16,7 @@ signals are recorded here, and then
 5. the **disturbance** and the reaction of axes mounted on top act on the **plant**, which moves to the next tick with its command held.
 
 Ideal parts have no node: their wires bypass them. If the controller of an axis is divided between base and axis, the signals between the
-two pass the nodes of a link: see `contourlab.loop.link_insertion`.
+two pass the nodes of a link: see `contourlab.loop.builder`.
 """
 
 from __future__ import annotations
@@ -37,12 +37,10 @@ from contourlab.engine.step import Port, Step, ports
 from contourlab.errors import ParameterError
 from contourlab.geometry import Path
 from contourlab.geometry.view import PathView, view_of
-from contourlab.loop.builder import ZERO, Builder, Overrides, Sensing, Signals, sum_step
+from contourlab.loop.builder import ZERO, Builder, Overrides, Sensing, Signals, add_taken, check_seed, insert_links, subtract_node, sum_step
 from contourlab.loop.feeding import AHEAD, LEARNED_COMMAND, LEARNED_REFERENCE, SOURCE_LINE
 from contourlab.loop.judging import watch_node
-from contourlab.loop.link_insertion import add_taken, insert_links, subtract_node
 from contourlab.loop.machine import Axis, Controller, Machine
-from contourlab.loop.tool import check_seed
 from contourlab.primitives import select
 
 

@@ -22,9 +22,8 @@ from contourlab.geometry.view import PathView, check_view, view_of
 from contourlab.loop.feeding import BLOCK, LEARNED_COMMAND, LEARNED_REFERENCE, Feed, Learned
 from contourlab.loop.judging import TrialJudge, all_finite, watched
 from contourlab.loop.machine import AxisController, Controller, Machine
-from contourlab.loop.simulate import jit_enabled, sampler
+from contourlab.loop.simulate import ToolPosition, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
-from contourlab.loop.tool import ToolPosition
 from contourlab.metrics.judge import furthest, reach
 from contourlab.result import Status
 

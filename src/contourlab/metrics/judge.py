@@ -134,7 +134,7 @@ def check_follows(judged: Result, reference: Reference) -> None:
 @lru_cache(maxsize=8)
 def _extent(reference: Reference) -> float:
     """Return the largest distance [m] of the reference from its start; infinite if it does not move."""
-    blocks = (reference.block(k, min(k + _BLOCK, reference.n_sample)).position for k in range(0, reference.n_sample, _BLOCK))
+    blocks = (reference.block(*samples).position for samples in reference.blocks(_BLOCK))
     start = reference.block(0, 1).position
     return max(furthest(block - start) for block in blocks) or math.inf
 

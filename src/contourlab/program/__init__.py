@@ -1,6 +1,6 @@
 """Part programs: read G-code (RS274/NGC as LinuxCNC reads it) into moves in SI units with their source lines.
 
-`block` reads a line into words with columns and codes by modal group, with `expressions` and `vocabulary`. `interpreter` executes a block
+`block` reads a line into words with columns and codes by modal group, with `vocabulary`. `interpreter` executes a block
 on the modal `state`, with `motions`, and makes `moves`. `flow` follows subprograms, loops and conditions. `reader` opens a
 program and handles its frame and its dialect. Unsupported codes are refused, never skipped.
 """

@@ -12,10 +12,9 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from contourlab.errors import ProgramError
-from contourlab.program.block import without_blanks
-from contourlab.program.expressions import NUMBER, Cursor, Parameters, read_value
-from contourlab.program.vocabulary import BlockError, refuse
+from contourlab.errors import ProgramError, refuse
+from contourlab.program.block import NUMBER, Cursor, Parameters, read_value, without_blanks
+from contourlab.program.vocabulary import BlockError
 
 KEYWORDS = (
     "elseif", "else", "endif", "endsub", "endwhile", "endrepeat", "sub", "call", "return", "do", "while", "if", "break", "continue",
@@ -96,11 +95,13 @@ def read_o_word(line: str, parameters: Parameters, *, skipping: bool = False) ->
 
 
 def _check_values(keyword: str, count: int, column: int) -> None:
-    refuse(keyword in _CONDITIONS and count != 1, f"{keyword} takes one expression: write it in brackets, as in [#1 LT 5]", column)
-    refuse(keyword in _VALUES and count > 1, f"{keyword} takes at most one value in brackets: delete the others", column)
+    if keyword in _CONDITIONS and count != 1:
+        raise BlockError(f"{keyword} takes one expression: write it in brackets, as in [#1 LT 5]", column)
+    refuse(keyword in _VALUES and count > 1, BlockError, f"{keyword} takes at most one value in brackets: delete the others", column)
     if keyword == "call" and count > MOST_ARGUMENTS:
         raise BlockError(f"a call takes at most {MOST_ARGUMENTS} arguments: pass the rest in #31 and up", column)
-    refuse(keyword not in (*_CONDITIONS, *_VALUES, "call") and count > 0, f"{keyword or 'O'} takes no value: delete the brackets", column)
+    if keyword not in (*_CONDITIONS, *_VALUES, "call") and count > 0:
+        raise BlockError(f"{keyword or 'O'} takes no value: delete the brackets", column)
 
 
 def _label(cursor: Cursor, parameters: Parameters) -> str:
@@ -108,7 +109,7 @@ def _label(cursor: Cursor, parameters: Parameters) -> str:
         return cursor.name("O-word")
     column, digits = cursor.column, cursor.take(_DIGITS)
     if digits:
-        refuse(len(digits) > 9, "the number of an O-word has at most 9 digits: shorten it", column)
+        refuse(len(digits) > 9, BlockError, "the number of an O-word has at most 9 digits: shorten it", column)
         return str(int(digits))
     value = read_value(cursor, parameters)
     if abs(value - round(value)) > 1e-4 or not 0 <= value <= 1e9:
@@ -357,7 +358,8 @@ class Walker:
     def _turn(self, loop: _Loop, word: OWord) -> None:
         """Refuse a loop whose condition cannot change: a pass sets no parameter and ends at the same position."""
         mark = self.parameters.changes, self.parameters.position()
-        refuse(mark == loop.mark, f"O{word.label} {loop.kind} never ends: change a parameter or the position in the loop", word.column)
+        if mark == loop.mark:
+            raise BlockError(f"O{word.label} {loop.kind} never ends: change a parameter or the position in the loop", word.column)
         loop.mark = mark
 
     def _do(self, word: OWord) -> None:
@@ -415,7 +417,7 @@ class Walker:
     # Subprograms
 
     def _sub(self, word: OWord) -> None:
-        refuse(self.in_subprogram, f"O{word.label} sub is inside another subprogram: move it before or after", word.column)
+        refuse(self.in_subprogram, BlockError, f"O{word.label} sub is inside another subprogram: move it before or after", word.column)
         if word.label in self._subs:
             cure = "move it before the first call, or after M2"
             raise BlockError(f"O{word.label} sub is defined twice, or the program runs into it after a call: {cure}", word.column)

@@ -11,8 +11,8 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from contourlab.program.block import Block, Code, Word
-from contourlab.program.expressions import SELECTED_SYSTEM
+from contourlab.errors import refuse
+from contourlab.program.block import SELECTED_SYSTEM, Block, Code, Word
 from contourlab.program.motions import LONGEST_DWELL, add_control_point, bezier, close_curve, drill, make_arc
 from contourlab.program.moves import Mode, Move, Point
 from contourlab.program.state import (
@@ -28,7 +28,7 @@ from contourlab.program.state import (
     turn,
     updated,
 )
-from contourlab.program.vocabulary import ARCS, AXIS_WORDS, CYCLES, SPLINES, SYSTEMS, USERS, BlockError, g_name, refuse
+from contourlab.program.vocabulary import ARCS, AXIS_WORDS, CYCLES, SPLINES, SYSTEMS, USERS, BlockError, g_name
 
 _HOMES = {280: 5161, 281: 5161, 300: 5181, 301: 5181}
 _TOOL_LEVELS = (1, 10, 11)
@@ -134,7 +134,7 @@ def _set_origin(words: dict[str, Word], state: ModalState, level: int, system: i
 
 
 def _set_tool(words: dict[str, Word], state: ModalState, level: int, number: int) -> None:
-    refuse(number < 1, f"P{number}: G10 L{level} needs a tool number, 1 or more", words["P"].column)
+    refuse(number < 1, BlockError, f"P{number}: G10 L{level} needs a tool number, 1 or more", words["P"].column)
     given = state.given(words)
     if all(value is None for value in given) and "R" not in words:
         raise BlockError(f"G10 L{level} sets nothing: write the tool's offset, as in Z25", words["P"].column)
@@ -187,8 +187,8 @@ def machine_target(block: Block, state: ModalState) -> Point:
         If the block is incremental or polar.
     """
     words, column = block.words, block.codes["other"].column
-    refuse(not state.absolute, "G53 (machine coordinates) needs absolute mode: write G90", column)
-    refuse("@" in words or "^" in words, "G53 does not take polar coordinates: write X, Y and Z", column)
+    refuse(not state.absolute, BlockError, "G53 (machine coordinates) needs absolute mode: write G90", column)
+    refuse("@" in words or "^" in words, BlockError, "G53 does not take polar coordinates: write X, Y and Z", column)
     point = state.frame.point(updated(state.axes, state.given(words)))
     state.check_reach(point, words)
     return point
@@ -310,7 +310,8 @@ def _dwell(block: Block, state: ModalState, line: int) -> list[Move]:
     word = block.words.get("P")
     if word is None:
         raise BlockError("G4 has no time: write for example G4 P0.5 for half a second", block.codes["other"].column)
-    refuse(not 0.0 <= word.value <= LONGEST_DWELL, f"G4 P{word.value:g}: write P in seconds, from 0 to {LONGEST_DWELL:g}", word.column)
+    if not 0.0 <= word.value <= LONGEST_DWELL:
+        raise BlockError(f"G4 P{word.value:g}: write P in seconds, from 0 to {LONGEST_DWELL:g}", word.column)
     return state.wait(word.value, line)
 
 
@@ -367,7 +368,7 @@ def _motion(block: Block, state: ModalState, line: int, before: int | None) -> l
     if motion in CYCLES:
         return drill(block, state, line, again=before == motion)
     if motion in SPLINES:
-        refuse(state.feed_mode == "inverse_time", "splines cannot use inverse-time feed (G93): write G94 and F", block.column)
+        refuse(state.feed_mode == "inverse_time", BlockError, "splines cannot use inverse-time feed (G93): write G94 and F", block.column)
         if motion == 52:
             add_control_point(block, state)
             return []
@@ -411,7 +412,8 @@ def _execute_events(block: Block, state: ModalState, line: int) -> None:
     codes, words = block
     speed, tool = words.get("S"), words.get("T")
     if speed is not None:
-        refuse(speed.value < 0.0, f"S{speed.value:g}: a spindle speed cannot be negative; M4 turns it the other way", speed.column)
+        if speed.value < 0.0:
+            raise BlockError(f"S{speed.value:g}: a spindle speed cannot be negative; M4 turns it the other way", speed.column)
         state.speed = speed.value
         state.tell("S", speed.value, line)
     if tool is not None:
@@ -426,9 +428,9 @@ def _execute_events(block: Block, state: ModalState, line: int) -> None:
 def _execute_event(block: Block, state: ModalState, line: int, code: int, column: int) -> None:
     letter = _LETTER_OF_VALUE.get(code)
     word = block.words.get(letter) if letter else None
-    refuse(word is None and code in _NEEDED, f"M{code} has no {letter}: write for example {letter}1", column)
+    refuse(word is None and code in _NEEDED, BlockError, f"M{code} has no {letter}: write for example {letter}1", column)
     index = block.words.get("E") if code in (67, 68) else None
-    refuse(index is None and code in (67, 68), f"M{code} has no E: write the number of the output", column)
+    refuse(index is None and code in (67, 68), BlockError, f"M{code} has no E: write the number of the output", column)
     if code == 19:
         _check_orientation(block)
     if code in (6, 61):

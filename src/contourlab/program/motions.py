@@ -22,10 +22,11 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+from contourlab.errors import refuse
 from contourlab.program.block import Block, Word
 from contourlab.program.moves import PLANE_AXES, Arc, Move, Point, Spline
 from contourlab.program.state import Curve, ModalState
-from contourlab.program.vocabulary import BlockError, g_name, refuse
+from contourlab.program.vocabulary import BlockError, g_name
 
 RADIUS_TOLERANCE = 50e-6 * 0.0254
 """Smallest radius [m], and largest amount by which R may be too small [m]."""
@@ -119,7 +120,7 @@ def _centre_of_radius(word: Word, state: ModalState, here: _Vector, there: _Vect
     radius = abs(state.length(word.value))
     chord = (there[0] - here[0], there[1] - here[1])
     half = 0.5 * math.hypot(*chord)
-    refuse(radius < RADIUS_TOLERANCE, "the arc has no radius: R must not be 0", word.column)
+    refuse(radius < RADIUS_TOLERANCE, BlockError, "the arc has no radius: R must not be 0", word.column)
     _check_radius(radius, word.column)
     if half < SHORTEST_HALF_CHORD:
         raise BlockError("an arc with R cannot end where it starts: for a full circle, give its centre (I, J, K)", word.column)
@@ -181,7 +182,7 @@ def bezier(block: Block, state: ModalState, line: int) -> list[Move]:
 
 
 def _check_plane(block: Block, state: ModalState, name: str) -> None:
-    refuse(state.plane != "XY", f"{name} needs the XY plane: write G17 before it", block.column)
+    refuse(state.plane != "XY", BlockError, f"{name} needs the XY plane: write G17 before it", block.column)
     if "Z" in block.words:
         raise BlockError(f"{name} stays in the XY plane: delete Z", block.words["Z"].column)
 
@@ -197,9 +198,9 @@ def add_control_point(block: Block, state: ModalState) -> None:
     words, curve, column = block.words, state.curve, block.column
     state.path_feedrate(column, "G5.2")
     _check_plane(block, state, "G5.2")
-    refuse(("X" in words) != ("Y" in words), "a control point of G5.2 needs both X and Y: write the missing one", column)
+    refuse(("X" in words) != ("Y" in words), BlockError, "a control point of G5.2 needs both X and Y: write the missing one", column)
     weight, fresh, point = words["P"].value if "P" in words else None, not curve.points, "X" in words
-    refuse(not (fresh or point), "a control point of G5.2 needs X and Y: write them", column)
+    refuse(not (fresh or point), BlockError, "a control point of G5.2 needs X and Y: write them", column)
     if (weight is None and point) or (weight is not None and weight <= 0.0):
         raise BlockError("each control point of G5.2 needs a weight P greater than 0: write for example P1", column)
     if fresh:
@@ -212,7 +213,7 @@ def add_control_point(block: Block, state: ModalState) -> None:
     if point and weight is not None:
         curve.points.append(state.target(words)[:2])
         curve.weights.append(weight)
-    refuse(len(curve.points) > MOST_POINTS, f"the NURBS has more than {MOST_POINTS} control points: close it with G5.3", column)
+    refuse(len(curve.points) > MOST_POINTS, BlockError, f"the NURBS has more than {MOST_POINTS} control points: close it with G5.3", column)
 
 
 def close_curve(block: Block, state: ModalState, line: int) -> list[Move]:
@@ -224,7 +225,7 @@ def close_curve(block: Block, state: ModalState, line: int) -> list[Move]:
         If there are no control points, or too few for the order.
     """
     curve, column = state.curve, block.codes["other"].column
-    refuse(not curve.points, "G5.3 has no G5.2 before it: write the control points with G5.2 first", column)
+    refuse(not curve.points, BlockError, "G5.3 has no G5.2 before it: write the control points with G5.2 first", column)
     if len(curve.points) < curve.order:
         count = f"at least {curve.order} control points, but has {len(curve.points)}"
         raise BlockError(f"a NURBS of order {curve.order} needs {count}: write more, or a smaller L", column)
@@ -295,7 +296,8 @@ class _Cycle:
         self.moves: list[Move] = []
         self.u, self.v = (state.position[axis] for axis in self.axes[:2])
         self.clearance = self.depth = self.back = 0.0
-        refuse(state.feed_mode == "inverse_time", f"{self.name} cannot use inverse-time feed (G93): write G94 and F", self.column)
+        if state.feed_mode == "inverse_time":
+            raise BlockError(f"{self.name} cannot use inverse-time feed (G93): write G94 and F", self.column)
         self.feedrate = state.path_feedrate(self.column, self.name)
 
     def run(self) -> None:
@@ -335,7 +337,7 @@ class _Cycle:
         state, memory, normal = self.state, self.state.cycle, self.axes[2]
         letter = "XYZ"[normal]
         for wanted, what in ((letter, "depth"), ("R", "clearance")):
-            refuse(wanted not in self.words and not self.again, f"{self.name} has no {what}: write {wanted}", self.column)
+            refuse(wanted not in self.words and not self.again, BlockError, f"{self.name} has no {what}: write {wanted}", self.column)
         if letter in self.words:
             memory.depth = state.coordinate(normal, self.words[letter])
         if "R" in self.words:
@@ -345,7 +347,8 @@ class _Cycle:
         if abs(level - self.clearance) < LEAST_STROKE:
             level = self.clearance
         self.depth = memory.depth if state.absolute else self.clearance + memory.depth
-        refuse(self.clearance < self.depth, f"the clearance R is below the depth {letter}: raise R or lower {letter}", self.column)
+        if self.clearance < self.depth:
+            raise BlockError(f"the clearance R is below the depth {letter}: raise R or lower {letter}", self.column)
         self.back = self.clearance if state.back_to_clearance else max(level, self.clearance)
         return level
 
@@ -380,7 +383,7 @@ class _Cycle:
 
     def _check_spindle(self) -> None:
         sense = self.state.turning
-        refuse(sense == 0, f"{self.name} needs a turning spindle: write M3 or M4 before it", self.column)
+        refuse(sense == 0, BlockError, f"{self.name} needs a turning spindle: write M3 or M4 before it", self.column)
         if (self.code, sense) in ((740, 1), (840, -1)):
             other = "M4" if sense > 0 else "M3"
             raise BlockError(f"{self.name} needs the spindle to turn the other way: write {other} before it", self.column)

@@ -12,8 +12,7 @@ from typing import Literal, TextIO, TypeAlias, get_args
 
 from contourlab.errors import ProgramEndError, ProgramError
 from contourlab.file_kinds import mistaken
-from contourlab.program.block import Block, read_block
-from contourlab.program.expressions import Parameters
+from contourlab.program.block import Block, Parameters, read_block
 from contourlab.program.flow import LONGEST_LINE, Tape, Walker
 from contourlab.program.interpreter import execute
 from contourlab.program.moves import Dwell, Move, Notice, Program

@@ -18,8 +18,7 @@ from pathlib import Path
 from typing import Literal, TypeAlias
 
 from contourlab.errors import ProgramError
-from contourlab.program.block import Word
-from contourlab.program.expressions import SELECTED_SYSTEM, Parameters
+from contourlab.program.block import SELECTED_SYSTEM, Parameters, Word
 from contourlab.program.moves import PLAIN, Dwell, Event, Feed, Mode, Move, Plane, Point, Traverse
 from contourlab.program.vocabulary import SYSTEMS, BlockError
 

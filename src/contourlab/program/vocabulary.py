@@ -18,12 +18,6 @@ class BlockError(Exception):
         super().__init__(message)
 
 
-def refuse(fault: bool, message: str, column: int = 0) -> None:
-    """Raise a BlockError if there is a fault; where every block passes, and a message costs time, write an if."""
-    if fault:
-        raise BlockError(message, column)
-
-
 class EndMarkError(BlockError):
     """A % at the end of a program without a % at its beginning."""
 

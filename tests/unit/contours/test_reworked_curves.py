@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from contourlab.contours.shapes import spline_curves
+from contourlab.contours.drawing import spline_curves
 from contourlab.errors import GeometryError
 from contourlab.geometry import Arc, BSpline, Curve, EllipticalArc, Lemniscate, Line, Nurbs, Path, Spiral, backwards, with_ends
 from contourlab.geometry.nurbs import split_at

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from contourlab.contours import read_contour, read_svg
-from contourlab.contours.shapes import ConicShape, LineShape, Shape, SplineShape
+from contourlab.contours.drawing import ConicShape, LineShape, Shape, SplineShape
 from contourlab.contours.svg import path_shapes
 
 

@@ -8,8 +8,7 @@ from refusals import refuses
 
 from contourlab.errors import ProgramError
 from contourlab.program import Program, parse_program
-from contourlab.program.block import read_words
-from contourlab.program.expressions import Parameters
+from contourlab.program.block import Parameters, read_words
 from contourlab.program.vocabulary import BlockError
 
 

@@ -17,7 +17,7 @@ from typing import Any
 from contourlab import primitives as language
 from contourlab.engine.translate.graph import COMPARED, CONDITION, FOLDED, NUMBER, UNSET, WHOLE, Graph, MismatchError, Op
 from contourlab.engine.translate.outer import Outer, Reads, attribute, file_of, positional, tree_of
-from contourlab.errors import EngineError, error_text
+from contourlab.errors import EngineError, error_text, refuse
 
 Env = dict[str, Any]
 
@@ -73,8 +73,7 @@ def assign(target: ast.expr, value: Any, env: Env) -> None:
             values[i : i + n] = [tuple(values[i : i + n])]
             targets[i] = item.value
             break
-    if len(values) != len(targets):
-        raise MismatchError(f"{len(values)} values for {len(targets)} names")
+    refuse(len(values) != len(targets), MismatchError, f"{len(values)} values for {len(targets)} names")
     for item, part in zip(targets, values, strict=True):
         assign(item, part, env)
 
@@ -253,8 +252,7 @@ class Evaluator:
     def _run(self, node: Any, frame: Frame) -> Any:
         self._depth += 1
         try:
-            if self._depth > _DEEPEST:
-                raise MismatchError("a function calls itself")
+            refuse(self._depth > _DEEPEST, MismatchError, "a function calls itself")
             if isinstance(node, ast.Lambda):
                 return self.expression(node.body, frame)
             found = self.body(node.body, frame)
@@ -310,8 +308,7 @@ class Evaluator:
             return self.graph.logic("not", self.graph.condition(value))
         if isinstance(tree.op, ast.USub):
             return self.graph.arithmetic("fneg", value) if isinstance(value, Op) else -value
-        if isinstance(tree.op, ast.Invert):
-            raise MismatchError("a step cannot use ~")
+        refuse(isinstance(tree.op, ast.Invert), MismatchError, "a step cannot use ~")
         return value
 
     def _compare(self, tree: ast.Compare, frame: Frame) -> Any:
@@ -356,8 +353,7 @@ class Evaluator:
     def one_of(self, test: Any, then: Callable[[], Any], other: Callable[[], Any]) -> Any:
         """Return the value of one of two sides, which must be of one kind."""
         value = self.graph.branch(test, then, other)
-        if has_unset(value):
-            raise MismatchError("the two sides of an if give values of different kinds")
+        refuse(has_unset(value), MismatchError, "the two sides of an if give values of different kinds")
         return value
 
     def _tuple(self, tree: ast.Tuple, frame: Frame) -> Any:
@@ -376,8 +372,7 @@ class Evaluator:
             parts = (tree.slice.lower, tree.slice.upper, tree.slice.step)
             return tuple(value)[slice(*(None if part is None else self.expression(part, frame) for part in parts))]
         index = self.expression(tree.slice, frame)
-        if isinstance(index, Op):
-            raise MismatchError("an index that is not known: use lookup")
+        refuse(isinstance(index, Op), MismatchError, "an index that is not known: use lookup")
         return value[index]
 
     def _call(self, tree: ast.Call, frame: Frame) -> Any:
@@ -392,8 +387,7 @@ class Evaluator:
 
     def closure(self, node: ast.FunctionDef | ast.Lambda, frame: Frame) -> Closure:
         """Return a function defined inside another one."""
-        if getattr(node, "decorator_list", ()):
-            raise MismatchError("a step cannot use a decorator")
+        refuse(getattr(node, "decorator_list", ()), MismatchError, "a step cannot use a decorator")
         given = node.args
         pairs = last_of(given, given.defaults)
         pairs += [(arg.arg, value) for arg, value in zip(given.kwonlyargs, given.kw_defaults, strict=True) if value is not None]
@@ -449,8 +443,7 @@ class Evaluator:
             # The statements after it belong to the side that goes on.
             def side(part: Sequence[ast.stmt]) -> Any:
                 found = self.body([*part, *rest], frame.copy())
-                if found is NOTHING:
-                    raise MismatchError("one side of an if returns, the other does not")
+                refuse(found is NOTHING, MismatchError, "one side of an if returns, the other does not")
                 return found
 
             return (self.one_of(test, lambda: side(statement.body), lambda: side(statement.orelse)),)
@@ -495,14 +488,11 @@ class Evaluator:
     # --- loops
 
     def _for(self, statement: ast.For, frame: Frame) -> Any:
-        if statement.orelse:
-            raise MismatchError("a step cannot use else after a loop")
+        refuse(statement.orelse, MismatchError, "a step cannot use else after a loop")
         items = self.expression(statement.iter, frame)
-        if isinstance(items, Op):
-            raise MismatchError("a loop needs a known range or tuple")
+        refuse(isinstance(items, Op), MismatchError, "a loop needs a known range or tuple")
         if _breaks(statement.body):
-            if not isinstance(items, range):
-                raise MismatchError("a loop that breaks needs a range")
+            refuse(not isinstance(items, range), MismatchError, "a loop that breaks needs a range")
             self._loop(statement, frame, None, items)
             return NOTHING
         if len(items) > _WRITTEN_OUT and self._repeated(statement, frame, len(items)):

@@ -10,8 +10,7 @@ import uuid
 from xml.sax.saxutils import quoteattr
 
 from contourlab.engine.translate.c99 import literal
-from contourlab.engine.translate.c99_control import comment
-from contourlab.engine.translate.control import Control, Field
+from contourlab.engine.translate.control import Control, Field, comment
 
 VERSIONS = ("2.0", "3.0")
 _TYPES_3 = ("Float32", *(f"{sign}Int{bits}" for bits in (8, 16, 32, 64) for sign in ("", "U")), "Boolean", "String", "Binary", "Clock")
@@ -119,20 +118,25 @@ static int advance(unit *self, double time, double size)
 }}
 """
 
-_FMI_2 = """
-const char *fmi2GetTypesPlatform(void) { return "default"; }
-const char *fmi2GetVersion(void) { return "2.0"; }
-int fmi2SetDebugLogging(void *self, int on, size_t n, const char *const categories[])
-{
+_BOTH = """
+const char *{fmi}GetVersion(void) {{ return "{version}"; }}
+int {fmi}SetDebugLogging(void *self, {truth} on, size_t n, const char *const categories[])
+{{
     (void)self; (void)on; (void)n; (void)categories;
     return OK;
-}
+}}
+void {fmi}FreeInstance(void *self) {{ free(self); }}
+int {fmi}ExitInitializationMode(void *self) {{ return rest(self); }}
+int {fmi}Terminate(void *self) {{ (void)self; return OK; }}
+int {fmi}Reset(void *self) {{ start(self); return OK; }}
+"""
+
+_FMI_2 = """const char *fmi2GetTypesPlatform(void) { return "default"; }
 void *fmi2Instantiate(const char *name, int kind, const char *token, const char *place, const void *functions, int visible, int on)
 {
     (void)name; (void)place; (void)functions; (void)visible; (void)on;
     return (kind == 1) ? made(token) : NULL;
 }
-void fmi2FreeInstance(void *self) { free(self); }
 int fmi2SetupExperiment(void *self, int tolerant, double tolerance, double first, int ends, double last)
 {
     (void)tolerant; (void)tolerance; (void)ends; (void)last;
@@ -140,23 +144,13 @@ int fmi2SetupExperiment(void *self, int tolerant, double tolerance, double first
     return OK;
 }
 int fmi2EnterInitializationMode(void *self) { (void)self; return OK; }
-int fmi2ExitInitializationMode(void *self) { return rest(self); }
-int fmi2Terminate(void *self) { (void)self; return OK; }
-int fmi2Reset(void *self) { start(self); return OK; }
 int fmi2GetReal(void *self, const uint32_t references[], size_t n, double values[]) { return get(self, references, n, values); }
 int fmi2SetReal(void *self, const uint32_t references[], size_t n, const double values[]) { return set(self, references, n, values); }
 int fmi2DoStep(void *self, double time, double size, int final) { (void)final; return advance(self, time, size); }
 """
 
 _CALLBACK = "typedef void (*callback)(void);\n"
-_FMI_3 = """
-const char *fmi3GetVersion(void) { return "3.0"; }
-int fmi3SetDebugLogging(void *self, bool on, size_t n, const char *const categories[])
-{
-    (void)self; (void)on; (void)n; (void)categories;
-    return OK;
-}
-void *fmi3InstantiateModelExchange(void) { return NULL; }
+_FMI_3 = """void *fmi3InstantiateModelExchange(void) { return NULL; }
 void *fmi3InstantiateScheduledExecution(void) { return NULL; }
 void *fmi3InstantiateCoSimulation(
     const char *name, const char *token, const char *place, bool visible, bool on, bool events, bool early, const uint32_t required[],
@@ -166,16 +160,12 @@ void *fmi3InstantiateCoSimulation(
     (void)environment; (void)message; (void)intermediate;
     return made(token);
 }
-void fmi3FreeInstance(void *self) { free(self); }
 int fmi3EnterInitializationMode(void *self, bool tolerant, double tolerance, double first, bool ends, double last)
 {
     (void)tolerant; (void)tolerance; (void)ends; (void)last;
     ((unit *)self)->values[0] = first;
     return OK;
 }
-int fmi3ExitInitializationMode(void *self) { return rest(self); }
-int fmi3Terminate(void *self) { (void)self; return OK; }
-int fmi3Reset(void *self) { start(self); return OK; }
 int fmi3GetFloat64(void *self, const uint32_t references[], size_t n, double values[], size_t n_value)
 {
     return (n == n_value) ? get(self, references, n, values) : ERROR;
@@ -195,7 +185,7 @@ int fmi3DoStep(void *self, double time, double size, bool final, bool *event, bo
 
 
 def wrapper_of(made: Control, version: str) -> str:
-    """Return the C source of the interface; it includes the header of `contourlab.engine.translate.c99_control`."""
+    """Return the C source of the interface; it includes the header of `contourlab.engine.translate.control`."""
     output = 1 + len(made.inputs)
     values = [0.0, *(0.0 for _ in made.inputs), 0.0, *(p.value for p in made.parameters.values())]
     common = _COMMON.format(
@@ -209,7 +199,9 @@ def wrapper_of(made: Control, version: str) -> str:
         inputs=", ".join(f"v[INPUT + {k}]" for k in range(len(made.inputs))),
         parameters=", ".join(f"v[PARAMETER + {k}]" for k in range(len(made.parameters))) or "0.0",
     )
-    body, prefix, kinds, lacks = (_FMI_2, "fmi2", "", _LACKS_2) if version == "2.0" else (_FMI_3, "fmi3", _CALLBACK, _LACKS_3)
+    own, kinds, truth, lacks = (_FMI_2, "", "int", _LACKS_2) if version == "2.0" else (_FMI_3, _CALLBACK, "bool", _LACKS_3)
+    prefix = f"fmi{version[0]}"
+    body = _BOTH.format(fmi=prefix, version=version, truth=truth) + own
     heads = "".join(f"EXPORT {head};\n" for head in re.findall(r"^(\w[^;{}]*?\))\s*\{", body, re.MULTILINE))
     return "\n".join([comment(made.notes), common, f"\n{kinds}{heads}{body}", *(f"LACKS({prefix}{name})" for name in lacks), ""])
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 import sys
 
 from contourlab.engine.translate.c99 import literal
-from contourlab.engine.translate.c99_control import INCLUDES, body_of, types_of
-from contourlab.engine.translate.control import Control
+from contourlab.engine.translate.control import INCLUDES, Control, body_of, types_of
 
 _LARGEST = sys.float_info.max
 PINS = {

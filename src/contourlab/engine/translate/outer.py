@@ -22,7 +22,7 @@ import numpy as np
 
 from contourlab import primitives
 from contourlab.engine.translate.graph import MismatchError, Op
-from contourlab.errors import EngineError
+from contourlab.errors import EngineError, refuse
 
 Function = ast.FunctionDef | ast.Lambda
 TYPED = "__typed__"
@@ -258,8 +258,7 @@ class Reads:
             if _SCALARS.issuperset(map(type, value)):
                 words.append((kind.__name__, *value))
                 return list(value) if kind is list else value
-            if kind in (set, frozenset):
-                raise MismatchError("a set of more than numbers and texts: use a tuple")
+            refuse(kind in (set, frozenset), MismatchError, "a set of more than numbers and texts: use a tuple")
             words.append((f"{kind.__name__} of", len(value)))
             return kind(map(self.take, value))
         if kind is dict:

@@ -7,8 +7,7 @@ import uuid
 from collections.abc import Iterable
 from typing import ClassVar
 
-from contourlab.engine.translate.c99_control import ControlWriter
-from contourlab.engine.translate.control import Control, Field
+from contourlab.engine.translate.control import Control, ControlWriter, Field
 from contourlab.engine.translate.graph import CONDITION, MismatchError, Op
 
 _LARGEST = "1.7976931348623157E+308"

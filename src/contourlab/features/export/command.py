@@ -31,8 +31,8 @@ from contourlab.components.ideal import IdealSensor
 from contourlab.engine.runner import InterpretedGroup
 from contourlab.engine.schedule import Late, Schedule
 from contourlab.engine.step import Port, rows
-from contourlab.engine.translate import c99_control, fmi, hal, structured_text
-from contourlab.engine.translate.control import LIBRARY, Control, Field, control_of
+from contourlab.engine.translate import fmi, hal, structured_text
+from contourlab.engine.translate.control import LIBRARY, Control, Field, bench_of, control_of, header_of, source_of
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.features.export.options import Export
 from contourlab.file_kinds import kind_of
@@ -160,8 +160,8 @@ def files_of(to: str, axis: AxisControl, motion: Motion) -> dict[str, str | byte
     made, name = axis.control, axis.control.name
     match to:
         case "c99":
-            code = {f"{name}.h": c99_control.header_of(made), f"{name}.c": c99_control.source_of(made)}
-            return {**code, f"{name}_bench.c": c99_control.bench_of(made), f"{name}_run.csv": record(axis, motion(axis.axis)).text}
+            code = {f"{name}.h": header_of(made), f"{name}.c": source_of(made)}
+            return {**code, f"{name}_bench.c": bench_of(made), f"{name}_run.csv": record(axis, motion(axis.axis)).text}
         case "hal":
             return {f"{name}.comp": hal.component_of(made), f"{name}.hal": hal.lines_of(made, axis.number)}
         case "st":
@@ -571,8 +571,8 @@ def unit_of(made: Control, version: str) -> bytes:
     """
     library, interface = fmi.source_files(made)
     sources = {
-        f"{made.name}.h": c99_control.header_of(made),
-        library: c99_control.source_of(made),
+        f"{made.name}.h": header_of(made),
+        library: source_of(made),
         interface: fmi.wrapper_of(made, version),
     }
     files: dict[str, bytes] = {"modelDescription.xml": fmi.description_of(made, version).encode()}

@@ -13,7 +13,7 @@ import numpy as np
 from contourlab.errors import ProgramError
 from contourlab.program import Arc, Dwell, Feed, Move, Point, Program, Reader, Reading, Spline
 from contourlab.program.block import Block as Executed
-from contourlab.program.expressions import Key
+from contourlab.program.block import Key
 from contourlab.program.moves import PLANE_AXES
 from contourlab.program.reader import read_text, split_lines
 from contourlab.program.state import Frame

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from tests.helpers.exported_axes import CASES, REFUSED, excited, exported
 
-from contourlab.engine.translate import c99_control
+from contourlab.engine.translate import control
 
 STRICT = ("-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-O2", "-ffp-contract=off")
 
@@ -18,9 +18,9 @@ def built(folder: Path, case: str, compiler: str) -> Path:
     """Write the files of a controller with its recorded run, and compile the bench."""
     found = exported(case)
     name = found.control.name
-    (folder / f"{name}.h").write_text(c99_control.header_of(found.control))
-    (folder / f"{name}.c").write_text(c99_control.source_of(found.control))
-    (folder / f"{name}_bench.c").write_text(c99_control.bench_of(found.control))
+    (folder / f"{name}.h").write_text(control.header_of(found.control))
+    (folder / f"{name}.c").write_text(control.source_of(found.control))
+    (folder / f"{name}_bench.c").write_text(control.bench_of(found.control))
     (folder / f"{name}_run.csv").write_text(excited(found).text)
     done = subprocess.run(
         [compiler, *STRICT, f"{name}.c", f"{name}_bench.c", "-o", "bench", "-lm"], cwd=folder, capture_output=True, text=True

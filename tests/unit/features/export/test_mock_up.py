@@ -14,6 +14,8 @@ from tests.helpers.exported_axes import excited, exported
 
 from contourlab.engine.translate import c99_control, fmi
 from contourlab.features.export.command import compiler, unit_of
+from contourlab.engine.translate import control, fmi
+from contourlab.features.export.mock_up import compiler, unit_of
 
 PARTS = ["controller/cascade", "predictor/smith", "feedforward/friction", "compensation/quadrant-pulses", "gap_observer/multiple-model"]
 needs_compiler = pytest.mark.skipif(compiler() is None, reason="no C compiler is installed")
@@ -28,7 +30,7 @@ def written(folder: Path, case: str, version: str) -> Path:
 @pytest.mark.parametrize("version", fmi.VERSIONS)
 def test_the_interface_compiles_without_a_warning(tmp_path: Path, version: str) -> None:
     made = exported("controller/cascade").control
-    (tmp_path / "axis_x.h").write_text(c99_control.header_of(made))
+    (tmp_path / "axis_x.h").write_text(control.header_of(made))
     (tmp_path / "axis_x_fmi.c").write_text(fmi.wrapper_of(made, version))
     command = compiler()
     if command is None:
