@@ -5,8 +5,6 @@ from contourlab.loop.batch import BatchResult, simulate_batch
 from contourlab.loop.feeding import Learned
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.loop.parameters import parameter_names, parameters_of, with_values
-from contourlab.loop.reconfigure import Change
-from contourlab.loop.parameters import parameter_names, parameters_of
 from contourlab.loop.simulate import result_of, simulate, simulate_blocks
 from contourlab.loop.switches import Change
 

@@ -33,7 +33,7 @@ from contourlab.features.sensitivity.study import (
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.loop.batch import LANES
-from contourlab.loop.tool import ToolPosition
+from contourlab.loop.simulate import ToolPosition
 from contourlab.metrics.run_figures import CONTOUR
 from contourlab.rendering.charts import Bars, Matrix, Multiples, Series, Tile
 from contourlab.rendering.charts import Curve as Line

@@ -25,7 +25,7 @@ from contourlab.loop import parameters_of
 from contourlab.loop.batch import LANES
 from contourlab.loop.parameters import Known, declared, matching
 from contourlab.loop.simulate import UNITS as SIGNALS
-from contourlab.loop.tool import ToolPosition
+from contourlab.loop.simulate import ToolPosition
 from contourlab.metrics.run_figures import FIGURES
 from contourlab.scenario import Case, Scenario, dump
 from contourlab.scenario.files import BUILTIN, shipped_hint

@@ -12,10 +12,8 @@ import numpy as np
 import pytest
 from tests.helpers.exported_axes import excited, exported
 
-from contourlab.engine.translate import c99_control, fmi
-from contourlab.features.export.command import compiler, unit_of
 from contourlab.engine.translate import control, fmi
-from contourlab.features.export.mock_up import compiler, unit_of
+from contourlab.features.export.command import compiler, unit_of
 
 PARTS = ["controller/cascade", "predictor/smith", "feedforward/friction", "compensation/quadrant-pulses", "gap_observer/multiple-model"]
 needs_compiler = pytest.mark.skipif(compiler() is None, reason="no C compiler is installed")
