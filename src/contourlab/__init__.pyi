@@ -8,8 +8,8 @@ from contourlab.analysis.linear.contour_transfer import contour_margins as conto
 from contourlab.analysis.linear.contour_transfer import internal_stability as internal_stability
 from contourlab.components.conformance import check_component as check_component
 from contourlab.components.contract import Component as Component
-from contourlab.components.parameter import param as param
-from contourlab.components.parameter import text_param as text_param
+from contourlab.components.contract import param as param
+from contourlab.components.contract import text_param as text_param
 from contourlab.components.plant.reflected import reflected_inertia as reflected_inertia
 from contourlab.components.plant.reflected import reflected_mass as reflected_mass
 from contourlab.components.registry import component as component

@@ -20,7 +20,16 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.components.quadrature import DERIVED, LEAST_COVARIANCE, STATES, TABLES, TUNING, arctangents, ellipse, followed
+from contourlab.components.sensor.quadrature_encoder import (
+    DERIVED,
+    LEAST_COVARIANCE,
+    STATES,
+    TABLES,
+    TUNING,
+    arctangents,
+    ellipse,
+    followed,
+)
 from contourlab.engine.runner import make_group
 from contourlab.engine.schedule import Node, Schedule
 from contourlab.engine.step import Port, Step, ports

@@ -13,9 +13,8 @@ from refusals import refuses
 from stages import PERIOD, control, make, stage
 
 import contourlab as cl
-from contourlab.components.contract import Component
+from contourlab.components.contract import NOISE_STREAM, Component
 from contourlab.components.link.network import Network
-from contourlab.components.contract import NOISE_STREAM
 from contourlab.engine.step import ports
 from contourlab.errors import ParameterError
 from contourlab.loop import Division

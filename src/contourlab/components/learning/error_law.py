@@ -8,8 +8,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.components.contract import param
-from contourlab.components.learning.filters import advanced, moving_average, q_filter
-from contourlab.components.learning.law import LearningLaw, LearningProblem, TrialRecord
+from contourlab.components.learning.law import LearningLaw, LearningProblem, TrialRecord, advanced, moving_average, q_filter
 from contourlab.errors import ParameterError
 
 

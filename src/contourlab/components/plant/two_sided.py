@@ -8,8 +8,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from contourlab.components.contract import LinearModel
-from contourlab.components.mechanics.two_mass_bristle import two_mass_bristle_step
-from contourlab.components.mechanics.two_mass_mechanics import two_mass_step
+from contourlab.components.mechanics.two_mass_mechanics import two_mass_bristle_step, two_mass_step
 from contourlab.components.plant.plant import Plant
 from contourlab.engine.step import ports
 from contourlab.errors import ComponentError

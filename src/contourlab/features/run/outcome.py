@@ -15,7 +15,7 @@ from contourlab.analysis.linear.contour_transfer import InternalStability, inter
 from contourlab.analysis.linear.margins import doubling
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.arrays import Array, free_memory
-from contourlab.components.supervisor.pre_routed import PreRouted
+from contourlab.components.supervisor.switching import PreRouted
 from contourlab.engine.runner import make_group
 from contourlab.errors import ComponentError, ResultError
 from contourlab.features.check.remarks import path_mode_assumed, travel_unknown
