@@ -24,6 +24,8 @@ from contourlab.primitives import clip, dot, exp, fabs, lincomb, log, maximum, m
 
 N_STATE = 8
 N_COVARIANCE = 36
+ROWS = tuple(tuple(sum(range(8, 8 - min(i, j), -1)) + abs(i - j) for j in range(8)) for i in range(8))
+"""Where the entries of each row of a covariance are in its upper triangle."""
 CORRELATION = 1e-3
 """Correlation time of unmodelled forces [s]."""
 TAIL = 2.5
@@ -149,72 +151,33 @@ def _drifted(x: Vector, dt: float) -> Vector:
 
 def _drift(c: Vector, dt: float) -> Vector:
     """Return the covariance after p += dt v, q += dt w."""
-    pp, pv, pq, pw, pg, pa, pb, pf, vv, vq, vw, vg, va, vb, vf = c[:15]
-    qq, qw, qg, qa, qb, qf, ww, wg, wa, wb, wf = c[15:26]
-    first = (
-        pp + dt * (2.0 * pv + dt * vv),
-        pv + dt * vv,
-        pq + dt * (pw + vq + dt * vw),
-        pw + dt * vw,
-        pg + dt * vg,
-        pa + dt * va,
-        pb + dt * vb,
-        pf + dt * vf,
-    )
-    motor = (vv, vq + dt * vw, vw, vg, va, vb, vf)
-    load = (qq + dt * (2.0 * qw + dt * ww), qw + dt * ww, qg + dt * wg, qa + dt * wa, qb + dt * wb, qf + dt * wf)
-    return (*first, *motor, *load, ww, wg, wa, wb, wf, *c[26:])
+    pp, pv, pq, pw, _, _, _, _, vv, vq, vw, _, _, _, _, qq, qw, _, _, _, _, ww = c[:22]
+    first = (pp + dt * (2.0 * pv + dt * vv), pv + dt * vv, pq + dt * (pw + vq + dt * vw), pw + dt * vw)
+    load = (qq + dt * (2.0 * qw + dt * ww), qw + dt * ww)
+    # The last four are covariances with gap and model errors.
+    of_motor, of_load = (tuple(c[i] + dt * c[i + ahead] for i in range(start, start + 4)) for start, ahead in ((4, 7), (17, 5)))
+    return (*first, *of_motor, vv, vq + dt * vw, *c[10:15], *load, *of_load, *c[21:])
 
 
 def _kick(c: Vector, m: Vector, n: Vector, noise: Vector) -> Vector:
     """Return the covariance after v and w became the linear forms `m` and `n` of the state."""
-    pp, pv, pq, pw, pg, pa, pb, pf, vv, vq, vw, vg, va, vb, vf = c[:15]
-    qq, qw, qg, qa, qb, qf, ww, wg, wa, wb, wf = c[15:26]
-    gg, ga, gb, gf, aa, ab, af, bb, bf, ff = c[26:]
-    of_p, of_v = (pp, pv, pq, pw, pg, pa, pb, pf), (pv, vv, vq, vw, vg, va, vb, vf)
-    of_q, of_w = (pq, vq, qq, qw, qg, qa, qb, qf), (pw, vw, qw, ww, wg, wa, wb, wf)
-    of_g, of_a = (pg, vg, qg, wg, gg, ga, gb, gf), (pa, va, qa, wa, ga, aa, ab, af)
-    of_b, of_f = (pb, vb, qb, wb, gb, ab, bb, bf), (pf, vf, qf, wf, gf, af, bf, ff)
-    v = (dot(m, of_p), dot(m, of_v), dot(m, of_q), dot(m, of_w), dot(m, of_g), dot(m, of_a), dot(m, of_b), dot(m, of_f))
-    w = (dot(n, of_p), dot(n, of_v), dot(n, of_q), dot(n, of_w), dot(n, of_g), dot(n, of_a), dot(n, of_b), dot(n, of_f))
-    first = (pp, v[0], pq, w[0], pg, pa, pb, pf)
-    motor = (dot(m, v) + noise[0], v[2], dot(n, v) + noise[1], v[4], v[5], v[6], v[7])
-    load = (qq, w[2], qg, qa, qb, qf, dot(n, w) + noise[2], w[4], w[5], w[6], w[7])
-    return (*first, *motor, *load, *c[26:])
+    v, w = (tuple(dot(form, tuple(c[i] for i in row)) for row in ROWS) for form in (m, n))
+    motor = (dot(m, v) + noise[0], v[2], dot(n, v) + noise[1], *v[4:])
+    load = (c[15], w[2], *c[17:21], dot(n, w) + noise[2], *w[4:])
+    return (c[0], v[0], c[2], w[0], *c[4:8], *motor, *load, *c[26:])
 
 
 def corrected(par: Any, x: Vector, c: Vector, measured: float) -> tuple[Vector, Vector, float, float]:
     """Return mean and covariance after an encoder reading, its log-likelihood, and its squared deviations."""
-    pp, pv, pq, pw, pg, pa, pb, pf, vv, vq, vw, vg, va, vb, vf = c[:15]
-    qq, qw, qg, qa, qb, qf, ww, wg, wa, wb, wf = c[15:26]
-    gg, ga, gb, gf, aa, ab, af, bb, bf, ff = c[26:]
-    inverse = 1.0 / (maximum(pp, 0.0) + par.encoder_noise)
+    inverse = 1.0 / (maximum(c[0], 0.0) + par.encoder_noise)
     error = measured - x[0]
-    p, v, q, w, g, a, b, f = inverse * pp, inverse * pv, inverse * pq, inverse * pw, inverse * pg, inverse * pa, inverse * pb, inverse * pf
+    gain = tuple(inverse * c[j] for j in range(N_STATE))
+    moved = tuple(x[j] + gain[j] * error for j in range(N_STATE))
     # At most five deviations, so that no wrong gap makes an inertia negative.
     most = 5.0 * par.uncertainty
-    mean = (
-        x[0] + p * error,
-        x[1] + v * error,
-        x[2] + q * error,
-        x[3] + w * error,
-        clip(x[4] + g * error, 0.0, 4.0 * par.largest_gap),
-        clip(x[5] + a * error, -most, most),
-        clip(x[6] + b * error, -most, most),
-        clip(x[7] + f * error, -most, most),
-    )
-    # fmt: off
-    covariance = (
-        maximum(pp - p * pp, 0.0), pv - p * pv, pq - p * pq, pw - p * pw, pg - p * pg, pa - p * pa, pb - p * pb, pf - p * pf,
-        maximum(vv - v * pv, 0.0), vq - v * pq, vw - v * pw, vg - v * pg, va - v * pa, vb - v * pb, vf - v * pf,
-        maximum(qq - q * pq, 0.0), qw - q * pw, qg - q * pg, qa - q * pa, qb - q * pb, qf - q * pf,
-        maximum(ww - w * pw, 0.0), wg - w * pg, wa - w * pa, wb - w * pb, wf - w * pf,
-        maximum(gg - g * pg, 0.0), ga - g * pa, gb - g * pb, gf - g * pf,
-        maximum(aa - a * pa, 0.0), ab - a * pb, af - a * pf,
-        maximum(bb - b * pb, 0.0), bf - b * pf,
-        maximum(ff - f * pf, 0.0),
-    )
-    # fmt: on
+    mean = (*moved[:4], clip(moved[4], 0.0, 4.0 * par.largest_gap), *(clip(part, -most, most) for part in moved[5:]))
+    left = tuple(tuple(c[ROWS[i][j]] - gain[i] * c[j] for j in range(i, N_STATE)) for i in range(N_STATE))
+    covariance = tuple(entry for row in left for entry in (maximum(row[0], 0.0), *row[1:]))
     surprise = minimum(inverse * error * error, SURPRISE)
     return mean, covariance, 0.5 * (log(inverse) - surprise), surprise
 
