@@ -149,6 +149,10 @@ class BacklashLoop:
         response = np.linalg.solve(matrix, np.broadcast_to(b[:, None], (w.size, self.n, 1)).astype(complex))
         return np.asarray((response[..., 0] @ c).reshape(w.shape))
 
+    def at(self, frequency: float) -> complex:
+        """Return G(j w) at one frequency [rad/s]."""
+        return complex(self.transfer(np.array([frequency]))[0])
+
     def require_one_controller(self, what: str) -> None:
         """Raise `ParameterError` if the controller changes with the mode."""
         if self.contact_a is not None and not np.array_equal(self.contact_a, self.a):
@@ -504,12 +508,8 @@ def _polished(loop: BacklashLoop, near: Array) -> list[float]:
 
 def _undamped(loop: BacklashLoop) -> list[tuple[float, float]]:
     """Return amplitude ratio and frequency of all solutions for a dead zone."""
-    solutions = []
-    for w in real_frequencies(loop):
-        reach = -loop.stiffness * float(loop.transfer(np.array([w]))[0].real)
-        if reach > 1.0:
-            solutions.append((inverse_dead_zone_gain(1.0 / reach), w))
-    return solutions
+    reaches = {w: -loop.stiffness * loop.at(w).real for w in real_frequencies(loop)}
+    return [(inverse_dead_zone_gain(1.0 / reach), w) for w, reach in reaches.items() if reach > 1.0]
 
 
 def _damped(loop: BacklashLoop) -> list[tuple[float, float]]:
@@ -553,7 +553,7 @@ def _solved(loop: BacklashLoop, excess: float, frequency: float) -> tuple[float,
     def balance(at: Array) -> list[float]:
         w = math.exp(at[1])
         gain = harmonic(1.0 + math.exp(min(at[0], 40.0)), w * loop.shaft_damping / loop.stiffness)
-        value = 1.0 + loop.stiffness * complex(gain) * complex(loop.transfer(np.array([w]))[0])
+        value = 1.0 + loop.stiffness * complex(gain) * loop.at(w)
         return [value.real, value.imag]
 
     start = np.array([math.log(excess), math.log(frequency)])
@@ -581,7 +581,7 @@ def _cycle(loop: BacklashLoop, ratio: float, w: float) -> LimitCycle:
         others = np.delete(poles, [critical, int(np.argmin(np.abs(poles + 1j * w)))])
     quiet = bool((others.real <= 1e-9 * np.abs(others).max(initial=w)).all())
     damping = w * loop.shaft_damping / loop.stiffness
-    passed = [abs(loop.stiffness * complex(harmonic(ratio, damping, n)) * complex(loop.transfer(np.array([n * w]))[0])) for n in HARMONICS]
+    passed = [abs(loop.stiffness * complex(harmonic(ratio, damping, n)) * loop.at(n * w)) for n in HARMONICS]
     return LimitCycle(ratio * loop.half_gap, w, ratio, growth[1] < growth[0] and quiet, math.hypot(*passed), _sensitivity(loop, ratio, w))
 
 
@@ -590,7 +590,7 @@ def _sensitivity(loop: BacklashLoop, ratio: float, w: float) -> float:
     step = 1e-5
 
     def whole(a: float, v: float) -> complex:
-        return complex(harmonic(a, v * loop.shaft_damping / loop.stiffness)) * complex(loop.transfer(np.array([v]))[0]) * loop.stiffness
+        return complex(harmonic(a, v * loop.shaft_damping / loop.stiffness)) * loop.at(v) * loop.stiffness
 
     small = step * (1.0 - 1.0 / ratio)
     over_amplitude = -(whole(ratio * (1.0 + small), w) - whole(ratio * (1.0 - small), w)) / (2.0 * small)

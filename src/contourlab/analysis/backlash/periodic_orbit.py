@@ -157,21 +157,14 @@ class Flow:
         """Return rows that rise through 0 where the mode ends, each with the mode that follows."""
         if mode != GAP:
             return ((-mode * self.torque_row(mode), GAP),)
-        return tuple((self._reach(side), side) for side in (BELOW, ABOVE))
-
-    def _reach(self, side: int) -> Array:
-        """Return the row of side (theta_d - twist) - h."""
-        row = side * self.difference
+        # A flank is reached where side (theta_d - twist) - h passes 0.
+        reach = self.difference.copy()
         if self.twisted:
-            row[self.n] -= side
-        row[-1] -= self.loop.half_gap
-        return row
+            reach[self.n] -= 1.0
+        edge = self.loop.half_gap * np.eye(1, self.size, self.size - 1)[0]
+        return tuple((side * reach - edge, side) for side in (BELOW, ABOVE))
 
-    def exponential(self, mode: int, time: float) -> Array:
-        """Return exp(M t)."""
-        return self.exponentials(mode, np.array(time))
-
-    def exponentials(self, mode: int, times: Array) -> Array:
+    def exponential(self, mode: int, times: ArrayLike) -> Array:
         """Return exp(M t) at times (...,): (..., n_w, n_w)."""
         # Powers of 2 that balance the rows and columns cost no digit and save halvings.
         scale = self._scale
@@ -256,7 +249,7 @@ class Flow:
         key = mode, level
         if key not in self._chunks:
             span = self.unit * 2.0**-level
-            steps = self.exponentials(mode, 0.5 * span * (_PLACES + 1.0))
+            steps = self.exponential(mode, 0.5 * span * (_PLACES + 1.0))
             rows = np.array([row for row, _ in self.guards[mode]])
             self._chunks[key] = self.exponential(mode, span), np.einsum("gi,kij->gkj", rows, steps)
         return self._chunks[key]
@@ -332,7 +325,7 @@ def lengthened_at(flow: Flow, motion: Sequence[Span], time: ArrayLike) -> tuple[
     lengthened = np.empty((t.size, flow.size))
     for i in np.unique(index):
         at = np.flatnonzero(index == i)
-        lengthened[at] = flow.exponentials(motion[i].mode, t[at] - motion[i].time) @ motion[i].start
+        lengthened[at] = flow.exponential(motion[i].mode, t[at] - motion[i].time) @ motion[i].start
     return lengthened, modes[index]
 
 
@@ -399,7 +392,9 @@ class Shooter:
     def shot(self, y: Array, duration: float) -> Shot:
         """Return the end of a motion from y (n,) and its Jacobian (n, n)."""
         flow, x = self.flow, y[: self.flow.n]
-        w, mode = flow.lengthened(x, self._twist(y))
+        # The twist of a start is limited to what contact allows.
+        d = float(flow.loop.c @ x)
+        w, mode = flow.lengthened(x, float(np.clip(y[-1], d - flow.loop.half_gap, d + flow.loop.half_gap)) if flow.twisted else None)
         motion = tuple(spans(flow, w, mode, duration, MOST))
         if motion[-1].time + motion[-1].duration < duration * (1.0 - 1e-9):
             raise ParameterError("start", "a motion that runs away", "one that comes back")
@@ -414,14 +409,6 @@ class Shooter:
         if flow.twisted and last.mode != GAP:  # in contact the positions define the shaft's twist
             end[-1] = flow.loop.c @ end[: flow.n] - last.mode * flow.loop.half_gap
         return Shot(w[: self.n], end, jacobian[: self.n, : self.n], slope[: self.n], motion)
-
-    def _twist(self, y: Array) -> float | None:
-        """Return the twist of a start, limited to what contact allows."""
-        if not self.flow.twisted:
-            return None
-        loop, own = self.flow.loop, float(y[-1])
-        d = float(loop.c @ y[: loop.n])
-        return float(np.clip(own, d - loop.half_gap, d + loop.half_gap))
 
 
 def _saltation(flow: Flow, mode: int, following: int, w: Array) -> Array:
@@ -463,17 +450,15 @@ def close_orbit(loop: BacklashLoop, start: ArrayLike, period: float, *, twist: f
 
 def _newton(shooter: Shooter, y: Array, period: float) -> tuple[Shot, float] | None:
     """Return the closed shot near y, and its period."""
-    first = period
-    shot = shooter.shot(y, period)
+    first, shot = period, shooter.shot(y, period)
     size = _size(shot)
     for _ in range(STEPS):
-        missed = shot.end - shot.start
-        if np.abs(missed / size).max() <= CLOSED:
+        if np.abs((shot.end - shot.start) / size).max() <= CLOSED:
             return shot, period
-        step, longer = _step(shot, size)
-        shot, period, better = _damped(shooter, shot, period, step, longer, size)
-        if not better or not 0.2 * first < period < 5.0 * first:
+        following = _damped(shooter, shot, period, *_step(shot, size), size)
+        if following is None or not 0.2 * first < following[1] < 5.0 * first:
             return None
+        shot, period = following
     return None
 
 
@@ -489,28 +474,26 @@ def _single_round(shooter: Shooter, shot: Shot, period: float) -> tuple[Shot, fl
 
 def _step(shot: Shot, size: Array) -> tuple[Array, float]:
     """Return Newton's step of the start and of the period; at right angles to the motion, since the phase is free."""
-    n = len(size)
-    scaled = shot.jacobian * size / size[:, None]
+    n, scaled = len(size), shot.jacobian * size / size[:, None]
     missed, slope = (shot.end - shot.start) / size, shot.slope / size
-    unit = slope / max(float(np.linalg.norm(slope)), 1e-300)
+    speed = max(float(np.linalg.norm(slope)), 1e-300)
+    unit = slope / speed
     matrix = np.block([[scaled - np.eye(n), unit[:, None]], [unit[None, :], np.zeros((1, 1))]])
     solution = np.linalg.lstsq(matrix, np.append(-missed, 0.0), rcond=1e-13)[0]
-    return solution[:n] * size, float(solution[n]) / max(float(np.linalg.norm(slope)), 1e-300)
+    return solution[:n] * size, float(solution[n]) / speed
 
 
-def _damped(shooter: Shooter, shot: Shot, period: float, step: Array, longer: float, size: Array) -> tuple[Shot, float, bool]:
-    """Take the step, or a part of it that reduces the distance between start and end; return whether that succeeded."""
+def _damped(shooter: Shooter, shot: Shot, period: float, step: Array, longer: float, size: Array) -> tuple[Shot, float] | None:
+    """Return shot and period after the step, or after a part of it that reduces the distance between start and end; None if none does."""
     now = float(np.linalg.norm((shot.end - shot.start) / size))
-    part = 1.0
-    while part > 1e-4:
+    for part in (0.5 ** np.arange(14)).tolist():
         if 0.0 < period + part * longer < math.inf:
             tried = shooter.shot(shot.start + part * step, period + part * longer)
             gap = float(np.linalg.norm((tried.end - tried.start) / size))
             # At rounding level the distance may stay the same.
             if gap < now * (1.0 - 0.1 * part) or gap < CLOSED:
-                return tried, period + part * longer, True
-        part *= 0.5
-    return shot, period, False
+                return tried, period + part * longer
+    return None
 
 
 def _size(shot: Shot) -> Array:
