@@ -41,10 +41,13 @@ OTHER_NAMES = {
 _plugins: dict[tuple[str, str], type[Component]] = {}
 
 
+def _own(module: ModuleType) -> list[type[Component]]:
+    return [v for v in vars(module).values() if isinstance(v, type) and issubclass(v, Component) and v.__module__ == module.__name__]
+
+
 def _declared(module: ModuleType) -> list[type[Component]]:
     """Return the components that a module itself defines."""
-    kinds = (v for v in vars(module).values() if isinstance(v, type) and issubclass(v, Component))
-    return [kind for kind in kinds if kind.kind and kind.__module__ == module.__name__]
+    return [kind for kind in _own(module) if kind.kind]
 
 
 @cache
@@ -90,12 +93,11 @@ def _imported(module: ModuleType, loader: Loader) -> list[type[Component]]:
         raise
     except BaseException as error:  # a plug-in may raise anything
         raise ComponentError(_import_fault(file, error)) from error
-    kinds = _declared(module)
-    own = [v for v in vars(module).values() if isinstance(v, type) and issubclass(v, Component) and v.__module__ == module.__name__]
+    own = _own(module)
     for kind in own:
         if not kind.kind and not any(kind in other.__mro__[1:] for other in own):
             raise fault(kind, 'has no kind: write kind = "my-name", its name in files')
-    if not kinds:
+    if not (kinds := _declared(module)):
         raise ComponentError(f"{file}: defines no component: write a subclass of Component with family and kind")
     for kind in kinds:
         check_class(kind)

@@ -55,16 +55,6 @@ def _way(v: float, push: float, held: float, released: float) -> float:
     return select(v == 0.0, rest, select(v > 0.0, 1.0, -1.0))
 
 
-def _between(u: float, h: float, y: Any, y1: Any, a: Any, a1: Any) -> Any:
-    """Return the state at the part u of a stretch."""
-    return (
-        hermite(u, y[0], y1[0], h * y[1], h * y1[1]),
-        hermite(u, y[1], y1[1], h * a[0], h * a1[0]),
-        hermite(u, y[2], y1[2], h * y[3], h * y1[3]),
-        hermite(u, y[3], y1[3], h * a[1], h * a1[1]),
-    )
-
-
 @cache
 def _slide_of(gap: Any, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
     """Return ``slide(par, side, ways, push, y, h)``: where a smooth stretch ends, and the accelerations at its start and its end."""
@@ -170,7 +160,8 @@ def _stretch_of(gap: Any, physical: bool, motor: Any, load: Any, motor_view: Any
         u, why, loose = load_event(par, ways[1], (y[3], y1[3]), (a[1], a1[1]), (net[1], net1[1]), (rise, rise1), h, found)
         if why == END:
             return side, twist1, (0.0, 0.0), y1, 0.0
-        pm, vm, pl, vl = _between(u, h, y, y1, a, a1)
+        pm, pl = (hermite(u, y[i], y1[i], h * y[i + 1], h * y1[i + 1]) for i in (0, 2))
+        vm, vl = (hermite(u, y[i], y1[i], h * a[i // 2], h * a1[i // 2]) for i in (1, 3))
         left_twist = select(par.unwinding > 0.0, pm - pl - side * gap(par, pl)[0], 0.0)
         kept = select(side == 0.0, unwound(par, twist, u * h), left_twist)
         side = select(why == CONTACT, select(side == 0.0, flank, 0.0), side)

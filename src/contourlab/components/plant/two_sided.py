@@ -62,7 +62,8 @@ class TwoSided(Plant):
         return LinearModel(a, b, np.eye(4)[[2, 3, 0, 1]], np.zeros((4, 2)), ("command", "load"), names)
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
-        return {"position": position, "motor_position": position}, {"position": position, "motor_position": position}
+        places = {"position": position, "motor_position": position}
+        return places, places
 
     @property
     def force_per_command(self) -> float:

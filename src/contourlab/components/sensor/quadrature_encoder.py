@@ -34,6 +34,8 @@ FURTHEST = 0.9
 """Upper bound of an offset over the nominal amplitude: the origin stays inside the ellipse."""
 IDENTITY = (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0)
 """Upper triangle of the unit matrix, row by row, as covariances are stored."""
+ROWS = ((0, 1, 2, 3, 4), (1, 5, 6, 7, 8), (2, 6, 9, 10, 11), (3, 7, 10, 12, 13), (4, 8, 11, 13, 14))
+"""Where the entries of each row of a covariance are in its upper triangle."""
 PLAY = 0.5
 """Half the travel, in pitches, within which an axis may dither without an update: more travel shows all phases."""
 LEAST_COVARIANCE = 40.0
@@ -113,18 +115,11 @@ def updated(theta: Any, covariance: Any, v1: float, v2: float, forgetting: float
         1 to use the sample, 0 to change nothing.
     """
     w = (v1 * v1, v2 * v2, v1 * v2, v1, v2)
-    p = covariance
-    g0 = dot((p[0], p[1], p[2], p[3], p[4]), w)
-    g1 = dot((p[1], p[5], p[6], p[7], p[8]), w)
-    g2 = dot((p[2], p[6], p[9], p[10], p[11]), w)
-    g3 = dot((p[3], p[7], p[10], p[12], p[13]), w)
-    g4 = dot((p[4], p[8], p[11], p[13], p[14]), w)
-    g = (g0, g1, g2, g3, g4)
+    g = tuple(dot(tuple(covariance[i] for i in row), w) for row in ROWS)
     scale = gate / (forgetting + maximum(dot(w, g), 0.0))
-    upper = (g0 * g0, g0 * g1, g0 * g2, g0 * g3, g0 * g4, g1 * g1, g1 * g2, g1 * g3, g1 * g4)
-    products = (*upper, g2 * g2, g2 * g3, g2 * g4, g3 * g3, g3 * g4, g4 * g4)
+    products = tuple(g[i] * g[j] for i in range(5) for j in range(i, 5))
     growth = 1.0 + gate * (1.0 / forgetting - 1.0)
-    next_covariance = lincomb(growth, p, -growth * scale, products)
+    next_covariance = lincomb(growth, covariance, -growth * scale, products)
     trace = next_covariance[0] + next_covariance[5] + next_covariance[9] + next_covariance[12] + next_covariance[14]
     reset = select(trace > 5.0 * start, 1.0, 0.0)
     next_covariance = lincomb(1.0 - reset, next_covariance, reset * start, IDENTITY)
