@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.compensation.reversal import limited_jump, pushed_side
+from contourlab.components.compensation.backlash_offset import limited_jump, pushed_side
 from contourlab.components.contract import Component, param
 from contourlab.engine.step import Port
 from contourlab.errors import ParameterError

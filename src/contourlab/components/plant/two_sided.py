@@ -20,8 +20,7 @@ COARSEST = 0.5
 class TwoSided(Plant):
     """Base of two masses joined by a spring and a damper, with or without a gap; all states are lengths at the load.
 
-    A subclass derives `contourlab.components.families.TWO_SIDED`. `bonded` is 1 without a gap. `two_mass_mechanics` integrates the motion;
-    `two_mass_bristle` does with bristle friction.
+    A subclass derives `contourlab.components.families.TWO_SIDED`. `bonded` is 1 without a gap. `two_mass_mechanics` integrates the motion.
     """
 
     two_sided = True
