@@ -508,5 +508,4 @@ def _bound(step: FunctionType, named: tuple[tuple[str, Any], ...]) -> Callable[.
 @lru_cache(256)
 def _step_of(kind: type[Component], function: Callable[..., Any], n_axis: int) -> Step:
     states, inputs, outputs = kind.ports(n_axis)
-    parameters = (*kind.numeric(), *kind.derived)
-    return Step(f"{kind.family}/{kind.kind}", function, parameters, kind.tables, kind.ring, states, inputs, outputs)
+    return Step(f"{kind.family}/{kind.kind}", function, (*kind.numeric(), *kind.derived), kind.tables, kind.ring, states, inputs, outputs)

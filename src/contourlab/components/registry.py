@@ -107,8 +107,7 @@ def _imported(module: ModuleType, loader: Loader) -> list[type[Component]]:
 def _import_fault(file: str, error: BaseException) -> str:
     """Return the message about a file that cannot be imported, with the line and the class where there is one."""
     if isinstance(error, SyntaxError):
-        encoded = "codec" in str(error.msg) or "null bytes" in str(error.msg)
-        cure = ": save the file as UTF-8" if encoded else ""
+        cure = ": save the file as UTF-8" if "codec" in str(error.msg) or "null bytes" in str(error.msg) else ""
         return f"{file}{f':{error.lineno}' if error.lineno else ''}: cannot be read as Python: {type(error).__name__}: {error.msg}{cure}"
     frames = [(frame, line) for frame, line in traceback.walk_tb(error.__traceback__) if frame.f_globals.get(TYPED) == file]
     # In the body of a class the code has the name of the class.
@@ -179,8 +178,7 @@ def components(family: str | None = None) -> list[type[Component]]:
     """
     if family is not None and family not in FAMILIES:
         raise ComponentError(f"no family {family!r}; the families are: {', '.join(FAMILIES)}")
-    everything = {**_built_in(), **_plugins}
-    chosen = [kind for (slot, _), kind in everything.items() if family in (None, slot)]
+    chosen = [kind for (slot, _), kind in {**_built_in(), **_plugins}.items() if family in (None, slot)]
     return sorted(chosen, key=lambda kind: (FAMILIES.index(kind.family), kind.kind))
 
 

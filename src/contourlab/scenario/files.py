@@ -230,6 +230,5 @@ def spread(part: Table, names: tuple[str, ...]) -> Table:
         if own is None:
             entries[name] = every
         elif isinstance(own, Table):
-            afresh = own.afresh or every.afresh
-            entries[name] = replace(merge(every, own), file=own.file, key=own.key, afresh=afresh)
+            entries[name] = replace(merge(every, own), file=own.file, key=own.key, afresh=own.afresh or every.afresh)
     return part.having(axes=replace(axes, entries=entries))

@@ -302,8 +302,7 @@ def _delayed(delay: float) -> LinearModel:
     """Return the rational delay of second order, (12 - 6 s T + s^2 T^2)/(12 + 6 s T + s^2 T^2)."""
     rate = 1.0 / delay
     a = np.array([[0.0, 1.0], [-12.0 * rate * rate, -6.0 * rate]])
-    c = np.array([[0.0, -12.0 * rate]])
-    return LinearModel(a, np.array([[0.0], [1.0]]), c, np.ones((1, 1)), ("command",), ("applied",))
+    return LinearModel(a, np.array([[0.0], [1.0]]), np.array([[0.0, -12.0 * rate]]), np.ones((1, 1)), ("command",), ("applied",))
 
 
 def inverse_dead_zone_gain(gain: float) -> float:
@@ -332,8 +331,7 @@ def contact_phases(amplitude: ArrayLike, damping: ArrayLike) -> tuple[Array, Arr
         w d/k: damping of the shaft over its stiffness, times the frequency.
     """
     a, q = np.broadcast_arrays(np.asarray(amplitude, dtype=float), np.asarray(damping, dtype=float))
-    size = a * np.hypot(1.0, q)
-    inside = np.where(a > 1.0, size, np.nan)
+    inside = np.where(a > 1.0, a * np.hypot(1.0, q), np.nan)
     # Torque a sin p + q a cos p - 1 = 0, where it falls.
     end = math.pi - np.arcsin(1.0 / inside) - np.arctan(q)
     left = a * np.sin(end) - 1.0
@@ -382,8 +380,7 @@ def harmonic(amplitude: ArrayLike, damping: ArrayLike, order: int = 1) -> Comple
     # a sin p + q a cos p - 1, times e^(-j n p), over half a turn; the other half doubles it.
     sine = (part(1 - n) - part(-1 - n)) / 2j
     cosine = (part(1 - n) + part(-1 - n)) / 2.0
-    total = 2.0 / math.pi * 1j * (a * sine + q * a * cosine - part(-n)) / a
-    return np.asarray(np.where(np.isfinite(begin), total, 0.0))
+    return np.asarray(np.where(np.isfinite(begin), 2.0 / math.pi * 1j * (a * sine + q * a * cosine - part(-n)) / a, 0.0))
 
 
 HARMONICS = (3, 5, 7, 9)

@@ -51,8 +51,7 @@ def exponentials(matrix: Array, times: ArrayLike) -> Array:
     >>> exponentials(np.array([[0.0, 1.0], [0.0, 0.0]]), 3.0).tolist()
     [[1.0, 3.0], [0.0, 1.0]]
     """
-    t = np.asarray(times, dtype=float)
-    scaled = matrix * t[..., None, None]
+    scaled = matrix * np.asarray(times, dtype=float)[..., None, None]
     norm = float(np.abs(scaled).sum(axis=-1).max(initial=0.0))
     halvings = max(0, int(np.ceil(np.log2(max(norm, 1e-300)))))
     scaled = scaled * 2.0**-halvings
@@ -558,8 +557,7 @@ def find_orbits(
         # A state on the sinusoid of the quasi-linear loop, where the difference passes its peak.
         values, vectors = np.linalg.eig(quasi_linear(loop, cycle.ratio, cycle.frequency))
         vector = vectors[:, int(np.argmin(np.abs(values - 1j * cycle.frequency)))]
-        start = (vector * (cycle.amplitude / (loop.c @ vector))).real
-        shots.append(close_orbit(loop, start, 2.0 * math.pi / cycle.frequency))
+        shots.append(close_orbit(loop, (vector * (cycle.amplitude / (loop.c @ vector))).real, 2.0 * math.pi / cycle.frequency))
     shots += [_settled_orbit(loop, kick) for kick in kicks]
     orbits: list[PeriodicOrbit] = []
     for orbit in shots:
@@ -594,8 +592,7 @@ def _from_returns(loop: BacklashLoop, flow: Flow, contacts: Sequence[Span]) -> P
     states = np.array([span.start[: loop.n] for span in contacts])
     size = np.maximum(np.abs(states).max(axis=0), 1e-300)
     last = len(contacts) - 1
-    earlier = range(max(0, last - 6), last)
-    best = min(earlier, key=lambda i: (np.abs((states[i] - states[last]) / size).max() > 0.3, last - i))
+    best = min(range(max(0, last - 6), last), key=lambda i: (np.abs((states[i] - states[last]) / size).max() > 0.3, last - i))
     # Start half-way through a contact, away from the ends of the mode.
     span = contacts[last]
     middle = flow.exponential(span.mode, 0.5 * span.duration) @ span.start

@@ -646,8 +646,7 @@ def _leads(closed: Closed, servo_period: float) -> list[float]:
 
 def _design(closed: Closed, servo_period: float, half_width: int, passes: int, lead: float) -> LearningDesign:
     zero = min(first_zero(half_width, servo_period), math.pi / servo_period)
-    largest = largest_gain(closed, lambda w: averaging(w, servo_period, half_width, passes, lead), zero)
-    gain = min(max(SHARE * largest, 1e-3), 1.0)
+    gain = min(max(SHARE * largest_gain(closed, lambda w: averaging(w, servo_period, half_width, passes, lead), zero), 1e-3), 1.0)
     return LearningDesign(gain, half_width, passes, lead, zero, *worst_zero_phase(closed, servo_period, gain, half_width, passes, lead))
 
 

@@ -41,8 +41,7 @@ def limited_ramp(now: float, speed: float, target: float, most_speed: float, mos
     after = clip(wanted, speed - most_rise, speed + most_rise)
     moved = now + after * dt
     # Rounding must not keep it from the target.
-    there = fabs(target - moved) <= 1e-9 * most_rise * dt
-    return select(there, target, moved), after
+    return select(fabs(target - moved) <= 1e-9 * most_rise * dt, target, moved), after
 
 
 def offset_after(par: Any, x: Any, side: float, clock: Any) -> tuple[float, float]:

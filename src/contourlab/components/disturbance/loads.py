@@ -102,8 +102,7 @@ class TableLoad(Disturbance):
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any, *, over: str, beyond: str) -> Any:
-        where = clock.t if over == "time" else inp.position
-        u = (where - par.origin) * par.inverse_step
+        u = ((clock.t if over == "time" else inp.position) - par.origin) * par.inverse_step
         u = u - par.intervals * floor(u / par.intervals) if beyond == "repeat" else clip(u, 0.0, par.intervals)
         i = clip(floor(u), 0.0, par.intervals - 1.0)
         low = lookup(par.values_table, i)

@@ -325,8 +325,7 @@ class MultipleModel(Component):
 
     def make_step(self, n_axis: int = 1) -> Step:
         """Return the step, with one filter for each hypothesis."""
-        follow = _follower(int(self.substeps))
-        bank = Bank(follow, int(self.hypotheses), KEPT, KEPT + N_MOMENTS)
+        bank = Bank(_follower(int(self.substeps)), int(self.hypotheses), KEPT, KEPT + N_MOMENTS)
         parameters = (*self.numeric(), *self.derived)
         states = (*self.states, bank.port)
         return Step(f"{self.family}/{self.kind}", _judge, parameters, (), "", states, self.inputs, self.outputs, bank)

@@ -74,8 +74,7 @@ def link(plant: Component, friction: Component, motor_friction: Component | None
     parameters = (*plant.numeric(), *plant.derived, *friction.numeric(), *friction.derived)
     states = (*plant.states, *friction.states)
     kinds: tuple[Any, Any] = (type(plant), type(friction))
-    function = makers[law](*kinds)
-    return Step(f"plant/{plant.kind}+{friction.kind}", function, parameters, (), "", states, plant.inputs, plant.outputs)
+    return Step(f"plant/{plant.kind}+{friction.kind}", makers[law](*kinds), parameters, (), "", states, plant.inputs, plant.outputs)
 
 
 def _two_sided(plant: Any, friction: Component, motor_friction: Component) -> Step:
@@ -149,8 +148,7 @@ def _sticking(plant: Any, friction: Any) -> Callable[..., Any]:
         for _ in range(3):
             value = v0 + u * (d0 + u * (c2 + u * c3))
             slope = d0 + u * (2.0 * c2 + 3.0 * u * c3)
-            safe = select(value * slope == 0.0, 1.0, slope)
-            u = select(value * slope == 0.0, u, u - value / safe)
+            u = select(value * slope == 0.0, u, u - value / select(value * slope == 0.0, 1.0, slope))
             u = select(u < 0.0, 0.0, select(u > 1.0, 1.0, u))
         return u
 
@@ -261,8 +259,7 @@ def lagged_sticking(plant: Any, friction: Any) -> Callable[..., Any]:
             nearer = u - vu / select(slope == 0.0, 1.0, slope)
             inside = (nearer >= low) and (nearer <= high) and slope != 0.0
             # At the root itself rounding decides on which side it lies: no step from there.
-            found = fabs(vu) <= 1e-14 * fabs(v - v_end)
-            u = select(found, u, select(inside, nearer, 0.5 * (low + high)))
+            u = select(fabs(vu) <= 1e-14 * fabs(v - v_end), u, select(inside, nearer, 0.5 * (low + high)))
         return u
 
     def from_rest(par: Any, p: float, f: float, w: float, load: float, h: float) -> Any:

@@ -74,8 +74,7 @@ def _lowest(d0: float, c2: float, c3: float) -> float:
     radicand = c2 * c2 - 3.0 * c3 * d0
     root = sqrt(fabs(radicand))
     # The form of the root that avoids cancellation.
-    ahead = c2 + root
-    over = select(c2 > 0.0, ahead, 3.0 * c3)
+    over = select(c2 > 0.0, c2 + root, 3.0 * c3)
     top = select(c2 > 0.0, -d0, root - c2)
     return select(radicand < 0.0, NEVER, select(over == 0.0, NEVER, top / select(over == 0.0, 1.0, over)))
 
@@ -119,8 +118,7 @@ def shaft_of(gap: Any) -> Callable[..., Any]:
         known = fabs(side) < 1.5
         flank = select(known, side, select(theta > half, 1.0, select(theta < -half, -1.0, 0.0)))
         twist = theta - select(known, side * half, clip(theta, -half, half))
-        rate = y[1] - y[3] * (1.0 + flank * slope)
-        force = par.stiffness_value * twist + select(known, par.damper_value * rate, 0.0)
+        force = par.stiffness_value * twist + select(known, par.damper_value * (y[1] - y[3] * (1.0 + flank * slope)), 0.0)
         force = select(flank == 0.0, 0.0, force)
         return force, force * (1.0 + flank * slope)
 

@@ -139,8 +139,7 @@ def _stretch_of(gap: Any, physical: bool, motor: Any, load: Any, motor_view: Any
         return push[0] - back, push[1] + forth
 
     def rise_of(par: Any, side: float, y: Any, a: Any) -> float:
-        slope = par.stiffness_value * (y[1] - y[3]) + par.damper_value * (a[0] - a[1])
-        return select(side == 0.0, 0.0, slope)
+        return select(side == 0.0, 0.0, par.stiffness_value * (y[1] - y[3]) + par.damper_value * (a[0] - a[1]))
 
     def stretch(par: Any, side: float, twist: float, released: Any, push: Any, y: Any, h: float) -> Any:
         net = net_of(par, side, push, y)
@@ -341,8 +340,7 @@ def _bristled_stretch_of(gap: Any, physical: bool, motor: Any, load: Any, motor_
             u = select(settled, u, select(inside > 0.5, wanted, 0.5 * (low + high)))
         y1 = advance(par, side, push, y, u * h)
         # A damped shaft leaves its flank twisted; reaching a flank ends that twist.
-        left_twist = select(par.unwinding > 0.0, y1[0] - y1[2] - side * gap(par, y1[2])[0], 0.0)
-        twist1 = select(side == 0.0, 0.0, left_twist)
+        twist1 = select(side == 0.0, 0.0, select(par.unwinding > 0.0, y1[0] - y1[2] - side * gap(par, y1[2])[0], 0.0))
         return select(side == 0.0, flank, 0.0), twist1, y1, (1.0 - u) * h
 
     return stretch

@@ -142,8 +142,7 @@ def followed(par: Any, x: Any, v1: float, v2: float, near: float) -> tuple[tuple
     near : float
         Position of the axis in pitches, to within half a pitch.
     """
-    known = (par.theta_a, par.theta_b, par.theta_c, par.theta_d, par.theta_e)
-    theta = lincomb(x.begun, x.theta, 1.0 - x.begun, known)
+    theta = lincomb(x.begun, x.theta, 1.0 - x.begun, (par.theta_a, par.theta_b, par.theta_c, par.theta_d, par.theta_e))
     covariance = lincomb(x.begun, x.covariance, (1.0 - x.begun) * par.initial_covariance, IDENTITY)
     u1, u2 = corrected(constants(theta), v1, v2)
     angle = in_turns(par.arctangent, u1, u2)
@@ -280,8 +279,7 @@ class QuadratureEncoder(Component):
             angle = in_turns(par.arctangent, u1, u2)
             turns = angle + rint(near - angle)
             states = (1.0, turns, 0.0, 0.0, known, IDENTITY)
-        position = par.resolution * floor(turns * par.counts_per_pitch + 0.5)
-        return states, (position, rint(true - turns))
+        return states, (par.resolution * floor(turns * par.counts_per_pitch + 0.5), rint(true - turns))
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         offsets = par.known_offset_1 / par.amplitude, par.known_offset_2 / par.amplitude

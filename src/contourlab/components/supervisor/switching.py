@@ -67,8 +67,7 @@ class EstimatorBased(Supervisor):
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         sure = inp.confidence >= par.confidence
         free = select(sure, select(fabs(inp.gap_state) < 0.5, 1.0, 0.0), 0.0)
-        reason = select(sure, select(free > 0.5, 1.0, 2.0), 3.0)
-        return settled(x.active, x.since, free, reason, par.dwell_time, clock.dt)
+        return settled(x.active, x.since, free, select(sure, select(free > 0.5, 1.0, 2.0), 3.0), par.dwell_time, clock.dt)
 
     @property
     def n_controller(self) -> int:
@@ -137,8 +136,7 @@ class Performance(Supervisor):
         level, rank = 0.0, count - x.active if order == "falling" else x.active
         for i in range(len(thresholds)):
             # Hysteresis lowers the thresholds below the active rank and raises the others.
-            edge = thresholds[i] + select(rank > float(i), -par.hysteresis, par.hysteresis)
-            level = level + select(seen > edge, 1.0, 0.0)
+            level = level + select(seen > thresholds[i] + select(rank > float(i), -par.hysteresis, par.hysteresis), 1.0, 0.0)
         wanted = count - level if order == "falling" else level
         (active, since), out = settled(x.active, x.since, wanted, select(level > rank, 1.0, 2.0), par.dwell_time, clock.dt)
         return (active, since, square), out
