@@ -120,8 +120,7 @@ class SampledLoop:
 
     def margins(self) -> Margins:
         """Return the margins of the loop opened at the drive, up to the Nyquist frequency."""
-        grid = frequency_grid(self.servo_period, np.concatenate([self.poles, poles_of(self.a)]), self._cut.longest)
-        return margins(self.loop_gain, grid, stable=self.stable)
+        return margins(self.loop_gain, self._grid(), stable=self.stable)
 
     def loop_gain(self, frequency: ArrayLike) -> Complex:
         """Return the loop opened at the drive (n,), sign such that -1 is the critical point.
@@ -173,6 +172,9 @@ class SampledLoop:
         # The outputs of the controllers at tick k are in x(k + 1).
         response[:, :2] *= z[:, None, None]
         return response
+
+    def _grid(self) -> Array:
+        return frequency_grid(self.servo_period, np.concatenate([self.poles, poles_of(self.a)]), self._cut.longest)
 
 
 def checked_frequency(frequency: ArrayLike, nyquist: float) -> Array:
