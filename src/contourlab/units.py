@@ -165,16 +165,23 @@ def to_si(value: str | float, unit: str) -> float:
     return in_si(number, given)
 
 
+@cache
+def _size(unit: str) -> tuple[float, int]:
+    """Return the size of `unit` in SI base units, and the number of its parts in one of them if that is whole, else 0."""
+    # Dividing by the inverse keeps round decimal factors exact: 20 mm is 20 / 1000, not 20 * 0.001.
+    size = _factor(unit)[1]
+    inverse = 1.0 / size
+    return size, round(inverse) if size < 1.0 and abs(inverse - round(inverse)) < 1e-9 * inverse else 0
+
+
 def in_si(number: Numbers, unit: str) -> Numbers:
     """Convert numbers in `unit` to SI, with the same rounding as `to_si`.
 
     >>> in_si(20.0, "mm")
     0.02
     """
-    size = _factor(unit)[1]
-    # Dividing by the inverse keeps round decimal factors exact: 20 mm is 20 / 1000, not 20 * 0.001.
-    inverse = 1.0 / size
-    return number / round(inverse) if size < 1.0 and abs(inverse - round(inverse)) < 1e-9 * inverse else number * size
+    size, parts = _size(unit)
+    return number / parts if parts else number * size
 
 
 def from_si(value: Numbers, unit: str) -> Numbers:
@@ -183,9 +190,8 @@ def from_si(value: Numbers, unit: str) -> Numbers:
     >>> from_si(0.02, "mm")
     20.0
     """
-    size = _factor(unit)[1]
-    inverse = 1.0 / size
-    return value * round(inverse) if size < 1.0 and abs(inverse - round(inverse)) < 1e-9 * inverse else value / size
+    size, parts = _size(unit)
+    return value * parts if parts else value / size
 
 
 def show(value: float, unit: str, digits: int = 6) -> str:

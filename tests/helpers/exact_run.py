@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from contourlab.analysis.backlash.lure import BacklashLoop
-from contourlab.analysis.backlash.mode_flow import ABOVE, BELOW, GAP, Flow, Span, lengthened_at, spans
+from contourlab.analysis.backlash.periodic_orbit import ABOVE, BELOW, GAP, Flow, Span, lengthened_at, spans
 
 Array = NDArray[np.float64]
 

@@ -21,7 +21,7 @@ from contourlab.components.controller.cascade import Cascade
 from contourlab.components.controller.pid import PID
 from contourlab.components.controller.position import PositionController
 from contourlab.components.coupling.modified_reference import ModifiedReference
-from contourlab.components.disturbance.ripple import ForceRipple
+from contourlab.components.disturbance.loads import ForceRipple
 from contourlab.components.drive.saturation import DelayedSaturation, Saturation
 from contourlab.components.estimator.local import OsculatingCircle
 from contourlab.components.friction.laws import Coulomb

@@ -20,7 +20,16 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.components.quadrature import DERIVED, LEAST_COVARIANCE, STATES, TABLES, TUNING, arctangents, ellipse, followed
+from contourlab.components.sensor.quadrature_encoder import (
+    DERIVED,
+    LEAST_COVARIANCE,
+    STATES,
+    TABLES,
+    TUNING,
+    arctangents,
+    ellipse,
+    followed,
+)
 from contourlab.engine.runner import make_group
 from contourlab.engine.schedule import Node, Schedule
 from contourlab.engine.step import Port, Step, ports
@@ -131,8 +140,7 @@ class SinusoidTable:
         """
         i, _, octant = self._place(u1, u2)
         coarse = _unfolded(self._crossings[i], self.order, octant)
-        fine = quadrant(*self.sinusoids(u1, u2))
-        return np.asarray(coarse + (fine - coarse + 1) % 4 - 1, dtype=np.int64)
+        return np.asarray(coarse + (quadrant(*self.sinusoids(u1, u2)) - coarse + 1) % 4 - 1, dtype=np.int64)
 
     def turns(self, u1: ArrayLike, u2: ArrayLike) -> Array:
         """Return the angle (n,) in turns, -1/2 to 1/2, to 1e-5 of a count."""
@@ -364,8 +372,7 @@ def _solved(x: Array, y: Array) -> tuple[float, ...]:
 def _judged(constants: QuadratureConstants, first: Array, second: Array) -> EllipseFit:
     """Return the fit if the points form a whole ellipse."""
     c1, c2 = constants.corrected(first, second)
-    radius = np.hypot(c1, c2) / constants.amplitude
-    scatter = float(np.sqrt(np.mean((radius - 1.0) ** 2)))
+    scatter = float(np.sqrt(np.mean((np.hypot(c1, c2) / constants.amplitude - 1.0) ** 2)))
     if scatter > ROUNDEST:
         shown = f"{100.0 * scatter:.0f} % of the radius"
         raise ParameterError("scatter round the fitted ellipse", shown, f"below {100.0 * ROUNDEST:.0f} %: the signals are no ellipse")
@@ -423,8 +430,7 @@ def subdivisional_error(position_error: ArrayLike, phase: ArrayLike) -> Subdivis
 
     def rows(part: slice) -> Array:
         a = angle[part]
-        waves = [wave(k * a) for k in orders for wave in (np.cos, np.sin)]
-        return np.stack([np.ones_like(a), (a - middle) / travel, *waves])
+        return np.stack([np.ones_like(a), (a - middle) / travel, *[wave(k * a) for k in orders for wave in (np.cos, np.sin)]])
 
     parts = [slice(start, start + BLOCK) for start in range(0, error.size, BLOCK)]
     for part in parts:
@@ -533,5 +539,4 @@ def track_ellipse(
         out[:, part] = log[:, [0, 1, 7]].T
         kept.append(log[chosen[(chosen >= at) & (chosen < part.stop)] - at, 2:7])
     # The position of the last update changes with each update; the first sample is an update.
-    updated = np.diff(out[2], prepend=np.nan) != 0.0
-    return Tracked(out[0], out[1], chosen, np.concatenate(kept), size, updated)
+    return Tracked(out[0], out[1], chosen, np.concatenate(kept), size, np.diff(out[2], prepend=np.nan) != 0.0)

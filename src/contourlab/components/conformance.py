@@ -150,8 +150,7 @@ def _excitation(group: Group, scale: float) -> Array:
 def _run(part: Component, scale: float, jit: bool, width: int = 1, step: Step | None = None) -> Array:
     """Return all outputs, then the final states: (n_number, width)."""
     group, outputs = _group(part, jit, width, step)
-    log = group.run(_excitation(group, scale), outputs)
-    return np.concatenate([log.reshape(-1, width), group.state[0]])
+    return np.concatenate([group.run(_excitation(group, scale), outputs).reshape(-1, width), group.state[0]])
 
 
 def _gap(one: Array, other: Array) -> float:

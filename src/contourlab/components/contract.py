@@ -17,7 +17,7 @@ Parameters are validated, constant and in SI. `step` is a pure function over tup
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache, lru_cache, update_wrapper
 from types import FunctionType, SimpleNamespace
@@ -340,15 +340,17 @@ class Component:
             raise ComponentError(f"{cls.__name__}: family {cls.family!r} is not one of {', '.join(FAMILIES)}")
 
     def __init__(self, **values: Any) -> None:
-        unknown = sorted(set(values) - set(self.parameters))
-        if unknown:
-            raise ComponentError(f"{self.kind}: no parameter {unknown[0]!r}: {hint(unknown[0], self.parameters)}")
+        self._refuse_unknown(values)
         for name, parameter in self.parameters.items():
             value = values.get(name, parameter.default)
             if value is None:
                 raise ParameterError(f"{self.kind}.{name}", "not given", parameter.needed)
             object.__setattr__(self, name, parameter.check(value))
         self.check_values()
+
+    def _refuse_unknown(self, names: Iterable[str]) -> None:
+        for name in sorted(set(names) - set(self.parameters)):
+            raise ComponentError(f"{self.kind}: no parameter {name!r}: {hint(name, self.parameters)}")
 
     def check_values(self) -> None:
         """Raise ParameterError if values, each within its own bounds, do not fit together."""
@@ -387,9 +389,7 @@ class Component:
         ComponentError
             If a name is not a parameter.
         """
-        unknown = [name for name in origins if name not in self.parameters]
-        if unknown:
-            raise ComponentError(f"{self.kind}: no parameter {unknown[0]!r}: {hint(unknown[0], self.parameters)}")
+        self._refuse_unknown(origins)
         if not origins and not self._origins:
             return self
         kind: Any = type(self)
@@ -508,5 +508,4 @@ def _bound(step: FunctionType, named: tuple[tuple[str, Any], ...]) -> Callable[.
 @lru_cache(256)
 def _step_of(kind: type[Component], function: Callable[..., Any], n_axis: int) -> Step:
     states, inputs, outputs = kind.ports(n_axis)
-    parameters = (*kind.numeric(), *kind.derived)
-    return Step(f"{kind.family}/{kind.kind}", function, parameters, kind.tables, kind.ring, states, inputs, outputs)
+    return Step(f"{kind.family}/{kind.kind}", function, (*kind.numeric(), *kind.derived), kind.tables, kind.ring, states, inputs, outputs)

@@ -46,8 +46,7 @@ def check_class(kind: type[Component]) -> None:
         raise fault(kind, "is a dataclass: leave the decorator out, because Component makes the parameters")
     _check_attributes(kind)
     _check_names(kind)
-    form = form_of(kind)
-    _check_form(kind, form)
+    _check_form(kind, form_of(kind))
     _check_ports(kind)
 
 
@@ -199,16 +198,15 @@ def check_documents(kind: type[Component]) -> None:
     if not (kind.__doc__ or "").strip():
         raise fault(kind, "has no docstring: write one")
     for name, parameter in kind.parameters.items():
-        if not parameter.doc:
-            raise fault(kind, f"parameter {name} has no doc: write one")
-        _check_unit(kind, name, parameter)
-        _check_bounds(kind, name, parameter)
+        _check_parameter(kind, name, parameter)
     for name in (*kind.calibrated, *kind.calibrated_ahead):
         if name not in kind.numeric():
             raise fault(kind, f"the calibrated parameter {name} is not one of its numbers: {', '.join(kind.numeric())}")
 
 
-def _check_unit(kind: type[Component], name: str, parameter: Parameter) -> None:
+def _check_parameter(kind: type[Component], name: str, parameter: Parameter) -> None:
+    if not parameter.doc:
+        raise fault(kind, f"parameter {name} has no doc: write one")
     filled = parameter.for_plant("full_scale", "full_scale")
     try:
         if not same_dimension(filled.unit, filled.display):
@@ -217,9 +215,6 @@ def _check_unit(kind: type[Component], name: str, parameter: Parameter) -> None:
             raise fault(kind, f"parameter {name} has the unit {parameter.unit!r}: write an SI unit, and the unit of files as `display`")
     except UnitError as error:
         raise fault(kind, f"parameter {name}: {error}") from error
-
-
-def _check_bounds(kind: type[Component], name: str, parameter: Parameter) -> None:
     bounded = parameter.choices or parameter.minimum > -math.inf or parameter.maximum < math.inf
     if not bounded and name not in kind.unbounded:
         raise fault(kind, f"parameter {name} has no bound: give minimum or maximum, or name it in `unbounded`")

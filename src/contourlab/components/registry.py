@@ -42,10 +42,13 @@ OTHER_NAMES = {
 _plugins: dict[tuple[str, str], type[Component]] = {}
 
 
+def _own(module: ModuleType) -> list[type[Component]]:
+    return [v for v in vars(module).values() if isinstance(v, type) and issubclass(v, Component) and v.__module__ == module.__name__]
+
+
 def _declared(module: ModuleType) -> list[type[Component]]:
     """Return the components that a module itself defines."""
-    kinds = (v for v in vars(module).values() if isinstance(v, type) and issubclass(v, Component))
-    return [kind for kind in kinds if kind.kind and kind.__module__ == module.__name__]
+    return [kind for kind in _own(module) if kind.kind]
 
 
 @cache
@@ -91,12 +94,11 @@ def _imported(module: ModuleType, loader: Loader) -> list[type[Component]]:
         raise
     except BaseException as error:  # a plug-in may raise anything
         raise ComponentError(_import_fault(file, error)) from error
-    kinds = _declared(module)
-    own = [v for v in vars(module).values() if isinstance(v, type) and issubclass(v, Component) and v.__module__ == module.__name__]
+    own = _own(module)
     for kind in own:
         if not kind.kind and not any(kind in other.__mro__[1:] for other in own):
             raise fault(kind, 'has no kind: write kind = "my-name", its name in files')
-    if not kinds:
+    if not (kinds := _declared(module)):
         raise ComponentError(f"{file}: defines no component: write a subclass of Component with family and kind")
     for kind in kinds:
         check_class(kind)
@@ -106,8 +108,7 @@ def _imported(module: ModuleType, loader: Loader) -> list[type[Component]]:
 def _import_fault(file: str, error: BaseException) -> str:
     """Return the message about a file that cannot be imported, with the line and the class where there is one."""
     if isinstance(error, SyntaxError):
-        encoded = "codec" in str(error.msg) or "null bytes" in str(error.msg)
-        cure = ": save the file as UTF-8" if encoded else ""
+        cure = ": save the file as UTF-8" if "codec" in str(error.msg) or "null bytes" in str(error.msg) else ""
         return f"{file}{f':{error.lineno}' if error.lineno else ''}: cannot be read as Python: {type(error).__name__}: {error.msg}{cure}"
     frames = [(frame, line) for frame, line in traceback.walk_tb(error.__traceback__) if frame.f_globals.get(TYPED) == file]
     # In the body of a class the code has the name of the class.
@@ -178,8 +179,7 @@ def components(family: str | None = None) -> list[type[Component]]:
     """
     if family is not None and family not in FAMILIES:
         raise ComponentError(f"no family {family!r}; the families are: {', '.join(FAMILIES)}")
-    everything = {**_built_in(), **_plugins}
-    chosen = [kind for (slot, _), kind in everything.items() if family in (None, slot)]
+    chosen = [kind for (slot, _), kind in {**_built_in(), **_plugins}.items() if family in (None, slot)]
     return sorted(chosen, key=lambda kind: (FAMILIES.index(kind.family), kind.kind))
 
 

@@ -26,5 +26,4 @@ def append_digest(stream: BinaryIO, identity: bytes = b"") -> None:
 
 def is_intact(stream: BinaryIO, identity: bytes = b"") -> bool:
     """Return whether a stream ends in the digest of this identity and of all its other bytes."""
-    size = stream.seek(0, io.SEEK_END) - DIGEST_SIZE
-    return stream_digest(stream, size, identity) == stream.read()
+    return stream_digest(stream, stream.seek(0, io.SEEK_END) - DIGEST_SIZE, identity) == stream.read()

@@ -115,8 +115,7 @@ class ResultWriter:
         import h5py
 
         with contextlib.ExitStack() as stack:
-            temporary = stack.enter_context(replacing(self.file))
-            self._spool = stack.enter_context(Spool(temporary, "w+"))
+            self._spool = stack.enter_context(Spool(stack.enter_context(replacing(self.file)), "w+"))
             self._data = stack.enter_context(h5netcdf.File(self._spool, "w"))
             self._data.dimensions = {"sample": self.n_sample or None, "axis": len(self.axes)}
             names = self._data.create_variable("axis", ("axis",), dtype=h5py.string_dtype("utf-8"))

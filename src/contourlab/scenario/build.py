@@ -81,8 +81,7 @@ def read_component(
     table = _as_table(node, family)
     kind_node = table.get("kind")
     if optional and isinstance(kind_node, Leaf) and kind_node.value == "none":
-        extra = [name for name in table.entries if name != "kind"]
-        if extra:
+        if extra := [name for name in table.entries if name != "kind"]:
             raise table.error('kind "none" has no parameters: delete this one', extra[0])
         return None
     kind = find_kind(table, family)
@@ -113,9 +112,9 @@ def read_parameters(what: str, declared: Mapping[str, Parameter], table: Table) 
 
 
 def _refuse_missing(what: str, declared: Mapping[str, Parameter], values: Mapping[str, Any], table: Table) -> None:
-    missing = {name: parameter for name, parameter in declared.items() if parameter.default is None and name not in values}
+    missing = [name for name, parameter in declared.items() if parameter.default is None and name not in values]
     if missing:
-        names = (f"{name} [{parameter.display}]" if parameter.display else name for name, parameter in missing.items())
+        names = (f"{name} [{declared[name].display}]" if declared[name].display else name for name in missing)
         raise table.error(f"{what} needs values for {', '.join(names)}")
 
 
@@ -208,8 +207,7 @@ def build_machine(part: Table) -> Machine:
     for name in axes.entries:
         if name not in names and name != EVERY:
             raise axes.error(f"axis {name!r} is not listed in machine.axes: {hint(name, names)}", name)
-    missing = [name for name in names if name not in axes.entries]
-    if missing:
+    if missing := [name for name in names if name not in axes.entries]:
         raise table.error("no table " + ", ".join(f"[{axes.at(name)}]" for name in missing) + ": write one for each axis", "axes")
     built = tuple(build_axis(axes.table(name), name) for name in names)
     for axis in built:
@@ -217,8 +215,7 @@ def build_machine(part: Table) -> Machine:
             raise axes.table(axis.name).error(f"no axis {axis.mounted_on!r}: {hint(axis.mounted_on, names)}", "mounted_on")
         if axis.mounted_on == axis.name:
             raise axes.table(axis.name).error("an axis cannot be mounted on itself", "mounted_on")
-    angles = table.table("squareness")
-    angles, origins = without_origins(angles, angles.entries)
+    angles, origins = without_origins(table.table("squareness"))
     plain["origins"] |= {f"squareness.{pair}": origin for pair, origin in origins.items()}
     with located(table):
         machine = Machine(**plain, axes=built, squareness=_squareness(angles, names))
@@ -362,28 +359,23 @@ def _check_local(names: Sequence[str], parts: Mapping[str, Any], table: Table) -
             raise table.error(f"no parameter {name!r} in this axis' controller: {hint(name, known)}", "local")
 
 
-_Model = tuple[float, float]
-"""Gain (acceleration per command) and damping of the plant model in the position loop."""
-
-
-def _model(machine: Machine, axis: Axis, observer: Component | None) -> _Model:
-    """Return the model for pole placement: the observer's, else that of the plant with its carried mass."""
+def _model(machine: Machine, axis: Axis, observer: Component | None) -> tuple[float, float]:
+    """Return gain and damping of the model for pole placement: the observer's, else those of the plant with its carried mass."""
     values = {} if observer is None else observer.values()
     if {"model_gain", "model_damping"} <= set(values):
         return values["model_gain"], values["model_damping"]
-    gain, damping = machine.loaded_plant(axis.name).rigid_model()
-    return gain, damping
+    model: tuple[float, float] = machine.loaded_plant(axis.name).rigid_model()
+    return model
 
 
-def _position(node: Node, units: tuple[str, str], model: _Model) -> Any:
+def _position(node: Node, units: tuple[str, str], model: tuple[float, float]) -> Any:
     if isinstance(node, Leaf) or "gains" not in node.entries:
         return read_component(node, "controller", units)
     kind = find_kind(node, "controller")
     if not kind.wishes:
         raise node.error(f"{kind.kind} cannot compute its gains: write the gains themselves", "gains")
     gains = node.table("gains")
-    both = [name for name in DESIGNED if name in node.entries and same_table(node.entries[name], gains)]
-    if both:
+    if both := [name for name in DESIGNED if name in node.entries and same_table(node.entries[name], gains)]:
         raise node.error("gains = {...} computes this value: delete one of the two", both[0])
     wishes = {name: replace(parameter, name=name).for_plant(*units) for name, parameter in kind.wishes.items()}
     wanted = read_parameters(f"gains of {kind.kind}", wishes, gains)

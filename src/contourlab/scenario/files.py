@@ -123,11 +123,6 @@ class Reader:
 
     # --- parts -------------------------------------------------------------------------------------------------------------------
 
-    def _filled(self, node: Node, part: Callable[[Reader, Table], Table]) -> Node:
-        """Return a part with its file joined in: ``x = "file"``, or ``x = {file = "file", ...}`` with overrides."""
-        base, own = self._split(node, part)
-        return node if base is None else joined(base, own if isinstance(own, Table) else None, self.names)
-
     def _split(self, node: Node, part: Callable[[Reader, Table], Table]) -> tuple[Table | None, Node | None]:
         """Return the content of the file that a part names, if any, and the part's other keys."""
         if isinstance(node, Leaf):
@@ -142,7 +137,12 @@ class Reader:
 
     def axes(self, table: Table) -> Table:
         """Return the tables of axes, their files joined in."""
-        return replace(table, entries={name: self._filled(node, Reader.axis_file) for name, node in table.entries.items()})
+        entries = dict(table.entries)
+        for name, node in entries.items():
+            base, own = self._split(node, Reader.axis_file)
+            if base is not None:
+                entries[name] = joined(base, own if isinstance(own, Table) else None, self.names)
+        return replace(table, entries=entries)
 
     def axis_file(self, content: Table) -> Table:
         """Check the content of an axis file: plant, friction, drive ... are top-level keys."""
@@ -230,6 +230,5 @@ def spread(part: Table, names: tuple[str, ...]) -> Table:
         if own is None:
             entries[name] = every
         elif isinstance(own, Table):
-            afresh = own.afresh or every.afresh
-            entries[name] = replace(merge(every, own), file=own.file, key=own.key, afresh=afresh)
+            entries[name] = replace(merge(every, own), file=own.file, key=own.key, afresh=own.afresh or every.afresh)
     return part.having(axes=replace(axes, entries=entries))

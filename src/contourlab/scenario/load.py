@@ -110,10 +110,8 @@ def read_motion(content: Table, machine: Machine) -> Motion:
         if node.entries["file"].file.startswith("<"):  # given as an argument: there is no key to name
             raise ScenarioError(error.message, file=error.file) from error
         raise node.error(str(error), "file") from error
-    if not fit:
-        return PartProgram(file, program, letters, reading)
-    program, note = fitted(program, letters, machine)
-    return PartProgram(file, program, letters, reading, True, note)
+    program, note = fitted(program, letters, machine) if fit else (program, "")
+    return PartProgram(file, program, letters, reading, fit, note)
 
 
 def _contour(node: Node, machine: Machine) -> Contour:
@@ -187,12 +185,11 @@ def read_changes(run: Table, machine: Machine, reader: Reader) -> tuple[Change, 
             raise node.error(f'{item!r}: write {{at = "2 s", controller = "other.toml"}}')
         table = from_mapping(item, node.file, f"{node.key}[{i}]")
         plain = read_values(table, Change, needed=("at", "controller"))
-        leaf = table.entries["controller"]
-        assert isinstance(leaf, Leaf)  # `read_values` has checked it
+        leaf: Any = table.entries["controller"]
         content = replace(reader, names=machine.axis_names).include(leaf, Reader.controller_file)
-        controller = build_controller(settle(spread(content, machine.axis_names)), machine)
+        plain |= {"controller": build_controller(settle(spread(content, machine.axis_names)), machine), "file": content.file}
         with located(table):
-            changes.append(Change(**plain | {"controller": controller, "file": content.file}))
+            changes.append(Change(**plain))
     return tuple(changes)
 
 
@@ -560,8 +557,8 @@ def _case(name: str, layers: Table, motion: Motion, place: Table, reader: Reader
     learning, table = None, settle(layers.table("learning"))
     if table.entries:
         given = read_values(table, LearningSettings, needed=("law",))
-        law: Any = read_component(table.entries["law"], "learning", units_of(machine.axes[0].plant), optional=True)
-        learning = None if law is None else LearningSettings(law, **given)
+        if law := read_component(table.entries["law"], "learning", units_of(machine.axes[0].plant), optional=True):
+            learning = LearningSettings(law, **given)
     if learning is not None and (changes or run.start == "moving"):
         key, why = ("changes", "all trials run under one controller") if changes else ("start", "a trial starts from rest")
         raise run_table.error(f"cannot be combined with [learning]: {why}", key)

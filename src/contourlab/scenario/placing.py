@@ -132,8 +132,7 @@ def fitted(program: Program, letters: Sequence[str], machine: Machine) -> tuple[
     wanted, size = np.array([most - least, (1.0 - 2.0 * MARGIN) * extent]), np.array([high - low, length])
     ratios = np.divide(wanted, size, out=np.full(size.shape, np.inf), where=size > 0.0)
     scale = float(min(1.0, ratios.min()))
-    moved = np.maximum(least - scale * low, 0.0) + np.minimum(most - scale * high, 0.0)
-    shift = dict(zip(letters, moved.tolist(), strict=True))
+    shift = dict(zip(letters, (np.maximum(least - scale * low, 0.0) + np.minimum(most - scale * high, 0.0)).tolist(), strict=True))
     x, y, z = (shift.get(letter, 0.0) for letter in "xyz")
     moved_by = ", ".join(f"{value * 1e3:+.6g}" for value in (x, y, z))
     scaled = "" if scale == 1.0 else f"scaled by {scale:.6g}, then "

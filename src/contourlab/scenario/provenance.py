@@ -68,9 +68,10 @@ def read_origins(declared: Mapping[str, Parameter], table: Table, values: Mappin
     return origins
 
 
-def without_origins(table: Table, names: Collection[str]) -> tuple[Table, dict[str, Origin]]:
-    """Split a table into bare values and the sources of the numbers that `names` names; not simulated, they have no deviation."""
-    given = {name: node for name, node in table.entries.items() if name in names and isinstance(node, Table) and bare(node) is not node}
+def without_origins(table: Table, names: Collection[str] | None = None) -> tuple[Table, dict[str, Origin]]:
+    """Split a table into bare values and the sources of its numbers, or of some of them; not simulated, they have no deviation."""
+    own = table.entries if names is None else table.only(*names).entries
+    given = {name: node for name, node in own.items() if isinstance(node, Table) and bare(node) is not node}
     origins = {name: _origin(node, None, "not simulated") for name, node in given.items()}
     return table.having(**{name: bare(node) for name, node in given.items()}), origins
 
@@ -96,12 +97,10 @@ def _origin(table: Table, of: tuple[Parameter, float] | None, exact: str) -> Ori
 
 
 def _text(table: Table, name: str) -> str:
-    node = table.get(name)
-    if node is None:
-        return ""
-    if not isinstance(node, Leaf) or not isinstance(node.value, str) or not 0 < len(node.value) <= 400 or not node.value.isprintable():
+    text = table.entries[name].plain() if name in table.entries else ""
+    if name in table.entries and (not isinstance(text, str) or not 0 < len(text) <= 400 or not text.isprintable()):
         raise table.error("write text in quotes, one line of up to 400 characters", name)
-    return node.value
+    return str(text)
 
 
 def _deviation(given: Any, parameter: Parameter, value: float) -> float:

@@ -75,8 +75,7 @@ def toml(content: Mapping[str, Any]) -> str:
     [axes.x]
     gain = 2.0
     """
-    blocks = [block for block in _blocks(content, ()) if block]
-    return "\n\n".join(blocks) + "\n"
+    return "\n\n".join([block for block in _blocks(content, ()) if block]) + "\n"
 
 
 def _blocks(table: Mapping[str, Any], place: tuple[str, ...]) -> list[str]:

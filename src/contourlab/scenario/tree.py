@@ -191,11 +191,6 @@ def parse_tree(text: str, name: str) -> Table:
     return from_mapping(values, name)
 
 
-def _kind(table: Table) -> Any:
-    node = table.get("kind")
-    return node.value if isinstance(node, Leaf) else None
-
-
 def _joined(name: str, base: Node, over: Node) -> Node:
     if isinstance(over, Leaf) or over.afresh or STATED in over.entries:
         return over
@@ -204,12 +199,9 @@ def _joined(name: str, base: Node, over: Node) -> Node:
             return over.having(**{STATED: base})  # the source of an inherited number
         # `drive = "saturation"` is short for a table with that kind; more of its keys may follow.
         short = name in FAMILIES and isinstance(base.value, str) and base.value != "none"
-        if not short or "kind" in over.entries:
-            return over
-        return over.having(kind=base)
-    if "kind" in over.entries and _kind(over) != _kind(base):
-        return over
-    return merge(base, over)
+        return over.having(kind=base) if short and "kind" not in over.entries else over
+    kinds = [getattr(table.get("kind"), "value", None) for table in (over, base)]
+    return over if "kind" in over.entries and kinds[0] != kinds[1] else merge(base, over)
 
 
 def merge(base: Table, over: Table) -> Table:

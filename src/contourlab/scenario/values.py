@@ -106,8 +106,8 @@ class Contour:
         n = self.reading.path.n_axis
         if n >= len(self.axes):
             return notes
-        places = dict.fromkeys(self.axes[n:], 0.0) | dict(zip(self.axes, self.offset, strict=False))
-        still = ", ".join(f"{name} at {places[name] * 1e3:g} mm" for name in self.axes[n:])
+        places = dict(zip(self.axes, self.offset, strict=False))
+        still = ", ".join(f"{name} at {places.get(name, 0.0) * 1e3:g} mm" for name in self.axes[n:])
         return (*notes, f"the contour moves {' and '.join(self.axes[:n])}; held still: {still}")
 
 
@@ -427,13 +427,8 @@ class Case:
         if self.feed.law == "uniform":
             assert isinstance(self.motion, Contour) and self.feed.frequency is not None  # checked by the reader
             return uniform(self.motion.path, self.feed.frequency * factor, self.feed.laps, period)
-        return plan(
-            self._own_route if factor == self.feed.override else self._route(factor),
-            self.limits,
-            period,
-            laps=self.feed.laps,
-            curvature_step=self.feed.curvature_step,
-        )
+        route = self._own_route if factor == self.feed.override else self._route(factor)
+        return plan(route, self.limits, period, laps=self.feed.laps, curvature_step=self.feed.curvature_step)
 
     def route(self) -> Route | None:
         """Return the path to plan along, with feedrates; None under the uniform law."""
@@ -571,8 +566,7 @@ def chosen(scenario: Scenario, names: Iterable[str]) -> Scenario:
     """
     own = {case.name: case for case in scenario.all_cases}
     wanted = _whole([name.strip() for name in names], own)
-    twice = [name for name in wanted if wanted.count(name) > 1]
-    if twice:
+    if twice := [name for name in wanted if wanted.count(name) > 1]:
         raise ScenarioError(f"scheme {twice[0]!r} is given twice: delete one", file=scenario.file)
     cases = tuple(own[name] if name in own else _composed(scenario, name) for name in wanted)
     if not cases:
@@ -593,16 +587,17 @@ def _whole(parts: list[str], own: Iterable[str]) -> list[str]:
 
 def _composed(scenario: Scenario, name: str) -> Case:
     parts = name.split("+")
-    unknown = [part for part in parts if part not in FEATURES]
-    if unknown:
+    if not set(parts) <= set(FEATURES):
         known = ", ".join([*(repr(case.name) for case in scenario.all_cases), *FEATURES])
         raise ScenarioError(f"no scheme {name!r}: use one of {known}, or join parts by +, such as ccc+ilc", file=scenario.file)
     couplings = [part for part in parts if part in _KINDS]
     if len(couplings) > 1 or len(set(parts)) < len(parts):
         raise ScenarioError(f"scheme {name!r}: name at most one coupling, and each part once, as in ccc+ilc", file=scenario.file)
     controller = _coupled(scenario, couplings[0]) if couplings else replace(scenario.base.controller, estimator=None, coupling=None)
-    learning = _learning(scenario) if "ilc" in parts else None
-    return replace(scenario.base, name=name, controller=controller, learning=learning)
+    learning = next((case.learning for case in (scenario.base, *scenario.all_cases) if case.learning is not None), None)
+    if "ilc" in parts and learning is None:
+        raise _missing(scenario, "ilc")
+    return replace(scenario.base, name=name, controller=controller, learning=learning if "ilc" in parts else None)
 
 
 def _coupled(scenario: Scenario, part: str) -> Controller:
@@ -615,13 +610,6 @@ def _coupled(scenario: Scenario, part: str) -> Controller:
         raise _missing(scenario, part)
     estimator: Any = base.estimator or component("estimator", "newton")()
     return replace(base, estimator=estimator, coupling=component("coupling", kinds[0])())
-
-
-def _learning(scenario: Scenario) -> LearningSettings:
-    for case in (scenario.base, *scenario.all_cases):
-        if case.learning is not None:
-            return case.learning
-    raise _missing(scenario, "ilc")
 
 
 def _missing(scenario: Scenario, part: str) -> ScenarioError:

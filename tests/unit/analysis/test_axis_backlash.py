@@ -16,7 +16,7 @@ from contourlab.components.controller.zone_law import ContactZone2, GapZone2
 from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
 from contourlab.components.plant.two_inertia import TwoInertia
-from contourlab.components.supervisor.performance import Performance
+from contourlab.components.supervisor.switching import Performance
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.errors import ComponentError
 from contourlab.geometry import Line, Path

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
-from contourlab.analysis.backlash.limit_cycle_prediction import contact_phases, harmonic, inverse_dead_zone_gain
+from contourlab.analysis.backlash.lure import contact_phases, harmonic, inverse_dead_zone_gain
 from contourlab.errors import ParameterError
 
 

@@ -14,15 +14,17 @@ from numpy.typing import NDArray
 from contourlab.analysis.learning.learning_analysis import (
     LiftedLearning,
     TrialOperator,
+    averaging,
     design_zero_phase,
     first_zero,
+    frequency_learning,
     largest_gain,
+    law_kernels,
     learning_analysis,
     lifted_learning,
     quarter_turn,
     worst_zero_phase,
 )
-from contourlab.analysis.learning.learning_frequency import averaging, frequency_learning, law_kernels
 from contourlab.analysis.linear.coupled_loop import coupled_loop
 from contourlab.components.coupling.cross_coupled import CrossCoupled
 from contourlab.components.learning.error_law import CrossCoupledLearning, PType, ZeroPhase

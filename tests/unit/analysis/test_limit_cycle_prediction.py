@@ -10,8 +10,7 @@ from backlash_loops import HALF_GAP, J_L, K_S, PAPER, SCHEME_II, drive
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from contourlab.analysis.backlash.limit_cycle_prediction import harmonic, predict_limit_cycles, real_frequencies
-from contourlab.analysis.backlash.lure import BacklashLoop
+from contourlab.analysis.backlash.lure import BacklashLoop, harmonic, predict_limit_cycles, real_frequencies
 from contourlab.papers.shahin.two_inertia_loop import p_pi_cascade, two_inertia_loop
 
 

@@ -16,7 +16,7 @@ from refusals import mentions, refuses
 from scipy.special import ndtr
 
 import contourlab as cl
-from contourlab.components.gap_observer import load_filter
+from contourlab.components.gap_observer import multiple_model as load_filter
 from contourlab.errors import ParameterError
 
 GAPS = np.array([10e-6, 20e-6, 50e-6, 100e-6])

@@ -12,8 +12,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from contourlab.components.conformance import check_component, check_learning
-from contourlab.components.learning.filters import advanced, moving_average, q_filter
-from contourlab.components.learning.law import InputModel, LearningLaw, LearningProblem, TrialRecord
+from contourlab.components.learning.law import InputModel, LearningLaw, LearningProblem, TrialRecord, advanced, moving_average, q_filter
 from contourlab.components.registry import component, components
 from contourlab.errors import ComponentError, ParameterError
 

@@ -7,7 +7,7 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from contourlab.components.mechanics.located import NEVER, first_dip, first_zero, hermite
+from contourlab.components.mechanics.laws import NEVER, first_dip, first_zero, hermite
 
 SIZES = st.floats(-6.0, 0.0).map(lambda e: 10.0**e)
 SLOPES = st.floats(-10.0, 10.0)

@@ -15,9 +15,7 @@ from contourlab.components.controller.zone_law import ContactZone3, GapZone3
 from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.components.sensor.encoder import Encoder
-from contourlab.components.supervisor.performance import Performance
-from contourlab.components.supervisor.pre_routed import PreRouted
-from contourlab.components.supervisor.switching import EstimatorBased
+from contourlab.components.supervisor.switching import EstimatorBased, Performance, PreRouted
 from contourlab.errors import ParameterError
 from contourlab.loop import Change
 

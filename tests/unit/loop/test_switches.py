@@ -14,9 +14,7 @@ from numpy.typing import NDArray
 import contourlab as cl
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.plant.two_inertia import TwoInertia
-from contourlab.components.supervisor.performance import Performance
-from contourlab.components.supervisor.pre_routed import PreRouted
-from contourlab.components.supervisor.switching import EstimatorBased
+from contourlab.components.supervisor.switching import EstimatorBased, Performance, PreRouted
 from contourlab.feed import route_from_program
 from contourlab.loop import Change
 from contourlab.loop.switches import Switches, SwitchKind, SwitchLog, switches_of

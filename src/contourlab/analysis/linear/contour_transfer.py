@@ -247,8 +247,7 @@ class InternalStability:
     @property
     def stable(self) -> bool:
         """Whether every step shows stability."""
-        frozen = self.directions is None or self.directions.stable
-        return all(self.axes.values()) and frozen and not self.lap >= 1.0
+        return all(self.axes.values()) and (self.directions is None or self.directions.stable) and not self.lap >= 1.0
 
     @property
     def findings(self) -> tuple[Finding, ...]:
@@ -296,7 +295,6 @@ def internal_stability(machine: Machine, controller: Controller, reference: Refe
     lap = math.nan
     if reference is not None and reference.laps and all(axes.values()):
         start, stop = reference.laps[-1]
-        tangents = reference.path.tangent(reference.block(start, stop).arc_length)
-        multipliers = poles_of(TrialMap(loop, tangents).monodromy())
+        multipliers = poles_of(TrialMap(loop, reference.path.tangent(reference.block(start, stop).arc_length)).monodromy())
         lap = float(np.abs(multipliers[np.abs(multipliers - 1.0) > LEFT_STANDING]).max(initial=0.0))
     return InternalStability(axes, margins, lap)

@@ -456,8 +456,7 @@ class TrialMap:
         shift = coupling.weight * along * (along * position).sum(axis=1, keepdims=True)
         added, shift = (added + u, shift) if self.target == "command" else (added, shift + u)
         command = s @ made.command.T + added * made.command_pushed + shift * made.command_referred
-        after = s @ made.a.T + added @ made.pushed.T + shift @ made.referred.T + error @ made.coupling_in.T
-        return after, position, command
+        return s @ made.a.T + added @ made.pushed.T + shift @ made.referred.T + error @ made.coupling_in.T, position, command
 
     def _tick_back(self, z: Array, w: tuple[Array, Array], frame: Array, along: Array) -> tuple[Array, Array]:
         """Return the transpose of `_tick`, on the states (m, n) and on the table (m, n_axis)."""

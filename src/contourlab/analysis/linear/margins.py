@@ -164,8 +164,7 @@ def _zeros(function: Callable[[float], float], w: Array, values: Array) -> list[
     from scipy.optimize import brentq
 
     above = values > 0.0
-    found = np.flatnonzero(above[1:] != above[:-1])
-    return [float(brentq(function, w[i], w[i + 1], xtol=1e-13 * w[i + 1], rtol=1e-14)) for i in found]
+    return [float(brentq(function, w[i], w[i + 1], xtol=1e-13 * w[i + 1], rtol=1e-14)) for i in np.flatnonzero(above[1:] != above[:-1])]
 
 
 def _value(loop: LoopGain, w: float) -> complex:
@@ -191,8 +190,7 @@ class HullMargin:
 
         # A heavy weight holds the sum at 1 to rounding.
         heavy = 1e6 * max(1.0, float(np.abs(vertices + 1.0).max()))
-        rows = np.vstack([vertices.real + 1.0, vertices.imag, np.full(vertices.size, heavy)])
-        weights, _ = nnls(rows, np.array([0.0, 0.0, heavy]))
+        weights, _ = nnls(np.vstack([vertices.real + 1.0, vertices.imag, np.full(vertices.size, heavy)]), np.array([0.0, 0.0, heavy]))
         return cls(value, frequency, weights / weights.sum())
 
 

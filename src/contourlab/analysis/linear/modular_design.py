@@ -150,8 +150,7 @@ def direct_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), weights
         terms = [cost(axis, k, weights) / best - 1.0 for axis, k, (_, best) in zip(axes, gains(z), known, strict=True)]
         return float(min(sum(terms), 1e6))
 
-    mean = np.mean([k for k, _ in known], axis=0) / size
-    start = np.concatenate([mean[~mask], *(k[mask] / size[mask] for k, _ in known)])
+    start = np.concatenate([(np.mean([k for k, _ in known], axis=0) / size)[~mask], *(k[mask] / size[mask] for k, _ in known)])
     optimum_gains = minimize(total, start, method="Nelder-Mead", options={"xatol": 1e-7, "fatol": 1e-12, "maxiter": 4000, "adaptive": True})
     return judged("direct", local, gains(optimum_gains.x), axes, weights)
 
@@ -220,8 +219,7 @@ def three_step_design(axes: Sequence[LinearAxis], local: Sequence[str] = (), wei
         a, b, _, _ = weights.matrices(axis)
         plant = b[2, 0] / (s * (s - a[2, 2]))
         weighed = (plant / (1.0 + plant * (basis @ k)))[:, None] * basis
-        picks = np.stack([assembled(row, mask, len(axes))[i] for row in np.eye(n_unknown)], axis=1)
-        rows.append(weighed @ picks)
+        rows.append(weighed @ np.stack([assembled(row, mask, len(axes))[i] for row in np.eye(n_unknown)], axis=1))
         right.append(weighed @ k)
     matrix, target = np.concatenate(rows), np.concatenate(right)
     scale = np.abs(matrix).max(axis=0)

@@ -310,8 +310,7 @@ class LaneLoops:
         """
         turned = np.array([factor, 1.0]).real if np.isreal(factor) else np.array([factor, 1.0])
         b = self.b * turned
-        inner = np.eye(2) - self.c @ b
-        closed = self.a + b @ np.linalg.solve(inner, self.c @ self.a)
+        closed = self.a + b @ np.linalg.solve(np.eye(2) - self.c @ b, self.c @ self.a)
         largest = np.full(len(closed), math.inf)
         finite = np.isfinite(closed).all(axis=(1, 2))
         if finite.any():
@@ -332,8 +331,7 @@ def margin_factors(gain: float, phase: float) -> tuple[complex, ...]:
     -----
     Only the ends of each range are tested: compute exact margins for the result of a search. A gain of 1 or a phase of 0 adds no factor.
     """
-    turned = complex(np.exp(-1j * phase))
-    return (1.0, *((gain,) if gain > 1.0 else ()), *((turned,) if phase > 0.0 else ()))
+    return (1.0, *((gain,) if gain > 1.0 else ()), *((complex(np.exp(-1j * phase)),) if phase > 0.0 else ()))
 
 
 def unstable_by(loops: LaneLoops, factors: Sequence[complex]) -> Array:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.compensation.reversal import limited_jump, pushed_side
+from contourlab.components.compensation.backlash_offset import limited_jump, pushed_side
 from contourlab.components.contract import Component, param
 from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
@@ -57,8 +57,7 @@ class BacklashInverse(Component):
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         before = select(x.side == 0.0, par.initial_direction, x.side)
-        speed = inp.reference_velocity + par.load_time_constant * inp.reference_acceleration
-        side = pushed_side(speed, par.dead_band, before)
+        side = pushed_side(inp.reference_velocity + par.load_time_constant * inp.reference_acceleration, par.dead_band, before)
         gap = select(inp.gap_estimate > 0.0, inp.gap_estimate, par.backlash_gap)
         shift = limited_jump(x.shift, 0.5 * gap * side, par.jump_velocity * clock.dt)
         return (side, shift), (shift,)

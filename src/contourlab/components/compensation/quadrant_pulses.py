@@ -7,8 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.components.compensation.backlash_offset import BacklashOffset, offset_after
-from contourlab.components.compensation.reversal import pushed_side
+from contourlab.components.compensation.backlash_offset import BacklashOffset, offset_after, pushed_side
 from contourlab.components.contract import Component, param, text_param
 from contourlab.engine.step import Port
 from contourlab.errors import ParameterError

@@ -79,8 +79,7 @@ class PositionController(ControlLaw):
         error = inp.reference - inp.position
         rise = clock.dt * error
         if anti_windup == "hold":
-            beyond = x.last_command - inp.accepted
-            rise = 0.0 if beyond * error > 0.0 else rise
+            rise = 0.0 if (x.last_command - inp.accepted) * error > 0.0 else rise
         integral = x.integral + rise
         if structure == "ipv":
             proportional = par.position_gain * (x.start - inp.position) - par.velocity_gain * inp.velocity

@@ -55,5 +55,4 @@ class ModifiedError(_Modified):
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        error = lincomb(1.0 - par.weight, sub(inp.reference, inp.position), par.weight, inp.error_vector)
-        return (), (add(inp.position, error),)
+        return (), (add(inp.position, lincomb(1.0 - par.weight, sub(inp.reference, inp.position), par.weight, inp.error_vector)),)

@@ -61,8 +61,7 @@ class DelayedSaturation(Component):
         # The limit comes before the delay: the mean is that of the accepted commands.
         newer = clip(delayed(par.ring, clock, par.whole), -par.limit, par.limit)
         older = clip(delayed(par.ring, clock, par.whole + 1.0), -par.limit, par.limit)
-        late = newer + par.fraction * (older - newer)
-        return (), (late, clip(inp.command, -par.limit, par.limit))
+        return (), (newer + par.fraction * (older - newer), clip(inp.command, -par.limit, par.limit))
 
     def ring_length(self, dt: float) -> int:
         return math.floor(self.delay / dt + 1e-9) + 2

@@ -125,8 +125,7 @@ class Tangent(LocalEstimator):
     @staticmethod
     def nearest(par: Any, r: Any, tangent: Any, bend: Any, position: Any) -> Any:
         lag = sub(r, position)
-        error = lincomb(1.0, lag, -dot(tangent, lag), tangent)
-        return error, tangent
+        return lincomb(1.0, lag, -dot(tangent, lag), tangent), tangent
 
 
 class Taylor(LocalEstimator):
@@ -197,8 +196,7 @@ class OsculatingCircle(LocalEstimator):
         inwards = (square + b * way) / (safe * (1.0 + q))
         error = add(lincomb(-1.0, across, inwards, bend), scale(-way * a * k / safe, tangent))
         lost = q < CENTRE
-        at_foot = lincomb(select(lost, 1.0, start / safe), tangent, select(lost, 0.0, a / safe), bend)
-        return error, at_foot
+        return error, lincomb(select(lost, 1.0, start / safe), tangent, select(lost, 0.0, a / safe), bend)
 
 
 NOWHERE = 1e-9

@@ -18,6 +18,12 @@ class Friction(Component):
     family = "friction"
 
 
+def stribeck(par: Any, v: float) -> float:
+    """Return the friction of steady sliding without its viscous part, F_c + (F_s - F_c) exp(-(v/v_s)^2)."""
+    ratio = v * par.inverse_stribeck
+    return par.coulomb + (par.breakaway - par.coulomb) * exp(-ratio * ratio)  # type: ignore[no-any-return]
+
+
 class NoFriction(Friction):
     """No friction besides the plant's own damping."""
 
@@ -129,9 +135,7 @@ class SmoothCoulomb(Friction):
 
     @staticmethod
     def force(par: Any, v: float) -> float:
-        ratio = v * par.inverse_stribeck
-        level = par.coulomb + (par.breakaway - par.coulomb) * exp(-ratio * ratio)
-        return level * tanh(v * par.inverse_smoothing) + par.viscous * v  # type: ignore[no-any-return]
+        return stribeck(par, v) * tanh(v * par.inverse_smoothing) + par.viscous * v  # type: ignore[no-any-return]
 
     @staticmethod
     def steepest(par: Any) -> float:
@@ -168,8 +172,4 @@ class LuGre(Friction):
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         return (1.0 / par.stribeck_velocity,)
 
-    @staticmethod
-    def level(par: Any, v: float) -> float:
-        """Return the friction of steady sliding without its viscous part, g(v)."""
-        ratio = v * par.inverse_stribeck
-        return par.coulomb + (par.breakaway - par.coulomb) * exp(-ratio * ratio)  # type: ignore[no-any-return]
+    level = staticmethod(stribeck)

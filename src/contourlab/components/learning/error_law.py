@@ -8,8 +8,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.components.contract import param
-from contourlab.components.learning.filters import advanced, moving_average, q_filter
-from contourlab.components.learning.law import LearningLaw, LearningProblem, TrialRecord
+from contourlab.components.learning.law import LearningLaw, LearningProblem, TrialRecord, advanced, moving_average, q_filter
 from contourlab.errors import ParameterError
 
 
@@ -46,8 +45,7 @@ class ErrorLaw(FilteredLaw):
 
     def revised(self, table: Array, trial: TrialRecord, problem: LearningProblem) -> Array:
         added = advanced(self.addition(trial, problem), round(self.lead / problem.servo_period))
-        scale = 1.0 if self.target == "command" else 1.0 / self.stiffness
-        return self.passed(table + scale * added, problem.servo_period)
+        return self.passed(table + (1.0 if self.target == "command" else 1.0 / self.stiffness) * added, problem.servo_period)
 
 
 class PType(ErrorLaw):
@@ -158,8 +156,7 @@ class ZeroPhase(LearningLaw):
 
     def revised(self, table: Array, trial: TrialRecord, problem: LearningProblem) -> Array:
         signal = trial.feedback_command if self.target == "command" else trial.tracking_error
-        ahead = advanced(signal, round(self.lead / problem.servo_period))
-        return table + self.gain * self.passed(ahead, problem.servo_period)
+        return table + self.gain * self.passed(advanced(signal, round(self.lead / problem.servo_period)), problem.servo_period)
 
     def passed(self, signal: Array, servo_period: float) -> Array:
         return moving_average(signal, int(self.half_width), int(self.passes))

@@ -32,16 +32,14 @@ class Equation(NamedTuple):
         held = (on_input * largest, on_change * largest)
         # Mean part of each axis across the path, in place of its changing direction.
         across = 1.0 - (problem.tangent**2).mean(axis=0)
-        inverse = 1.0 / ((tracking + contour * across) * square + held[0] + held[1])
-        return cls(problem, model, tracking, contour, *held, inverse)
+        return cls(problem, model, tracking, contour, *held, 1.0 / ((tracking + contour * across) * square + held[0] + held[1]))
 
     def weighted(self, error: Array) -> Array:
         """Return Q e. Gamma is a projection: Gamma' Gamma = Gamma."""
         return self.tracking * error + (self.contour * self.problem.across(error) if self.contour else 0.0)
 
     def __matmul__(self, change: Array) -> Array:
-        through = self.model.adjoint(self.weighted(self.model.forward(change)))
-        return through + (self.on_input + self.on_change) * change
+        return self.model.adjoint(self.weighted(self.model.forward(change))) + (self.on_input + self.on_change) * change
 
     def solved(self, right: Array, tolerance: float, iterations: int) -> Array:
         """Return d by preconditioned conjugate gradients, from zero, to a residual of `tolerance` times the right-hand side."""
@@ -102,8 +100,7 @@ class NormOptimal(LearningLaw):
     iterations: float = param(default=200.0, minimum=1.0, maximum=1e5, whole=True, doc="most conjugate-gradient steps")
 
     def revised(self, table: Array, trial: TrialRecord, problem: LearningProblem) -> Array:
-        weights = (self.tracking_weight, self.contour_weight, self.input_weight, self.change_weight)
-        equation = Equation.of(problem, *weights)
+        equation = Equation.of(problem, *(self.tracking_weight, self.contour_weight, self.input_weight, self.change_weight))
         right = equation.model.adjoint(equation.weighted(trial.tracking_error)) - equation.on_input * table
         return table + equation.solved(right, self.tolerance, int(self.iterations))
 

@@ -9,9 +9,18 @@ The torque of the shaft is T = k theta + c theta' with its twist theta. In the m
 to zero, and the shaft then unwinds at the rate k/c. In the older dead-zone model it is left at the edge of the gap, and a damped shaft
 pulls until then. Without damping both are equal.
 
+Bristles are stiff, so their method is implicit: the midpoint rule integrates masses and shaft, and each bristle follows exactly the mean
+velocity of its body at a constant slip rate. All forces are then linear in the two mean velocities: two equations. They are solved twice,
+with the slip rate at the start and at the mean velocity, which gives second order. Ends of contacts are located by repeating the step for
+each trial. The work of a force is exactly its mean times the mean velocity. The shaft returns the energy it takes, and a bristle z takes at
+least the energy it stores, since s0 z' z <= s0 z v at any slip rate. So no step adds energy, as long as the bristle damping is dissipative
+(s1 |v| <= 4 g).
+
 References
 ----------
-Nordin, Galic & Gutman, "New models for backlash and gear play", Int. J. Adaptive Control and Signal Processing 11 (1997) 49-63.
+Nordin, Galic & Gutman, "New models for backlash and gear play", Int. J. Adaptive Control and Signal Processing 11 (1997) 49-63; Canudas de
+Wit, Olsson, Astrom & Lischinsky, "A new model for control of systems with friction", IEEE TAC 40 (1995); Barahanov & Ortega, "Necessary and
+sufficient conditions for passivity of the LuGre friction model", IEEE TAC 45 (2000) (the bound on s1).
 """
 
 from __future__ import annotations
@@ -20,9 +29,18 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
-from contourlab.components.mechanics.laws import UNKNOWN, body_guard, contact_guard_of, friction_of, shaft_of, unwound
-from contourlab.components.mechanics.located import first_dip, first_zero, hermite
-from contourlab.primitives import fabs, select
+from contourlab.components.mechanics.laws import (
+    UNKNOWN,
+    body_guard,
+    contact_guard_of,
+    first_dip,
+    first_zero,
+    friction_of,
+    hermite,
+    shaft_of,
+    unwound,
+)
+from contourlab.primitives import exp, fabs, select
 
 STRETCHES = 6
 """Most events located within a step; crossing the whole gap takes three."""
@@ -35,16 +53,6 @@ def _way(v: float, push: float, held: float, released: float) -> float:
     """Return the direction in which a body slides, 0 if it is held; a body just released slides."""
     rest = select(fabs(push) <= held, released, select(push > 0.0, 1.0, -1.0))
     return select(v == 0.0, rest, select(v > 0.0, 1.0, -1.0))
-
-
-def _between(u: float, h: float, y: Any, y1: Any, a: Any, a1: Any) -> Any:
-    """Return the state at the part u of a stretch."""
-    return (
-        hermite(u, y[0], y1[0], h * y[1], h * y1[1]),
-        hermite(u, y[1], y1[1], h * a[0], h * a1[0]),
-        hermite(u, y[2], y1[2], h * y[3], h * y1[3]),
-        hermite(u, y[3], y1[3], h * a[1], h * a1[1]),
-    )
 
 
 @cache
@@ -131,8 +139,7 @@ def _stretch_of(gap: Any, physical: bool, motor: Any, load: Any, motor_view: Any
         return push[0] - back, push[1] + forth
 
     def rise_of(par: Any, side: float, y: Any, a: Any) -> float:
-        slope = par.stiffness_value * (y[1] - y[3]) + par.damper_value * (a[0] - a[1])
-        return select(side == 0.0, 0.0, slope)
+        return select(side == 0.0, 0.0, par.stiffness_value * (y[1] - y[3]) + par.damper_value * (a[0] - a[1]))
 
     def stretch(par: Any, side: float, twist: float, released: Any, push: Any, y: Any, h: float) -> Any:
         net = net_of(par, side, push, y)
@@ -152,7 +159,8 @@ def _stretch_of(gap: Any, physical: bool, motor: Any, load: Any, motor_view: Any
         u, why, loose = load_event(par, ways[1], (y[3], y1[3]), (a[1], a1[1]), (net[1], net1[1]), (rise, rise1), h, found)
         if why == END:
             return side, twist1, (0.0, 0.0), y1, 0.0
-        pm, vm, pl, vl = _between(u, h, y, y1, a, a1)
+        pm, pl = (hermite(u, y[i], y1[i], h * y[i + 1], h * y1[i + 1]) for i in (0, 2))
+        vm, vl = (hermite(u, y[i], y1[i], h * a[i // 2], h * a1[i // 2]) for i in (1, 3))
         left_twist = select(par.unwinding > 0.0, pm - pl - side * gap(par, pl)[0], 0.0)
         kept = select(side == 0.0, unwound(par, twist, u * h), left_twist)
         side = select(why == CONTACT, select(side == 0.0, flank, 0.0), side)
@@ -216,5 +224,162 @@ def two_mass_step(gap: Any, physical: bool, motor: Any, load: Any, motor_view: A
         force, _ = shaft(par, side, y)
         pm, vm, pl, vl = y
         return (pm, vm, pl, vl, side, twist), (pl, vl, (vl - x.velocity) / clock.dt, pm, vm, side, force)
+
+    return step
+
+
+TRIALS = 6
+"""Trials for the end of a contact, from a first guess on a cubic; each repeats the step."""
+
+SETTLED = 1e-12
+"""Tolerance of the end of a contact, as a part of the step."""
+
+SHORTEST = 1e-12
+"""Travel of the load [m] below which the gap's local slope is used."""
+
+SLOWEST = 1e-12
+"""Speed [m/s] below which smooth friction is linear."""
+
+
+def _relaxation(x: float) -> tuple[float, float, float]:
+    """Return exp(-x), its mean over [0, x], and (1 - that mean)/x; x >= 0."""
+    keep = exp(-x)
+    safe = select(x < 0.03, 1.0, x)
+    mean = select(x < 0.03, 1.0 - x / 2.0 * (1.0 - x / 3.0 * (1.0 - x / 4.0 * (1.0 - x / 5.0 * (1.0 - x / 6.0)))), (1.0 - keep) / safe)
+    rest = select(x < 0.03, 0.5 * (1.0 - x / 3.0 * (1.0 - x / 4.0 * (1.0 - x / 5.0 * (1.0 - x / 6.0)))), (1.0 - mean) / safe)
+    return keep, mean, rest
+
+
+@cache
+def _resistance_of(friction: Any) -> Callable[..., Any]:
+    """Return ``resistance(par, z, v, h)``: (a, b, p, q) of its mean force a + b w and its bristle p z + q w after h at a mean velocity w.
+
+    v is a guess of w.
+    """
+    if friction.law == "smooth":
+        force = friction.force
+
+        def smooth(par: Any, z: float, v: float, h: float) -> Any:
+            w = select(fabs(v) < SLOWEST, SLOWEST, v)
+            return 0.0, force(par, w) / w, 1.0, 0.0
+
+        return smooth
+    level = friction.level
+
+    def bristle(par: Any, z: float, v: float, h: float) -> Any:
+        rate = par.stiffness * fabs(v) / level(par, v)
+        keep, mean, rest = _relaxation(rate * h)
+        fixed = (par.stiffness - par.bristle_damping * rate) * mean * z
+        return fixed, par.stiffness * h * rest + par.bristle_damping * mean + par.viscous, keep, h * mean
+
+    return bristle
+
+
+@cache
+def _advance_of(gap: Any, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
+    """Return ``advance(par, side, push, y, h)``: motor position and velocity, those of the load, and both bristles after h on one side."""
+    resist_motor, resist_load = _resistance_of(motor), _resistance_of(load)
+
+    def mean_velocities(par: Any, side: float, push: Any, y: Any, v: Any, h: float) -> Any:
+        half, slope = gap(par, y[2])
+        way = h * v[1]
+        # The mean slope of the gap over the step keeps the shaft conservative, but for the guess of the travel.
+        slope = select(fabs(way) < SHORTEST, slope, (gap(par, y[2] + way)[0] - half) / select(fabs(way) < SHORTEST, 1.0, way))
+        turned = 1.0 + side * slope
+        spring = par.stiffness_value * (y[0] - y[2] - side * half)
+        joint = par.stiffness_value * 0.5 * h + par.damper_value
+        touching = fabs(side)
+        spring, joint = touching * spring, touching * joint
+        am, bm, pm, qm = resist_motor(motor_view(par), y[4], v[0], h)
+        al, bl, pl, ql = resist_load(load_view(par), y[5], v[1], h)
+        hm, hl = 0.5 * h * par.motor_mobility, 0.5 * h * par.load_mobility
+        m11 = 1.0 + 0.5 * h * par.motor_decay + hm * (bm + joint)
+        m22 = 1.0 + 0.5 * h * par.load_decay + hl * (bl + joint * turned * turned)
+        m12, m21 = -hm * joint * turned, -hl * joint * turned
+        r1 = y[1] + hm * (push[0] - am - spring)
+        r2 = y[3] + hl * (push[1] - al + turned * spring)
+        # The diagonal dominates: the determinant is positive.
+        determinant = m11 * m22 - m12 * m21
+        w = (m22 * r1 - m12 * r2) / determinant, (m11 * r2 - m21 * r1) / determinant
+        return w, pm * y[4] + qm * w[0], pl * y[5] + ql * w[1]
+
+    def advance(par: Any, side: float, push: Any, y: Any, h: float) -> Any:
+        guess, _, _ = mean_velocities(par, side, push, y, (y[1], y[3]), h)
+        w, zm, zl = mean_velocities(par, side, push, y, guess, h)
+        return y[0] + h * w[0], 2.0 * w[0] - y[1], y[2] + h * w[1], 2.0 * w[1] - y[3], zm, zl
+
+    return advance
+
+
+@cache
+def _bristled_stretch_of(gap: Any, physical: bool, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
+    """Return ``stretch(par, side, twist, push, y, h)``: the same at the next end of a contact or of the step, and the time that is left."""
+    advance, (guard, falling) = _advance_of(gap, motor, load, motor_view, load_view), contact_guard_of(gap, physical)
+
+    def stretch(par: Any, side: float, twist: float, push: Any, y: Any, h: float) -> Any:
+        y1, twist1 = advance(par, side, push, y, h), unwound(par, twist, h)
+        flank = select(y1[0] - y1[2] - twist1 > 0.0, 1.0, -1.0)
+        last = guard(par, side, flank, y1, twist1)
+        if not last < 0.0 or par.bonded > 0.5:
+            return side, twist1, y1, 0.0
+        a = (y1[1] - y[1]) / h, (y1[3] - y[3]) / h
+        d0, d1 = falling(par, side, flank, y, a, twist), falling(par, side, flank, y1, a, twist1)
+        u = first_zero(guard(par, side, flank, y, twist), last, h * d0, h * d1)
+        low, high, was, before = 0.0, 1.0, 1.0, last
+        for _ in range(TRIALS):
+            y1 = advance(par, side, push, y, u * h)
+            value = guard(par, side, flank, y1, unwound(par, twist, u * h))
+            low, high = select(value > 0.0, u, low), select(value > 0.0, high, u)
+            # The secant through the last two trials, kept inside the bracket.
+            rise = value - before
+            wanted = u - value * (u - was) / select(rise == 0.0, 1.0, rise)
+            inside = select(wanted >= low, select(wanted <= high, 1.0, 0.0), 0.0)
+            # Below rounding the sign of a trial is meaningless.
+            settled = fabs(wanted - u) < SETTLED
+            was, before = u, value
+            u = select(settled, u, select(inside > 0.5, wanted, 0.5 * (low + high)))
+        y1 = advance(par, side, push, y, u * h)
+        # A damped shaft leaves its flank twisted; reaching a flank ends that twist.
+        twist1 = select(side == 0.0, 0.0, select(par.unwinding > 0.0, y1[0] - y1[2] - side * gap(par, y1[2])[0], 0.0))
+        return select(side == 0.0, flank, 0.0), twist1, y1, (1.0 - u) * h
+
+    return stretch
+
+
+@cache
+def two_mass_bristle_step(gap: Any, physical: bool, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
+    """Return the step of a two-mass plant with bristles.
+
+    Parameters
+    ----------
+    gap : callable
+        ``gap(par, position)``: half of the free travel at the load's position, and its slope.
+    physical : bool
+        Which of the two models of contact.
+    motor, load : friction classes
+        The law of one or both is "bristle"; that of the other may be "smooth".
+    motor_view, load_view : callable
+        Pick the parameters of their frictions out of ``par``.
+    """
+    shaft, stretch = shaft_of(gap), _bristled_stretch_of(gap, physical, motor, load, motor_view, load_view)
+    advance = _advance_of(gap, motor, load, motor_view, load_view)
+    on_motor, on_load = bool(motor.states), bool(load.states)
+
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        push = (par.force_value * inp.command, inp.load)
+        side, twist, left = select(par.bonded > 0.5, 1.0, x.side), x.twist, clock.dt
+        zm = x.motor_friction_bristle if on_motor else 0.0
+        zl = x.load_friction_bristle if on_load else 0.0
+        y = (x.motor_position, x.motor_velocity, x.position, x.velocity, zm, zl)
+        for _ in range(STRETCHES):
+            side, twist, y, left = stretch(par, side, twist, push, y, left)
+            if left <= 0.0:
+                break
+        if left > 0.0:
+            y = advance(par, side, push, y, left)
+        pm, vm, pl, vl, zm, zl = y
+        force, _ = shaft(par, side, y)
+        out = (pl, vl, (vl - x.velocity) / clock.dt, pm, vm, side, force)
+        return (pm, vm, pl, vl, side, twist, *((zl,) if on_load else ()), *((zm,) if on_motor else ())), out
 
     return step

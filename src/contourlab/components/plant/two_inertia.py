@@ -136,8 +136,8 @@ class TwoInertia(TwoSided):
         return self.backlash_gap + self.backlash_angle * self.lead / (2.0 * math.pi)
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
-        motor = position + 0.5 * self.start_in_gap * self.gap_at(position)
-        return {"position": position, "motor_position": motor}, {"position": position, "motor_position": motor}
+        places = {"position": position, "motor_position": position + 0.5 * self.start_in_gap * self.gap_at(position)}
+        return places, places
 
     def stiffened(self, resonance: float) -> Any:
         ratio = 2.0 * math.pi * resonance / self.shaft_rate

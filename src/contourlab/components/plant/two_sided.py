@@ -8,8 +8,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from contourlab.components.contract import LinearModel
-from contourlab.components.mechanics.two_mass_bristle import two_mass_bristle_step
-from contourlab.components.mechanics.two_mass_mechanics import two_mass_step
+from contourlab.components.mechanics.two_mass_mechanics import two_mass_bristle_step, two_mass_step
 from contourlab.components.plant.plant import Plant
 from contourlab.engine.step import ports
 from contourlab.errors import ComponentError
@@ -21,8 +20,7 @@ COARSEST = 0.5
 class TwoSided(Plant):
     """Base of two masses joined by a spring and a damper, with or without a gap; all states are lengths at the load.
 
-    A subclass derives `contourlab.components.families.TWO_SIDED`. `bonded` is 1 without a gap. `two_mass_mechanics` integrates the motion;
-    `two_mass_bristle` does with bristle friction.
+    A subclass derives `contourlab.components.families.TWO_SIDED`. `bonded` is 1 without a gap. `two_mass_mechanics` integrates the motion.
     """
 
     two_sided = True
@@ -63,7 +61,8 @@ class TwoSided(Plant):
         return LinearModel(a, b, np.eye(4)[[2, 3, 0, 1]], np.zeros((4, 2)), ("command", "load"), names)
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
-        return {"position": position, "motor_position": position}, {"position": position, "motor_position": position}
+        places = {"position": position, "motor_position": position}
+        return places, places
 
     @property
     def force_per_command(self) -> float:

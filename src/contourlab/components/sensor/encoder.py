@@ -25,5 +25,4 @@ class Encoder(Component):
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        seen = inp.position + par.noise * normal(par.stream, clock.k)
-        return (), (par.resolution * rint(seen / par.resolution),)
+        return (), (par.resolution * rint((inp.position + par.noise * normal(par.stream, clock.k)) / par.resolution),)

@@ -34,8 +34,7 @@ class FilteredDifference(Difference):
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        difference = (inp.position - x.previous) / clock.dt
-        velocity = x.velocity + par.weight * (difference - x.velocity)
+        velocity = x.velocity + par.weight * ((inp.position - x.previous) / clock.dt - x.velocity)
         return (inp.position, velocity), (velocity,)
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:

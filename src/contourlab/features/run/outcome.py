@@ -17,7 +17,7 @@ from contourlab.analysis.linear.contour_transfer import internal_stability
 from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.arrays import Array, free_memory
-from contourlab.components.supervisor.pre_routed import PreRouted
+from contourlab.components.supervisor.switching import PreRouted
 from contourlab.engine.runner import make_group
 from contourlab.errors import ComponentError, ResultError
 from contourlab.features.check.program_check import path_mode_assumed, travel_unknown

@@ -9,7 +9,7 @@ from itertools import chain
 
 import numpy as np
 
-from contourlab.components.disturbance.ripple import LowPassedNoise
+from contourlab.components.disturbance.loads import LowPassedNoise
 from contourlab.features.swap.search import SwapSettings
 from contourlab.features.swap.study import NoDesignError, SwapStudy, swap_study
 from contourlab.features.swap.variants import Variants, losses, variants_of

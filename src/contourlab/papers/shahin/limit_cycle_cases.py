@@ -9,8 +9,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from contourlab.analysis.backlash.limit_cycle_prediction import LimitCycle, predict_limit_cycles
-from contourlab.analysis.backlash.lure import BacklashLoop
+from contourlab.analysis.backlash.lure import BacklashLoop, LimitCycle, predict_limit_cycles
 from contourlab.analysis.backlash.periodic_orbit import PeriodicOrbit, find_orbits
 from contourlab.papers.shahin.two_inertia_loop import Feedback, TwoInertias, motor_pid, p_pi_cascade, two_inertia_loop
 

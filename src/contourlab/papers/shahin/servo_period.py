@@ -10,7 +10,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.analysis.backlash.mode_flow import exponentials
+from contourlab.analysis.backlash.periodic_orbit import exponentials
 from contourlab.arrays import Array
 from contourlab.papers.shahin.two_inertia_loop import Feedback, TwoInertias
 

@@ -13,7 +13,7 @@ from contourlab.components.controller.zone_law import ContactZone1, ContactZone2
 from contourlab.components.coupling.cross_coupled import CrossCoupled
 from contourlab.components.estimator.local import OsculatingCircle
 from contourlab.components.plant.two_inertia import TwoInertia
-from contourlab.components.supervisor.performance import Performance
+from contourlab.components.supervisor.switching import Performance
 from contourlab.feed import Reference, uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from contourlab.components.controller.lead_lag import LeadLag
-from contourlab.components.disturbance.ripple import ScrewRipple
+from contourlab.components.disturbance.loads import ScrewRipple
 from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.sensor.encoder import Encoder
