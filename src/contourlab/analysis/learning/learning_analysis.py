@@ -17,7 +17,6 @@ Bristow, Tharayil & Alleyne, "A survey of iterative learning control", IEEE Cont
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -26,7 +25,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.analysis.learning.learning_frequency import (
+from contourlab.analysis.learning.learning_analysis import (
     HEARD,
     FrequencyLearning,
     LawKernels,
@@ -38,9 +37,8 @@ from contourlab.analysis.learning.learning_frequency import (
     next_table,
     peak,
 )
-from contourlab.analysis.linear.coupled_loop import CoupledLoop, TrialMap, coupled_loop
-from contourlab.analysis.linear.margins import doubling
 from contourlab.analysis.linear.coupled_loop import CoupledLoop, TrialMap, coupled_loop, impulse_responses
+from contourlab.analysis.linear.margins import doubling
 from contourlab.arrays import Array, Complex
 from contourlab.components.learning.error_law import ZeroPhase
 from contourlab.components.learning.law import LearningLaw, LearningProblem, TrialRecord, q_response

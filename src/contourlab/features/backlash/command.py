@@ -10,8 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.analysis.backlash.limit_cycle_prediction import LimitCycle, predict_limit_cycles
-from contourlab.analysis.backlash.lure import axis_backlash_loop
+from contourlab.analysis.backlash.lure import LimitCycle, axis_backlash_loop, predict_limit_cycles
 from contourlab.analysis.backlash.periodic_orbit import PeriodicOrbit, find_orbits
 from contourlab.app.json_values import HIDDEN
 from contourlab.app.quick import PLANNED, affordable, beginning
