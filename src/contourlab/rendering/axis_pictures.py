@@ -43,23 +43,20 @@ def feed_charts(run: FeedRun | None) -> tuple[Chart, ...]:
     if run is None:
         return ()
     kept = keep_extremes(run.feedrate, FEED_POINTS)
-    x, feed, programmed, binding = run.arc_length[kept] * 1e3, run.feedrate[kept] * 6e4, run.programmed[kept] * 6e4, run.binding[kept]
-    top = float(feed.max())
-    asked = np.where(programmed <= 1.5 * top, programmed, np.nan)
+    x, feed, programmed = run.arc_length[kept] * 1e3, run.feedrate[kept] * 6e4, run.programmed[kept] * 6e4
+    asked = np.where(programmed <= 1.5 * float(feed.max()), programmed, np.nan)
     curves = [Curve(x, asked, "programmed", REFERENCE, "dot")] if np.isfinite(asked).any() else []
     for code, name in enumerate(run.names):
-        held = binding == code
-        if not held.any():
-            continue
+        held = run.binding[kept] == code
         # A segment extends to the start of the next, so that the line has no gaps.
         drawn = held | np.append(False, held[:-1])
-        curves.append(Curve(x, np.where(drawn, feed, np.nan), name, FEED_COLOURS[code % len(FEED_COLOURS)], "solid", 2.2))
-    panel = Panel("arc length [mm]", "feedrate [mm/min]", tuple(curves))
-    shares = ", ".join(f"{name} {number(100.0 * part)} %" for name, part in run.shares().items() if part >= 5e-4)
-    cycle = figure(float(run.time[-1]), "s")
-    caption = f"Planned feedrate. The colour shows what limits it. Share of time: {shares}. Cycle time {cycle}."
-    explained = [text for name, text in EXPLAINED.items() if name in run.shares()]
-    return (Chart("feed", "Feed along the path", " ".join([caption, *explained]), (panel,)),)
+        if held.any():
+            curves.append(Curve(x, np.where(drawn, feed, np.nan), name, FEED_COLOURS[code % len(FEED_COLOURS)], "solid", 2.2))
+    shares = run.shares()
+    longest = ", ".join(f"{name} {number(100.0 * part)} %" for name, part in shares.items() if part >= 5e-4)
+    caption = f"Planned feedrate. The colour shows what limits it. Share of time: {longest}. Cycle time {figure(float(run.time[-1]), 's')}."
+    caption = " ".join([caption, *(text for name, text in EXPLAINED.items() if name in shares)])
+    return (Chart("feed", "Feed along the path", caption, (Panel("arc length [mm]", "feedrate [mm/min]", tuple(curves)),)),)
 
 
 def axis_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
@@ -72,7 +69,7 @@ def _axis_chart(data: ReportData, axis: int, name: str, points: int) -> Chart:
     tracking = _runs(data, axis, points, "tracking_error", UM)
     panels = [Panel("time [s]", "tracking error [um]", tracking) if tracking else None]
     panels += [_limited_panel(data, axis, points, name) for name in ("velocity", "acceleration", "jerk", "command")]
-    drawn = tuple(panel for panel in panels if panel is not None)
+    drawn = tuple(filter(None, panels))
     bounded = "Dashed lines are the limits." if any(panel.levels for panel in drawn) else ""
     planned = "Acceleration and jerk are those of the reference." if _reference_of(data, "reference_acceleration") is not None else ""
     marked = any(tick.kind == STEP for panel in drawn for tick in panel.ticks)
@@ -170,24 +167,21 @@ def bode_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
     """Return the frequency response of the closed loop of each axis that has one."""
     charts = []
     for index, axis in enumerate(data.axes):
-        loops = {scheme.name: scheme.bode[axis] for scheme in data.schemes if axis in scheme.bode}
-        if not loops:
-            continue
-        gains, phases, notes = [], [], []
-        for name, answer in loops.items():
-            look = data.looks[name]
+        gains, phases, notes = [], [], ["Closed loop, reference to position."]
+        for scheme in (scheme for scheme in data.schemes if axis in scheme.bode):
+            answer, look = scheme.bode[axis], data.looks[scheme.name]
             with np.errstate(divide="ignore"):
                 gain = 20.0 * np.log10(np.abs(answer.response))
-            phase = np.degrees(np.unwrap(np.angle(answer.response)))
             kept = keep_extremes(gain, points)
             gains.append(Curve(answer.frequency[kept], gain[kept], *look))
-            phases.append(Curve(answer.frequency[kept], phase[kept], *look))
+            phases.append(Curve(answer.frequency[kept], np.degrees(np.unwrap(np.angle(answer.response)))[kept], *look))
             figures = [f"{what} {value}" for what, value in answer.notes.items()]
-            notes.append(f"{name}: {', '.join(filter(None, (answer.meant, *figures)))}.")
-        magnitude = Panel("frequency [Hz]", "magnitude [dB]", tuple(gains), (Level(-3.0, "−3 dB"),), log_x=True, y_range=_decibels(gains))
-        phase_panel = Panel("frequency [Hz]", "phase [deg]", tuple(phases), log_x=True)
-        caption = " ".join(["Closed loop, reference to position.", *notes])
-        charts.append(Chart(f"bode-{index}", f"Axis {axis}", caption, (magnitude, phase_panel)))
+            notes.append(f"{scheme.name}: {', '.join(filter(None, (answer.meant, *figures)))}.")
+        if gains:
+            edge = (Level(-3.0, "−3 dB"),)
+            magnitude = Panel("frequency [Hz]", "magnitude [dB]", tuple(gains), edge, log_x=True, y_range=_decibels(gains))
+            phase = Panel("frequency [Hz]", "phase [deg]", tuple(phases), log_x=True)
+            charts.append(Chart(f"bode-{index}", f"Axis {axis}", " ".join(notes), (magnitude, phase)))
     return tuple(charts)
 
 
@@ -201,46 +195,34 @@ def _decibels(gains: list[Curve]) -> tuple[float, float] | None:
 
 def hysteresis_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
     """Return motor less load over load position: a chart for each axis that has both, a panel for each scheme."""
-    return tuple(chart for i, axis in enumerate(data.axes) if (chart := _hysteresis(data, i, axis, points)) is not None)
+    charts = []
+    for axis, name in enumerate(data.axes):
+        panels, notes = [], ["Between the dashed lines the motor moves without the load; beyond them the shaft winds up."]
+        for scheme in data.schemes:
+            if name in scheme.gaps and "motor_position" in scheme.result:
+                curves, note = _hysteresis(scheme, axis, name, FINER * points, data.looks[scheme.name])
+                panels.append(curves)
+                notes.append(note)
+        if panels:
+            edge = 1.15 * max(largest_magnitude(curve.y) for curves in panels for curve in curves) or 1.0
+            drawn = tuple(Panel("load position [mm]", "motor − load [um]", curves, y_range=(-edge, edge)) for curves in panels)
+            charts.append(Chart(f"backlash-{axis}", f"Axis {name}: motor minus load position", " ".join(notes), drawn, loops=True))
+    return tuple(charts)
 
 
-def _hysteresis(data: ReportData, axis: int, name: str, points: int) -> Chart | None:
-    shown = [scheme for scheme in data.schemes if name in scheme.gaps and "motor_position" in scheme.result]
-    if not shown:
-        return None
-    panels, notes = [], []
-    for scheme in shown:
-        x, y = _loop(scheme.result, axis, FINER * points)
-        panels.append((Curve(x, y, *data.looks[scheme.name], 1.0), *_flanks(scheme, name, x)))
-        notes.append(_note(scheme, name, x, y))
-    edge = 1.15 * max(largest_magnitude(curve.y) for curves in panels for curve in curves) or 1.0
-    drawn = tuple(Panel("load position [mm]", "motor − load [um]", curves, y_range=(-edge, edge)) for curves in panels)
-    caption = f"Between the dashed lines the motor moves without the load; beyond them the shaft winds up. {' '.join(notes)}"
-    return Chart(f"backlash-{axis}", f"Axis {name}: motor minus load position", caption, drawn, loops=True)
-
-
-def _loop(result: Result, axis: int, points: int) -> tuple[Array, Array]:
-    """Return load position [mm] and motor less load [um], thinned."""
-    load = axis_column(result, "axis_position", axis)
-    apart = axis_column(result, "motor_position", axis) - load
+def _hysteresis(scheme: JudgedRun, axis: int, name: str, points: int, look: tuple[str, str, str]) -> tuple[tuple[Curve, ...], str]:
+    """Return motor less load [um] over load position [mm], thinned, between the flanks of the gap; and the gap and wind-up in words."""
+    load = axis_column(scheme.result, "axis_position", axis)
+    apart = axis_column(scheme.result, "motor_position", axis) - load
     kept = keep_extremes(np.column_stack([load, apart]), points)
-    return load[kept] * 1e3, apart[kept] * UM
-
-
-def _flanks(scheme: JudgedRun, axis: str, x: Array) -> tuple[Curve, Curve]:
-    """Return the two flanks of the gap [um] over the used travel."""
-    place, width = scheme.gaps[axis]
+    x, y = load[kept] * 1e3, apart[kept] * UM
+    place, width = scheme.gaps[name]
     low, high = float(np.nanmin(x)), float(np.nanmax(x))
-    inside = place[(place * 1e3 > low) & (place * 1e3 < high)] * 1e3
-    at = np.concatenate([[low], inside, [high]])
+    at = np.concatenate([[low], place[(place * 1e3 > low) & (place * 1e3 < high)] * 1e3, [high]])
     half = 0.5 * np.interp(at * 1e-3, place, width) * UM
-    return Curve(at, half, "edge of the gap", LIMIT, "dash"), Curve(at, -half, "edge of the gap", LIMIT, "dash")
-
-
-def _note(scheme: JudgedRun, axis: str, x: Array, y: Array) -> str:
-    """Describe the width of the gap and the largest wind-up."""
-    place, width = scheme.gaps[axis]
+    flanks = (Curve(at, side * half, "edge of the gap", LIMIT, "dash") for side in (1.0, -1.0))
     wide, narrow = float(width.max()) * UM, float(width.min()) * UM
     gap = f"{number(wide, 6)} um" if wide == narrow else f"{number(narrow, 6)} um to {number(wide, 6)} um"
     twist = np.abs(y) - 0.5 * np.interp(x * 1e-3, place, width) * UM
-    return f"{scheme.name}: backlash gap {gap}, wind-up at most {number(max(float(np.nanmax(twist)), 0.0))} um."
+    note = f"{scheme.name}: backlash gap {gap}, wind-up at most {number(max(float(np.nanmax(twist)), 0.0))} um."
+    return (Curve(x, y, *look, 1.0), *flanks), note

@@ -151,11 +151,12 @@ def traces_chart(
     *,
     caption: str = "",
     level: float | None = 0.0,
+    level_label: str = "",
     **panel: Any,
 ) -> Chart:
     """Return curves (x, y) by name in one panel, in the units of its labels; `panel` are parameters of `Panel`."""
     curves = tuple(Curve(x, y, name, *scheme_style(i, len(traces))) for i, (name, (x, y)) in enumerate(traces.items()))
-    levels = () if level is None else (Level(level, ""),)
+    levels = () if level is None else (Level(level, level_label),)
     return Chart(key, title, caption, (Panel(*labels, curves, levels, **panel),))
 
 

@@ -17,6 +17,8 @@ from contourlab.thinning import keep_extremes
 UM = 1e6
 MARKS = 400
 """Most marks of a picture."""
+EXPLAINED = {"reversal": ("Triangles", "axis reversals"), "corner": ("Diamonds", "corners")}
+"""Marks in words."""
 
 
 def error_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
@@ -85,11 +87,9 @@ def _panel(data: ReportData, x_label: str, y_label: str, curves: tuple[Curve, ..
 def _caption(name: str, signed: bool, marked: set[str]) -> str:
     """Describe the error, its sign and the marks."""
     path = "programmed" if name == "part_error" else "planned"
-    what = f"{name.replace('_', ' ').capitalize()}: shortest distance from the tool to the {path} path."
-    sign = " Positive to the left of the direction of travel." if signed else ""
-    reversals = " Triangles mark axis reversals." if "reversal" in marked else ""
-    corners = " Diamonds mark corners." if "corner" in marked else ""
-    return what + sign + reversals + corners
+    caption = f"{name.replace('_', ' ').capitalize()}: shortest distance from the tool to the {path} path."
+    caption += " Positive to the left of the direction of travel." if signed else ""
+    return caption + "".join(f" {symbol} mark {what}." for kind, (symbol, what) in EXPLAINED.items() if kind in marked)
 
 
 def polar_charts(data: ReportData, points: int) -> tuple[PolarChart, ...]:

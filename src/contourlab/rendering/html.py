@@ -75,7 +75,7 @@ def render_html(data: ReportData) -> str:
             comparison=compare(data),
             groups=groups,
             circle_tables=circle_tables(data),
-            limit_tables=limit_tables(data),
+            limit_tables=list(limit_tables(data)),
             reversals=reversal_table(data),
             switch_tables=switch_tables(data),
             origins=origin_tables(data),
