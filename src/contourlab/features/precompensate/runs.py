@@ -15,7 +15,7 @@ from contourlab.errors import LogError, ResultError
 from contourlab.features.measure.log_choice import LogChoice
 from contourlab.features.measure.measured_path import moving, progress_along
 from contourlab.features.precompensate.law import Run
-from contourlab.features.precompensate.writing import Contour, Written, chunks
+from contourlab.features.precompensate.writing import Contour, Written
 from contourlab.feed import LimitReport, Reference, blended, limit_report, plan, route_from_program
 from contourlab.logs import Column, Columns, Log, read_columns, read_record, result_of
 from contourlab.logs.load import LONG_GAP, about
@@ -190,7 +190,7 @@ def run_of(contour: Contour, measured: Measured, driven: Contour | None = None, 
     farthest = float(np.linalg.norm(measured.command[first:stop] - load, axis=1).max())
     foot = contour.path.foot_point(load, place, min(4.0 * farthest + 1e-4, 0.25 * contour.path.length))
     off = foot.position - load
-    ends = contour.path.breaks[sorted({end for part in chunks(contour) for end in part})]
+    ends = contour.path.breaks[sorted({end for part in contour.chunks for end in part})]
     nearest = ends[np.clip(np.searchsorted(0.5 * (ends[1:] + ends[:-1]), foot.arc_length), 0, len(ends) - 1)]
     at_end = np.abs(np.asarray(foot.arc_length) - nearest) < AT_END
     tangent = np.asarray(contour.path.tangent(foot.arc_length))
