@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import accumulate
 from pathlib import Path
 from typing import Any
 
@@ -149,11 +150,10 @@ def behind_play(motor: Array, gap: float) -> Array:
     >>> behind_play(np.array([0.0, 3.0, 2.0, 0.0]), 2.0)
     array([0., 2., 2., 1.])
     """
-    load, at = motor.copy(), float(motor[0])
-    for k, position in enumerate(motor.tolist() if gap else ()):
-        at = min(max(at, position - gap / 2.0), position + gap / 2.0)
-        load[k] = at
-    return load
+    if not gap:
+        return motor.copy()
+    half = gap / 2.0
+    return np.array(list(accumulate(motor.tolist(), lambda at, position: min(max(at, position - half), position + half))))
 
 
 def run_of(contour: Contour, measured: Measured, driven: Contour | None = None, written: Written | None = None) -> Run:

@@ -53,13 +53,13 @@ class Work:
         self.band = positive("--band", settings.band, "", 'a share, such as "2 %"')
         period = max(NODE_TIME, period)
         source = read_blocks(part, reading, axes)
-        if any(MARK in line for line in source.lines[:2]):
+        if any(MARK in line for line in source.program.lines[:2]):
             raise ProgramError("is a corrected program: give the one before any correction, and the folder with --passes", file=part)
         self.contour = contour_of(source, axes, period)
         if not self.contour.corrected.any():
             raise ProgramError(f"no cutting move along {', '.join(axes)} can be corrected", file=part)
         known = repr((tuple(axes), period, self.tolerance))
-        self.passes = Passes(digest_of("\n".join(source.lines).encode("utf-8", "replace"), known.encode()), tuple(axes))
+        self.passes = Passes(digest_of("\n".join(source.program.lines).encode("utf-8", "replace"), known.encode()), tuple(axes))
         self.needs: LimitReport | None = None
         self._read: tuple[Written, Contour] | None = None
 

@@ -184,7 +184,6 @@ class Source:
     Attributes
     ----------
     program : Program
-    lines : tuple of str
     blocks : tuple of Block
         One for each move.
     numbers : sequence of int
@@ -192,7 +191,6 @@ class Source:
     """
 
     program: Program
-    lines: tuple[str, ...]
     blocks: tuple[Block, ...]
     numbers: Sequence[int]
 
@@ -270,7 +268,7 @@ def _source(lines: list[str], name: str | Path, reading: Reading, axes: Sequence
         count[line] = count.get(line, 0) + 1
     blocks = [replace(b, reason=b.reason or "several moves in a line") if count[b.lines[1]] > 1 else b for b in blocks]
     program = Program(str(name), tuple(b.move for b in blocks), tuple(lines), tuple(reader.state.events), tuple(reader.notices))
-    return Source(program, tuple(lines), tuple(blocks), range(1, len(lines) + 1)), regions
+    return Source(program, tuple(blocks), range(1, len(lines) + 1)), regions
 
 
 def _reason(move: Move, columns: Sequence[int], lines: Sequence[str], motion: int | None) -> str:
@@ -624,12 +622,12 @@ def _with_modes(lines: _Lines, block: Block, mode: Mode, corner: bool, tolerance
 
 def _text(contour: Contour, replaced: dict[int, _Lines]) -> str:
     """Return the program with the lines of some blocks replaced."""
-    source = contour.source
+    source, typed = contour.source, contour.source.program.lines
     by_line: dict[int, list[str]] = {}
     for k, lines in replaced.items():
         first, last = source.blocks[k].lines
-        texts = [without_motion(source.lines[number - 1]) for number in range(first, last + 1)]
-        for number, text in zip(range(first, last + 1), texts, strict=True):
+        for number in range(first, last + 1):
+            text = without_motion(typed[number - 1])
             if isinstance(source.blocks[k].move, Spline) and number != first:
                 text = text if "(" in text or ";" in text else ""
             by_line[number] = [text] if text else []
@@ -638,11 +636,11 @@ def _text(contour: Contour, replaced: dict[int, _Lines]) -> str:
         numbers = np.unique(contour.route.source_line[first:last]) - 1
         for before, after in itertools.pairwise(numbers.tolist()):
             for number in range(source.blocks[before].lines[1] + 1, source.blocks[after].lines[0]):
-                if _PLAIN.fullmatch(COMMENT.sub("", source.lines[number - 1])):
-                    text = without_motion(source.lines[number - 1])
+                if _PLAIN.fullmatch(COMMENT.sub("", typed[number - 1])):
+                    text = without_motion(typed[number - 1])
                     by_line[number] = [text] if text else []
     written: list[str] = []
-    for number, line in enumerate(source.lines, 1):
+    for number, line in enumerate(typed, 1):
         written += by_line.get(number, [line])
     return "\n".join(written) + "\n"
 
