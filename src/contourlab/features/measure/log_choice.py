@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,6 +11,7 @@ from contourlab.app.shared_options import LogColumns
 from contourlab.errors import LogError, ParameterError, UnitError
 from contourlab.logs import Column, Columns, Log, parse_columns, read_columns, read_record, result_of
 from contourlab.logs.mapping import once
+from contourlab.logs.record import Record
 from contourlab.units import to_si
 
 if TYPE_CHECKING:
@@ -54,13 +55,15 @@ class LogChoice:
         return (self.file,) if self.mapping is None else (self.file, self.mapping)
 
 
-def open_log(choice: LogChoice, more: Sequence[Column] = ()) -> Log:
+def open_log(choice: LogChoice, more: Sequence[Column] = (), guess: Callable[[Record], Iterable[Column]] = lambda record: ()) -> Log:
     """Read a log. Columns and period of the command line override those of the mapping file.
 
     Parameters
     ----------
     more : sequence of Column
         Further columns.
+    guess : callable, optional
+        Returns columns of the record for signals that nothing else names.
 
     Raises
     ------
@@ -75,6 +78,8 @@ def open_log(choice: LogChoice, more: Sequence[Column] = ()) -> Log:
     if choice.period is not None:
         period = positive("--period", choice.period, "s", 'a time with its unit, such as "1 ms"')
     record = read_record(choice.file, choice.format or mapping.format)
+    named = {(column.signal, column.axis) for column in columns}
+    columns += tuple(column for column in guess(record) if (column.signal, column.axis) not in named)
     return result_of(record, Columns(columns, period))
 
 

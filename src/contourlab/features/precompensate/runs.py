@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from itertools import accumulate
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import accumulate, product
 from pathlib import Path
 from typing import Any
 
@@ -13,14 +13,14 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import LogError, ResultError
-from contourlab.features.measure.log_choice import LogChoice
+from contourlab.features.measure.log_choice import LogChoice, open_log
 from contourlab.features.measure.measured_path import moving, progress_along
 from contourlab.features.precompensate.law import Run
 from contourlab.features.precompensate.writing import Contour, Written
 from contourlab.feed import LimitReport, Reference, blended, limit_report, plan, route_from_program
-from contourlab.logs import Column, Columns, Log, read_columns, read_record, result_of
+from contourlab.logs import Column, Log
 from contourlab.logs.load import LONG_GAP, about
-from contourlab.logs.mapping import once, parse_columns
+from contourlab.logs.record import Record
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.program import Program
 from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
@@ -85,20 +85,8 @@ def open_run(choice: LogChoice, machine: Machine | None = None) -> tuple[Measure
     LogError
         If it cannot be read, has a long gap, or an axis has no commanded or measured position.
     """
-    mapping = read_columns(choice.mapping) if choice.mapping is not None else Columns()
-    typed = once((*parse_columns(choice.columns), *mapping.columns), "--column")
-    record = read_record(choice.file, choice.format or mapping.format)
-    names = {channel.name.lower(): channel.name for channel in record.channels}
-    known = {(column.signal, column.axis) for column in typed}
-    guesses = [
-        Column(signal, axis, names[form.format(axis)])
-        for axis in "xyz"
-        for signal, forms in NAMES
-        for form in forms
-        if form.format(axis) in names and (signal, axis) not in known
-    ]
     with about(choice.file):
-        log = result_of(record, replace(mapping, columns=(*typed, *guesses)))
+        log = open_log(choice, guess=_of_hal)
     result = log.result
 
     def of(axes: Sequence[str], *signals: str) -> Array | None:
@@ -125,6 +113,13 @@ def open_run(choice: LogChoice, machine: Machine | None = None) -> tuple[Measure
     gaps = [0.0 if machine is None or axis not in machine.axis_names else _gap(machine.axis(axis).plant) for axis in axes]
     load = np.column_stack([behind_play(column, gap) for column, gap in zip(motor.T, gaps, strict=True)])
     return Measured(result.servo_period, command, motor, load, "motor and model" if any(gaps) else "motor"), axes, log
+
+
+def _of_hal(record: Record) -> Iterator[Column]:
+    """Yield the columns of a log of HAL by their names."""
+    names = {channel.name.lower(): channel.name for channel in record.channels}
+    for axis, (signal, forms) in product("xyz", NAMES):
+        yield from (Column(signal, axis, names[form.format(axis)]) for form in forms if form.format(axis) in names)
 
 
 def _check_followed(axes: Sequence[str], command: Array, position: Array, file: str | Path) -> None:

@@ -175,7 +175,10 @@ def fit_findings(
             yield finding("CL551", place)
         elif deviation > UNKNOWN * abs(value) and not parameter.sought.signed:
             yield finding("CL552", place, ratio=deviation / abs(value) if value else np.inf)
-    yield from _correlated(parameters, knowledge)
+    labels = [parameter.sought.label for parameter in parameters if not parameter.at_bound]
+    for i, j in np.argwhere(np.triu(np.abs(knowledge.correlation), 1) > TOGETHER).tolist():
+        if not (knowledge.untold[i] or knowledge.untold[j]):
+            yield finding("CL553", f"{labels[i]} and {labels[j]}", correlation=float(knowledge.correlation[i, j]))
     if not descent.converged:
         yield finding("CL554", steps=descent.iterations)
     made, same = descents
@@ -191,13 +194,6 @@ def fit_findings(
             yield finding("CL558", one.place)
         elif one.explained < EXPLAINED:
             yield finding("CL557", one.place, explained=one.explained)
-
-
-def _correlated(parameters: Sequence[RefinedParameter], knowledge: FitCovariance) -> Iterator[Finding]:
-    labels = [parameter.sought.label for parameter in parameters if not parameter.at_bound]
-    for i, j in np.argwhere(np.triu(np.abs(knowledge.correlation), 1) > TOGETHER).tolist():
-        if not (knowledge.untold[i] or knowledge.untold[j]):
-            yield finding("CL553", f"{labels[i]} and {labels[j]}", correlation=float(knowledge.correlation[i, j]))
 
 
 def unseen_findings(before: Sequence[Agreement], after: Sequence[Agreement], validation: bool = False) -> Iterator[Finding]:
