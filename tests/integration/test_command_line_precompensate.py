@@ -46,6 +46,18 @@ def printed(capsys: pytest.CaptureFixture[str], *words: str) -> dict:
     return json.loads(capsys.readouterr().out)
 
 
+def test_a_log_without_times_gets_its_period(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("part.ngc").write_text(PART)
+    timed = log_of(PART, Path("timed.csv"))
+    bare = [line.split(",", 1)[1] for line in timed.read_text().splitlines()]
+    Path("bare.csv").write_text("\n".join(bare))
+    words = ("precompensate", "part.ngc", "--out", "corrected.ngc", "--log")
+    results = [printed(capsys, *words, "timed.csv"), printed(capsys, *words, "bare.csv", "--period", "1 ms")]
+    (first,), (other,) = (result["passes"] for result in results)
+    assert other["duration"] == pytest.approx(first["duration"]) and other["rms"] == pytest.approx(first["rms"], rel=1e-6)
+
+
 @pytest.mark.slow
 def test_pass_after_pass_from_logs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.chdir(tmp_path)

@@ -173,7 +173,7 @@ class Answer:
         Parameters
         ----------
         ax : matplotlib.axes.Axes, optional
-            Where to draw; by default on a new figure.
+            Where to draw; by default on a new figure. A ball-bar plot and small multiples replace plain axes.
         key : str
             Which picture; by default the first.
 

@@ -18,7 +18,7 @@ MARKS = {
     "curvature step": ("triangle-down", "v"),
 }
 """Kinds of marks on the x axis: their symbols in plotly and in matplotlib."""
-OFF_SCALE = ", off scale"
+_BEYOND = ", off scale"
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,12 +111,12 @@ class Panel:
         """The texts above the right end of the panel, with their colours: band, span and levels."""
         if self.band is not None:
             outside = self.y_range is not None and self.band[1] > self.y_range[1]
-            yield self.band_label + (OFF_SCALE if outside else ""), BAND
+            yield self.band_label + (_BEYOND if outside else ""), BAND
         if self.span is not None:
             yield self.span_label, BAND
         for level in self.levels:
             if level.label:
-                yield level.label + (OFF_SCALE if self.far else ""), LIMIT
+                yield level.label + (_BEYOND if self.far else ""), LIMIT
 
     @property
     def marks(self) -> Iterator[tuple[str, str, str, list[Tick]]]:
@@ -151,11 +151,12 @@ def traces_chart(
     *,
     caption: str = "",
     level: float | None = 0.0,
+    level_label: str = "",
     **panel: Any,
 ) -> Chart:
     """Return curves (x, y) by name in one panel, in the units of its labels; `panel` are parameters of `Panel`."""
     curves = tuple(Curve(x, y, name, *scheme_style(i, len(traces))) for i, (name, (x, y)) in enumerate(traces.items()))
-    levels = () if level is None else (Level(level, ""),)
+    levels = () if level is None else (Level(level, level_label),)
     return Chart(key, title, caption, (Panel(*labels, curves, levels, **panel),))
 
 

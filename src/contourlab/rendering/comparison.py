@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from contourlab.figures import NONE, figure, listing, number
+from contourlab.metrics import ErrorFigures
 from contourlab.metrics.run_figures import FIGURES, PART, figures_of_run
 from contourlab.rendering.data import JudgedRun, ReportData
 from contourlab.rendering.table import Column, Table, paragraphs
 
 UM = 1e6
+ERRORS = {"max": "largest", "rms": "rms", "mean": "mean", "p95": "95th percentile", "signed_mean": "signed mean", "integral": "integral"}
+"""Figures of an error in printing order, in words."""
 
 
 @dataclass(frozen=True)
@@ -186,28 +189,30 @@ class Figure:
 def figures_of(data: ReportData, scheme: JudgedRun) -> dict[str, Figure]:
     """Return the figures of a run by label, in printing order; part error and contour error appear once if they are the same."""
     figures: dict[str, Figure] = {}
-    for one in _figures(data, scheme):
-        figures.setdefault(one.label, one)
+    for row in _figures(data, scheme):
+        figures.setdefault(row.label, row)
     return figures
+
+
+def _errors(what: str, error: ErrorFigures, names: Iterable[str], strong: bool = False) -> Iterator[Figure]:
+    """Yield figures of an error; the tolerance applies to the largest one if it is `strong`."""
+    for name in names:
+        unit = "um s" if name == "integral" else "um"
+        yield Figure(f"{what}, {ERRORS[name]}", getattr(error, name), UM, unit, strong and name == "max", name != "signed_mean")
 
 
 def _figures(data: ReportData, scheme: JudgedRun) -> Iterator[Figure]:
     metrics, blended = scheme.metrics, data.is_blended
     if blended:
-        yield Figure("part error, largest", metrics.part_error.max, UM, "um", strong=True)
-        yield Figure("part error, rms", metrics.part_error.rms, UM, "um")
-        yield Figure("planning deviation, largest", metrics.planning_deviation.max, UM, "um")
-    error = metrics.contour_error
-    yield Figure("contour error, largest", error.max, UM, "um", strong=not blended)
-    yield Figure("contour error, rms", error.rms, UM, "um")
-    yield Figure("contour error, mean", error.mean, UM, "um")
-    yield Figure("contour error, 95th percentile", error.p95, UM, "um")
-    if len(data.axes) == 2:  # in space the error has no side
-        yield Figure("contour error, signed mean", error.signed_mean, UM, "um", lower_is_better=False)
-    yield Figure("contour error, integral", error.integral, UM, "um s")
-    further = figures_of_run(scheme.result, metrics.judged.samples)
-    for one in (FIGURES[name] for name in further if FIGURES[name].is_row and (blended or FIGURES[name].source != PART)):
-        yield Figure(one.label, further[one.name], one.factor, one.display)
+        yield from _errors("part error", metrics.part_error, ("max", "rms"), strong=True)
+        yield from _errors("planning deviation", metrics.planning_deviation, ("max",))
+    # In space the error has no side.
+    shown = [name for name in ERRORS if name != "signed_mean" or len(data.axes) == 2]
+    yield from _errors("contour error", metrics.contour_error, shown, strong=not blended)
+    for name, value in figures_of_run(scheme.result, metrics.judged.samples).items():
+        row = FIGURES[name]
+        if row.is_row and (blended or row.source != PART):
+            yield Figure(row.label, value, row.factor, row.display)
     for other in metrics.others:
         yield Figure(f"part error, {other.moves} (not judged)", other.max, UM, "um")
     for axis, tracking in zip(data.axes, metrics.tracking_error, strict=True):

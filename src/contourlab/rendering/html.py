@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.figures import figure, number
-from contourlab.rendering.axis_pictures import FINER
 from contourlab.rendering.charts import Picture
 from contourlab.rendering.comparison import compare
 from contourlab.rendering.data import ReportData
@@ -20,6 +19,7 @@ from contourlab.rendering.lead import MOST_LINES, program_lines, sentence
 from contourlab.rendering.page_tables import circle_tables, limit_tables, origin_tables, reversal_table
 from contourlab.rendering.plotly_view import figure_of
 from contourlab.rendering.plots import sections
+from contourlab.rendering.run_pictures import FINER
 from contourlab.rendering.samples import share
 from contourlab.rendering.switching import switch_tables
 from contourlab.result.atomic import write_text_atomic
@@ -75,7 +75,7 @@ def render_html(data: ReportData) -> str:
             comparison=compare(data),
             groups=groups,
             circle_tables=circle_tables(data),
-            limit_tables=limit_tables(data),
+            limit_tables=list(limit_tables(data)),
             reversals=reversal_table(data),
             switch_tables=switch_tables(data),
             origins=origin_tables(data),

@@ -10,6 +10,8 @@ from contourlab.analysis.learning.learning_analysis import LearningAnalysis
 from contourlab.arrays import Array
 from contourlab.figures import figure, number
 from contourlab.rendering.charts import Chart, Curve, Level, Panel, Tick
+from contourlab.figures import figure
+from contourlab.rendering.charts import Chart, Curve, Level, Panel, Tick, traces_chart
 from contourlab.rendering.data import ReportData, TrialCourse
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table
@@ -91,11 +93,7 @@ def learning_charts(analyses: Mapping[str, LearningAnalysis]) -> tuple[Chart, ..
 
 def singular_value_chart(values: Mapping[str, np.ndarray]) -> Chart:
     """Return the singular values (n,) of the operator from trial to trial in descending order, by scheme."""
-    count = len(values)
-    curves = tuple(
-        Curve(np.arange(1.0, len(found) + 1.0), np.sort(np.asarray(found, dtype=float))[::-1], name, *scheme_style(i, count))
-        for i, (name, found) in enumerate(values.items())
-    )
-    panel = Panel("number", "singular value", curves, (Level(1.0, "1: no change"),))
+    traces = {name: (np.arange(1.0, len(each) + 1.0), np.sort(np.asarray(each, dtype=float))[::-1]) for name, each in values.items()}
     caption = "Factor by which one trial multiplies each error pattern. If all are below 1, every trial is better than the last."
-    return Chart("learning-singular-values", "Singular values from trial to trial", caption, (panel,))
+    title, labels = "Singular values from trial to trial", ("number", "singular value")
+    return traces_chart("learning-singular-values", title, labels, traces, caption=caption, level=1.0, level_label="1: no change")

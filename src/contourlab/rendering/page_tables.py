@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -27,16 +28,26 @@ LIMIT_ROWS = (
 
 
 @dataclass(frozen=True)
-class CircleTable:
-    """ISO 230-4 figures of one circle [um]: a row per figure, a column per run; `heads` holds each scheme with its directions."""
+class PageTable:
+    """A table of the page.
 
-    name: str
-    heads: tuple[tuple[str, tuple[str, ...]], ...]
-    rows: tuple[tuple[str, tuple[str, ...]], ...]
+    Parameters
+    ----------
+    note : str or tuple of str
+        What the rows leave out.
+    """
+
+    title: str
+    rows: tuple[Any, ...]
+    heads: tuple[Any, ...] = ()
+    note: str | tuple[str, ...] = ""
 
 
-def circle_tables(data: ReportData) -> tuple[CircleTable, ...]:
-    """Return the ISO 230-4 figures, one table per circle."""
+def circle_tables(data: ReportData) -> tuple[PageTable, ...]:
+    """Return the ISO 230-4 figures [um], one table per circle: a row per figure, a column per run.
+
+    The heads are each scheme with its directions.
+    """
     tables: dict[str, dict[tuple[str, str], dict[str, float]]] = {}
     for scheme in data.schemes:
         for circle in scheme.circles:
@@ -51,21 +62,12 @@ def circle_tables(data: ReportData) -> tuple[CircleTable, ...]:
     return tuple(_circle_table(name, runs) for name, runs in tables.items())
 
 
-def _circle_table(name: str, runs: dict[tuple[str, str], dict[str, float]]) -> CircleTable:
+def _circle_table(name: str, runs: dict[tuple[str, str], dict[str, float]]) -> PageTable:
     """Return one table; a missing figure is a dash."""
     labels = dict.fromkeys(label for figures in runs.values() for label in figures)
     rows = tuple((label, tuple(number(1e6 * figures.get(label, math.nan)) for figures in runs.values())) for label in labels)
     heads = tuple((scheme, tuple(way for of, way in runs if of == scheme)) for scheme in dict.fromkeys(of for of, _ in runs))
-    return CircleTable(name, heads, rows)
-
-
-@dataclass(frozen=True)
-class LimitTable:
-    """A planned motion: a row per kind of limit with worst axis, value, limit, share of it, time, line; and what the jerk leaves out."""
-
-    title: str
-    rows: tuple[tuple[str, tuple[str, ...]], ...]
-    note: str = ""
+    return PageTable(name, rows, heads)
 
 
 def nearest(entries: Sequence[Worst]) -> Worst | None:
@@ -74,27 +76,23 @@ def nearest(entries: Sequence[Worst]) -> Worst | None:
     return max(seen, key=lambda entry: (entry.ratio, entry.value), default=None)
 
 
-def limit_tables(data: ReportData) -> tuple[LimitTable, ...]:
-    """Return a table for each motion planned within limits; schemes with equal figures share it."""
-    motions: list[tuple[LimitReport, float, list[str]]] = []
-    for scheme in data.schemes:
-        if scheme.limits is None:
+def limit_tables(data: ReportData) -> Iterator[PageTable]:
+    """Yield a table for each motion planned within limits, with what the jerk leaves out; schemes with equal figures share it.
+
+    A row per kind of limit has the worst axis, value, limit, share of it, time and line.
+    """
+    planned = [(scheme, scheme.limits) for scheme in data.schemes if scheme.limits is not None]
+    for k, (first, report) in enumerate(planned):
+        names = [scheme.name for scheme, limits in planned if limits == report]
+        if any(limits == report for _, limits in planned[:k]):
             continue
-        names = next((names for report, _, names in motions if report == scheme.limits), None)
-        if names is None:
-            motions.append((scheme.limits, float(scheme.result.servo_period), [scheme.name]))
-        else:
-            names.append(scheme.name)
-    count = len(data.schemes)
-    return tuple(_limit_table(report, period, names if len(names) < count else [], data.axes) for report, period, names in motions)
-
-
-def _limit_table(report: LimitReport, period: float, names: Sequence[str], axes: Sequence[str]) -> LimitTable:
-    title = f"{LIMIT_TITLE}: {', '.join(names)}" if names else LIMIT_TITLE
-    note = _peaks_note(report, period)
-    rows = tuple((label, _limit_cells(nearest(getattr(report, kind)), unit, axes)) for label, kind, unit in LIMIT_ROWS)
-    names_shown = {"jerk": "jerk between curvature steps"} if note else {}
-    return LimitTable(title, tuple((names_shown.get(label, label), cells) for label, cells in rows), note)
+        note = _peaks_note(report, float(first.result.servo_period))
+        rows = []
+        for label, kind, unit in LIMIT_ROWS:
+            shown = "jerk between curvature steps" if note and kind == "jerk" else label
+            rows.append((shown, _limit_cells(nearest(getattr(report, kind)), unit, data.axes)))
+        title = LIMIT_TITLE + (f": {', '.join(names)}" if len(names) < len(data.schemes) else "")
+        yield PageTable(title, tuple(rows), note=note)
 
 
 def _peaks_note(report: LimitReport, period: float) -> str:
@@ -127,22 +125,11 @@ def _limit_cells(worst: Worst | None, unit: str, axes: Sequence[str]) -> tuple[s
     )
 
 
-@dataclass(frozen=True)
-class ReversalTable:
-    """A row for each kind of reversal.
+def reversal_table(data: ReportData, *, places: bool = True) -> PageTable | None:
+    """Return the reversal spikes by axis and direction, with `places` also by quadrant of arcs; None without reversals.
 
-    Parameters
-    ----------
-    rows : tuple
-        Kind, number, and for each scheme mean and largest spike [um] and mean duration [ms].
+    A row has kind, number, and for each scheme mean and largest spike [um] and mean duration [ms].
     """
-
-    heads: tuple[str, ...]
-    rows: tuple[tuple[str, str, tuple[tuple[str, str, str], ...]], ...]
-
-
-def reversal_table(data: ReportData, *, places: bool = True) -> ReversalTable | None:
-    """Return the reversal spikes by axis and direction, with `places` also by quadrant of arcs; None without reversals."""
     columns = []
     for scheme in data.schemes:
         by_kind = reversal_figures(scheme.spikes, places=places)
@@ -157,7 +144,7 @@ def reversal_table(data: ReportData, *, places: bool = True) -> ReversalTable | 
         counts = sorted({f.count for f in there})
         many = str(counts[0]) if len(counts) == 1 else f"{counts[0]} to {counts[-1]}"
         rows.append((_kind(there[0], mixed), many, tuple(_reversal_cells(column.get(key)) for column in columns)))
-    return ReversalTable(tuple(scheme.name for scheme in data.schemes), tuple(rows))
+    return PageTable("", tuple(rows), tuple(scheme.name for scheme in data.schemes))
 
 
 def reversal_text(data: ReportData) -> str:
@@ -184,18 +171,12 @@ def _reversal_cells(figures: ReversalFigures | None) -> tuple[str, str, str]:
     return number(figures.mean * 1e6), number(figures.largest * 1e6), number(figures.duration * 1e3)
 
 
-@dataclass(frozen=True)
-class OriginTable:
-    """Sources of one scheme's parameters: all of the first scheme, then those that differ from earlier schemes."""
+def origin_tables(data: ReportData) -> list[PageTable]:
+    """Return the sources of the parameters; empty if no interval was requested.
 
-    title: str
-    rows: tuple[Number, ...]
-    not_stated: tuple[str, ...]
-
-
-def origin_tables(data: ReportData) -> tuple[OriginTable, ...]:
-    """Return the sources of the parameters; empty if no interval was requested."""
-    tables: list[OriginTable] = []
+    A table has all numbers of the first scheme, then those that differ from earlier schemes; its note holds the names without a source.
+    """
+    tables: list[PageTable] = []
     seen: set[Number] = set()
     blank: set[str] = set()
     for scheme in data.schemes:
@@ -207,5 +188,5 @@ def origin_tables(data: ReportData) -> tuple[OriginTable, ...]:
         blank |= set(names)
         if rows or names:
             title = "Parameters with a stated source" if not tables else f"{scheme.name}: parameters that differ from the schemes above"
-            tables.append(OriginTable(title, rows, names))
-    return tuple(tables)
+            tables.append(PageTable(title, rows, note=names))
+    return tables

@@ -49,7 +49,7 @@ def _line_figure(chart: Chart) -> Figure:
     count = len(chart.panels)
     one_high = chart.panel_height or (330 if count == 1 else HEIGHT)
     inner = one_high * count + GAP * (count - 1)
-    label = LABEL if any(chart.panels[0].notes) else 0
+    label = LABEL if any(text for text, _ in chart.panels[0].notes) else 0
     top = BUTTONS + ROW * _legend_rows(chart) + label
     layout = layout_look(top + inner + BOTTOM, shapes=[], annotations=[], hovermode="closest" if chart.loops else "x unified")
     layout["margin"]["t"] = top
@@ -168,16 +168,14 @@ def _note(text: str, colour: str, tail: str) -> Figure:
 
 def _polar_figure(chart: PolarChart) -> Figure:
     """Return a ball-bar plot: the ring at 0 is the nominal circle."""
-    data: list[Figure] = [
-        {**line_look(curve), "type": "scatterpolar", "r": packed(curve.y), "theta": packed(curve.x)} for curve in chart.curves
-    ]
-    for trace in data:
-        trace["hovertemplate"] = "%{r:.3g} um at %{theta:.1f}°"
+    hover = "%{r:.3g} um at %{theta:.1f}°"
+    ring: Figure = {"type": "scatterpolar", "hovertemplate": hover}
+    data = [line_look(curve, **ring, r=packed(curve.y), theta=packed(curve.x)) for curve in chart.curves]
     for mark in chart.marks:
         points = {"r": packed(mark.y), "theta": packed(mark.x), "name": plain(mark.name), "legendgroup": plain(mark.name)}
-        ring = {"symbol": "circle-open", "size": 9, "color": mark.colour, "line": {"width": 1.6}}
-        hover = "reversal spike, %{r:.3g} um at %{theta:.1f}°"
-        data.append({"type": "scatterpolar", "mode": "markers", "marker": ring, **points, "hovertemplate": hover, "showlegend": False})
+        look = {"symbol": "circle-open", "size": 9, "color": mark.colour, "line": {"width": 1.6}}
+        spike = {"mode": "markers", "marker": look, "hovertemplate": f"reversal spike, {hover}", "showlegend": False}
+        data.append({"type": "scatterpolar", **spike, **points})
     nominal = {"color": INK, "width": 1.1}
     round_ = {"type": "scatterpolar", "mode": "lines", "name": "nominal", "line": nominal, "hoverinfo": "skip"}
     data.append({**round_, "theta": list(range(0, 361, 3)), "r": [0] * 121})
@@ -225,8 +223,8 @@ def _path_figure(chart: PathChart) -> Figure:
     layout["margin"] |= {"t": 24}
     layout["xaxis"] = axis_look(chart.labels[0])
     layout["yaxis"] = axis_look(chart.labels[1], scaleanchor="x")
-    magnify = {"start": chart.magnification, "curves": curves, "bar": _bar(np.column_stack([chart.lines[0].x, chart.lines[0].y]))}
     data.append({**PICKED, "type": "scatter", "x": [], "y": []})
+    magnify = {"start": chart.magnification, "curves": curves, "bar": _bar(max(wide, high))}
     return {"data": data, "layout": layout, "magnify": magnify, "numbered": numbered}
 
 
@@ -272,7 +270,7 @@ def _space_figure(chart: SpaceChart) -> Figure:
     layout = layout_look(560, hovermode="closest", scene=scene, coloraxis=colours)
     layout["margin"] = {"l": 0, "r": 0, "t": 30, "b": 0}
     del layout["dragmode"]
-    magnify = {"start": chart.magnification, "curves": curves, "bar": _bar(chart.asked)}
+    magnify = {"start": chart.magnification, "curves": curves, "bar": _bar(float(np.ptp(chart.asked, axis=0).max()))}
     return {"data": data, "layout": layout, "magnify": magnify, "numbered": numbered}
 
 
@@ -289,9 +287,8 @@ def _box(points: Array) -> Array:
     return np.column_stack([low - room * below, high + room * above])
 
 
-def _bar(points: Array) -> float:
-    """Return the length of the scale bar [mm] for a path (n, n_axis) [mm]: a round number, at most an eighth of the drawing."""
-    extent = float(np.ptp(points, axis=0).max())
+def _bar(extent: float) -> float:
+    """Return the length of the scale bar [mm] for a path of an extent [mm]: a round number, at most an eighth of the drawing."""
     return round_down(extent / 8.0) if extent > 0.0 else 1.0
 
 

@@ -8,12 +8,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from contourlab.errors import ParameterError
-from contourlab.rendering.axis_pictures import axis_charts, bode_charts, feed_charts, hysteresis_charts
 from contourlab.rendering.charts import Picture, SpaceChart
 from contourlab.rendering.data import ReportData
-from contourlab.rendering.error_pictures import error_charts, polar_charts
 from contourlab.rendering.learning_pictures import trial_charts
 from contourlab.rendering.path_picture import path_charts
+from contourlab.rendering.run_pictures import axis_charts, bode_charts, error_charts, feed_charts, hysteresis_charts, polar_charts
 from contourlab.rendering.switching import strip_charts
 from contourlab.result.atomic import write_bytes_atomic
 

@@ -90,10 +90,10 @@ def _table(name: str, switches: Switches) -> SwitchTable:
         rows.append((kind.axis, f"{kind.before} → {kind.after}", kind.reason, str(count), share, time, str(line or "")))
     rows += [(axis, f"{switches.first[axis]} always", "", "0", "100.0 %", "", "") for axis in switches.axes if not switches.of(axis).size]
     listed = []
-    for one in switches.rows(LISTED):
-        place = figure(one.arc_length, "mm", 6) if np.isfinite(one.arc_length) else ""
-        change = f"{one.before} → {one.after}"
-        listed.append((figure(one.time, "s", 6), str(one.sample), one.axis, change, one.reason, place, str(one.line or "")))
+    for row in switches.rows(LISTED):
+        place = figure(row.arc_length, "mm", 6) if np.isfinite(row.arc_length) else ""
+        change = f"{row.before} → {row.after}"
+        listed.append((figure(row.time, "s", 6), str(row.sample), row.axis, change, row.reason, place, str(row.line or "")))
     return SwitchTable(name, len(switches), tuple(rows), tuple(listed))
 
 

@@ -11,11 +11,11 @@ import synthetic
 from contourlab.feed import AxisLimits, limit_report, plan, route_from_path
 from contourlab.geometry import Arc, Line, Path
 from contourlab.loop.axis_parts import Limits
-from contourlab.rendering.axis_pictures import axis_charts
 from contourlab.rendering.charts import Panel
 from contourlab.rendering.data import ReportData
 from contourlab.rendering.html import render_html
 from contourlab.rendering.page_tables import limit_tables
+from contourlab.rendering.run_pictures import axis_charts
 
 FEED, RADIUS, PERIOD, JERK = 0.05, 0.01, 1e-3, 40.0  # a step of v^2/R = 0.25 m/s^2, 250 m/s^3 over a servo period
 LIMITS = AxisLimits([0.25, 0.25], [3.0, 3.0], [JERK, JERK])

@@ -9,8 +9,7 @@ from pathlib import Path
 import pytest
 import synthetic
 
-from contourlab.rendering.one_page import write_page
-from contourlab.rendering.overview import write_overview
+from contourlab.rendering.one_page import write_overview, write_page
 
 
 @pytest.mark.parametrize("amplitudes", [(8e-6,), (8e-6, 2e-6), (8e-6, 6e-6, 4e-6, 2e-6, 1e-6)])

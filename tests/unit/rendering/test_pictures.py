@@ -11,11 +11,10 @@ import synthetic
 from contourlab.errors import ResultError
 from contourlab.feed import Judged, uniform
 from contourlab.geometry import Line, Path, contour
-from contourlab.rendering.axis_pictures import axis_charts, bode_charts
 from contourlab.rendering.comparison import compare
-from contourlab.rendering.error_pictures import error_charts, polar_charts
 from contourlab.rendering.page_tables import circle_tables
 from contourlab.rendering.path_picture import path_charts
+from contourlab.rendering.run_pictures import axis_charts, bode_charts, error_charts, polar_charts
 from contourlab.result import Status
 
 POINTS = 2000

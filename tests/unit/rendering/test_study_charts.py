@@ -11,10 +11,10 @@ from contourlab.features.sensitivity.command import curve_tile, indices_chart, i
 from contourlab.features.sensitivity.curves import Curve, Interval, Minimum
 from contourlab.rendering.charts import Multiples, traces_chart
 from contourlab.rendering.data import ReportData
-from contourlab.rendering.error_pictures import polar_charts
 from contourlab.rendering.matplotlib_view import draw_chart, drawing
 from contourlab.rendering.plotly_view import figure_of
 from contourlab.rendering.plots import write_charts
+from contourlab.rendering.run_pictures import polar_charts
 from contourlab.study import DesignVariable
 
 X = np.geomspace(1.0, 4.0, 9)

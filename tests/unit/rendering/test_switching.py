@@ -12,14 +12,13 @@ import pytest
 from contourlab.analysis.linear.margins import Margins
 from contourlab.loop.switches import Switches, SwitchKind
 from contourlab.metrics import Spike
-from contourlab.rendering.axis_pictures import bode_charts, hysteresis_charts
 from contourlab.rendering.comparison import compare
 from contourlab.rendering.data import ReportData
-from contourlab.rendering.error_pictures import polar_charts
 from contourlab.rendering.html import render_html
 from contourlab.rendering.page_tables import reversal_table, reversal_text
 from contourlab.rendering.plotly_view import figure_of
 from contourlab.rendering.plots import write_plots
+from contourlab.rendering.run_pictures import bode_charts, hysteresis_charts, polar_charts
 from contourlab.rendering.switching import LISTED, strip_charts, switch_lines, switch_tables
 from contourlab.result import Signal
 

@@ -25,18 +25,6 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.analysis.learning.learning_analysis import (
-    HEARD,
-    FrequencyLearning,
-    LawKernels,
-    averaging,
-    frequency_learning,
-    law_kernels,
-    law_model,
-    lifted_problem,
-    next_table,
-    peak,
-)
 from contourlab.analysis.linear.coupled_loop import CoupledLoop, TrialMap, coupled_loop, impulse_responses
 from contourlab.analysis.linear.margins import doubling
 from contourlab.arrays import Array, Complex

@@ -119,27 +119,13 @@ def _names(reference: str) -> list[str]:
 def _about(file: Path) -> str:
     """Return the first sentence of the comment at the start of a file."""
     words: list[str] = []
-    for line in file.read_text(encoding="utf-8").splitlines():
-        text = line.strip()
-        if not text.startswith(("#", "(")):
-            if words or (text and text != "%"):
-                break
-            continue
-        if not text.strip("#() "):
+    for text in map(str.strip, file.read_text(encoding="utf-8").splitlines()):
+        if text.startswith(("#", "(")) and text.strip("#() "):
+            words += text.strip("#()").split()
+        elif words or text not in ("", "%"):
             break
-        words += text.strip("#()").split()
-    return _sentence(" ".join(words))
-
-
-def _sentence(text: str) -> str:
-    """Return the first sentence; a full stop after a single letter does not end it."""
-    place = 0
-    while True:
-        place = text.find(". ", place + 1)
-        if place < 0:
-            return text.rstrip(".")
-        if not (len(word := text[:place].split()[-1]) == 1 and word.isalpha()):
-            return text[:place]
+    # A full stop after a single letter does not end a sentence.
+    return re.split(r"(?<!(?<!\S)[^\W\d_])\. ", " ".join(words), maxsplit=1)[0].rstrip(".")
 
 
 def copy_shipped(name: str, folder: str | Path, *, force: bool = False) -> list[Path]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
@@ -62,26 +62,32 @@ class LogChoice:
             return b"".join(channel.values.tobytes() for channel in self.file.record.channels)
         return Path(self.file).read_bytes()
 
-    def read(self, more: Sequence[Column] = ()) -> tuple[Record, Columns]:
-        """Return the log without interpretation, and its columns: those of the command line and `more` override the mapping file's."""
-        mapping = self.file.given if isinstance(self.file, Log) else Columns()
-        if self.mapping is not None:
-            mapping = read_columns(self.mapping)
-        typed = once((*parse_columns(self.columns), *more), "--column and --reference")
-        overridden = {(column.signal, column.axis) for column in typed}
-        columns = (*typed, *(c for c in mapping.columns if (c.signal, c.axis) not in overridden))
-        return read_record(self.file, self.format or mapping.format), Columns(columns, self.period or mapping.period)
 
+def open_log(choice: LogChoice, more: Sequence[Column] = (), guess: Callable[[Record], Iterable[Column]] = lambda record: ()) -> Log:
+    """Read a log. Columns and period of the command line override those of the mapping file.
 
-def open_log(choice: LogChoice, more: Sequence[Column] = ()) -> Log:
-    """Read a log, with further columns.
+    Parameters
+    ----------
+    more : sequence of Column
+        Further columns.
+    guess : callable, optional
+        Returns columns of the record for signals that nothing else names.
 
     Raises
     ------
     LogError, ParameterError
         See `contourlab.logs.load_log`.
     """
-    return result_of(*choice.read(more))
+    mapping = choice.file.given if isinstance(choice.file, Log) else Columns()
+    if choice.mapping is not None:
+        mapping = read_columns(choice.mapping)
+    typed = once((*parse_columns(choice.columns), *more), "--column and --reference")
+    overridden = {(column.signal, column.axis) for column in typed}
+    columns = (*typed, *(c for c in mapping.columns if (c.signal, c.axis) not in overridden))
+    record = read_record(choice.file, choice.format or mapping.format)
+    named = {(column.signal, column.axis) for column in columns}
+    columns += tuple(column for column in guess(record) if (column.signal, column.axis) not in named)
+    return result_of(record, Columns(columns, choice.period or mapping.period))
 
 
 def distinct_names(files: Sequence[str | os.PathLike[str]]) -> list[str]:

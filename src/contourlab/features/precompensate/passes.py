@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import io
 import json
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
@@ -149,22 +149,15 @@ def load(folder: Path, none: Passes) -> Passes:
         with np.load(file, allow_pickle=False) as arrays:
             about = json.loads(str(arrays["about"]))
             names = Learned.__dataclass_fields__
-            learned = {name: arrays[f"learned_{name}"] for name in names if f"learned_{name}" in arrays}
+            learned: dict[str, Any] = {name: arrays[f"learned_{name}"][()] for name in names if f"learned_{name}" in arrays}
             written = tuple(
                 Written(text, arrays[f"corrected_{k}"], arrays[f"programmed_{k}"], n_line, shortest)
                 for k, (text, n_line, shortest) in enumerate(about["texts"])
             )
-        shown: list[dict[str, Any]] = [
-            {name: tuple(value) if isinstance(value, list) else value for name, value in one.items()} for one in about["figures"]
-        ]
-        figures = tuple(PassFigures(**one) for one in shown)
-        passes = Passes(
-            about["digest"], tuple(about["axes"]), tuple(Loop(**loop) for loop in about["loops"]), about["cutoff"], figures, None, written,
-            tuple(about["logs"]),
-        )  # fmt: skip
-        if learned:
-            known: dict[str, Any] = {name: float(value) if value.ndim == 0 else value for name, value in learned.items()}
-            passes = replace(passes, learned=Learned(**known))
+        fast = ("velocity", "acceleration")
+        figures = tuple(PassFigures(**{**one, **{name: tuple(one[name]) for name in fast}}) for one in about["figures"])
+        loops, known = tuple(Loop(**loop) for loop in about["loops"]), Learned(**learned) if learned else None
+        passes = Passes(about["digest"], tuple(about["axes"]), loops, about["cutoff"], figures, known, written, tuple(about["logs"]))
     except (OSError, ValueError, KeyError, TypeError, EOFError) as error:
         raise ResultError(f"{file}: is damaged: use a new folder with --passes") from error
     if passes.digest != none.digest:

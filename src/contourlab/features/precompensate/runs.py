@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import accumulate, product
 from pathlib import Path
 from typing import Any
 
@@ -12,12 +13,12 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import LogError, ResultError
-from contourlab.features.measure.log_choice import LogChoice
+from contourlab.features.measure.log_choice import LogChoice, open_log
 from contourlab.features.measure.measured_path import moving, progress_along
 from contourlab.features.precompensate.law import Run
-from contourlab.features.precompensate.writing import Contour, Written, chunks
+from contourlab.features.precompensate.writing import Contour, Written
 from contourlab.feed import LimitReport, Reference, limit_report
-from contourlab.logs import Column, Log, result_of
+from contourlab.logs import Column, Log, Record
 from contourlab.logs.load import LONG_GAP, about
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.program import Program
@@ -83,18 +84,8 @@ def open_run(choice: LogChoice, machine: Machine | None = None) -> tuple[Measure
     LogError
         If it cannot be read, has a long gap, or an axis has no commanded or measured position.
     """
-    record, given = choice.read()
-    names = {channel.name.lower(): channel.name for channel in record.channels}
-    known = {(column.signal, column.axis) for column in given.columns}
-    guesses = [
-        Column(signal, axis, names[form.format(axis)])
-        for axis in "xyz"
-        for signal, forms in NAMES
-        for form in forms
-        if form.format(axis) in names and (signal, axis) not in known
-    ]
     with about(choice.file):
-        log = result_of(record, replace(given, columns=(*given.columns, *guesses)))
+        log = open_log(choice, guess=_of_hal)
     result = log.result
 
     def of(axes: Sequence[str], *signals: str) -> Array | None:
@@ -123,6 +114,13 @@ def open_run(choice: LogChoice, machine: Machine | None = None) -> tuple[Measure
     return Measured(result.servo_period, command, motor, load, "motor and model" if any(gaps) else "motor"), axes, log
 
 
+def _of_hal(record: Record) -> Iterator[Column]:
+    """Yield the columns of a log of HAL by their names."""
+    names = {channel.name.lower(): channel.name for channel in record.channels}
+    for axis, (signal, forms) in product("xyz", NAMES):
+        yield from (Column(signal, axis, names[form.format(axis)]) for form in forms if form.format(axis) in names)
+
+
 def _check_followed(axes: Sequence[str], command: Array, position: Array, file: str | Path) -> None:
     """Refuse positions (n, n_axis) [m] that do not follow their commands at all."""
     for axis, wanted, measured in zip(axes, command.T, position.T, strict=True):
@@ -146,11 +144,10 @@ def behind_play(motor: Array, gap: float) -> Array:
     >>> behind_play(np.array([0.0, 3.0, 2.0, 0.0]), 2.0)
     array([0., 2., 2., 1.])
     """
-    load, at = motor.copy(), float(motor[0])
-    for k, position in enumerate(motor.tolist() if gap else ()):
-        at = min(max(at, position - gap / 2.0), position + gap / 2.0)
-        load[k] = at
-    return load
+    if not gap:
+        return motor.copy()
+    half = gap / 2.0
+    return np.array(list(accumulate(motor.tolist(), lambda at, position: min(max(at, position - half), position + half))))
 
 
 def run_of(contour: Contour, measured: Measured, driven: Contour | None = None, written: Written | None = None) -> Run:
@@ -187,7 +184,7 @@ def run_of(contour: Contour, measured: Measured, driven: Contour | None = None, 
     farthest = float(np.linalg.norm(measured.command[first:stop] - load, axis=1).max())
     foot = contour.path.foot_point(load, place, min(4.0 * farthest + 1e-4, 0.25 * contour.path.length))
     off = foot.position - load
-    ends = contour.path.breaks[sorted({end for part in chunks(contour) for end in part})]
+    ends = contour.path.breaks[sorted({end for part in contour.chunks for end in part})]
     nearest = ends[np.clip(np.searchsorted(0.5 * (ends[1:] + ends[:-1]), foot.arc_length), 0, len(ends) - 1)]
     at_end = np.abs(np.asarray(foot.arc_length) - nearest) < AT_END
     tangent = np.asarray(contour.path.tangent(foot.arc_length))

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import shutil
+import subprocess
+import tempfile
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property, partial
@@ -12,13 +14,12 @@ import numpy as np
 
 from contourlab.errors import ProgramError, ResultError
 from contourlab.features.measure.log_choice import positive
-from contourlab.features.precompensate.blocks import Source, parse_blocks, read_blocks
 from contourlab.features.precompensate.law import CUTOFF, Run, fit_loop, learn, proposed, smoother
 from contourlab.features.precompensate.options import Precompensate
 from contourlab.features.precompensate.passes import Passes, PassFigures, digest_of, save
 from contourlab.features.precompensate.result import LeftMove, Precompensated
 from contourlab.features.precompensate.runs import Measured, limits_of, run_of
-from contourlab.features.precompensate.writing import MARK, Contour, Written, chunks, complaint, contour_of, marked, room, write_corrected
+from contourlab.features.precompensate.writing import MARK, Contour, Written, contour_of, marked, parse_blocks, read_blocks, write_corrected
 from contourlab.feed import LimitReport
 from contourlab.findings import Finding, finding
 from contourlab.loop import Machine
@@ -52,13 +53,13 @@ class Work:
         self.band = positive("--band", settings.band, "", 'a share, such as "2 %"')
         period = max(NODE_TIME, period)
         source = read_blocks(part, reading, axes)
-        if any(MARK in line for line in source.lines[:2]):
+        if any(MARK in line for line in source.program.lines[:2]):
             raise ProgramError("is a corrected program: give the one before any correction, and the folder with --passes", file=part)
         self.contour = contour_of(source, axes, period)
         if not self.contour.corrected.any():
             raise ProgramError(f"no cutting move along {', '.join(axes)} can be corrected", file=part)
         known = repr((tuple(axes), period, self.tolerance))
-        self.passes = Passes(digest_of("\n".join(source.lines).encode("utf-8", "replace"), known.encode()), tuple(axes))
+        self.passes = Passes(digest_of("\n".join(source.program.lines).encode("utf-8", "replace"), known.encode()), tuple(axes))
         self.needs: LimitReport | None = None
         self._read: tuple[Written, Contour] | None = None
 
@@ -87,7 +88,7 @@ class Work:
         breaks = np.asarray(contour.path.breaks)
         if len(breaks) != len(written.corrected_arc) or np.abs(breaks - written.corrected_arc).max() > 1e-6 + 1e-6 * breaks[-1]:
             raise ProgramError("cannot be corrected: the written program would move differently elsewhere", file=self.part)
-        if _events(source) != _events(self.contour.source):
+        if contour.events != self.contour.events:
             raise ProgramError("cannot be corrected: the written program would lose a code", file=self.part)
         return contour
 
@@ -161,7 +162,7 @@ class Work:
     def _starts(self, run: Run, cutoff: float) -> list[Finding]:
         """Say where cuts begin while the axes still settle from the move before."""
         square = np.where(run.moves, (run.error**2).sum(axis=1), 0.0)
-        first = [part[0] for part in chunks(self.contour)]
+        first = [part[0] for part in self.contour.chunks]
         begins = np.searchsorted(run.place, self.contour.path.breaks[first], side="right")
         spans = [square[begin : begin + max(round(1.0 / (cutoff * run.period)), 1)].sum() for begin in begins.tolist()]
         share = float(np.sum(spans) / max(square.sum(), 1e-300))
@@ -174,7 +175,7 @@ class Work:
         """Write the program of the next pass; return the findings."""
         learned = self.passes.learned
         assert learned is not None
-        tried, capped = proposed(learned, self.cap, room(self.contour))
+        tried, capped = proposed(learned, self.cap, self.contour.room)
         durations = [one.duration for one in self.passes.figures]
         slowed = max(durations) > (1.0 + SLOWED) * durations[0]
         written = write_corrected(self.contour, tried, self.tolerance, np.inf if slowed else (1.0 + self.band) * learned.speed)
@@ -240,5 +241,16 @@ class Work:
         )
 
 
-def _events(source: Source) -> list[tuple[str, float | None]]:
-    return [(event.word, event.value) for event in source.program.events]
+def complaint(text: str, folder: Path) -> str:
+    """Return what LinuxCNC's interpreter says against a program; empty for nothing."""
+    with tempfile.TemporaryDirectory() as name:
+        file = Path(name, "program.ngc")
+        file.write_text(text, encoding="utf-8", errors="replace")
+        try:
+            ran = subprocess.run(
+                ["rs274", "-g", str(file)], capture_output=True, text=True, errors="replace", timeout=60, cwd=folder, check=False
+            )
+        except (OSError, subprocess.TimeoutExpired):
+            return ""
+    lines = [line.strip() for line in ran.stderr.splitlines() if line.strip()]
+    return "" if ran.returncode == 0 else (lines[-1] if lines else f"code {ran.returncode}")[:200]

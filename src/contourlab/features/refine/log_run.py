@@ -22,6 +22,8 @@ from contourlab.study import Setting
 
 LEAD = 50
 """Samples at rest that are simulated before the first move."""
+SETTLING = 0.2
+"""Time after the last move that still counts [s]."""
 PERIODS_APART = 1e-6
 """Share by which the periods of a log and of a controller may differ."""
 
@@ -188,17 +190,13 @@ class LogRun:
         return float(np.sqrt(np.mean(error**2))), float(np.abs(error).max())
 
 
-def log_run(machine: Machine, controller: Controller, result: Result, label: str, *, settling: float = 0.2, lead: int = LEAD) -> LogRun:
+def log_run(machine: Machine, controller: Controller, result: Result, label: str) -> LogRun:
     """Prepare the simulation along a log.
 
     Parameters
     ----------
     result : Result
         The log: ``reference`` and ``position`` of every axis, ``command`` if there is one.
-    settling : float [s], >= 0
-        Time after the last move that still counts.
-    lead : int
-        Samples before the first move.
 
     Raises
     ------
@@ -223,7 +221,7 @@ def log_run(machine: Machine, controller: Controller, result: Result, label: str
     judged = measure(result, axes=machine.axis_names)
     wanted, along = result["reference"][:, columns], judged.result["arc_length"]
     first, last = moving(wanted)
-    begin, end = max(first - lead, 0), min(last + round(settling / period), len(wanted))
+    begin, end = max(first - LEAD, 0), min(last + round(SETTLING / period), len(wanted))
     part = slice(begin, end)
     reference = Reference.from_samples(wanted[part], period, judged.reference.path, arc_length=along[part])
     command, findings = _command(machine, result, columns, part, label)

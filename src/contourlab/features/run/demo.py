@@ -15,7 +15,7 @@ from contourlab.features.run import options
 from contourlab.features.run.command import Runs, run_schemes
 from contourlab.features.run.outcome import Outcome
 from contourlab.figures import figure, listing, number
-from contourlab.rendering.overview import write_overview
+from contourlab.rendering.one_page import write_overview
 from contourlab.rendering.stages import part_of_command
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.scenario import builtin_file, load_scenario

@@ -10,9 +10,8 @@ import numpy as np
 
 from contourlab.analysis.identification.least_squares import DescentSettings
 from contourlab.errors import LogError
-from contourlab.features.refine.cross_validation import CrossValidation, cross_validated
 from contourlab.features.refine.log_run import Agreement, LogRun, log_run
-from contourlab.features.refine.study import RefineSettings, Window, refine
+from contourlab.features.refine.study import CrossValidation, RefineSettings, Window, cross_validated, refine
 from contourlab.logs import load_log
 from contourlab.loop import Machine
 from contourlab.loop.parameters import with_values

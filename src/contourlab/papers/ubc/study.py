@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from contourlab.features.refine.cross_validation import CrossValidation
 from contourlab.features.refine.log_run import LogRun
+from contourlab.features.refine.study import CrossValidation
 from contourlab.papers.rows import IDENTITY, INPUT, Part, Row, asked, measured, ours
 from contourlab.papers.ubc.runs import Unseen, left_out, read_runs, unseen
 

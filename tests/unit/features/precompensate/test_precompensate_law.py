@@ -7,10 +7,9 @@ import numpy as np
 import pytest
 from scipy.signal import lsim
 
-from contourlab.features.precompensate.blocks import parse_blocks
 from contourlab.features.precompensate.law import Run, filtered, fit_loop, learn, low_pass, proposed, spread
 from contourlab.features.precompensate.runs import Measured, behind_play, run_of
-from contourlab.features.precompensate.writing import contour_of
+from contourlab.features.precompensate.writing import contour_of, parse_blocks
 from contourlab.program import Reading
 
 PERIOD = 1e-3

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from contourlab.features.precompensate.blocks import read_blocks
+from contourlab.features.precompensate.writing import read_blocks
 from contourlab.program import Reading, read_program
 
 PROGRAM = """%
@@ -71,7 +71,7 @@ def part(tmp_path: Path) -> Path:
 def test_only_what_is_corrected_is_written_out(part: Path) -> None:
     source = read_blocks(part, Reading(), ("x", "y"))
     by_line: dict[int, list[str]] = {}
-    for number, line in zip(source.numbers, source.lines, strict=True):
+    for number, line in zip(source.numbers, source.program.lines, strict=True):
         by_line.setdefault(number, []).append(line)
     shown = {number: "\n".join(lines) for number, lines in by_line.items()}
     assert {number: shown[number] for number in UNROLLED} == UNROLLED
@@ -90,7 +90,7 @@ def test_a_program_that_would_move_differently_stays(tmp_path: Path) -> None:
     file.write_text("G21 G90\no1 sub\nG1 X#1 F600\no1 endsub [7]\no1 call [5]\nG1 Y#<_value>\nM2\n")
     source = read_blocks(file, Reading(), ("x", "y"))
     assert source.blocks[0].reason == "inside a loop or subprogram"
-    assert "\n".join(source.lines) + "\n" == file.read_text()
+    assert "\n".join(source.program.lines) + "\n" == file.read_text()
 
 
 @pytest.mark.oracle
@@ -103,6 +103,6 @@ def test_linuxcnc_makes_the_same_moves(part: Path) -> None:
         return [re.sub(r"^\s*\d+\s+N\S+\s*", "", line) for line in ran.stdout.splitlines() if "COMMENT" not in line]
 
     plain = part.with_name("plain.ngc")
-    plain.write_text("\n".join(read_blocks(part, Reading(), ("x", "y")).lines) + "\n")
+    plain.write_text("\n".join(read_blocks(part, Reading(), ("x", "y")).program.lines) + "\n")
     assert canonical(plain) == canonical(part)
     assert sum("ARC_FEED" in line for line in canonical(plain)) == 2

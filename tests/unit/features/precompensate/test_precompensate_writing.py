@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from contourlab.errors import ProgramError
-from contourlab.features.precompensate.blocks import parse_blocks, read_blocks, without_motion
-from contourlab.features.precompensate.writing import contour_of, write_corrected
+from contourlab.features.precompensate.writing import contour_of, parse_blocks, read_blocks, without_motion, write_corrected
 from contourlab.program import Feed, Reading, parse_program
 
 READING = Reading(require_end=False)

@@ -12,9 +12,8 @@ from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.features.measure.measured_path import path_of_samples
-from contourlab.features.refine.cross_validation import cross_validated, new_run_factor
 from contourlab.features.refine.log_run import LogRun, log_run
-from contourlab.features.refine.study import RefineSettings, refine
+from contourlab.features.refine.study import RefineSettings, cross_validated, new_run_factor, refine
 from contourlab.feed import Reference
 from contourlab.loop import Axis, AxisController, Controller, Machine, simulate
 from contourlab.loop.parameters import with_values
