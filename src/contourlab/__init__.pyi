@@ -2,6 +2,7 @@
 # fmt: off
 """Types of the public names, made by ``python tools/surface.py``: do not edit."""
 
+from collections.abc import Callable as Callable
 from collections.abc import Sequence
 from contourlab.analysis.learning.learning_analysis import learning_analysis as learning_analysis
 from contourlab.analysis.linear.contour_transfer import contour_margins as contour_margins
@@ -10,6 +11,7 @@ from contourlab.components.conformance import check_component as check_component
 from contourlab.components.contract import Component as Component
 from contourlab.components.contract import param as param
 from contourlab.components.contract import text_param as text_param
+from contourlab.components.learning.law import LearningLaw as LearningLaw
 from contourlab.components.plant.reflected import reflected_inertia as reflected_inertia
 from contourlab.components.plant.reflected import reflected_mass as reflected_mass
 from contourlab.components.registry import component as component
@@ -22,14 +24,17 @@ from contourlab.errors import DivergenceError as DivergenceError
 from contourlab.features.analyse.command import Analysis as Analysis
 from contourlab.features.backlash.command import BacklashOutcome as BacklashOutcome
 from contourlab.features.check.program_check import Checked as Checked
-from contourlab.features.circle.result import CircleTest as CircleTest
+from contourlab.features.circle.command import CircleTest as CircleTest
 from contourlab.features.commission.command import Commissioned as Commissioned
 from contourlab.features.export.command import Exported as Exported
-from contourlab.features.identify.command import Identification as Identification
-from contourlab.features.interpolate.command import Counts as Counts
-from contourlab.features.learn.stopping import Stopping as Stopping
+from contourlab.features.identify.result import Identification as Identification
+from contourlab.features.interpolate.command import Interpolated as Interpolated
+from contourlab.features.learn.run import LearningRun as LearningRun
+from contourlab.features.learn.run import Part as Part
+from contourlab.features.learn.run import Stopping as Stopping
 from contourlab.features.learn.table import LearnedTable as LearnedTable
-from contourlab.features.limits.result import LimitTest as LimitTest
+from contourlab.features.learn.trial import TrialFigures as TrialFigures
+from contourlab.features.limits.command import LimitTest as LimitTest
 from contourlab.features.link.cost import message_rate as message_rate
 from contourlab.features.link.result import LinkResult as LinkResult
 from contourlab.features.measure.command import MeasuredRuns as MeasuredRuns
@@ -40,19 +45,18 @@ from contourlab.features.run.command import Planned as Planned
 from contourlab.features.run.command import Runs as Runs
 from contourlab.features.run.record import simulate_to_file as simulate_to_file
 from contourlab.features.run.report import report as report
-from contourlab.features.run.schemes import learn as learn
 from contourlab.features.run.source import Source as Source
 from contourlab.features.run.verdict import verdict as verdict
 from contourlab.features.sensitivity.command import Sensitivity as Sensitivity
 from contourlab.features.swap.report import SwapResult as SwapResult
 from contourlab.features.sweep.command import Rows as Rows
-from contourlab.features.sweep.optimise import Search as Search
+from contourlab.features.sweep.command import Search as Search
 from contourlab.features.sweep.query import Export as ExportedRows
+from contourlab.features.sweep.query import SweepSummary as SweepSummary
 from contourlab.features.sweep.report import SweepReport as SweepReport
-from contourlab.features.sweep.summary import SweepSummary as SweepSummary
 from contourlab.features.tune.command import Calibration as Calibration
 from contourlab.feed.blending import blended as blended
-from contourlab.feed.limits import AxisLimits as AxisLimits
+from contourlab.feed.bounds import AxisLimits as AxisLimits
 from contourlab.feed.planner import plan as plan
 from contourlab.feed.reference import Reference as Reference
 from contourlab.feed.reference import uniform as uniform
@@ -62,20 +66,27 @@ from contourlab.feed.route import route_from_program as route_from_program
 from contourlab.feed.verify import limit_report as limit_report
 from contourlab.geometry.library import contour as contour
 from contourlab.geometry.library import contour_names as contour_names
+from contourlab.geometry.line_and_arc import Arc as Arc
+from contourlab.geometry.line_and_arc import Line as Line
+from contourlab.geometry.nurbs import Nurbs as Nurbs
 from contourlab.geometry.path import Path as Path
+from contourlab.geometry.view import PathView as PathView
+from contourlab.logs.load import Log as Log
+from contourlab.logs.load import load_log as load_log
 from contourlab.loop.axis_parts import AxisError as AxisError
 from contourlab.loop.axis_parts import Division as Division
 from contourlab.loop.axis_parts import Limits as Limits
+from contourlab.loop.batch import BatchResult as BatchResult
 from contourlab.loop.batch import simulate_batch as simulate_batch
-from contourlab.loop.batch_result import BatchResult as BatchResult
 from contourlab.loop.feeding import Learned as Learned
 from contourlab.loop.machine import Axis as Axis
 from contourlab.loop.machine import AxisController as AxisController
 from contourlab.loop.machine import Controller as Controller
 from contourlab.loop.machine import Machine as Machine
 from contourlab.loop.parameters import parameter_names as parameter_names
-from contourlab.loop.reconfigure import Change as Change
+from contourlab.loop.parameters import with_values as with_values
 from contourlab.loop.simulate import simulate as simulate
+from contourlab.loop.switches import Change as Change
 from contourlab.metrics.circles import backlash_from_circle as backlash_from_circle
 from contourlab.metrics.circles import backlash_of_runs as backlash_of_runs
 from contourlab.metrics.circles import circles_of as circles_of
@@ -92,15 +103,18 @@ from contourlab.program.reader import read_program as read_program
 from contourlab.result.result import Result as Result
 from contourlab.result.signals import Signal as Signal
 from contourlab.result.signals import Status as Status
+from contourlab.scenario.dump import save as save
 from contourlab.scenario.load import load_scenario as load_scenario
 from contourlab.scenario.values import Scenario as Scenario
 from pathlib import Path as File
-from typing import Any
+from typing import Any as Any
+from typing import overload
 
 __version__: str
 
 __all__ = [
     "__version__",
+    "Arc",
     "Axis",
     "AxisController",
     "AxisError",
@@ -115,8 +129,10 @@ __all__ = [
     "Learned",
     "LearnedTable",
     "Limits",
+    "Line",
     "Machine",
     "Metrics",
+    "Nurbs",
     "Path",
     "Port",
     "Program",
@@ -153,6 +169,7 @@ __all__ = [
     "limit_report",
     "limits",
     "link",
+    "load_log",
     "load_plugin",
     "load_scenario",
     "lost_motion_from_pair",
@@ -175,6 +192,7 @@ __all__ = [
     "route_from_path",
     "route_from_program",
     "run",
+    "save",
     "sensitivity",
     "simulate",
     "simulate_batch",
@@ -187,31 +205,32 @@ __all__ = [
     "tune",
     "uniform",
     "verdict",
+    "with_values",
 ]
 
 def analyse(*source: Source, whole: bool = ..., schemes: str | Sequence[str] = ..., plugin: str | File | Sequence[str | File] = ...) -> Analysis: ...
 
 def backlash(*source: Source, quick: bool = ..., schemes: str | Sequence[str] = ..., plugin: str | File | Sequence[str | File] = ...) -> BacklashOutcome: ...
 
-def check(file: str | File, *, machine: str | None = ..., dialect: str = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ...) -> Checked: ...
+def check(file: str | File, *, machine: str | Machine | None = ..., dialect: str = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ...) -> Checked: ...
 
-def circle(*logs: str | File, tolerance: str | None = ..., radius: str | None = ..., feed: str | None = ..., pitch: str | None = ..., axes: str | Sequence[str] = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> CircleTest: ...
+def circle(*logs: str | File | Log, tolerance: str | None = ..., radius: str | None = ..., feed: str | None = ..., pitch: str | None = ..., axes: str | Sequence[str] = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> CircleTest: ...
 
 def commission(ini: str | File, hal: str | File, *, control: str = ..., log: str | File | Sequence[str | File] = ..., program: str | File | None = ..., for_: str | None = ..., seed: int = ..., gain_margin: float = ..., phase_margin: float = ...) -> Commissioned: ...
 
 def export(file: str | File, *, to: str, machine: str | None = ..., scheme: str | None = ..., axis: str | Sequence[str] = ..., plugin: str | File | Sequence[str | File] = ...) -> Exported: ...
 
-def identify(*logs: str | File, model: str = ..., axis: str | None = ..., gain: str | None = ..., full_scale: str | None = ..., cutoff: str = ..., slowest: str | None = ..., decimation: int = ..., validation: str | File | None = ..., position_gain: str | None = ..., velocity_gain: str | None = ..., lead: str | None = ..., motor_inertia: str | None = ..., side: str = ..., excitation: str = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> Identification: ...
+def identify(*logs: str | File | Log, model: str = ..., axis: str | None = ..., gain: str | None = ..., full_scale: str | None = ..., cutoff: str = ..., slowest: str | None = ..., decimation: int = ..., validation: str | File | None = ..., position_gain: str | None = ..., velocity_gain: str | None = ..., lead: str | None = ..., motor_inertia: str | None = ..., side: str = ..., excitation: str = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> Identification: ...
 
-def interpolate(file: str | File, *, pitch: str = ..., resolution: str = ..., columns: str | None = ..., reference: str | None = ..., forgetting: float | None = ...) -> Counts: ...
+def interpolate(file: str | File, *, pitch: str = ..., resolution: str = ..., columns: str | None = ..., reference: str | None = ..., forgetting: float | None = ...) -> Interpolated: ...
 
-def limits(file: str | File, *, machine: str | None = ..., velocity: str | None = ..., acceleration: str | None = ..., jerk: str | None = ..., tolerance: str | None = ..., program: str | File | None = ..., line_column: str | None = ..., dialect: str = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ..., axes: str | Sequence[str] = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> LimitTest: ...
+def limits(file: str | File | Log, *, machine: str | Machine | None = ..., velocity: str | None = ..., acceleration: str | None = ..., jerk: str | None = ..., tolerance: str | None = ..., program: str | File | None = ..., line_column: str | None = ..., dialect: str = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ..., axes: str | Sequence[str] = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> LimitTest: ...
 
 def link(*source: Source, vary: str | Sequence[str] = ..., axes: str | Sequence[str] = ..., figure: str = ..., tolerance: str | None = ..., extrapolate: bool = ..., seeds: int | None = ..., quick: bool = ..., division: str | Sequence[str] = ..., ways: str | Sequence[str] = ..., within: str | None = ..., message_period: str | None = ..., delay: str | None = ..., jitter: str | None = ..., loss: str | None = ..., longest: str | None = ..., schemes: str | Sequence[str] = ..., plugin: str | File | Sequence[str | File] = ...) -> LinkResult: ...
 
 def compare(*files: Any, trials: int | None = ..., schemes: str | Sequence[str] = ..., judge: str | None = ..., plugin: str | File | Sequence[str | File] = ..., interval: bool | None = ...) -> Runs | MeasuredRuns: ...
 
-def measure(log: str | File, *, reference: str | None = ..., shift: str | None = ..., axes: str | Sequence[str] = ..., tolerance: str | None = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> MeasuredRuns: ...
+def measure(log: str | File | Log, *, reference: str | None = ..., shift: str | None = ..., axes: str | Sequence[str] = ..., tolerance: str | None = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> MeasuredRuns: ...
 
 def notch(*source: Source, scheme: str | None = ..., axes: str | Sequence[str] = ..., gain_margin: float = ..., phase_margin: float = ..., plugin: str | File | Sequence[str | File] = ...) -> Notched: ...
 
@@ -219,9 +238,15 @@ def precompensate(part: str | File, *, log: str | File | Sequence[str | File] = 
 
 def refine(scenario: str | File, *, log: str | File | Sequence[str | File], parameter: str | Sequence[str], also: str | Sequence[str] = ..., window: str | Sequence[str] = ..., validation: str | File | None = ..., starts: int = ..., plugin: str | File | Sequence[str | File] = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ...) -> Refinement: ...
 
+@overload
+def learn(*source: str | File | Scenario, table: str | File | None = ..., trials: int | None = ..., schemes: str | Sequence[str] = ..., judge: str | None = ..., plugin: str | File | Sequence[str | File] = ..., interval: bool | None = ...) -> Runs: ...
+
+@overload
+def learn(machine: Machine, controller: Controller, reference: Reference, law: LearningLaw, *, trials: int = ..., seed: int = ..., start: LearnedTable | None = ..., stopping: Stopping | None = ..., part: Part = ..., jit: bool | None = ..., view: PathView | None = ..., progress: Callable[[int], None] | None = ..., on_trial: Callable[[TrialFigures], None] | None = ...) -> LearningRun: ...
+
 def run(*source: Source, check: bool = ..., machine: str | None = ..., controller: str | None = ..., tolerance: str | None = ..., fit: bool = ..., no_require_end: bool = ..., dialect: str | None = ..., judge: str | None = ..., plugin: str | File | Sequence[str | File] = ..., block_delete: bool = ..., tools: str | File | None = ..., most_moves: int | None = ..., interval: bool | None = ...) -> Runs | Planned: ...
 
-def sensitivity(*source: Source, width: float = ..., scheme: str = ..., figure: str = ..., parts: str | Sequence[str] = ..., values: int = ..., base: int = ..., second_order: bool = ..., trajectories: int = ..., distribution: str = ..., deviation: str | Sequence[str] = ..., transform: str = ..., servo_period: str | None = ..., quick: bool = ..., executor: str = ..., workers: int | None = ..., seed: int = ..., parameter: str | Sequence[str] = ..., judge: str | None = ..., plugin: str | File | Sequence[str | File] = ...) -> Sensitivity: ...
+def sensitivity(*source: Source, width: float = ..., scheme: str = ..., distribution: str = ..., deviation: str | Sequence[str] = ..., servo_period: str | None = ..., quick: bool = ..., figure: str = ..., parts: str | Sequence[str] = ..., values: int = ..., base: int = ..., second_order: bool = ..., trajectories: int = ..., transform: str = ..., seed: int = ..., executor: str = ..., workers: int | None = ..., parameter: str | Sequence[str] = ..., judge: str | None = ..., plugin: str | File | Sequence[str | File] = ...) -> Sensitivity: ...
 
 def swap(*source: Source, within: str = ..., longest: str = ..., axis: str | Sequence[str], with_: str | Sequence[str], scheme: str | None = ..., objective: str = ..., floor: str | None = ..., local: str | Sequence[str] = ..., exhaustive: bool = ..., from_: str | Sequence[str] = ..., budget: int = ..., quick: bool = ..., region: str | Sequence[str] = ..., tolerance: str | None = ..., places: int | None = ..., linear: str | Sequence[str] = ..., division: str | Sequence[str] = ..., ways: str | Sequence[str] = ..., message_period: str | None = ..., delay: str | None = ..., jitter: str | None = ..., loss: str | None = ..., executor: str = ..., workers: int | None = ..., seed: int = ..., parameter: str | Sequence[str] = ..., width: float = ..., gain_margin: float = ..., phase_margin: float = ..., plugin: str | File | Sequence[str | File] = ...) -> SwapResult: ...
 

@@ -9,8 +9,6 @@ import numpy as np
 from contourlab.analysis.learning.learning_analysis import LearningAnalysis
 from contourlab.arrays import Array
 from contourlab.figures import figure, number
-from contourlab.rendering.charts import Chart, Curve, Level, Panel, Tick
-from contourlab.figures import figure
 from contourlab.rendering.charts import Chart, Curve, Level, Panel, Tick, traces_chart
 from contourlab.rendering.data import ReportData, TrialCourse
 from contourlab.rendering.style import scheme_style

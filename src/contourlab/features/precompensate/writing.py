@@ -19,7 +19,7 @@ from contourlab.feed import Route, route_from_program
 from contourlab.geometry.thinning import polygon_corners
 from contourlab.program import Arc, Dwell, Feed, Mode, Move, Point, Program, Reader, Reading, Spline
 from contourlab.program.block import Block as Executed
-from contourlab.program.expressions import Key
+from contourlab.program.block import Key
 from contourlab.program.moves import PLANE_AXES
 from contourlab.program.reader import read_text, split_lines
 from contourlab.program.state import Frame
