@@ -24,9 +24,8 @@ from rich.table import Table
 
 from contourlab.arrays import Array
 from contourlab.components.registry import component
+from contourlab.features.circle.command import Cause, causes_of
 from contourlab.features.circle.fit import fit_circle
-from contourlab.features.circle.command import Cause
-from contourlab.features.circle.command import causes_of
 from contourlab.features.circle.runs import CircleRun, find_circle, runs_of
 from contourlab.feed import Reference, uniform
 from contourlab.geometry import Path as Contour

@@ -46,8 +46,8 @@ class Message:
     @classmethod
     def of(cls, fault: Any) -> Message:
         """Return what an error or a notice says."""
-        line, column = (getattr(fault, name, 0) for name in ("line", "column"))
-        return cls(getattr(fault, "message", str(fault)), line, column, str(getattr(fault, "file", "")))
+        message, file = getattr(fault, "message", str(fault)), str(getattr(fault, "file", ""))
+        return cls(message, getattr(fault, "line", 0), getattr(fault, "column", 0), file)
 
     def text(self, program: str, note: str = "") -> str:
         """Return ``file:line:column: message``."""
