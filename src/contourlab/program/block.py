@@ -54,7 +54,7 @@ class Word(NamedTuple):
         """Return the value as a whole number; refuse other values, and numbers out of bounds."""
         number = round(self.value)
         if abs(self.value - number) > tolerance or not least <= number <= most:
-            raise BlockError(f"{self.letter}{self.value:g}: {what} must be a whole number from {least} to {most}", self.column)
+            raise BlockError(f"CL806 {self.letter}{self.value:g}: {what} must be a whole number from {least} to {most}", self.column)
         return number
 
 
@@ -105,10 +105,10 @@ def _words_and_values(line: str, parameters: Parameters) -> list[Word]:
             if letter == "O":
                 raise BlockError(O_WORD_ALONE, column)
             if letter == "N" and not cursor.next.isdigit():
-                raise BlockError("a line number must be digits only: write for example N10", column)
+                raise BlockError("CL804 a line number must be digits only: write for example N10", column)
             value = read_value(cursor, parameters)
             if abs(value) > LARGEST_NUMBER:
-                raise BlockError(f"{letter}{value:g} is too large: keep it below {LARGEST_NUMBER:.0e}", column)
+                raise BlockError(f"CL805 {letter}{value:g} is too large: keep it below {LARGEST_NUMBER:.0e}", column)
             words.append(Word(letter, value, column))
         else:
             raise _bad_character(line, column - 1)
@@ -150,12 +150,13 @@ def _odd_number(token: re.Match[str]) -> float:
         value = float(digits)
     except ValueError:
         if not digits:
-            raise BlockError(f"{name} has no number: write for example {name}10", column) from None
+            raise BlockError(f"CL803 {name} has no number: write for example {name}10", column) from None
         hint = f"write for example {name}10.5 (one sign, one point, no exponent)"
-        raise BlockError(f"{name}{short} is not a number: {hint}", column) from None
+        raise BlockError(f"CL803 {name}{short} is not a number: {hint}", column) from None
     if abs(value) > LARGEST_NUMBER or len(digits) > _LONGEST_NUMBER:
         raise BlockError(
-            f"{name}{short} is too large or too long: keep it below {LARGEST_NUMBER:.0e}, in at most {_LONGEST_NUMBER} characters", column
+            f"CL805 {name}{short} is too large or too long: keep it below {LARGEST_NUMBER:.0e}, in at most {_LONGEST_NUMBER} characters",
+            column,
         )
     return value
 
@@ -166,11 +167,15 @@ def _bad_character(line: str, at: int) -> BlockError:
     if character == "(":
         nested = line.find("(", at + 1)
         if nested >= 0 and line.find(")", at + 1) >= 0:
-            return BlockError("a comment cannot contain another one: use one pair of brackets, or ';' for the rest of the line", nested + 1)
-        return BlockError("the comment that starts here has no end: write ')' on the same line", at + 1)
+            return BlockError(
+                "CL802 a comment cannot contain another one: use one pair of brackets, or ';' for the rest of the line", nested + 1
+            )
+        return BlockError("CL802 the comment that starts here has no end: write ')' on the same line", at + 1)
     if line.strip() == "%":
-        return EndMarkError("% closes the program, but the first line has no % to open it: write % there too, or delete this one", at + 1)
-    return BlockError(_BAD.get(character, f"the character {character!r} has no meaning here: delete it"), at + 1)
+        return EndMarkError(
+            "CL847 % closes the program, but the first line has no % to open it: write % there too, or delete this one", at + 1
+        )
+    return BlockError("CL801 " + _BAD.get(character, f"the character {character!r} has no meaning here: delete it"), at + 1)
 
 
 _END_OF_MOTION = 800
@@ -218,7 +223,7 @@ def read_block(line: str, parameters: Parameters | None = None) -> Block:
         letter = word.letter
         if letter in USED_LETTERS:
             if letter in words:
-                raise BlockError(f"the block has two {letter} words: keep one of them", word.column)
+                raise BlockError(f"CL809 the block has two {letter} words: keep one of them", word.column)
             words[letter] = word
         elif letter == "G":
             _add_g(codes, word)
@@ -227,9 +232,9 @@ def read_block(line: str, parameters: Parameters | None = None) -> Block:
         elif letter == "N":
             # N must come first, even before a comment; its number has no meaning.
             if line[: word.column - 1].strip(" \t"):
-                raise BlockError("the line number N must come first on its line: move it there, or delete it", word.column)
+                raise BlockError("CL804 the line number N must come first on its line: move it there, or delete it", word.column)
             if word.value < 0.0:
-                raise BlockError("a line number cannot have a sign: write for example N10", word.column)
+                raise BlockError("CL804 a line number cannot have a sign: write for example N10", word.column)
         else:
             raise BlockError(refusal(letter, "word"), word.column)
     return Block(codes, words)
@@ -238,7 +243,7 @@ def read_block(line: str, parameters: Parameters | None = None) -> Block:
 def _add_g(codes: dict[str, Code], word: Word) -> None:
     number = round(10.0 * word.value)
     if word.value < 0.0 or abs(10.0 * word.value - number) > 1e-9:
-        raise BlockError(f"G{word.value:g} is not a known G-code: correct the number", word.column)
+        raise BlockError(f"CL807 G{word.value:g} is not a known G-code: correct the number", word.column)
     group = G_GROUPS.get(number)
     if group is None:
         raise BlockError(refusal(g_name(number), "G-code"), word.column)
@@ -246,17 +251,17 @@ def _add_g(codes: dict[str, Code], word: Word) -> None:
     if group == "motion" and group in codes and number == _END_OF_MOTION:
         return
     if group in codes and (group != "motion" or codes[group].number != _END_OF_MOTION):
-        raise BlockError(f"{g_name(codes[group].number)} and {g_name(number)} cannot share a block: keep one of them", word.column)
+        raise BlockError(f"CL810 {g_name(codes[group].number)} and {g_name(number)} cannot share a block: keep one of them", word.column)
     codes[group] = Code(number, word.column)
 
 
 def _add_m(codes: dict[str, Code], word: Word) -> None:
     number = round(word.value)
     if word.value != number or number < 0:
-        raise BlockError(f"M{word.value:g} is not a known M-code: write a whole number, 0 or more", word.column)
+        raise BlockError(f"CL807 M{word.value:g} is not a known M-code: write a whole number, 0 or more", word.column)
     group = M_GROUPS.get(number)
     if group is None:
         raise BlockError(refusal(f"M{number}", "M-code"), word.column)
     if group in codes:
-        raise BlockError(f"M{codes[group].number} and M{number} cannot share a block: keep one of them", word.column)
+        raise BlockError(f"CL810 M{codes[group].number} and M{number} cannot share a block: keep one of them", word.column)
     codes[group] = Code(number, word.column)

@@ -86,8 +86,8 @@ class Parameters:
                 if self.defining:
                     return 0.0
                 if key.startswith(_MACHINE_NAMES):
-                    raise BlockError(f"#<{key}> is a value of the machine, unknown here: write the number itself", column)
-                raise BlockError(f"#<{key}> has no value yet: write #<{key}> = ... on an earlier line", column)
+                    raise BlockError(f"CL837 #<{key}> is a value of the machine, unknown here: write the number itself", column)
+                raise BlockError(f"CL837 #<{key}> has no value yet: write #<{key}> = ... on an earlier line", column)
             return names[key]
         _check_number(key, column)
         return self.number(key)
@@ -106,11 +106,11 @@ class Parameters:
         """Refuse parameters that do not exist or belong to the interpreter."""
         if isinstance(key, str):
             if key in self.own or key.startswith(_MACHINE_NAMES):
-                raise BlockError(f"#<{key}> is read-only, the control sets it: choose another name", column)
+                raise BlockError(f"CL838 #<{key}> is read-only, the control sets it: choose another name", column)
             return
         _check_number(key, column)
         if key in _READ_ONLY:
-            raise BlockError(f"#{key} is read-only, the interpreter sets it (tool or position): choose another number", column)
+            raise BlockError(f"CL838 #{key} is read-only, the interpreter sets it (tool or position): choose another number", column)
 
     def give_back(self, value: float | None) -> None:
         """Store the value that a subprogram returns."""
@@ -161,7 +161,7 @@ class Parameters:
 
 def _check_number(number: int, column: int) -> None:
     if not 1 <= number <= LARGEST_PARAMETER:
-        raise BlockError(f"there is no parameter #{number}: use #1 to #{LARGEST_PARAMETER}", column)
+        raise BlockError(f"CL839 there is no parameter #{number}: use #1 to #{LARGEST_PARAMETER}", column)
 
 
 MOST_NESTED = 50
@@ -207,7 +207,7 @@ class Cursor:
         end = self.text.find(">", self.at)
         name = self.text[self.at + 1 : end]
         if end < 0 or not name:
-            raise BlockError(f"the name of the {what} is empty or has no '>': write for example <depth>", self.column)
+            raise BlockError(f"CL839 the name of the {what} is empty or has no '>': write for example <depth>", self.column)
         self.at = end + 1
         return name
 
@@ -215,12 +215,14 @@ class Cursor:
         """Enter a level of brackets, functions or #; the caller leaves it."""
         self.depth += 1
         if self.depth > MOST_NESTED:
-            raise BlockError(f"brackets are nested more than {MOST_NESTED} deep: store part of the expression in a parameter", self.column)
+            raise BlockError(
+                f"CL835 brackets are nested more than {MOST_NESTED} deep: store part of the expression in a parameter", self.column
+            )
 
     def expect(self, character: str, what: str) -> None:
         """Skip a character; refuse any other."""
         if self.next != character:
-            raise BlockError(f"'{character}' is missing {what}: write it here", self.column)
+            raise BlockError(f"CL835 '{character}' is missing {what}: write it here", self.column)
         self.at += 1
 
 
@@ -240,7 +242,7 @@ def read_value(cursor: Cursor, parameters: Parameters) -> float:
     else:
         value = _number(cursor)
     if not math.isfinite(value):
-        raise BlockError("the value that starts here is too large: make it smaller", start)
+        raise BlockError("CL805 the value that starts here is too large: make it smaller", start)
     return sign * value
 
 
@@ -259,9 +261,9 @@ def _number(cursor: Cursor) -> float:
     column, digits = cursor.column, cursor.take(NUMBER)
     if digits in ("", "."):
         what = f"found '{cursor.next}'" if cursor.next else "the line ends here"
-        raise BlockError(f"a number is missing: {what}; write for example 10.5, #1 or [1 + 2]", column)
+        raise BlockError(f"CL803 a number is missing: {what}; write for example 10.5, #1 or [1 + 2]", column)
     if len(digits) > 100:
-        raise BlockError("the number has more than 100 digits: shorten it", column)
+        raise BlockError("CL805 the number has more than 100 digits: shorten it", column)
     return float(digits)
 
 
@@ -274,7 +276,7 @@ def _key(cursor: Cursor, parameters: Parameters) -> Key:
     value = read_value(cursor, parameters)
     cursor.depth -= 1
     if abs(value - round(value)) > _EQUAL or abs(value) > LARGEST_WHOLE:
-        raise BlockError(f"#{value:g}: a parameter number must be whole, as in #1", column)
+        raise BlockError(f"CL839 #{value:g}: a parameter number must be whole, as in #1", column)
     return round(value)
 
 
@@ -289,7 +291,7 @@ def _expression(cursor: Cursor, parameters: Parameters) -> float:
         name = cursor.take(_OPERATION)
         if not name:
             what = f"'{cursor.next}'" if cursor.next else "the end of the line"
-            raise BlockError(f"an operator or ']' is missing before {what}: write for example [1 + 2]", column)
+            raise BlockError(f"CL835 an operator or ']' is missing before {what}: write for example [1 + 2]", column)
         while waiting and _RANK[waiting[-1][0]] <= _RANK[name]:
             _join(values, waiting)
         waiting.append((name, column))
@@ -311,9 +313,9 @@ def _function(cursor: Cursor, parameters: Parameters) -> float:
     column, name = cursor.column, cursor.take(_FUNCTION)
     if not name:
         known = "ABS, ACOS, ASIN, ATAN, COS, EXISTS, EXP, FIX, FUP, LN, ROUND, SIN, SQRT or TAN"
-        raise BlockError(f"'{cursor.next.upper()}' does not start a function name: use {known}, with the value in [ ]", column)
+        raise BlockError(f"CL835 '{cursor.next.upper()}' does not start a function name: use {known}, with the value in [ ]", column)
     if cursor.next != "[":
-        raise BlockError(f"{name.upper()} has no value: write it in brackets, as in {name.upper()}[30]", cursor.column)
+        raise BlockError(f"CL835 {name.upper()} has no value: write it in brackets, as in {name.upper()}[30]", cursor.column)
     if name == "exists":
         return _exists(cursor, parameters)
     value = _expression(cursor, parameters)
@@ -338,7 +340,7 @@ def _guarded(work: Callable[[], float], shown: str, column: int) -> float:
     except (ValueError, ZeroDivisionError, OverflowError):
         value = math.nan
     if isinstance(value, complex) or not math.isfinite(value):
-        raise BlockError(f"{shown} is undefined or too large: correct it", column)
+        raise BlockError(f"CL836 {shown} is undefined or too large: correct it", column)
     return value
 
 

@@ -19,6 +19,8 @@ from contourlab.program.reader import NO_END
 from contourlab.rendering.table import paragraphs
 
 FAULTY = 2
+NOT_PLANNED = "CL819"
+"""Code of a fault that only planning finds."""
 MOST_FEEDS = 12
 """Largest number of feedrates to print one by one."""
 _KINDS = {Traverse: "traverse", Feed: "feed", Arc: "arc", Spline: "spline", Dwell: "dwell"}
@@ -26,12 +28,13 @@ _KINDS = {Traverse: "traverse", Feed: "feed", Arc: "arc", Spline: "spline", Dwel
 
 @dataclass(frozen=True)
 class Message:
-    """A fault, or a notice of the reader; line and column are 0 if unknown."""
+    """A fault, or a notice of the reader; line and column are 0 if unknown. A fault has a code, for ``contourlab explain``."""
 
     message: str
     line: int = 0
     column: int = 0
     file: str = ""
+    code: str = ""
 
     def text(self, program: str, note: str = "") -> str:
         """Return ``file:line:column: message``."""
@@ -205,7 +208,7 @@ class _Seen:
 
 def _problem(error: ContourlabError) -> Message:
     message, file = getattr(error, "message", str(error)), getattr(error, "file", "")
-    return Message(message, getattr(error, "line", 0), getattr(error, "column", 0), str(file))
+    return Message(message, getattr(error, "line", 0), getattr(error, "column", 0), str(file), getattr(error, "code", "") or NOT_PLANNED)
 
 
 def _duration(seconds: float) -> str:
