@@ -37,9 +37,9 @@ class Message:
     code: str = ""
 
     def text(self, program: str, note: str = "") -> str:
-        """Return ``file:line:column: message``."""
+        """Return ``file:line:column: message [code]``."""
         place = "".join(f"{number}:" for number in (self.line, self.column) if self.line and number)
-        return f"{self.file or program}:{place} {note}{self.message}"
+        return f"{self.file or program}:{place} {note}{self.message}" + (f" [{self.code}]" if self.code else "")
 
 
 @dataclass(frozen=True)
