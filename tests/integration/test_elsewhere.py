@@ -27,11 +27,11 @@ figures = ["contour_error_max"]
 """
 PART = """\
 G17 G21 G90 G94 G64 P0.02
-F4800
-G1 X20 Y5
-G3 X30 Y15 I0 J10
-G1 X15 Y30
-X-10 Y20
+F1200
+G1 X10 Y2.5
+G3 X15 Y7.5 I0 J5
+G1 X7.5 Y15
+X-5 Y10
 X0 Y0
 M2
 """
