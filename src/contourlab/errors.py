@@ -85,13 +85,22 @@ class ContourlabError(Exception):
     exit_code = 2
 
 
+_CODED = re.compile(r"(CL\d{3}) ")
+
+
 class ProgramError(ContourlabError):
-    """A part program cannot be read; gives file, line and column (both from 1)."""
+    """A part program cannot be read; gives code, file, line and column (both from 1).
+
+    The code says what kind of fault it is; ``contourlab explain CODE`` has its page. It stands before the message, as in
+    ``"CL823 the arc has no radius: R must not be 0"``, and is not part of the text.
+    """
 
     def __init__(self, message: str, *, file: str | Path = "<program>", line: int = 0, column: int = 0) -> None:
-        self.message, self.file, self.line, self.column = message, str(file), line, column
+        coded = _CODED.match(message)
+        self.code, self.message = (coded[1], message[coded.end() :]) if coded else ("", message)
+        self.file, self.line, self.column = str(file), line, column
         place = self.file + (f":{line}" if line else "") + (f":{column}" if line and column else "")
-        super().__init__(f"{place}: {message}")
+        super().__init__(f"{place}: {self.message}")
 
 
 class ProgramEndError(ProgramError):

@@ -144,7 +144,7 @@ def test_an_interrupt_keeps_the_learned_tables(tmp_path: Path) -> None:
     # No end condition: two passes run every trial.
     (tmp_path / "s.toml").write_text(text.replace("274}", "274, passes = 2}").replace("trials = 4", "improvement = 0"))
     words = [COMMAND, "learn", "s.toml", "--schemes", "ilc", "--trials", "100000"]
-    for patience in (6.0, 12.0, 24.0, 48.0):  # on a busy machine no trial may have finished yet
+    for patience in (3.0, 6.0, 12.0, 24.0, 48.0):  # on a busy machine no trial may have finished yet
         process = subprocess.Popen(words, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         time.sleep(patience)
         process.send_signal(signal.SIGINT)

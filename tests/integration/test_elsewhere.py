@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import json
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
 from made_studies import exported
 from rigid_circle import SCENARIO, STAGE
-from typed_commands import drag
+from typed_commands import drag, invoke
 
 from contourlab.cli.main import main
 
@@ -30,10 +28,10 @@ figures = ["contour_error_max"]
 PART = """\
 G17 G21 G90 G94 G64 P0.02
 F1200
-G1 X20 Y5
-G3 X30 Y15 I0 J10
-G1 X15 Y30
-X-10 Y20
+G1 X10 Y2.5
+G3 X15 Y7.5 I0 J5
+G1 X7.5 Y15
+X-5 Y10
 X0 Y0
 M2
 """
@@ -76,10 +74,9 @@ def without_executor(found: Any) -> Any:
 
 def answer(folder: Path, *words: str) -> Any:
     """Return the JSON output of a command in a folder of its own, without what it says of the executor."""
-    command = [sys.executable, "-m", "contourlab", *words, "--plugin", "drag.py", "--json"]
-    done = subprocess.run(command, cwd=written(folder), capture_output=True, text=True, timeout=500)
-    assert done.returncode in (0, 1), done.stderr
-    return without_executor(json.loads(done.stdout))
+    said = invoke(written(folder), *words, "--plugin", "drag.py", "--json")
+    assert said.code in (0, 1), said.err
+    return without_executor(json.loads(said.out))
 
 
 @pytest.mark.slow
@@ -102,7 +99,8 @@ def test_an_executor_does_not_change_a_store(tmp_path: Path, motion: str) -> Non
     stores = {}
     for kind, workers in (("threads", "1"), ("threads", "2"), ("processes", "2"), ("dask-local", "2")):
         words = ["sweep", "many.toml", "--executor", kind, "--workers", workers, "--out", kind + workers, "--plugin", "drag.py"]
-        subprocess.run([sys.executable, "-m", "contourlab", *words], cwd=folder, capture_output=True, timeout=300, check=True)
+        said = invoke(folder, *words)
+        assert said.code == 0, said.err
         stores[kind + workers] = exported(folder / (kind + workers))
     assert {name for name, rows in stores.items() if rows == stores["threads1"]} == stores.keys()
     assert stores["threads1"].count(b"\n") == 97

@@ -228,7 +228,7 @@ def _check_axes(program: Program, move: Any, columns: list[int]) -> None:
     if missing:
         names, have = (", ".join("XYZ"[column] for column in some) for some in (missing, columns))
         raise ProgramError(
-            f"the program moves {names}, but the machine has {have} only: give axes for {names}, or remove the move",
+            f"CL819 the program moves {names}, but the machine has {have} only: give axes for {names}, or remove the move",
             file=program.name,
             line=move.source_line,
         )
@@ -316,7 +316,7 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
             bent = _bent_curves(move, columns)
         except GeometryError as error:
             cure = "move the control points, or write two splines"
-            raise ProgramError(f"the motion cannot be planned: {error}: {cure}", file=program.name, line=move.source_line) from error
+            raise ProgramError(f"CL819 the motion cannot be planned: {error}: {cure}", file=program.name, line=move.source_line) from error
         if bent:
             curves += bent
             rows += [*[row._replace(exact_stop=False)] * (len(bent) - 1), row]

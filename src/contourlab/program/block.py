@@ -89,8 +89,8 @@ class Parameters:
                 if self.defining:
                     return 0.0
                 if key.startswith(_MACHINE_NAMES):
-                    raise BlockError(f"#<{key}> is a value of the machine, unknown here: write the number itself", column)
-                raise BlockError(f"#<{key}> has no value yet: write #<{key}> = ... on an earlier line", column)
+                    raise BlockError(f"CL837 #<{key}> is a value of the machine, unknown here: write the number itself", column)
+                raise BlockError(f"CL837 #<{key}> has no value yet: write #<{key}> = ... on an earlier line", column)
             return names[key]
         _check_number(key, column)
         return self.number(key)
@@ -107,11 +107,11 @@ class Parameters:
         """Refuse parameters that do not exist or belong to the interpreter."""
         if isinstance(key, str):
             if key in self.own or key.startswith(_MACHINE_NAMES):
-                raise BlockError(f"#<{key}> is read-only, the control sets it: choose another name", column)
+                raise BlockError(f"CL838 #<{key}> is read-only, the control sets it: choose another name", column)
             return
         _check_number(key, column)
         if key in _READ_ONLY:
-            raise BlockError(f"#{key} is read-only, the interpreter sets it (tool or position): choose another number", column)
+            raise BlockError(f"CL838 #{key} is read-only, the interpreter sets it (tool or position): choose another number", column)
 
     def give_back(self, value: float | None) -> None:
         """Store the value that a subprogram returns."""
@@ -162,7 +162,7 @@ class Parameters:
 
 def _check_number(number: int, column: int) -> None:
     if not 1 <= number <= LARGEST_PARAMETER:
-        raise BlockError(f"there is no parameter #{number}: use #1 to #{LARGEST_PARAMETER}", column)
+        raise BlockError(f"CL839 there is no parameter #{number}: use #1 to #{LARGEST_PARAMETER}", column)
 
 
 MOST_NESTED = 50
@@ -208,7 +208,7 @@ class Cursor:
         end = self.text.find(">", self.at)
         name = self.text[self.at + 1 : end]
         if end < 0 or not name:
-            raise BlockError(f"the name of the {what} is empty or has no '>': write for example <depth>", self.column)
+            raise BlockError(f"CL839 the name of the {what} is empty or has no '>': write for example <depth>", self.column)
         self.at = end + 1
         return name
 
@@ -216,12 +216,14 @@ class Cursor:
         """Enter a level of brackets, functions or #; the caller leaves it."""
         self.depth += 1
         if self.depth > MOST_NESTED:
-            raise BlockError(f"brackets are nested more than {MOST_NESTED} deep: store part of the expression in a parameter", self.column)
+            raise BlockError(
+                f"CL835 brackets are nested more than {MOST_NESTED} deep: store part of the expression in a parameter", self.column
+            )
 
     def expect(self, character: str, what: str) -> None:
         """Skip a character; refuse any other."""
         if self.next != character:
-            raise BlockError(f"'{character}' is missing {what}: write it here", self.column)
+            raise BlockError(f"CL835 '{character}' is missing {what}: write it here", self.column)
         self.at += 1
 
 
@@ -239,7 +241,7 @@ def read_value(cursor: Cursor, parameters: Parameters) -> float:
     else:
         value = _function(cursor, parameters) if cursor.next.isalpha() else _number(cursor)
     if not math.isfinite(value):
-        raise BlockError("the value that starts here is too large: make it smaller", start)
+        raise BlockError("CL805 the value that starts here is too large: make it smaller", start)
     return sign * value
 
 
@@ -257,8 +259,8 @@ def _number(cursor: Cursor) -> float:
     column, digits = cursor.column, cursor.take(NUMBER)
     if digits in ("", "."):
         what = f"found '{cursor.next}'" if cursor.next else "the line ends here"
-        raise BlockError(f"a number is missing: {what}; write for example 10.5, #1 or [1 + 2]", column)
-    refuse(len(digits) > 100, BlockError, "the number has more than 100 digits: shorten it", column)
+        raise BlockError(f"CL803 a number is missing: {what}; write for example 10.5, #1 or [1 + 2]", column)
+    refuse(len(digits) > 100, BlockError, "CL805 the number has more than 100 digits: shorten it", column)
     return float(digits)
 
 
@@ -271,7 +273,7 @@ def _key(cursor: Cursor, parameters: Parameters) -> Key:
     value = read_value(cursor, parameters)
     cursor.depth -= 1
     if abs(value - round(value)) > _EQUAL or abs(value) > LARGEST_WHOLE:
-        raise BlockError(f"#{value:g}: a parameter number must be whole, as in #1", column)
+        raise BlockError(f"CL839 #{value:g}: a parameter number must be whole, as in #1", column)
     return round(value)
 
 
@@ -285,7 +287,7 @@ def _expression(cursor: Cursor, parameters: Parameters) -> float:
         column, name = cursor.column, cursor.take(_OPERATION)
         if not name:
             what = f"'{cursor.next}'" if cursor.next else "the end of the line"
-            raise BlockError(f"an operator or ']' is missing before {what}: write for example [1 + 2]", column)
+            raise BlockError(f"CL835 an operator or ']' is missing before {what}: write for example [1 + 2]", column)
         while waiting and _RANK[waiting[-1][0]] <= _RANK[name]:
             _join(values, waiting)
         waiting.append((name, column))
@@ -307,9 +309,9 @@ def _function(cursor: Cursor, parameters: Parameters) -> float:
     column, name = cursor.column, cursor.take(_FUNCTION)
     if not name:
         known = "ABS, ACOS, ASIN, ATAN, COS, EXISTS, EXP, FIX, FUP, LN, ROUND, SIN, SQRT or TAN"
-        raise BlockError(f"'{cursor.next.upper()}' does not start a function name: use {known}, with the value in [ ]", column)
+        raise BlockError(f"CL835 '{cursor.next.upper()}' does not start a function name: use {known}, with the value in [ ]", column)
     if cursor.next != "[":
-        raise BlockError(f"{name.upper()} has no value: write it in brackets, as in {name.upper()}[30]", cursor.column)
+        raise BlockError(f"CL835 {name.upper()} has no value: write it in brackets, as in {name.upper()}[30]", cursor.column)
     if name == "exists":
         return _exists(cursor, parameters)
     value = _expression(cursor, parameters)
@@ -334,7 +336,7 @@ def _guarded(work: Callable[[], float], shown: str, column: int) -> float:
     except (ValueError, ZeroDivisionError, OverflowError):
         value = math.nan
     if isinstance(value, complex) or not math.isfinite(value):
-        raise BlockError(f"{shown} is undefined or too large: correct it", column)
+        raise BlockError(f"CL836 {shown} is undefined or too large: correct it", column)
     return value
 
 
@@ -419,7 +421,7 @@ class Word(NamedTuple):
         """Return the value as a whole number; refuse other values, and numbers out of bounds."""
         number = round(self.value)
         if abs(self.value - number) > tolerance or not least <= number <= most:
-            raise BlockError(f"{self.letter}{self.value:g}: {what} must be a whole number from {least} to {most}", self.column)
+            raise BlockError(f"CL806 {self.letter}{self.value:g}: {what} must be a whole number from {least} to {most}", self.column)
         return number
 
 
@@ -469,10 +471,10 @@ def _words_and_values(line: str, parameters: Parameters) -> list[Word]:
             cursor.at += 1
             refuse(letter == "O", BlockError, O_WORD_ALONE, column)
             if letter == "N" and not cursor.next.isdigit():
-                raise BlockError("a line number must be digits only: write for example N10", column)
+                raise BlockError("CL804 a line number must be digits only: write for example N10", column)
             value = read_value(cursor, parameters)
             if abs(value) > LARGEST_NUMBER:
-                raise BlockError(f"{letter}{value:g} is too large: keep it below {LARGEST_NUMBER:.0e}", column)
+                raise BlockError(f"CL805 {letter}{value:g} is too large: keep it below {LARGEST_NUMBER:.0e}", column)
             words.append(Word(letter, value, column))
         else:
             raise _bad_character(line, column - 1)
@@ -514,12 +516,13 @@ def _odd_number(token: re.Match[str]) -> float:
         value = float(digits)
     except ValueError:
         if not digits:
-            raise BlockError(f"{name} has no number: write for example {name}10", column) from None
+            raise BlockError(f"CL803 {name} has no number: write for example {name}10", column) from None
         hint = f"write for example {name}10.5 (one sign, one point, no exponent)"
-        raise BlockError(f"{name}{short} is not a number: {hint}", column) from None
+        raise BlockError(f"CL803 {name}{short} is not a number: {hint}", column) from None
     if abs(value) > LARGEST_NUMBER or len(digits) > _LONGEST_NUMBER:
         raise BlockError(
-            f"{name}{short} is too large or too long: keep it below {LARGEST_NUMBER:.0e}, in at most {_LONGEST_NUMBER} characters", column
+            f"CL805 {name}{short} is too large or too long: keep it below {LARGEST_NUMBER:.0e}, in at most {_LONGEST_NUMBER} characters",
+            column,
         )
     return value
 
@@ -530,11 +533,15 @@ def _bad_character(line: str, at: int) -> BlockError:
     if character == "(":
         nested = line.find("(", at + 1)
         if nested >= 0 and line.find(")", at + 1) >= 0:
-            return BlockError("a comment cannot contain another one: use one pair of brackets, or ';' for the rest of the line", nested + 1)
-        return BlockError("the comment that starts here has no end: write ')' on the same line", at + 1)
+            return BlockError(
+                "CL802 a comment cannot contain another one: use one pair of brackets, or ';' for the rest of the line", nested + 1
+            )
+        return BlockError("CL802 the comment that starts here has no end: write ')' on the same line", at + 1)
     if line.strip() == "%":
-        return EndMarkError("% closes the program, but the first line has no % to open it: write % there too, or delete this one", at + 1)
-    return BlockError(_BAD.get(character, f"the character {character!r} has no meaning here: delete it"), at + 1)
+        return EndMarkError(
+            "CL847 % closes the program, but the first line has no % to open it: write % there too, or delete this one", at + 1
+        )
+    return BlockError("CL801 " + _BAD.get(character, f"the character {character!r} has no meaning here: delete it"), at + 1)
 
 
 _END_OF_MOTION = 800
@@ -582,7 +589,7 @@ def read_block(line: str, parameters: Parameters | None = None) -> Block:
         letter = word.letter
         if letter in USED_LETTERS:
             if letter in words:
-                raise BlockError(f"the block has two {letter} words: keep one of them", word.column)
+                raise BlockError(f"CL809 the block has two {letter} words: keep one of them", word.column)
             words[letter] = word
         elif letter == "G":
             _add_g(codes, word)
@@ -591,9 +598,9 @@ def read_block(line: str, parameters: Parameters | None = None) -> Block:
         elif letter == "N":
             # N must come first, even before a comment; its number has no meaning.
             if line[: word.column - 1].strip(" \t"):
-                raise BlockError("the line number N must come first on its line: move it there, or delete it", word.column)
+                raise BlockError("CL804 the line number N must come first on its line: move it there, or delete it", word.column)
             if word.value < 0.0:
-                raise BlockError("a line number cannot have a sign: write for example N10", word.column)
+                raise BlockError("CL804 a line number cannot have a sign: write for example N10", word.column)
         else:
             raise BlockError(refusal(letter, "word"), word.column)
     return Block(codes, words)
@@ -602,7 +609,7 @@ def read_block(line: str, parameters: Parameters | None = None) -> Block:
 def _add_g(codes: dict[str, Code], word: Word) -> None:
     number = round(10.0 * word.value)
     if word.value < 0.0 or abs(10.0 * word.value - number) > 1e-9:
-        raise BlockError(f"G{word.value:g} is not a known G-code: correct the number", word.column)
+        raise BlockError(f"CL807 G{word.value:g} is not a known G-code: correct the number", word.column)
     group = G_GROUPS.get(number)
     if group is None:
         raise BlockError(refusal(g_name(number), "G-code"), word.column)
@@ -610,17 +617,17 @@ def _add_g(codes: dict[str, Code], word: Word) -> None:
     if group == "motion" and group in codes and number == _END_OF_MOTION:
         return
     if group in codes and (group != "motion" or codes[group].number != _END_OF_MOTION):
-        raise BlockError(f"{g_name(codes[group].number)} and {g_name(number)} cannot share a block: keep one of them", word.column)
+        raise BlockError(f"CL810 {g_name(codes[group].number)} and {g_name(number)} cannot share a block: keep one of them", word.column)
     codes[group] = Code(number, word.column)
 
 
 def _add_m(codes: dict[str, Code], word: Word) -> None:
     number = round(word.value)
     if word.value != number or number < 0:
-        raise BlockError(f"M{word.value:g} is not a known M-code: write a whole number, 0 or more", word.column)
+        raise BlockError(f"CL807 M{word.value:g} is not a known M-code: write a whole number, 0 or more", word.column)
     group = M_GROUPS.get(number)
     if group is None:
         raise BlockError(refusal(f"M{number}", "M-code"), word.column)
     if group in codes:
-        raise BlockError(f"M{codes[group].number} and M{number} cannot share a block: keep one of them", word.column)
+        raise BlockError(f"CL810 M{codes[group].number} and M{number} cannot share a block: keep one of them", word.column)
     codes[group] = Code(number, word.column)

@@ -80,28 +80,28 @@ def read_o_word(line: str, parameters: Parameters, *, skipping: bool = False) ->
     cursor.at += 1  # the O
     label, keyword = _label(cursor, parameters), cursor.take(_KEYWORD)
     if not keyword and cursor.next:
-        raise BlockError(f"O{label} needs a keyword: write one of {', '.join(KEYWORDS)}", cursor.column)
+        raise BlockError(f"CL840 O{label} needs a keyword: write one of {', '.join(KEYWORDS)}", cursor.column)
     if skipping:
         return OWord(label, keyword, (), column)
     if _COMMENT_INSIDE.match(line):
-        raise BlockError("a comment cannot stand inside an O-word: move it to the end of the line", line.index("(") + 1)
+        raise BlockError("CL802 a comment cannot stand inside an O-word: move it to the end of the line", line.index("(") + 1)
     values = []
     while cursor.next == "[":
         values.append(read_value(cursor, parameters))
     if cursor.next:
-        raise BlockError(f"'{cursor.next}' cannot follow an O-word: write it on its own line", cursor.column)
+        raise BlockError(f"CL840 '{cursor.next}' cannot follow an O-word: write it on its own line", cursor.column)
     _check_values(keyword, len(values), column)
     return OWord(label, keyword, tuple(values), column)
 
 
 def _check_values(keyword: str, count: int, column: int) -> None:
     if keyword in _CONDITIONS and count != 1:
-        raise BlockError(f"{keyword} takes one expression: write it in brackets, as in [#1 LT 5]", column)
-    refuse(keyword in _VALUES and count > 1, BlockError, f"{keyword} takes at most one value in brackets: delete the others", column)
+        raise BlockError(f"CL840 {keyword} takes one expression: write it in brackets, as in [#1 LT 5]", column)
+    refuse(keyword in _VALUES and count > 1, BlockError, f"CL840 {keyword} takes at most one value in brackets: delete the others", column)
     if keyword == "call" and count > MOST_ARGUMENTS:
-        raise BlockError(f"a call takes at most {MOST_ARGUMENTS} arguments: pass the rest in #31 and up", column)
+        raise BlockError(f"CL840 a call takes at most {MOST_ARGUMENTS} arguments: pass the rest in #31 and up", column)
     if keyword not in (*_CONDITIONS, *_VALUES, "call") and count > 0:
-        raise BlockError(f"{keyword or 'O'} takes no value: delete the brackets", column)
+        raise BlockError(f"CL840 {keyword or 'O'} takes no value: delete the brackets", column)
 
 
 def _label(cursor: Cursor, parameters: Parameters) -> str:
@@ -109,11 +109,11 @@ def _label(cursor: Cursor, parameters: Parameters) -> str:
         return cursor.name("O-word")
     column, digits = cursor.column, cursor.take(_DIGITS)
     if digits:
-        refuse(len(digits) > 9, BlockError, "the number of an O-word has at most 9 digits: shorten it", column)
+        refuse(len(digits) > 9, BlockError, "CL840 the number of an O-word has at most 9 digits: shorten it", column)
         return str(int(digits))
     value = read_value(cursor, parameters)
     if abs(value - round(value)) > 1e-4 or not 0 <= value <= 1e9:
-        raise BlockError(f"the label of an O-word must be a whole number: correct {value:g}", column)
+        raise BlockError(f"CL840 the label of an O-word must be a whole number: correct {value:g}", column)
     return str(round(value))
 
 
@@ -148,7 +148,7 @@ class Tape:
                 self.ended = True
                 return None
             if len(following) > LONGEST_LINE:
-                fault = f"the line has more than {LONGEST_LINE} characters: divide it"
+                fault = f"CL805 the line has more than {LONGEST_LINE} characters: divide it"
                 raise ProgramError(fault, file=self.name, line=self._first + len(self._kept) + 1, column=LONGEST_LINE + 1)
             self._kept.append(following)
         return self._kept[index - self._first]
@@ -285,21 +285,23 @@ class Walker:
         self._left -= work
         if self._left < 0:
             cure = "check for an endless loop, or raise the limit with --most-moves (in a scenario most_moves)"
-            raise BlockError(f"loops, subprograms and cycles make more than {self._most} lines and moves: {cure}", 0)
+            raise BlockError(f"CL845 loops, subprograms and cycles make more than {self._most} lines and moves: {cure}", 0)
 
     def _at_end(self, frame: _Frame) -> None:
         if self.in_subprogram:
-            raise BlockError(f"the subprogram O{frame.label} has no end: write O{frame.label} endsub, or M99 if M98 calls it", 0)
+            raise BlockError(f"CL841 the subprogram O{frame.label} has no end: write O{frame.label} endsub, or M99 if M98 calls it", 0)
         if frame.loops:
             loop = frame.loops[-1]
-            raise BlockError(f"O{loop.label} {loop.kind} has no end: write O{loop.label} {_ENDS[loop.kind]}", 0)
+            raise BlockError(f"CL841 O{loop.label} {loop.kind} has no end: write O{loop.label} {_ENDS[loop.kind]}", 0)
 
     def _begin(self, word: OWord) -> None:
         """Refuse a label that another condition or loop of the same subprogram uses."""
         place = self.place
         first = self._begun.setdefault((self.frame.label, word.label), place)
         if first != place:
-            raise BlockError(f"O{word.label} {word.keyword}: line {first[1]} already uses this label; choose another one", word.column)
+            raise BlockError(
+                f"CL843 O{word.label} {word.keyword}: line {first[1]} already uses this label; choose another one", word.column
+            )
 
     # Conditions
 
@@ -326,7 +328,7 @@ class Walker:
     def _endif(self, word: OWord) -> None:
         ifs, loops = self.frame.ifs, self.frame.loops
         if len(ifs) <= (loops[-1].ifs if loops else 0) or ifs[-1] != word.label:
-            raise BlockError(f"O{word.label} {word.keyword} has no if: write O{word.label} if before it", word.column)
+            raise BlockError(f"CL842 O{word.label} {word.keyword} has no if: write O{word.label} if before it", word.column)
         ifs.pop()
 
     # Loops
@@ -359,7 +361,7 @@ class Walker:
         """Refuse a loop whose condition cannot change: a pass sets no parameter and ends at the same position."""
         mark = self.parameters.changes, self.parameters.position()
         if mark == loop.mark:
-            raise BlockError(f"O{word.label} {loop.kind} never ends: change a parameter or the position in the loop", word.column)
+            raise BlockError(f"CL845 O{word.label} {loop.kind} never ends: change a parameter or the position in the loop", word.column)
         loop.mark = mark
 
     def _do(self, word: OWord) -> None:
@@ -368,7 +370,7 @@ class Walker:
 
     def _repeat(self, word: OWord) -> None:
         if abs(word.values[0]) > MOST_REPEATS:
-            raise BlockError(f"repeat [{word.values[0]:g}]: keep the number of repeats below {MOST_REPEATS:g}", word.column)
+            raise BlockError(f"CL806 repeat [{word.values[0]:g}]: keep the number of repeats below {MOST_REPEATS:g}", word.column)
         count = round(word.values[0])
         self._begin(word)
         if count < 1:
@@ -400,7 +402,7 @@ class Walker:
     def _wanted(self, word: OWord, kind: str) -> _Loop:
         loop = self._innermost(word.label)
         if loop is None or loop.kind != kind:
-            raise BlockError(f"O{word.label} {word.keyword} has no {kind}: write O{word.label} {kind} before it", word.column)
+            raise BlockError(f"CL842 O{word.label} {word.keyword} has no {kind}: write O{word.label} {kind} before it", word.column)
         return loop
 
     def _leave_inner(self, word: OWord) -> _Loop:
@@ -408,7 +410,7 @@ class Walker:
         loops = self.frame.loops
         if not any(loop.label == word.label and loop.kind != "repeat" for loop in loops):
             cure = "correct the label, or write a while in place of a repeat"
-            raise BlockError(f"O{word.label} {word.keyword} is not inside a while or do with this label: {cure}", word.column)
+            raise BlockError(f"CL842 O{word.label} {word.keyword} is not inside a while or do with this label: {cure}", word.column)
         while loops[-1].label != word.label:
             loops.pop()
         del self.frame.ifs[loops[-1].ifs :]
@@ -417,10 +419,12 @@ class Walker:
     # Subprograms
 
     def _sub(self, word: OWord) -> None:
-        refuse(self.in_subprogram, BlockError, f"O{word.label} sub is inside another subprogram: move it before or after", word.column)
+        refuse(
+            self.in_subprogram, BlockError, f"CL843 O{word.label} sub is inside another subprogram: move it before or after", word.column
+        )
         if word.label in self._subs:
             cure = "move it before the first call, or after M2"
-            raise BlockError(f"O{word.label} sub is defined twice, or the program runs into it after a call: {cure}", word.column)
+            raise BlockError(f"CL843 O{word.label} sub is defined twice, or the program runs into it after a call: {cure}", word.column)
         self.parameters.defining = True
         try:
             self._subs[word.label] = self._body(self.frame.tape, self.frame.index, word)
@@ -458,7 +462,7 @@ class Walker:
             If there is no such subprogram, or calls are nested too deep.
         """
         if len(self._frames) > DEEPEST_CALL:
-            raise BlockError(f"calls are nested more than {DEEPEST_CALL} deep: check for a subprogram that calls itself", column)
+            raise BlockError(f"CL845 calls are nested more than {DEEPEST_CALL} deep: check for a subprogram that calls itself", column)
         if repeats < 1:
             return
         fanuc = arguments is None
@@ -489,14 +493,14 @@ class Walker:
             if o_word and o_word.keyword in ("", "sub"):
                 seen.places.setdefault((o_word.label, o_word.keyword), []).append(seen.reached)
         missing = f"no subprogram O{label} in the program, and no file {label}.ngc next to it"
-        raise BlockError(f"{missing}: correct the label, or add the subprogram", column)
+        raise BlockError(f"CL844 {missing}: correct the label, or add the subprogram", column)
 
     def _endsub(self, word: OWord) -> None:
         frame = self.frame
         # A return may have the label of its condition.
         if not self.in_subprogram or frame.fanuc or (word.keyword == "endsub" and frame.label != word.label):
             cure = f"write O{word.label} sub before it, or delete it"
-            raise BlockError(f"O{word.label} {word.keyword} is not inside a subprogram with this label: {cure}", word.column)
+            raise BlockError(f"CL842 O{word.label} {word.keyword} is not inside a subprogram with this label: {cure}", word.column)
         self.parameters.give_back(word.values[0] if word.values else None)
         self._leave()
 
@@ -509,7 +513,9 @@ class Walker:
     def _plain(self, word: OWord) -> None:
         # O100 alone names a subprogram for M98 and has no effect.
         if self.in_subprogram and not self.frame.fanuc:
-            raise BlockError(f"O{word.label} (a subprogram for M98) is inside another subprogram: move it before or after", word.column)
+            raise BlockError(
+                f"CL843 O{word.label} (a subprogram for M98) is inside another subprogram: move it before or after", word.column
+            )
 
     def back(self) -> bool:
         """Return from M98 at M99, or repeat; False in the main program, which ends there."""
@@ -517,7 +523,7 @@ class Walker:
         if not self.in_subprogram:
             return False
         if not frame.fanuc:
-            raise BlockError(f"M99 only ends subprograms that M98 calls: write O{frame.label} endsub instead", 0)
+            raise BlockError(f"CL842 M99 only ends subprograms that M98 calls: write O{frame.label} endsub instead", 0)
         frame.repeats -= 1
         if frame.repeats > 0:
             frame.index = frame.start
@@ -537,10 +543,10 @@ class Walker:
                 if o_word.label == label and o_word.keyword in keywords:
                     return o_word
                 if o_word.keyword == "sub" and keywords == ("endsub",):
-                    raise BlockError(f"O{o_word.label} sub is inside O{label} sub: move it before or after", o_word.column)
+                    raise BlockError(f"CL843 O{o_word.label} sub is inside O{label} sub: move it before or after", o_word.column)
             if self.repeating:
                 self.spend(1 + len(line) // LONG_LINE)
             else:
                 frame.tape.forget(frame.index)
         frame.index = begun  # report the line without an end
-        raise BlockError(f"O{label} {word.keyword} has no end: write O{label} {keywords[-1]}", word.column)
+        raise BlockError(f"CL841 O{label} {word.keyword} has no end: write O{label} {keywords[-1]}", word.column)

@@ -62,7 +62,9 @@ def set_tool_length(block: Block, state: ModalState, code: int) -> None:
     else:
         given = state.given(words)
         if (height is None) == all(value is None for value in given):
-            raise BlockError("G43.2 needs a tool, as in H3, or lengths, as in Z5: write one of the two", block.codes["tool_length"].column)
+            raise BlockError(
+                "CL813 G43.2 needs a tool, as in H3, or lengths, as in Z5: write one of the two", block.codes["tool_length"].column
+            )
         if height is not None:
             frame.tool = add(frame.tool, state.tools.offset(height.whole(0, LARGEST_TOOL, "the tool number")))
         else:
@@ -77,7 +79,7 @@ def set_shift(block: Block, state: ModalState, code: Code) -> None:
         given = state.given(block.words)
         if all(value is None for value in given):
             name = "G52" if code.number == 520 else "G92"
-            raise BlockError(f"{name} has no axis: write for example {name} X0 Y0", code.column)
+            raise BlockError(f"CL813 {name} has no axis: write for example {name} X0 Y0", code.column)
         shift = list(frame.shift)
         for axis, value in enumerate(given):
             if value is not None:
@@ -98,21 +100,23 @@ def set_data(block: Block, state: ModalState) -> None:
     words, code = block.words, block.codes["other"]
     level = None if "L" not in words else words["L"].whole(0, 10**9, "L of G10")
     if level not in (2, 20, *_TOOL_LEVELS):
-        raise BlockError("G10 takes L2 or L20 (work coordinate system), L1, L10 or L11 (tool): write for example G10 L2 P1 X0", code.column)
+        raise BlockError(
+            "CL813 G10 takes L2 or L20 (work coordinate system), L1, L10 or L11 (tool): write for example G10 L2 P1 X0", code.column
+        )
     if "P" not in words:
         what = "tool" if level in _TOOL_LEVELS else "system, 1 for G54"
-        raise BlockError(f"G10 L{level} has no P: write the number of the {what}", code.column)
+        raise BlockError(f"CL813 G10 L{level} has no P: write the number of the {what}", code.column)
     number = words["P"].whole(0, LARGEST_TOOL, "P of G10")
     if level in _TOOL_LEVELS:
         _set_tool(words, state, level, number)
         return
     if number > len(SYSTEMS):
-        raise BlockError(f"P{number}: write 1 (G54) to 9 (G59.3), or 0 for the selected work coordinate system", words["P"].column)
+        raise BlockError(f"CL806 P{number}: write 1 (G54) to 9 (G59.3), or 0 for the selected work coordinate system", words["P"].column)
     for letter in "IJ":
         if letter in words:
-            raise BlockError(f"{letter} has no meaning with G10 L{level}: delete it", words[letter].column)
+            raise BlockError(f"CL811 {letter} has no meaning with G10 L{level}: delete it", words[letter].column)
     if level == 20 and "R" in words:
-        raise BlockError("G10 L20 does not take R (rotation): set it with G10 L2 on its own line", words["R"].column)
+        raise BlockError("CL811 G10 L20 does not take R (rotation): set it with G10 L2 on its own line", words["R"].column)
     _set_origin(words, state, level, number or state.frame.system)
 
 
@@ -134,10 +138,10 @@ def _set_origin(words: dict[str, Word], state: ModalState, level: int, system: i
 
 
 def _set_tool(words: dict[str, Word], state: ModalState, level: int, number: int) -> None:
-    refuse(number < 1, BlockError, f"P{number}: G10 L{level} needs a tool number, 1 or more", words["P"].column)
+    refuse(number < 1, BlockError, f"CL806 P{number}: G10 L{level} needs a tool number, 1 or more", words["P"].column)
     given = state.given(words)
     if all(value is None for value in given) and "R" not in words:
-        raise BlockError(f"G10 L{level} sets nothing: write the tool's offset, as in Z25", words["P"].column)
+        raise BlockError(f"CL813 G10 L{level} sets nothing: write the tool's offset, as in Z25", words["P"].column)
     old = state.tools.offset(number)
     state.tools.offsets[number] = updated(old, given) if level == 1 else _touched_off(state, given, old, level)
     if "R" in words:
@@ -187,8 +191,8 @@ def machine_target(block: Block, state: ModalState) -> Point:
         If the block is incremental or polar.
     """
     words, column = block.words, block.codes["other"].column
-    refuse(not state.absolute, BlockError, "G53 (machine coordinates) needs absolute mode: write G90", column)
-    refuse("@" in words or "^" in words, BlockError, "G53 does not take polar coordinates: write X, Y and Z", column)
+    refuse(not state.absolute, BlockError, "CL816 G53 (machine coordinates) needs absolute mode: write G90", column)
+    refuse("@" in words or "^" in words, BlockError, "CL816 G53 does not take polar coordinates: write X, Y and Z", column)
     point = state.frame.point(updated(state.axes, state.given(words)))
     state.check_reach(point, words)
     return point
@@ -235,18 +239,18 @@ def execute(block: Block, state: ModalState, line: int) -> list[Move]:
     codes, words = block
     moves: list[Move] = []
     if state.plane != "XY" and ("@" in words or "^" in words):
-        raise BlockError("polar coordinates need the XY plane: write G17 on an earlier line", (words.get("@") or words["^"]).column)
+        raise BlockError("CL816 polar coordinates need the XY plane: write G17 on an earlier line", (words.get("@") or words["^"]).column)
     motion = _motion_to_be(block, state)
     _check_letters(block, motion)
     if motion not in (0, 10) and "other" in codes and codes["other"].number == 530:
-        raise BlockError("G53 needs G0 or G1: write one of them, and X, Y or Z, on the same line", codes["other"].column)
+        raise BlockError("CL813 G53 needs G0 or G1: write one of them, and X, Y or Z, on the same line", codes["other"].column)
     if "feed_mode" in codes:
         setattr(state, *_SETTINGS[codes["feed_mode"].number])
         if state.feed_mode != "inverse_time":
             state.feedrate = 0.0
     if "F" in words and state.feed_mode != "inverse_time":
         if words["F"].value < 0.0:
-            raise BlockError(f"F{words['F'].value:g}: a feedrate cannot be negative", words["F"].column)
+            raise BlockError(f"CL806 F{words['F'].value:g}: a feedrate cannot be negative", words["F"].column)
         state.feedrate = state.length(words["F"].value) / (60.0 if state.feed_mode == "per_minute" else 1.0)
     _execute_events(block, state, line)
     if codes:
@@ -272,13 +276,15 @@ def _motion_to_be(block: Block, state: ModalState) -> int | None:
     if own is not None:
         if own.number != _NO_MOTION and takes_axes and other is not None:
             names = f"{g_name(other.number)} and {g_name(own.number)}"
-            raise BlockError(f"{names} both use the axis words: write each on its own line", own.column)
+            raise BlockError(f"CL812 {names} both use the axis words: write each on its own line", own.column)
         if own.number == _NO_MOTION and axes and not takes_axes:
             word = next(words[letter] for letter in "XYZ@^" if letter in words)
-            raise BlockError(f"{word.letter} has no effect with G80, which ends all motion: delete it, or write G0 or G1 too", word.column)
+            raise BlockError(
+                f"CL811 {word.letter} has no effect with G80, which ends all motion: delete it, or write G0 or G1 too", word.column
+            )
         # G0 and G1 need no axes; full circles and the first line of a NURBS need no end point.
         if not axes and own.number not in (0, 10, *ARCS, 52, _NO_MOTION):
-            raise BlockError(f"{g_name(own.number)} has no axis: write X, Y or Z", own.column)
+            raise BlockError(f"CL813 {g_name(own.number)} has no axis: write X, Y or Z", own.column)
         return own.number
     if takes_axes:
         return None
@@ -287,7 +293,7 @@ def _motion_to_be(block: Block, state: ModalState) -> int | None:
             return None
         if state.motion is None or state.motion == _NO_MOTION:
             word = next(words[letter] for letter in "XYZ@^" if letter in words)
-            raise BlockError(f"{word.letter} has no motion code: write G0, G1, G2 or G3 before it", word.column)
+            raise BlockError(f"CL814 {word.letter} has no motion code: write G0, G1, G2 or G3 before it", word.column)
         return state.motion
     return state.motion if state.motion in ARCS and ("I" in words or "J" in words or "K" in words) else None
 
@@ -300,18 +306,18 @@ def _check_letters(block: Block, motion: int | None) -> None:
     if motion is not None:
         active.add(motion)
     if "P" in block.words and 40 in active and len(active & USERS["P"][0]) > 1:
-        raise BlockError("G4 and another code of the block both use P: write G4 on its own line", block.words["P"].column)
+        raise BlockError("CL812 G4 and another code of the block both use P: write G4 on its own line", block.words["P"].column)
     for letter, word in block.words.items():
         if letter in USERS and not USERS[letter][0] & active:
-            raise BlockError(f"no active code uses {letter}: delete it, or write {USERS[letter][1]}", word.column)
+            raise BlockError(f"CL811 no active code uses {letter}: delete it, or write {USERS[letter][1]}", word.column)
 
 
 def _dwell(block: Block, state: ModalState, line: int) -> list[Move]:
     word = block.words.get("P")
     if word is None:
-        raise BlockError("G4 has no time: write for example G4 P0.5 for half a second", block.codes["other"].column)
+        raise BlockError("CL813 G4 has no time: write for example G4 P0.5 for half a second", block.codes["other"].column)
     if not 0.0 <= word.value <= LONGEST_DWELL:
-        raise BlockError(f"G4 P{word.value:g}: write P in seconds, from 0 to {LONGEST_DWELL:g}", word.column)
+        raise BlockError(f"CL806 G4 P{word.value:g}: write P in seconds, from 0 to {LONGEST_DWELL:g}", word.column)
     return state.wait(word.value, line)
 
 
@@ -354,7 +360,7 @@ def _set_control(block: Block, state: ModalState, code: int) -> None:
     for letter in "PQ":
         word = block.words.get(letter)
         if word is not None and word.value < 0.0:
-            raise BlockError(f"{letter}{word.value:g}: a tolerance of G64 cannot be negative", word.column)
+            raise BlockError(f"CL806 {letter}{word.value:g}: a tolerance of G64 cannot be negative", word.column)
         lengths.append(None if word is None else state.length(word.value))
     tolerance, merge = lengths
     state.mode = Mode("blend", tolerance, tolerance if merge is None else merge, state.mode.tool)
@@ -364,11 +370,13 @@ def _motion(block: Block, state: ModalState, line: int, before: int | None) -> l
     """Make the motion of a block; `before` is the previous modal motion."""
     motion = state.motion
     if motion != 52 and state.curve.points:
-        raise BlockError("the NURBS begun with G5.2 is not closed: write G5.3 before the next motion", block.column)
+        raise BlockError("CL826 the NURBS begun with G5.2 is not closed: write G5.3 before the next motion", block.column)
     if motion in CYCLES:
         return drill(block, state, line, again=before == motion)
     if motion in SPLINES:
-        refuse(state.feed_mode == "inverse_time", BlockError, "splines cannot use inverse-time feed (G93): write G94 and F", block.column)
+        refuse(
+            state.feed_mode == "inverse_time", BlockError, "CL816 splines cannot use inverse-time feed (G93): write G94 and F", block.column
+        )
         if motion == 52:
             add_control_point(block, state)
             return []
@@ -400,9 +408,9 @@ def _feedrate(block: Block, state: ModalState, length: float) -> float:
         return state.path_feedrate(column, name)
     word = block.words.get("F")
     if word is None:
-        raise BlockError(f"{name} with G93 has no F: write F on each move, as 1 / (time in minutes)", column)
+        raise BlockError(f"CL815 {name} with G93 has no F: write F on each move, as 1 / (time in minutes)", column)
     if word.value <= 0.0:
-        raise BlockError(f"F{word.value:g}: with G93, F is 1 / (time in minutes) and must be greater than 0", word.column)
+        raise BlockError(f"CL806 F{word.value:g}: with G93, F is 1 / (time in minutes) and must be greater than 0", word.column)
     state.feedrate = max(length * word.value, state.length(LEAST_TIMED_RATE)) / 60.0
     return state.feedrate
 
@@ -413,7 +421,7 @@ def _execute_events(block: Block, state: ModalState, line: int) -> None:
     speed, tool = words.get("S"), words.get("T")
     if speed is not None:
         if speed.value < 0.0:
-            raise BlockError(f"S{speed.value:g}: a spindle speed cannot be negative; M4 turns it the other way", speed.column)
+            raise BlockError(f"CL806 S{speed.value:g}: a spindle speed cannot be negative; M4 turns it the other way", speed.column)
         state.speed = speed.value
         state.tell("S", speed.value, line)
     if tool is not None:
@@ -428,9 +436,9 @@ def _execute_events(block: Block, state: ModalState, line: int) -> None:
 def _execute_event(block: Block, state: ModalState, line: int, code: int, column: int) -> None:
     letter = _LETTER_OF_VALUE.get(code)
     word = block.words.get(letter) if letter else None
-    refuse(word is None and code in _NEEDED, BlockError, f"M{code} has no {letter}: write for example {letter}1", column)
+    refuse(word is None and code in _NEEDED, BlockError, f"CL813 M{code} has no {letter}: write for example {letter}1", column)
     index = block.words.get("E") if code in (67, 68) else None
-    refuse(index is None and code in (67, 68), BlockError, f"M{code} has no E: write the number of the output", column)
+    refuse(index is None and code in (67, 68), BlockError, f"CL813 M{code} has no E: write the number of the output", column)
     if code == 19:
         _check_orientation(block)
     if code in (6, 61):
@@ -444,9 +452,9 @@ def _execute_event(block: Block, state: ModalState, line: int, code: int, column
 def _check_orientation(block: Block) -> None:
     turn, way = block.words.get("R"), block.words.get("P")
     if turn is not None and not 0.0 <= turn.value <= 360.0:
-        raise BlockError(f"R{turn.value:g}: M19 needs an angle from 0 to 360 degrees", turn.column)
+        raise BlockError(f"CL806 R{turn.value:g}: M19 needs an angle from 0 to 360 degrees", turn.column)
     if way is not None and way.value not in (0.0, 1.0, 2.0):
-        raise BlockError(f"P{way.value:g}: M19 needs P0 (shorter way), P1 (clockwise) or P2 (counterclockwise)", way.column)
+        raise BlockError(f"CL806 P{way.value:g}: M19 needs P0 (shorter way), P1 (clockwise) or P2 (counterclockwise)", way.column)
 
 
 def _tool_number(word: Word) -> int:

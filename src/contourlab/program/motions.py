@@ -79,20 +79,22 @@ def _check_words(block: Block, state: ModalState) -> None:
     plane = f"{state.plane} plane"
     if "IJK"[normal] in words:
         stray = words["IJK"[normal]]
-        raise BlockError(f"{stray.letter} has no meaning for an arc in the {plane}: delete it", stray.column)
+        raise BlockError(f"CL811 {stray.letter} has no meaning for an arc in the {plane}: delete it", stray.column)
     offsets = "IJK"[first], "IJK"[second]
     given = [letter for letter in offsets if letter in words]
     if "R" in words:
         if given:
-            raise BlockError(f"the arc has both R and {given[0]}: give either the radius or the centre", words["R"].column)
+            raise BlockError(f"CL820 the arc has both R and {given[0]}: give either the radius or the centre", words["R"].column)
         if not words.keys() & {"XYZ"[first], "XYZ"[second], "@", "^"}:
             ends = f"{'XYZ'[first]} or {'XYZ'[second]}"
-            raise BlockError(f"an arc with R in the {plane} needs {ends}: write one; a full circle needs its centre", words["R"].column)
+            raise BlockError(
+                f"CL820 an arc with R in the {plane} needs {ends}: write one; a full circle needs its centre", words["R"].column
+            )
     elif not given:
         name = "G2" if state.motion == 20 else "G3"
-        raise BlockError(f"{name} has neither centre nor radius: give {offsets[0]} and {offsets[1]}, or R", block.column)
+        raise BlockError(f"CL820 {name} has neither centre nor radius: give {offsets[0]} and {offsets[1]}, or R", block.column)
     elif state.absolute_centre and len(given) == 1:
-        raise BlockError(f"with G90.1 an arc needs both {offsets[0]} and {offsets[1]}: write the missing one", words[given[0]].column)
+        raise BlockError(f"CL820 with G90.1 an arc needs both {offsets[0]} and {offsets[1]}: write the missing one", words[given[0]].column)
 
 
 def _centre_of_offsets(block: Block, state: ModalState, here: _Vector, there: _Vector) -> _Vector:
@@ -106,12 +108,12 @@ def _centre_of_offsets(block: Block, state: ModalState, here: _Vector, there: _V
     radius_end = math.hypot(there[0] - centre[0], there[1] - centre[1])
     if min(radius, radius_end) < RADIUS_TOLERANCE:
         at = "start" if radius < RADIUS_TOLERANCE else "end"
-        raise BlockError(f"the arc has no radius: its centre is its {at} point; correct the centre", column)
+        raise BlockError(f"CL823 the arc has no radius: its centre is its {at} point; correct the centre", column)
     _check_radius(max(radius, radius_end), column)
     gap, allowed = abs(radius - radius_end), SPIRAL_MILLIMETRE if state.millimetres else SPIRAL_INCH
     if gap > 100.0 * allowed or (gap > allowed and gap > SPIRAL_RELATIVE * max(radius, radius_end)):
         radii = f"{_show(radius, state)} at the arc's start but {_show(radius_end, state)} at its end"
-        raise BlockError(f"the radius is {radii}: correct the centre or the end point", column)
+        raise BlockError(f"CL821 the radius is {radii}: correct the centre or the end point", column)
     return centre
 
 
@@ -120,13 +122,13 @@ def _centre_of_radius(word: Word, state: ModalState, here: _Vector, there: _Vect
     radius = abs(state.length(word.value))
     chord = (there[0] - here[0], there[1] - here[1])
     half = 0.5 * math.hypot(*chord)
-    refuse(radius < RADIUS_TOLERANCE, BlockError, "the arc has no radius: R must not be 0", word.column)
+    refuse(radius < RADIUS_TOLERANCE, BlockError, "CL823 the arc has no radius: R must not be 0", word.column)
     _check_radius(radius, word.column)
     if half < SHORTEST_HALF_CHORD:
-        raise BlockError("an arc with R cannot end where it starts: for a full circle, give its centre (I, J, K)", word.column)
+        raise BlockError("CL822 an arc with R cannot end where it starts: for a full circle, give its centre (I, J, K)", word.column)
     if half - radius > RADIUS_TOLERANCE:
         why = f"cannot reach the end point, because half the chord is {_show(half, state)}"
-        raise BlockError(f"R = {_show(radius, state)} {why}: make R larger or correct the end point", word.column)
+        raise BlockError(f"CL822 R = {_show(radius, state)} {why}: make R larger or correct the end point", word.column)
     # In a semicircle with rounded decimals, R differs slightly from half the chord; the root of this difference would move the centre far.
     height = 0.0 if half > radius * (1.0 - 1e-12) else math.sqrt((radius - half) * (radius + half))
     # The centre of a counterclockwise arc of less than half a turn lies to the left of its chord.
@@ -136,7 +138,7 @@ def _centre_of_radius(word: Word, state: ModalState, here: _Vector, there: _Vect
 
 def _check_radius(radius: float, column: int) -> None:
     if radius > LARGEST_RADIUS:
-        raise BlockError(f"the arc's radius is {radius:g} m: keep it below {LARGEST_RADIUS:g} m, or write a straight line", column)
+        raise BlockError(f"CL823 the arc's radius is {radius:g} m: keep it below {LARGEST_RADIUS:g} m, or write a straight line", column)
 
 
 def _show(length: float, state: ModalState) -> str:
@@ -163,17 +165,17 @@ def bezier(block: Block, state: ModalState, line: int) -> list[Move]:
     given = [letter in words for letter in "IJ"]
     if any(given) != all(given):
         cure = "write both" + (", or neither to continue the previous G5" if cubic else "")
-        raise BlockError(f"{name} needs both I and J: {cure}", column)
+        raise BlockError(f"CL825 {name} needs both I and J: {cure}", column)
     away = (state.length(words["I"].value), state.length(words["J"].value)) if all(given) else state.tangent if cubic else None
     if away is None:
         cure = "write both" + ("; only a G5 directly after another G5 can omit them" if cubic else "")
-        raise BlockError(f"{name} has no I and J: {cure}", column)
+        raise BlockError(f"CL825 {name} has no I and J: {cure}", column)
     start, end = state.position, state.target(words)
     points = [start, (start[0] + away[0], start[1] + away[1], start[2])]
     state.tangent = None
     if cubic:
         if "P" not in words or "Q" not in words:
-            raise BlockError("G5 needs both P and Q: write the second control point, relative to the end", column)
+            raise BlockError("CL825 G5 needs both P and Q: write the second control point, relative to the end", column)
         p, q = state.length(words["P"].value), state.length(words["Q"].value)
         points.append((end[0] + p, end[1] + q, end[2]))
         state.tangent = (-p, -q)
@@ -182,9 +184,9 @@ def bezier(block: Block, state: ModalState, line: int) -> list[Move]:
 
 
 def _check_plane(block: Block, state: ModalState, name: str) -> None:
-    refuse(state.plane != "XY", BlockError, f"{name} needs the XY plane: write G17 before it", block.column)
+    refuse(state.plane != "XY", BlockError, f"CL816 {name} needs the XY plane: write G17 before it", block.column)
     if "Z" in block.words:
-        raise BlockError(f"{name} stays in the XY plane: delete Z", block.words["Z"].column)
+        raise BlockError(f"CL816 {name} stays in the XY plane: delete Z", block.words["Z"].column)
 
 
 def add_control_point(block: Block, state: ModalState) -> None:
@@ -198,11 +200,11 @@ def add_control_point(block: Block, state: ModalState) -> None:
     words, curve, column = block.words, state.curve, block.column
     state.path_feedrate(column, "G5.2")
     _check_plane(block, state, "G5.2")
-    refuse(("X" in words) != ("Y" in words), BlockError, "a control point of G5.2 needs both X and Y: write the missing one", column)
+    refuse(("X" in words) != ("Y" in words), BlockError, "CL825 a control point of G5.2 needs both X and Y: write the missing one", column)
     weight, fresh, point = words["P"].value if "P" in words else None, not curve.points, "X" in words
-    refuse(not (fresh or point), BlockError, "a control point of G5.2 needs X and Y: write them", column)
+    refuse(not (fresh or point), BlockError, "CL825 a control point of G5.2 needs X and Y: write them", column)
     if (weight is None and point) or (weight is not None and weight <= 0.0):
-        raise BlockError("each control point of G5.2 needs a weight P greater than 0: write for example P1", column)
+        raise BlockError("CL825 each control point of G5.2 needs a weight P greater than 0: write for example P1", column)
     if fresh:
         # The first control point is the tool position; a P without X and Y is its weight.
         curve.order = 3
@@ -213,7 +215,12 @@ def add_control_point(block: Block, state: ModalState) -> None:
     if point and weight is not None:
         curve.points.append(state.target(words)[:2])
         curve.weights.append(weight)
-    refuse(len(curve.points) > MOST_POINTS, BlockError, f"the NURBS has more than {MOST_POINTS} control points: close it with G5.3", column)
+    refuse(
+        len(curve.points) > MOST_POINTS,
+        BlockError,
+        f"CL826 the NURBS has more than {MOST_POINTS} control points: close it with G5.3",
+        column,
+    )
 
 
 def close_curve(block: Block, state: ModalState, line: int) -> list[Move]:
@@ -225,10 +232,10 @@ def close_curve(block: Block, state: ModalState, line: int) -> list[Move]:
         If there are no control points, or too few for the order.
     """
     curve, column = state.curve, block.codes["other"].column
-    refuse(not curve.points, BlockError, "G5.3 has no G5.2 before it: write the control points with G5.2 first", column)
+    refuse(not curve.points, BlockError, "CL826 G5.3 has no G5.2 before it: write the control points with G5.2 first", column)
     if len(curve.points) < curve.order:
         count = f"at least {curve.order} control points, but has {len(curve.points)}"
-        raise BlockError(f"a NURBS of order {curve.order} needs {count}: write more, or a smaller L", column)
+        raise BlockError(f"CL826 a NURBS of order {curve.order} needs {count}: write more, or a smaller L", column)
     points: list[Point] = [(u, v, state.position[2]) for u, v in curve.points]
     state.curve, state.motion = Curve(), None
     return _spline(state, points, curve.weights, curve.order - 1, state.path_feedrate(column, "G5.3"), line, column)
@@ -238,7 +245,7 @@ def _spline(
     state: ModalState, points: list[Point], weights: list[float], degree: int, feedrate: float, line: int, column: int
 ) -> list[Move]:
     if all(point == points[0] for point in points):
-        raise BlockError("all control points of the spline are the same: correct them, or delete the spline", column)
+        raise BlockError("CL825 all control points of the spline are the same: correct them, or delete the spline", column)
     axes = [state.frame.axes(point) for point in points]
     axes[0] = state.reached
     state.position, state.reached = points[-1], axes[-1]
@@ -297,7 +304,7 @@ class _Cycle:
         self.u, self.v = (state.position[axis] for axis in self.axes[:2])
         self.clearance = self.depth = self.back = 0.0
         if state.feed_mode == "inverse_time":
-            raise BlockError(f"{self.name} cannot use inverse-time feed (G93): write G94 and F", self.column)
+            raise BlockError(f"CL816 {self.name} cannot use inverse-time feed (G93): write G94 and F", self.column)
         self.feedrate = state.path_feedrate(self.column, self.name)
 
     def run(self) -> None:
@@ -313,7 +320,7 @@ class _Cycle:
         self.state.mode = replace(self.state.mode, control="exact_path", tolerance=None, merge=None)
         repeats = self.words["L"].whole(1, MOST_REPEATS, "the number of repeats") if "L" in self.words else 1
         if self.code in _PECKING and repeats * (self.clearance - self.depth) / self.state.cycle.peck > MOST_STROKES:
-            raise BlockError(f"the peck Q of {self.name} needs more than {MOST_STROKES} strokes: make it larger", self.column)
+            raise BlockError(f"CL831 the peck Q of {self.name} needs more than {MOST_STROKES} strokes: make it larger", self.column)
         for repeat in range(repeats):
             self._next_hole()
             if repeat == 0 and here > self.clearance + LEAST_STROKE:
@@ -337,7 +344,7 @@ class _Cycle:
         state, memory, normal = self.state, self.state.cycle, self.axes[2]
         letter = "XYZ"[normal]
         for wanted, what in ((letter, "depth"), ("R", "clearance")):
-            refuse(wanted not in self.words and not self.again, BlockError, f"{self.name} has no {what}: write {wanted}", self.column)
+            refuse(wanted not in self.words and not self.again, BlockError, f"CL830 {self.name} has no {what}: write {wanted}", self.column)
         if letter in self.words:
             memory.depth = state.coordinate(normal, self.words[letter])
         if "R" in self.words:
@@ -348,7 +355,7 @@ class _Cycle:
             level = self.clearance
         self.depth = memory.depth if state.absolute else self.clearance + memory.depth
         if self.clearance < self.depth:
-            raise BlockError(f"the clearance R is below the depth {letter}: raise R or lower {letter}", self.column)
+            raise BlockError(f"CL831 the clearance R is below the depth {letter}: raise R or lower {letter}", self.column)
         self.back = self.clearance if state.back_to_clearance else max(level, self.clearance)
         return level
 
@@ -357,17 +364,19 @@ class _Cycle:
         if "P" in self.words:
             memory.dwell = self.words["P"].value
             if not 0.0 <= memory.dwell <= LONGEST_DWELL:
-                raise BlockError(f"P{memory.dwell:g}: write the dwell in seconds, from 0 to {LONGEST_DWELL:g}", self.words["P"].column)
+                raise BlockError(
+                    f"CL806 P{memory.dwell:g}: write the dwell in seconds, from 0 to {LONGEST_DWELL:g}", self.words["P"].column
+                )
         elif self.code in _DWELLING and not self.again:
-            raise BlockError(f"{self.name} has no dwell: write P, in seconds", self.column)
+            raise BlockError(f"CL830 {self.name} has no dwell: write P, in seconds", self.column)
         if self.code not in _PECKING:
             return
         if "Q" in self.words:
             memory.peck = self.state.length(self.words["Q"].value)
         elif not self.again:
-            raise BlockError(f"{self.name} has no peck: write Q, the depth of one stroke", self.column)
+            raise BlockError(f"CL830 {self.name} has no peck: write Q, the depth of one stroke", self.column)
         if memory.peck <= 0.0:
-            raise BlockError(f"the peck Q of {self.name} must be greater than 0: write Q with the depth of one stroke", self.column)
+            raise BlockError(f"CL831 the peck Q of {self.name} must be greater than 0: write Q with the depth of one stroke", self.column)
 
     def _read_bore(self) -> tuple[tuple[float, float], float]:
         """Return lateral offset and top of a back bore (G87)."""
@@ -377,16 +386,16 @@ class _Cycle:
         i, j, k = (self.state.length(self.words[x].value) if x in self.words else old for x, old in zip(letters, kept, strict=True))
         if i is None or j is None or k is None:
             sideways = f"{letters[0]} and {letters[1]} (sideways offset)"
-            raise BlockError(f"G87 needs {sideways} and {letters[2]} (top of the bore): write all three", self.column)
+            raise BlockError(f"CL830 G87 needs {sideways} and {letters[2]} (top of the bore): write all three", self.column)
         memory.bore = (i, j, k)
         return (i, j), k if absolute else self.depth + k
 
     def _check_spindle(self) -> None:
         sense = self.state.turning
-        refuse(sense == 0, BlockError, f"{self.name} needs a turning spindle: write M3 or M4 before it", self.column)
+        refuse(sense == 0, BlockError, f"CL832 {self.name} needs a turning spindle: write M3 or M4 before it", self.column)
         if (self.code, sense) in ((740, 1), (840, -1)):
             other = "M4" if sense > 0 else "M3"
-            raise BlockError(f"{self.name} needs the spindle to turn the other way: write {other} before it", self.column)
+            raise BlockError(f"CL832 {self.name} needs the spindle to turn the other way: write {other} before it", self.column)
 
     def _next_hole(self) -> None:
         """Go to the next hole, absolute or incremental."""

@@ -221,7 +221,7 @@ class Reader:
         if self.reading.dialect == "grbl":
             line = _grbl_line(line, self.walker.place[1], self.notices, self.state)
         elif "(" in line and (abort := _ABORT.search(line)) and ";" not in line[: abort.start()]:
-            raise BlockError(f"the program stops itself here, with (abort,...):{abort[1][:MOST_SHOWN]}", abort.start() + 1)
+            raise BlockError(f"CL846 the program stops itself here, with (abort,...):{abort[1][:MOST_SHOWN]}", abort.start() + 1)
         return read_block(line, self.parameters)
 
     def _leaves(self, block: Block) -> bool:
@@ -240,7 +240,7 @@ class Reader:
         column = block.codes["call"].column
         label, repeats = (block.words[x].whole(0, 10**9, f"{x} of M98") if x in block.words else None for x in "PL")
         if label is None:
-            raise BlockError("M98 has no P: write the number of the subprogram", column)
+            raise BlockError("CL813 M98 has no P: write the number of the subprogram", column)
         self.walker.enter(str(label), None, column, 1 if repeats is None else repeats)
 
     def _subprogram(self, label: str) -> Tape | None:
@@ -253,12 +253,12 @@ class Reader:
     def _check_end(self, moved: bool) -> None:
         if self.state.curve.points:
             cure = "write G5.3 after its last control point"
-            raise ProgramError(f"the NURBS begun with G5.2 is not closed: {cure}", file=self.name, line=self.walker.place[1])
+            raise ProgramError(f"CL826 the NURBS begun with G5.2 is not closed: {cure}", file=self.name, line=self.walker.place[1])
         if not moved and (self.state.still or self.problems is not None):
             self.notices.append(Notice("the program contains no motion", 1, 1))
         elif not moved:
             cure = "write at least one G0, G1, G2 or G3 that leads away from the start (X0 Y0 Z0)"
-            raise ProgramError(f"the program contains no motion: {cure}", file=self.name)
+            raise ProgramError(f"CL848 the program contains no motion: {cure}", file=self.name)
         if self._ended or self._closed:
             return
         line = self.walker.place[1]
@@ -266,7 +266,7 @@ class Reader:
             self.notices.append(Notice(f"{NO_END} (M2 or M30): its last line ends it", max(line, 1), 1))
         else:
             cure = "add a line with % at the end" if self._open else "add M2 or M30 at the end"
-            raise ProgramEndError(f"{NO_END}: {cure}", file=self.name, line=line)
+            raise ProgramEndError(f"CL847 {NO_END}: {cure}", file=self.name, line=line)
 
 
 _ABORT = re.compile(r"\([ \t]*abort,([^()]*)\)[^()]*$", re.IGNORECASE)
@@ -377,7 +377,7 @@ def read_program(
 def _beside(path: Path, reading: Reading) -> Reading:
     """Look for subprograms beside a file; refuse a file that is something else: a picture, a scenario, a log ..."""
     if words := mistaken(path, "a part program"):
-        raise ProgramError(words, file=path)
+        raise ProgramError(f"CL800 {words}", file=path)
     return replace(reading, folder=path.parent) if reading.folder is None else reading
 
 

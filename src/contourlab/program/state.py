@@ -113,7 +113,7 @@ _LETTERS = frozenset("TPDXYZABCUVWIJQ")
 def unreadable(what: str, file: str | Path, error: OSError | ValueError) -> ProgramError:
     """Return the error of a file that cannot be read."""
     reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-    return ProgramError(f"the {what} cannot be read: {reason}", file=file)
+    return ProgramError(f"CL800 the {what} cannot be read: {reason}", file=file)
 
 
 class Tools:
@@ -138,7 +138,7 @@ class Tools:
     def check(self, number: int, column: int) -> None:
         """Refuse a tool that is missing from the tool table; 0 is no tool."""
         if self.complete and number and number not in self.offsets:
-            raise BlockError(f"tool {number} is not in the tool table: add it, or correct the number", column)
+            raise BlockError(f"CL849 tool {number} is not in the tool table: add it, or correct the number", column)
 
     def offset(self, number: int) -> Point:
         """Return the offset of a tool [m]."""
@@ -169,16 +169,18 @@ def read_tools(file: str | Path) -> Tools:
 def _add(tools: Tools, entry: str, file: str | Path, line: int) -> None:
     if _ENTRY.sub("", entry).strip():
         cure = "write words such as T1 P1 D3.0 Z+25.4, and comments after ';'"
-        raise ProgramError(f"this is not a line of a tool table: {cure}", file=file, line=line)
+        raise ProgramError(f"CL849 this is not a line of a tool table: {cure}", file=file, line=line)
     words = {letter.upper(): float(value) for letter, value in _ENTRY.findall(entry)}
     unknown = words.keys() - _LETTERS
     if unknown:
-        raise ProgramError(f"a tool table has no word {min(unknown)}: use {', '.join(sorted(_LETTERS))}", file=file, line=line)
+        raise ProgramError(f"CL849 a tool table has no word {min(unknown)}: use {', '.join(sorted(_LETTERS))}", file=file, line=line)
     tool = words.get("T", 0.0)
     if tool != round(tool) or not 1 <= tool <= LARGEST_TOOL:
-        raise ProgramError(f"a tool number must be a whole number from 1 to {LARGEST_TOOL}: write for example T1", file=file, line=line)
+        raise ProgramError(
+            f"CL849 a tool number must be a whole number from 1 to {LARGEST_TOOL}: write for example T1", file=file, line=line
+        )
     if int(tool) in tools.offsets:
-        raise ProgramError(f"tool {int(tool)} is listed twice: delete one of the lines", file=file, line=line)
+        raise ProgramError(f"CL849 tool {int(tool)} is listed twice: delete one of the lines", file=file, line=line)
     x, y, z = (words.get(letter, 0.0) / 1000.0 for letter in _LENGTHS)
     tools.offsets[int(tool)] = (x, y, z)
     tools.diameters[int(tool)] = words.get("D", 0.0) / 1000.0
@@ -302,7 +304,7 @@ class ModalState:
         for letter, value in zip("XYZ", point, strict=True):
             if abs(value) > LARGEST_LENGTH:
                 word = words.get(letter) or next(iter(words.values()), None)
-                fault = f"{letter} would move to {value:g} m: stay within {LARGEST_LENGTH:g} m of zero"
+                fault = f"CL817 {letter} would move to {value:g} m: stay within {LARGEST_LENGTH:g} m of zero"
                 raise BlockError(fault, word.column if word else 0)
 
     def polar(self, words: dict[str, Word]) -> tuple[float, float]:
@@ -311,12 +313,12 @@ class ModalState:
         column = (far or words["^"]).column
         for letter in "XY":
             if letter in words:
-                raise BlockError(f"@ or ^ cannot be combined with {letter}: give polar coordinates, or X and Y", words[letter].column)
+                raise BlockError(f"CL816 @ or ^ cannot be combined with {letter}: give polar coordinates, or X and Y", words[letter].column)
         x, y, _ = self.position
         radius, angle = math.hypot(x, y), math.atan2(y, x)
         if radius == 0.0 and (not self.absolute or turn is None):
             cure = "write ^ too" if self.absolute else "move away from it with X or Y first, or write G90"
-            raise BlockError(f"at the origin the polar angle is undefined: {cure}", column)
+            raise BlockError(f"CL818 at the origin the polar angle is undefined: {cure}", column)
         if self.absolute:
             radius = radius if far is None else self.length(far.value)
             angle = angle if turn is None else math.radians(turn.value)
@@ -324,7 +326,9 @@ class ModalState:
             radius += 0.0 if far is None else self.length(far.value)
             angle += 0.0 if turn is None else math.radians(turn.value)
             if radius == 0.0:
-                raise BlockError("this polar step (G91) ends at the origin, where the angle is undefined: write G90 X0 Y0 instead", column)
+                raise BlockError(
+                    "CL818 this polar step (G91) ends at the origin, where the angle is undefined: write G90 X0 Y0 instead", column
+                )
         return (radius * math.cos(angle), radius * math.sin(angle))
 
     @property
@@ -341,10 +345,10 @@ class ModalState:
             If there is no feedrate, or G95 has no spindle speed.
         """
         if self.feedrate == 0.0:
-            raise BlockError(f"{motion} has no feedrate: write F on its line or before it; G94 clears an earlier F", column)
+            raise BlockError(f"CL815 {motion} has no feedrate: write F on its line or before it; G94 clears an earlier F", column)
         if self.feed_mode == "per_turn":
             if self.speed == 0.0:
-                raise BlockError(f"{motion} with G95 needs a spindle speed: write S before it", column)
+                raise BlockError(f"CL815 {motion} with G95 needs a spindle speed: write S before it", column)
             return self.feedrate * self.speed / 60.0
         return self.feedrate
 

@@ -73,7 +73,7 @@ _USERS: tuple[tuple[str, str, tuple[int | str, ...]], ...] = (
 USERS: dict[str, tuple[frozenset[int | str], str]] = {letter: (frozenset(codes), shown) for letter, shown, codes in _USERS}
 """Codes that use a letter (numbers times ten, or "M50"), and their names for messages."""
 
-O_WORD_ALONE = "an O-word must be alone on its line, apart from a line number: write for example O100 call on the next line"
+O_WORD_ALONE = "CL840 an O-word must be alone on its line, apart from a line number: write for example O100 call on the next line"
 
 _CAM = "let the CAM system write plain G0, G1, G2 and G3 moves"
 _CENTRE_PATH = "let the CAM system write the path of the tool's centre"
@@ -111,11 +111,11 @@ def refusal(name: str, kind: str) -> str:
     """Return the message for an unsupported code or word: what it is, and what to do.
 
     >>> refusal("G41", "G-code")
-    "G41 (cutter compensation) is not supported yet: let the CAM system write the path of the tool's centre"
+    "CL808 G41 (cutter compensation) is not supported yet: let the CAM system write the path of the tool's centre"
     """
     if name == "O":
         return O_WORD_ALONE
     if name not in _REFUSED:
-        return f"{name} is not a known {kind}: delete it, or correct the number"
+        return f"CL807 {name} is not a known {kind}: delete it, or correct the number"
     what, cure = _REFUSED[name]
-    return f"{name} ({what}) is not supported yet: {cure}"
+    return f"CL808 {name} ({what}) is not supported yet: {cure}"

@@ -60,7 +60,19 @@ def test_every_finding_in_the_code_has_its_entry_and_values():
 
 def test_every_entry_is_used_somewhere():
     text = "\n".join(file.read_text(encoding="utf-8") for file in SOURCE.rglob("*.py"))
-    assert [code for code in catalogue() if f'"{code}"' not in text] == []
+    assert catalogue().keys() - set(re.findall(r'"(CL\d{3})[" ]', text)) == set()
+
+
+def test_every_fault_of_a_program_has_a_code():
+    """It stands before the message; `ProgramError` takes it off."""
+    without = []
+    for file in sorted((SOURCE / "program").glob("*.py")):
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in ("BlockError", "EndMarkError", "refuse"):
+                texts = [part.value for part in ast.walk(node) if isinstance(part, ast.Constant) and isinstance(part.value, str)]
+                if any(len(text) > 20 for text in texts) and not any(re.match(r"CL8[0-4]\d ", text) for text in texts):
+                    without.append(f"{file.name}:{node.lineno}")
+    assert without == []
 
 
 def test_a_finding_in_print_and_in_json():

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from each import each
 from refusals import refuses
@@ -90,40 +92,41 @@ def test_comments_and_blanks_inside_expressions() -> None:
 @each(
     "line, column, message",
     [
-        ("X[1/0]", 4, r"1 / 0"),
-        ("X[5 MOD 0]", 5, "5 MOD 0"),
-        ("X[-8 ** 0.5]", 6, r"-8 \*\* 0\.5"),
-        ("X[10 ** 400]", 6, "undefined"),
-        ("XSQRT[-1]", 2, r"SQRT\[-1\]"),
-        ("XLN[0]", 2, "undefined"),
-        ("XASIN[1.5]", 2, "undefined"),
-        ("XATAN[1]", 8, "'/'.*ATAN"),
-        ("XFOO[1]", 2, "'F'"),
-        ("X-SIN+[30]#1=1", 6, r"SIN .*brackets"),
-        ("X[1 + ]", 7, "number.*']'"),
-        ("X[1 2 3", 7, "']'.*end"),
-        ("X[]", 3, "number"),
-        ("X#<deep>", 2, "#<deep>"),
-        ("X#<deep", 3, "'>'"),
-        ("X#0", 2, "#0"),
-        ("X#5602", 2, "#5602"),
-        ("X#1.5", 3, r"#1\.5.*whole"),
-        ("#5 3", 4, "'=' is missing"),
-        ("#5 =", 4, "number.*ends"),
-        ("#5420 = 3", 2, "#5420"),
-        ("G1 X[1] = 2", 9, "'='.*parameter"),
-        ("X1 ]#1=2", 4, "']'"),
-        ("N[1] X1", 1, "digits"),
-        ("X[1e3]", 4, "'e'"),
-        ("X" + "[" * 60 + "1" + "]" * 60, 53, "50 deep"),
-        ("X[2 ** 40]", 1, "too large"),
-        ("O[1] sub", 1, "alone"),
-        ("G1 X[2] O[1] call", 9, "alone"),
+        ("X[1/0]", 4, "CL836 .*1 / 0"),
+        ("X[5 MOD 0]", 5, "CL836 .*5 MOD 0"),
+        ("X[-8 ** 0.5]", 6, "CL836"),
+        ("X[10 ** 400]", 6, "CL836"),
+        ("XSQRT[-1]", 2, r"CL836 .*SQRT\[-1\]"),
+        ("XLN[0]", 2, "CL836"),
+        ("XASIN[1.5]", 2, "CL836"),
+        ("XATAN[1]", 8, "CL835 .*'/'.*ATAN"),
+        ("XFOO[1]", 2, "CL835 .*'F'"),
+        ("X-SIN+[30]#1=1", 6, "CL835"),
+        ("X[1 + ]", 7, "CL803 .*number.*']'"),
+        ("X[1 2 3", 7, "CL835 .*']'.*end"),
+        ("X[]", 3, "CL803"),
+        ("X#<deep>", 2, "CL837 .*#<deep>"),
+        ("X#<deep", 3, "CL839 .*'>'"),
+        ("X#0", 2, "CL839 .*#0"),
+        ("X#5602", 2, "CL839 .*#5602"),
+        ("X#1.5", 3, r"CL839 .*#1\.5.*whole"),
+        ("#5 3", 4, "CL835 .*'=' is missing"),
+        ("#5 =", 4, "CL803"),
+        ("#5420 = 3", 2, "CL838 .*#5420"),
+        ("G1 X[1] = 2", 9, "CL801 .*'='.*parameter"),
+        ("X1 ]#1=2", 4, "CL801 .*']'"),
+        ("N[1] X1", 1, "CL804"),
+        ("X[1e3]", 4, "CL835 .*'e'"),
+        ("X" + "[" * 60 + "1" + "]" * 60, 53, "CL835 .*50 deep"),
+        ("X[2 ** 40]", 1, "CL805"),
+        ("O[1] sub", 1, "CL840"),
+        ("G1 X[2] O[1] call", 9, "CL840"),
     ],
 )
 def test_refusals_name_the_place(line: str, column: int, message: str) -> None:
-    with pytest.raises(BlockError, match=message) as caught:
+    with pytest.raises(BlockError) as caught:
         read_words(line)
+    assert re.match(message, caught.value.message)
     assert caught.value.column == column
 
 

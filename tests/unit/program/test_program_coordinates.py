@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import pytest
@@ -131,17 +132,18 @@ def test_tools_from_a_table(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "line", "message"),
     [
-        ("T1 Z1\nT1 Z2", 2, "tool 1"),
-        ("T1.5 Z1", 1, "whole number"),
-        ("Z1", 1, "whole number"),
-        ("T1 Z1 what", 1, "words"),
+        ("T1 Z1\nT1 Z2", 2, "CL849 .*tool 1"),
+        ("T1.5 Z1", 1, "CL849"),
+        ("Z1", 1, "CL849"),
+        ("T1 Z1 what", 1, "CL849"),
     ],
 )
 def test_invalid_tool_tables(tmp_path: Path, text: str, line: int, message: str) -> None:
     table = tmp_path / "tool.tbl"
     table.write_text(text, encoding="utf-8")
-    with pytest.raises(ProgramError, match=message) as caught:
+    with pytest.raises(ProgramError) as caught:
         read_tools(table)
+    assert re.match(message, f"{caught.value.code} {caught.value.message}")
     assert (caught.value.file, caught.value.line) == (str(table), line)
     with refuses(ProgramError, "No such file", file=tmp_path / "none.tbl"):
         read_tools(tmp_path / "none.tbl")
@@ -150,31 +152,32 @@ def test_invalid_tool_tables(tmp_path: Path, text: str, line: int, message: str)
 @each(
     "text, column, message",
     [
-        ("G10 L3 P1 X1", 1, "G10 takes L2 or L20"),
-        ("G10 P1 X1", 1, "G10 takes L2 or L20"),
-        ("G10 L2 X1", 1, "G10 L2 has no P"),
-        ("G10 L1 X1", 1, "G10 L1 has no P: write the number of the tool"),
-        ("G10 L2 P10 X1", 8, "work coordinate system"),
-        ("G10 L2 P1.5 X1", 8, "whole number"),
-        ("G10 L20 P1 R5", 12, "G10 L20 .*R \\(rotation\\)"),
-        ("G10 L20 P1 I5 X1", 12, "uses I"),
-        ("G10 L1 P0 Z1", 8, "tool number"),
-        ("G10 L1 P1", 8, "sets nothing"),
-        ("G10 L2 P1 X1 G0", 14, "both use the axis words"),
-        ("G92", 1, "G92 has no axis"),
-        ("G52", 1, "G52 has no axis"),
-        ("G43.2", 1, "G43.2 needs a tool"),
-        ("G43.2 H1 Z1", 1, "G43.2 needs a tool"),
-        ("G43 H1.5", 5, "whole number"),
-        ("G53 G80", 1, "G53 needs G0 or G1"),
-        ("G53", 1, "G53 needs G0 or G1"),
-        ("G53 X1", 5, "X has no motion code"),
-        ("G91 G53 G0 X1", 5, "G53 .*absolute"),
-        ("G53 G0 @5 ^3", 1, "polar coordinates"),
-        ("H1", 1, "uses H"),
+        ("G10 L3 P1 X1", 1, "CL813"),
+        ("G10 P1 X1", 1, "CL813"),
+        ("G10 L2 X1", 1, "CL813"),
+        ("G10 L1 X1", 1, "CL813 .*tool"),
+        ("G10 L2 P10 X1", 8, "CL806"),
+        ("G10 L2 P1.5 X1", 8, "CL806"),
+        ("G10 L20 P1 R5", 12, "CL811"),
+        ("G10 L20 P1 I5 X1", 12, "CL811"),
+        ("G10 L1 P0 Z1", 8, "CL806"),
+        ("G10 L1 P1", 8, "CL813"),
+        ("G10 L2 P1 X1 G0", 14, "CL812"),
+        ("G92", 1, "CL813"),
+        ("G52", 1, "CL813"),
+        ("G43.2", 1, "CL813"),
+        ("G43.2 H1 Z1", 1, "CL813"),
+        ("G43 H1.5", 5, "CL806"),
+        ("G53 G80", 1, "CL813"),
+        ("G53", 1, "CL813"),
+        ("G53 X1", 5, "CL814"),
+        ("G91 G53 G0 X1", 5, "CL816"),
+        ("G53 G0 @5 ^3", 1, "CL816"),
+        ("H1", 1, "CL811"),
     ],
 )
 def test_refusals(text: str, column: int, message: str) -> None:
-    with pytest.raises(ProgramError, match=message) as caught:
+    with pytest.raises(ProgramError) as caught:
         parse_program(f"{text}\nM2")
+    assert re.match(message, f"{caught.value.code} {caught.value.message}")
     assert (caught.value.line, caught.value.column) == (1, column)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -95,29 +96,30 @@ def test_pecks_sum_exactly() -> None:
 @each(
     "text, column, message",
     [
-        ("G81 X1", 1, "G81 has no depth: write Z"),
-        ("G81 X1 Z-1", 1, "G81 has no clearance: write R"),
-        ("G18 G81 X1 Z1 R1", 5, "G81 has no depth: write Y"),
-        ("G82 X1 Z-1 R1", 1, "G82 has no dwell"),
-        ("G83 X1 Z-1 R1", 1, "G83 has no peck"),
-        ("G83 X1 Z-1 R1 Q0", 1, "greater than 0"),
-        ("G83 X1 Z-900 R1 Q0.001", 1, "more than 100000 strokes"),
-        ("G81 X1 Z5 R1", 1, "below the depth"),
-        ("G81 X1 Z-1 R1 L0", 15, "from 1 to"),
-        ("G81 X1 Z-1 R1 L1.5", 15, "from 1 to"),
-        ("G82 X1 Z-1 R1 P-1", 15, "in seconds"),
-        ("G74 X1 Z-1 R1", 1, "the other way: write M4"),
-        ("M4 G84 X1 Z-1 R1", 4, "the other way: write M3"),
-        ("M5 G86 X1 Z-1 R1 P1", 4, "needs a turning spindle"),
-        ("G93 G81 X1 Z-1 R1", 5, "inverse-time feed"),
-        ("G81 R1", 1, "G81 has no axis"),
-        ("G74 X1 Z-1 R1 L2", 15, "uses L"),
-        ("G87 X1 Z-1 R1", 1, "G87 needs I and J"),
+        ("G81 X1", 1, "CL830 .*Z"),
+        ("G81 X1 Z-1", 1, "CL830 .*R"),
+        ("G18 G81 X1 Z1 R1", 5, "CL830 .*Y"),
+        ("G82 X1 Z-1 R1", 1, "CL830"),
+        ("G83 X1 Z-1 R1", 1, "CL830"),
+        ("G83 X1 Z-1 R1 Q0", 1, "CL831"),
+        ("G83 X1 Z-900 R1 Q0.001", 1, "CL831 .*100000"),
+        ("G81 X1 Z5 R1", 1, "CL831"),
+        ("G81 X1 Z-1 R1 L0", 15, "CL806"),
+        ("G81 X1 Z-1 R1 L1.5", 15, "CL806"),
+        ("G82 X1 Z-1 R1 P-1", 15, "CL806"),
+        ("G74 X1 Z-1 R1", 1, "CL832 .*M4"),
+        ("M4 G84 X1 Z-1 R1", 4, "CL832 .*M3"),
+        ("M5 G86 X1 Z-1 R1 P1", 4, "CL832"),
+        ("G93 G81 X1 Z-1 R1", 5, "CL816"),
+        ("G81 R1", 1, "CL813"),
+        ("G74 X1 Z-1 R1 L2", 15, "CL811"),
+        ("G87 X1 Z-1 R1", 1, "CL830"),
     ],
 )
 def test_cycle_refusals(text: str, column: int, message: str) -> None:
-    with pytest.raises(ProgramError, match=message) as caught:
+    with pytest.raises(ProgramError) as caught:
         parse_program(f"{HEAD}{text}\nM2")
+    assert re.match(message, f"{caught.value.code} {caught.value.message}")
     assert (caught.value.line, caught.value.column) == (2, column)
 
 
@@ -167,23 +169,24 @@ def test_a_nurbs_of_order_three_is_a_quarter_circle() -> None:
 @each(
     "text, line, message",
     [
-        ("G5 X1 Y1 P1 Q1", 2, "G5 has no I and J"),
-        ("G5 X1 Y1 I1 P1 Q1", 2, "needs both I and J"),
-        ("G5 X1 Y1 I1 J1 P1", 2, "needs both P and Q"),
-        ("G5.1 X1 Y1", 2, "G5.1 has no I and J"),
-        ("G18 G5 X1 Y1 I1 J1 P1 Q1", 2, "needs the XY plane"),
-        ("G5 X1 Y1 Z1 I1 J1 P1 Q1", 2, "stays in the XY plane: delete Z"),
-        ("G93\nG5 X1 Y1 I1 J1 P1 Q1", 3, "inverse-time feed"),
-        ("G5.2 X1 P1", 2, "needs both X and Y"),
-        ("G5.2 X1 Y1", 2, "needs a weight P"),
-        ("G5.2 X1 Y1 P0", 2, "needs a weight P"),
-        ("G5.2 X1 Y1 P1 L1", 2, "whole number from 2"),
-        ("G5.2 X1 Y1 P1\nG5.3", 3, "at least 3 control points"),
-        ("G5.2 X1 Y1 P1\nG1 X2", 3, "not closed: write G5.3"),
-        ("G5.3", 2, "no G5.2"),
+        ("G5 X1 Y1 P1 Q1", 2, "CL825"),
+        ("G5 X1 Y1 I1 P1 Q1", 2, "CL825"),
+        ("G5 X1 Y1 I1 J1 P1", 2, "CL825"),
+        ("G5.1 X1 Y1", 2, "CL825"),
+        ("G18 G5 X1 Y1 I1 J1 P1 Q1", 2, "CL816"),
+        ("G5 X1 Y1 Z1 I1 J1 P1 Q1", 2, "CL816"),
+        ("G93\nG5 X1 Y1 I1 J1 P1 Q1", 3, "CL816"),
+        ("G5.2 X1 P1", 2, "CL825"),
+        ("G5.2 X1 Y1", 2, "CL825"),
+        ("G5.2 X1 Y1 P0", 2, "CL825"),
+        ("G5.2 X1 Y1 P1 L1", 2, "CL806"),
+        ("G5.2 X1 Y1 P1\nG5.3", 3, "CL826"),
+        ("G5.2 X1 Y1 P1\nG1 X2", 3, "CL826"),
+        ("G5.3", 2, "CL826"),
     ],
 )
 def test_spline_refusals(text: str, line: int, message: str) -> None:
-    with pytest.raises(ProgramError, match=message) as caught:
+    with pytest.raises(ProgramError) as caught:
         parse_program(f"G21 F60\n{text}\nM2")
+    assert re.match(message, f"{caught.value.code} {caught.value.message}")
     assert caught.value.line == line

@@ -29,6 +29,8 @@ DEFAULT_MACHINE = "builtin:xyz"
 PART = 2_500
 """Moves after which a part ends at the next stop, or at twice as many without one."""
 FAULTY = 2
+NOT_PLANNED = "CL819"
+"""Code of a fault that only planning finds."""
 MOST_FEEDS = 12
 """Largest number of feedrates to print one by one."""
 _KINDS = {Traverse: "traverse", Feed: "feed", Arc: "arc", Spline: "spline", Dwell: "dwell"}
@@ -36,23 +38,24 @@ _KINDS = {Traverse: "traverse", Feed: "feed", Arc: "arc", Spline: "spline", Dwel
 
 @dataclass(frozen=True)
 class Message:
-    """A fault, or a notice of the reader; line and column are 0 if unknown."""
+    """A fault, or a notice of the reader; line and column are 0 if unknown. A fault has a code, for ``contourlab explain``."""
 
     message: str
     line: int = 0
     column: int = 0
     file: str = ""
+    code: str = ""
 
     @classmethod
-    def of(cls, fault: Any) -> Message:
-        """Return what an error or a notice says."""
+    def of(cls, fault: Any, code: str = "") -> Message:
+        """Return what an error or a notice says; `code` is that of a fault without its own."""
         message, file = getattr(fault, "message", str(fault)), str(getattr(fault, "file", ""))
-        return cls(message, getattr(fault, "line", 0), getattr(fault, "column", 0), file)
+        return cls(message, getattr(fault, "line", 0), getattr(fault, "column", 0), file, getattr(fault, "code", "") or code)
 
     def text(self, program: str, note: str = "") -> str:
-        """Return ``file:line:column: message``."""
+        """Return ``file:line:column: message [code]``."""
         place = "".join(f"{number}:" for number in (self.line, self.column) if self.line and number)
-        return f"{self.file or program}:{place} {note}{self.message}"
+        return f"{self.file or program}:{place} {note}{self.message}" + (f" [{self.code}]" if self.code else "")
 
 
 @dataclass(frozen=True)
@@ -177,7 +180,7 @@ def check(file: str | Path, *, settings: Check, session: Session = QUIET) -> Che
         notices, n_line = reader.notices, reader.count_lines()
     checked = Checked(
         program=str(file),
-        problems=tuple(map(Message.of, [*problems, *motion.problems])),
+        problems=tuple(Message.of(fault, NOT_PLANNED) for fault in (*problems, *motion.problems)),
         notices=tuple(map(Message.of, notices)),
         n_line=n_line,
         moves=dict(seen.moves),

@@ -182,6 +182,7 @@ def test_doctored_logs_are_named(made: bench.Made, tmp_path: Path, code: str, do
     assert all(one.place.removeprefix("axis ") not in result.pid for one in wrong)
 
 
+@pytest.mark.usefixtures("untuned", "stiff")
 @pytest.mark.slow
 def test_a_wrong_period_in_the_ini_file_shows_in_a_log_without_times(made: bench.Made, tmp_path: Path) -> None:
     ini = tmp_path / "wrong.ini"
@@ -196,6 +197,7 @@ def test_a_wrong_period_in_the_ini_file_shows_in_a_log_without_times(made: bench
     assert not result.pid
 
 
+@pytest.mark.usefixtures("stiff")
 @pytest.mark.slow
 def test_noise_is_named(made: bench.Made, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("contourlab.features.commission.tuning.BUDGET", 32)
@@ -267,6 +269,7 @@ def test_an_axis_unlike_its_model_is_named(
     assert code in codes(result)
 
 
+@pytest.mark.usefixtures("stiff")
 @pytest.mark.slow
 def test_no_gains_within_the_margins(made: bench.Made, tmp_path: Path) -> None:
     log = made.log(tmp_path / "log.csv", {name: values for name, values in made.rows.items() if not name.startswith("y")})
@@ -275,6 +278,7 @@ def test_no_gains_within_the_margins(made: bench.Made, tmp_path: Path) -> None:
     assert result.pid["x"]["Pgain"] == 0.8
 
 
+@pytest.mark.usefixtures("stiff")
 @pytest.mark.slow
 def test_gains_that_depend_on_the_axis_are_named(made: bench.Made, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     tuned = TunedAxis(np.full(7, 1e3), 2e-6, 2e-3)
@@ -285,6 +289,7 @@ def test_gains_that_depend_on_the_axis_are_named(made: bench.Made, tmp_path: Pat
     assert result.predicted["x"].spread == pytest.approx(2000.0)
 
 
+@pytest.mark.usefixtures("stiff")
 @pytest.mark.parametrize("always", [True, False])
 @pytest.mark.slow
 def test_noise_while_the_control_is_off_counts_only_for_a_pid_that_is_always_enabled(

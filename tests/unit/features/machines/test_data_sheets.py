@@ -18,9 +18,9 @@ from contourlab.study import Setting
 SHEETS = sorted((Path(__file__).parents[3] / "data_sheets").glob("*.toml"))
 ROUND = {"contour": {"name": "circle", "radius": "20 mm"}, "feed": {"law": "planned", "feedrate": "3 m/min"}}
 PART = """G21 G90 G94 G64 P0.005
-G1 X60 F3000
-G3 X70 Y10 I0 J10
-G1 Y40
+G1 X30 F3000
+G3 X35 Y5 I0 J5
+G1 Y20
 G1 X0
 G1 X0 Y0
 M30
