@@ -110,12 +110,11 @@ class Guards:
     unknown: dict[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        for machine, controller in self.cases:
-            for axis in machine.axes:
-                try:
-                    sampled_loop(axis, controller.axes[axis.name], machine.servo_period, machine.carried_mass(axis.name))
-                except ComponentError as error:
-                    self.unknown[axis.name] = str(error)
+        for machine, controller, axis, carried in self._checked(self.cases):
+            try:
+                sampled_loop(axis, controller.axes[axis.name], machine.servo_period, carried)
+            except ComponentError as error:
+                self.unknown[axis.name] = str(error)
 
     @property
     def axes(self) -> tuple[str, ...]:
