@@ -221,8 +221,8 @@ class _Axis:
         machine, mine = self.machine, controller.axes[self.name]
         loops = sampled_loops(machine.axis(self.name), mine, machine.servo_period, columns, machine.carried_mass(self.name))
         gain, phase = self.bounds.gain_margin + SLACK[0], self.bounds.phase_margin + SLACK[1]
-        found = [in_print(margins) if margins.stable else (-math.inf, -math.inf) for margins in map(rough_margins, loops)]
-        return np.array([min(of_gain / gain, of_phase / phase) for of_gain, of_phase in found])
+        pairs = [in_print(margins) if margins.stable else (-math.inf, -math.inf) for margins in map(rough_margins, loops)]
+        return np.array([min(of_gain / gain, of_phase / phase) for of_gain, of_phase in pairs])
 
     def best(self, controller: Controller, frequency: float, ratio: float) -> Notch:
         """Return the best notch for the gains of a controller."""
