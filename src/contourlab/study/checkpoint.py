@@ -59,11 +59,11 @@ class Parts:
     def content(self, file: Path) -> bytes | None:
         """Return the bytes of a part; None if they are damaged, or those of another study or key."""
         _, key, seal = file.stem.split("-")
-        try:
+        with suppress(OSError):
             data = file.read_bytes()
-        except OSError:
-            return None
-        return data if self.seal(key, data) == seal else None
+            if self.seal(key, data) == seal:
+                return data
+        return None
 
     def put(self, key: str, data: bytes, ending: str, kind: str = "part") -> Path:
         """Write a part, whole or not at all, in place of damaged ones; return its file.

@@ -22,7 +22,7 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import ParameterError, UnitError, error_text
 from contourlab.extras import extra_module
 from contourlab.features.sweep.store import SCHEMA, Store
-from contourlab.features.sweep.vary import belongs
+from contourlab.features.sweep.vary import belongs, heads_of
 from contourlab.figures import FACTORS, figure, number, shown_unit
 from contourlab.findings import Finding, finding
 from contourlab.metrics.run_figures import FORMS
@@ -252,10 +252,9 @@ def export(store: Store, file: Path) -> Export:
     suffix = file.suffix.lower()
     if suffix not in (".csv", ".parquet"):
         raise ParameterError("--to", repr(str(file)), "a file that ends in .csv or .parquet")
-    heads = [f"{field.name} [{unit}]" if (unit := _unit(field)) else field.name for field in store.schema]
     schema, is_csv = store.schema, suffix == ".csv"
     if is_csv:
-        schema = arrow.schema([field.with_name(head) for field, head in zip(store.schema, heads, strict=True)])
+        schema = arrow.schema([field.with_name(head) for field, head in zip(schema, heads_of(schema), strict=True)])
 
     def opened(path: Path) -> Any:
         return csv.CSVWriter(str(path), schema) if is_csv else parquet.ParquetWriter(path, schema, compression="zstd")
@@ -264,11 +263,6 @@ def export(store: Store, file: Path) -> Export:
         for number in sorted(store.parts):
             writer.write_table(parquet.read_table(store.parts[number], schema=store.schema).rename_columns(schema.names))
     return Export(file, store.done, store.manifest.variants)
-
-
-def _unit(field: Any) -> str:
-    metadata: Mapping[bytes, bytes] = field.metadata or {}
-    return metadata.get(b"unit", b"").decode()
 
 
 @dataclass(frozen=True, eq=False)

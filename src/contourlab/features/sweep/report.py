@@ -57,8 +57,10 @@ def said(answers: Answers) -> dict[str, str]:
         low, high, p95, median = (shown(value, answers.unit) for value in (answers.p95_low, answers.p95_high, answers.p95, answers.median))
         interval = f" ({low} to {high}{sure}" if answers.is_sample and answers.p95_low is not None else ""
         first = f"95 % of {count} {answers.kind} have a {title} up to {p95}{interval}; half of them up to {median}."
-    names = listing([title_of(name) for name in answers.objectives])
-    front = f"{answers.front_size:,} of {count} {answers.kind} are best compromises of {names}: no other is better in all." if names else ""
+    front = ""
+    if answers.objectives:
+        names = listing([title_of(name) for name in answers.objectives])
+        front = f"{answers.front_size:,} of {count} {answers.kind} are best compromises of {names}: no other is better in all."
     sentence = " ".join(filter(None, (first, _which(answers))))
     rest = {"decides": _decides(answers), "stop": _stop(answers), "front": front, "modules": _modules(answers)}
     return {"sentence": sentence, **rest}

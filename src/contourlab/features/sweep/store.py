@@ -9,7 +9,7 @@ import io
 import json
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
@@ -223,17 +223,13 @@ class Store(Parts):
 
     def times(self) -> dict[str, float]:
         """Return the variants, elapsed time and processor time [s] of all lines of the list of times."""
-        sums = dict.fromkeys(("variants", "elapsed", "cpu_seconds"), 0.0)
-        try:
+        sums, lines = dict.fromkeys(("variants", "elapsed", "cpu_seconds"), 0.0), list[str]()
+        with suppress(OSError):
             lines = (self.home / TIMES).read_text(encoding="utf-8").splitlines()
-        except OSError:
-            return sums
         for line in lines:
-            try:
+            with suppress(ValueError, KeyError, TypeError):  # cut off by a kill
                 entry = json.loads(line)
                 sums = {name: value + float(entry[name]) for name, value in sums.items()}
-            except (ValueError, KeyError, TypeError):  # cut off by a kill
-                continue
         return sums
 
 
@@ -330,13 +326,13 @@ def check_folder(folder: str | Path, *, resume: bool) -> None:
     path = Path(folder)
     if path.exists() and not path.is_dir():
         raise OutputError(f"{path}: is a file; name a folder with --out")
-    held = (MANIFEST, TIMES, LOCK)
-    others = [other.name for other in path.iterdir() if other.name not in held and not other.name.startswith(".")] if path.is_dir() else []
-    if not (path / MANIFEST).exists() and others:
-        raise OutputError(f"{path}: has other files, such as {sorted(others)[0]}: name an empty or new folder with --out")
-    if (path / MANIFEST).exists() and not resume:
+    names = sorted(other.name for other in path.iterdir()) if path.is_dir() else []
+    if MANIFEST not in names:
+        if others := [name for name in names if name != TIMES and not name.startswith(".")]:
+            raise OutputError(f"{path}: has other files, such as {others[0]}: name an empty or new folder with --out")
+    elif not resume:
         raise OutputError(f"{path}: has a store: add --resume to continue it, or name another folder with --out")
-    if (path / MANIFEST).exists() and read_manifest(path).schema != SCHEMA:
+    elif read_manifest(path).schema != SCHEMA:
         raise ResultError(f"{path}: is a store of an older version, which is only read: name another folder with --out")
 
 

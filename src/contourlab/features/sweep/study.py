@@ -375,7 +375,7 @@ def _bound(
     findings: dict[str, Finding] = {}
     known = {combo: parameters_of(case.machine, case.controller) for combo, case in cases.items()}
     matches = {i: {combo: _matching(one, known[combo])[0] for combo in cases} for i, one in enumerate(variations) if i not in choosing}
-    measured = {name for i, found in matches.items() if variations[i].listed for names in found.values() for name in names}
+    measured = {name for i, matched in matches.items() if variations[i].listed for names in matched.values() for name in names}
     for i, variation in enumerate(variations):
         if choice := choosing.get(i):
             choices.append(replace(choice, dimension=len(dimensions)))
@@ -383,7 +383,7 @@ def _bound(
             columns[choice.key] = choice.unit
             listed |= {choice.key} if variation.listed else set()
             continue
-        names = tuple(dict.fromkeys(name for found in matches[i].values() for name in found))
+        names = tuple(dict.fromkeys(name for matched in matches[i].values() for name in matched))
         if not names and (error := _matching(variation, next(iter(known.values())))[1]):
             raise variation.table.error(f"must be {error.bound}; or a key of the scenario that begins with {', '.join(HEADS)}") from error
         if "*" in variation.key:  # a column of a file replaces what a pattern draws
@@ -393,8 +393,8 @@ def _bound(
         listed |= set(names) if variation.listed else set()
         first, count = len(dimensions), len(variation.items) if variation.kind == "values" else variation.steps
         dimensions += [(names, count)] if variation.together else [((name,), count) for name in names]
-        for combo, found in matches[i].items():
-            for name in filter(names.__contains__, found):
+        for combo, matched in matches[i].items():
+            for name in filter(names.__contains__, matched):
                 part, parameter = known[combo][name]
                 declaration = replace(declared(cases[combo].machine, name, part, parameter), name=name)
                 drawn = distribution(variation, declaration, float(getattr(part, parameter)))

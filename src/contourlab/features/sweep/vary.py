@@ -260,8 +260,13 @@ def _table(leaf: Leaf, folder: Path) -> Any:
         table = extra_module("pyarrow.parquet").read_table(file)
     except (OSError, arrow.ArrowException) as error:
         raise ScenarioError(f"{leaf.value}: cannot be read: {error_text(error)}", file=leaf.file, key=leaf.key) from error
-    units = [(one.metadata or {}).get(b"unit", b"").decode() for one in table.schema]
-    return table.rename_columns([f"{name} [{unit}]" if unit else name for name, unit in zip(table.column_names, units, strict=True)])
+    return table.rename_columns(heads_of(table.schema))
+
+
+def heads_of(schema: Any) -> list[str]:
+    """Return the names of the columns of an Arrow schema, each with its unit in brackets."""
+    units = [(field.metadata or {}).get(b"unit", b"").decode() for field in schema]
+    return [f"{name} [{unit}]" if unit else name for name, unit in zip(schema.names, units, strict=True)]
 
 
 def _csv(file: Path) -> Any:
