@@ -154,7 +154,7 @@ def test_the_same_command_resumes_an_interrupted_study(
     assert "CL901" in said and reused(said) == 0
 
 
-@pytest.mark.parametrize("late", ["command.swap_result", "report.write_results", "command.network_cost"])
+@pytest.mark.parametrize("late", ["command.judged_exactly", "report.write_results", "command.network_cost"])
 @pytest.mark.slow
 def test_an_interrupt_after_the_searches_says_that_they_are_kept(
     typed: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, late: str

@@ -49,6 +49,10 @@ def test_files_and_objects_give_the_same_answer(folder: Path) -> None:
     first = cl.tune("circle.toml", **options)
     second = cl.tune(case.machine, case.controller, case.reference(), **options)
     assert first.result.values == second.result.values and names(folder) == {"circle.toml"}
+    # What JSON has under a key is an attribute too.
+    assert (first.name, first.scheme) == (first.scenario.name, first.case.name) == tuple(map(json_values(first).get, ("name", "scheme")))
+    with pytest.raises(AttributeError):
+        _ = first.colour
     assert first.to_pandas()["after"].tolist() == list(first.result.values.values())
     kept = first.save("out").controller_file
     assert first.result.after.violations or (kept is not None and kept.exists())

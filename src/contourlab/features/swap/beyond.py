@@ -258,17 +258,17 @@ def coverage(
             raise ParameterError("region", name, "a parameter of the machine, such as axes.x.plant.gain")
     from scipy.stats import qmc
 
-    size = SAMPLES if tolerance is not None else places
+    searched = tolerance is None
+    size = places if searched else SAMPLES
     if size < 1 or size & (size - 1):
         raise ParameterError("places", f"{size}", "a power of 2")
     points = np.asarray(qmc.Sobol(len(region.names), seed=variants.setting.seed).random(size))
-    values, best = np.empty(size), np.empty(0 if tolerance is not None else size)
+    values, best = np.empty(size), np.empty(size if searched else 0)
     for k, plant in enumerate(points):
         machine, _ = with_values(variants.members[0].machine, variants.setting.controller, region.values(plant))
         there = replace(variants, members=(Variant("", machine),), progress=None)
-        found, broken = there.values(point[None, None])
-        values[k] = math.inf if broken[0, 0] > 0.0 else found[0, 0]
-        if tolerance is None:
+        values[k] = there.kept(point[None, None])[0, 0]
+        if searched:
             restarted(there.objective_of(0), np.vstack([point, variants.space.start]), budget, variants.setting.seed)
             best[k] = there.best[0]
     if tolerance is not None:

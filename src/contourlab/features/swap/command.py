@@ -18,7 +18,7 @@ from contourlab.features.run.source import Source, case_asked
 from contourlab.features.swap.beyond import NetworkCost, coverage, least_division, network_cost
 from contourlab.features.swap.linear import linear_swap
 from contourlab.features.swap.options import Swap
-from contourlab.features.swap.report import SwapResult, swap_result
+from contourlab.features.swap.report import SwapResult, judged_exactly
 from contourlab.features.swap.search import SwapSettings, WarmStart
 from contourlab.features.swap.study import SwapStudy, swap_study
 from contourlab.features.swap.variants import Variant, Variants, variants_of
@@ -101,7 +101,7 @@ def swap(*source: Source, settings: Swap, session: Session = QUIET) -> SwapResul
         networks = _networks(study, settings, stages)
         stages.begin("exact margins")
         findings = (*left_out, *not_taken, *(checkpoint.findings("searches") if checkpoint else ()))
-        return swap_result(study, networks, covered, linear, settings.from_, findings, inputs)
+        return SwapResult(study, judged_exactly(study), networks, covered, linear, settings.from_, findings, inputs)
 
 
 def _quick_budget(variants: Variants, most: int) -> int:

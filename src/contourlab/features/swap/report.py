@@ -156,8 +156,8 @@ class SwapResult(Answer):
         return asked.again(without="--quick") if asked.settings.quick else ["link", *asked.inputs]
 
 
-def swap_result(study: SwapStudy, *more: Any) -> SwapResult:
-    """Check the recommended design exactly, or the shared one, and return the result; `more` are its further fields."""
+def judged_exactly(study: SwapStudy) -> dict[str, VariantResult]:
+    """Return the result for each variant, with exact margins of the recommended design, or of the shared one."""
     variants, judged = study.variants, {}
     for i, (name, point) in enumerate(zip(variants.names, study.shown.points, strict=True)):
         values, guards = variants.space.values(point), variants.guards[i]
@@ -166,7 +166,7 @@ def swap_result(study: SwapStudy, *more: Any) -> SwapResult:
         broken = guards.broken(values, 0.0, 0.0, margins)
         own = variants.space.values(variants.best_points[i])
         judged[name] = VariantResult(float(variants.best[i]), study.optima[i], own, margins, broken)
-    return SwapResult(study, judged, *more)
+    return judged
 
 
 def _findings(result: SwapResult) -> Iterator[Finding]:

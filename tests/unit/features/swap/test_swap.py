@@ -16,7 +16,7 @@ from contourlab.components.plant.rigid_axis import RigidAxis
 from contourlab.errors import ContourlabError, ParameterError
 from contourlab.features.swap import search as searches
 from contourlab.features.swap.beyond import coverage, network_cost
-from contourlab.features.swap.report import drawing, matrices, swap_result, text_of
+from contourlab.features.swap.report import SwapResult, drawing, judged_exactly, matrices, text_of
 from contourlab.features.swap.search import SharedSpace, SwapSearch, SwapSettings, merged
 from contourlab.features.swap.study import SwapStudy, swap_study
 from contourlab.features.swap.variants import Variant, Variants, losses, variants_of
@@ -157,7 +157,7 @@ def test_a_stalled_search_is_inconclusive(unequal: SwapStudy) -> None:
         assert short.inconclusive == ("x = strong",) and short.recommended is not None
         assert short.verdict.code == "CL703" and short.verdict.values["names"] == ("x = strong",)
         assert not re.search(r"\b(inf|nan)\b", str(short.verdict))
-        assert not swap_result(short).passed
+        assert not SwapResult(short, judged_exactly(short)).passed
     # A second, independent search that reaches it settles the result.
     assert replace(unequal, optima=(unequal.optima[0], replace(above, again=float(best[1]) + 0.01 * floor))).inconclusive == ()
 
@@ -258,7 +258,7 @@ def test_each_division_has_its_finding_and_names_the_base_parameters(unequal: Sw
     assert best is not None
     costs = [(division, ways) for division in ("drive", "controller") for ways in ("both", "one")]
     networks = tuple(network_cost(best, *pair, longest=1e-3) for pair in costs)
-    result = swap_result(unequal, networks)
+    result = SwapResult(unequal, judged_exactly(unequal), networks)
     rates = [one.place for one in result.findings if one.code in ("CL705", "CL706", "CL707")]
     assert rates == [cost.name for cost in networks]
     in_base = [one.place for one in result.findings if one.code == "CL710"]
