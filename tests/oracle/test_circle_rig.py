@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from linuxcnc_rig import PERIOD, Plant, Rig, missing
 
-from contourlab.features.circle.fit import fit_circle
 from contourlab.features.circle.command import Cause, causes_of
+from contourlab.features.circle.fit import fit_circle
 from contourlab.features.circle.runs import Circle, runs_of
 
 pytestmark = [pytest.mark.oracle, pytest.mark.slow]  # LinuxCNC runs in real time
