@@ -51,8 +51,8 @@ from contourlab.features.sensitivity.command import Sensitivity as Sensitivity
 from contourlab.features.swap.report import SwapResult as SwapResult
 from contourlab.features.sweep.command import Rows as Rows
 from contourlab.features.sweep.command import Search as Search
+from contourlab.features.sweep.command import SweepSummary as SweepSummary
 from contourlab.features.sweep.query import Export as ExportedRows
-from contourlab.features.sweep.query import SweepSummary as SweepSummary
 from contourlab.features.sweep.report import SweepReport as SweepReport
 from contourlab.features.tune.command import Calibration as Calibration
 from contourlab.feed.blending import blended as blended

@@ -29,8 +29,8 @@ def results() -> dict[str, Any]:
     from contourlab.features.run.demo import Demonstration
     from contourlab.features.sensitivity.command import Sensitivity
     from contourlab.features.swap.report import SwapResult
-    from contourlab.features.sweep.command import Search
-    from contourlab.features.sweep.query import Export, SweepSummary
+    from contourlab.features.sweep.command import Search, SweepSummary
+    from contourlab.features.sweep.query import Export
     from contourlab.features.sweep.report import SweepReport
     from contourlab.features.tune.command import Calibration
     from contourlab.findings import Entry

@@ -7,7 +7,7 @@ import math
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from importlib.metadata import version
 from pathlib import Path
 from time import perf_counter
@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.app.command_line import as_typed
+from contourlab.app.json_values import HIDDEN
 from contourlab.app.results import proposed
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.app.shared_options import Plugins
@@ -27,24 +28,23 @@ from contourlab.features.run.command import Runs, run_schemes
 from contourlab.features.sweep.chunk import Chunk, agree, chunk_elsewhere, cost_of, joined, run_chunks
 from contourlab.features.sweep.options import Export, Merge, Optimise, Query, Show, Sweep, Worst
 from contourlab.features.sweep.query import Export as ExportedRows
-from contourlab.features.sweep.query import SweepSummary, counts, display, remarks, rows, rows_text, summary, variant
+from contourlab.features.sweep.query import Spread, Yield, counts, display, remarks, rows, rows_text, spreads, variant, yield_of
 from contourlab.features.sweep.query import export as exported
 from contourlab.features.sweep.query import worst as worst_of
-from contourlab.features.sweep.report import report
+from contourlab.features.sweep.report import SweepReport, report
 from contourlab.features.sweep.store import AGAIN, Store, numbers_in, read_store, writing
 from contourlab.features.sweep.store import check_folder as check_store
 from contourlab.features.sweep.store import merge as merged
 from contourlab.features.sweep.study import Structure, Study, load_study
-from contourlab.figures import listing
-from contourlab.figures import number as number_text
+from contourlab.figures import figure, listing, number
 from contourlab.findings import Finding, finding
 from contourlab.loop.batch import lanes_each
 from contourlab.loop.parameters import with_values
 from contourlab.metrics.run_figures import title_of
-from contourlab.rendering.table import paragraphs
+from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.scenario import Case, Scenario, dump, parse_scenario
-from contourlab.study.design import Design
+from contourlab.study.design import DRAWN, Design
 from contourlab.study.executors import Executor, Workers
 from contourlab.study.space import Distribution
 from contourlab.study.statistics import pareto_front
@@ -61,8 +61,129 @@ def _run_again(store: str, rows: Sequence[Mapping[str, Any]]) -> Sequence[object
     return ["sweep", "worst", store, "--rerun", rows[0]["variant"], "--out", f"variant-{rows[0]['variant']}"] if store and rows else None
 
 
+class InStore(Answer):
+    """An answer about a store, which can be asked further: each method is the question of the same name."""
+
+    store: str
+
+    def query(self, sql: str, **options: Any) -> Rows:
+        """Return the rows of a query in SQL over the view ``results``, in SI."""
+        return query(self.store, sql, **options)
+
+    def worst(self, count: int = 10, **options: Any) -> Rows | Runs:
+        """Return the worst variants with their parameters; with ``rerun``, the runs of one."""
+        return worst(self.store, count, **options)
+
+    def report(self, **options: Any) -> SweepReport:
+        """Return what the study says."""
+        return report(self.store, **options)
+
+    def export(self, to: str | Path) -> ExportedRows:
+        """Write one row per variant into a file, in SI."""
+        return export(self.store, to=to)
+
+
 @dataclass(frozen=True)
-class Search(Answer):
+class SweepSummary(InStore):
+    """What a store holds.
+
+    Attributes
+    ----------
+    store : str
+    design : str
+    variants, done : int
+        Variants of the study, and in the store.
+    chunks, chunks_done, chunks_made : int
+        Chunks of the study, in the store, and of this call.
+    columns : mapping of str to str
+        What varies, with SI units.
+    statuses : mapping of str to int
+        Number of variants that ended ``ok``, ``diverged`` or were ``refused``; ``unsure`` counts those whose error is an upper bound.
+    within : Yield or None
+        The yield.
+    figures : mapping of str to Spread
+    elapsed, cpu_seconds : float [s]
+        Time of all calls that wrote into the store, and processor time of its workers.
+    rate : float [1/s]
+        Variants per elapsed second.
+    findings : tuple of Finding
+    """
+
+    store: str
+    design: str
+    variants: int
+    done: int
+    chunks: int
+    chunks_done: int
+    chunks_made: int
+    columns: Mapping[str, str]
+    statuses: Mapping[str, int]
+    within: Yield | None = field(metadata={"json": "yield"})
+    figures: Mapping[str, Spread]
+    elapsed: float
+    cpu_seconds: float
+    rate: float
+    findings: tuple[Finding, ...]
+    fresh: bool = field(default=False, metadata=HIDDEN)
+
+    def _next(self, asked: Asked) -> Sequence[object] | None:
+        """Read the report of a study that was run."""
+        return ["sweep", "report", self.store] if self.fresh else None
+
+    @property
+    def text(self) -> str:
+        """Text for the terminal."""
+        head = f"{self.done} of {self.variants} variants in {self.store}"
+        if self.chunks_made:
+            head += f"; {self.chunks_made} of {self.chunks} chunks new"
+        if self.rate:
+            head += f"; {number(self.rate)} variants per second, {figure(self.elapsed, 's')} in all"
+        ended = ", ".join(f"{count} {status}" for status, count in self.statuses.items() if status != "unsure" or count)
+        lines = [paragraphs([head, f"status: {ended or 'no variant yet'}"])]
+        within = self.within
+        if within is not None:
+            ends = f" ({figure(within.low, '%', 4)} to {figure(within.high, '%', 4)} with 95 % confidence)"
+            ends = ends if self.design in DRAWN else ""  # a grid or list is no sample
+            what = f"{within.figure} within {figure(within.tolerance, 'um')}"
+            share = f"yield: {figure(within.share, '%', 4)}{ends}"
+            lines.append(paragraphs([f"{share}: {within.passed} of {within.judged} have {what}"]))
+        if self.figures:
+            names = ("mean", "minimum", "p5", "median", "p95", "p99", "maximum")
+            table = Table([Column("figure", left=True), Column("unit", left=True), *map(Column, names)])
+            for name, spread in self.figures.items():
+                unit, factor = display(spread.unit)
+                values = (getattr(spread, word) for word in names)
+                table.add(name, unit, *("-" if value is None else number(value * factor, 4) for value in values))
+            lines.append(table.text())
+        return "\n\n".join(filter(None, [*lines, paragraphs(map(str, self.findings))]))
+
+
+def summary(store: Store, made: int = 0, findings: Sequence[Finding] = ()) -> SweepSummary:
+    """Return what a store holds, after `made` new chunks."""
+    has_rows = bool(store.parts)
+    statuses = counts(store) if has_rows else {}
+    times = store.times()
+    return SweepSummary(
+        store=str(store.home),
+        design=store.manifest.design,
+        variants=store.manifest.variants,
+        done=store.done,
+        chunks=store.manifest.chunks,
+        chunks_done=len(store.parts),
+        chunks_made=made,
+        columns=store.manifest.columns,
+        statuses=statuses,
+        within=yield_of(store) if has_rows else None,
+        figures=spreads(store) if has_rows else {},
+        elapsed=times["elapsed"],
+        cpu_seconds=times["cpu_seconds"],
+        rate=times["variants"] / times["elapsed"] if times["elapsed"] else 0.0,
+        findings=(*findings, *remarks(store, statuses)),
+    )
+
+
+@dataclass(frozen=True)
+class Search(InStore):
     """The result of a search.
 
     Attributes
@@ -466,6 +587,6 @@ def _differences(store: Store, row: Mapping[str, Any], case: Case, values: Mappi
         stored, now = math.nan if row[name] is None else row[name], float(chunk.columns[name][0])
         if not np.isclose(now, stored, rtol=SAME, atol=0.0, equal_nan=True):
             unit, factor = display(unit)
-            texts = {key: f"{number_text(value * factor, 9)} {unit}" for key, value in (("stored", stored), ("now", now))}
+            texts = {key: f"{number(value * factor, 9)} {unit}" for key, value in (("stored", stored), ("now", now))}
             yield finding("CL934", variant=row["variant"], figure=name, **texts)
             return

@@ -16,19 +16,17 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.app.json_values import HIDDEN
-from contourlab.app.session import Answer, Asked
+from contourlab.app.session import Answer
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import ParameterError, UnitError, error_text
 from contourlab.extras import extra_module
 from contourlab.features.sweep.store import SCHEMA, Store
 from contourlab.features.sweep.vary import belongs, heads_of
-from contourlab.figures import FACTORS, figure, number, shown_unit
+from contourlab.figures import FACTORS, number, shown_unit
 from contourlab.findings import Finding, finding
 from contourlab.metrics.run_figures import FORMS
-from contourlab.rendering.table import Column, Table, paragraphs
+from contourlab.rendering.table import Column, Table
 from contourlab.result.atomic import replacing
-from contourlab.study.design import DRAWN
 from contourlab.study.statistics import share_of, wilson
 from contourlab.units import to_si
 
@@ -375,83 +373,6 @@ def objectives(store: Store) -> list[str]:
     return [name for name in ("cycle_time", "command_energy") if name in store.manifest.figures]
 
 
-@dataclass(frozen=True)
-class SweepSummary(Answer):
-    """What a store holds.
-
-    Attributes
-    ----------
-    store : str
-    design : str
-    variants, done : int
-        Variants of the study, and in the store.
-    chunks, chunks_done, chunks_made : int
-        Chunks of the study, in the store, and of this call.
-    columns : mapping of str to str
-        What varies, with SI units.
-    statuses : mapping of str to int
-        Number of variants that ended ``ok``, ``diverged`` or were ``refused``; ``unsure`` counts those whose error is an upper bound.
-    within : Yield or None
-        The yield.
-    figures : mapping of str to Spread
-    elapsed, cpu_seconds : float [s]
-        Time of all calls that wrote into the store, and processor time of its workers.
-    rate : float [1/s]
-        Variants per elapsed second.
-    findings : tuple of Finding
-    """
-
-    store: str
-    design: str
-    variants: int
-    done: int
-    chunks: int
-    chunks_done: int
-    chunks_made: int
-    columns: Mapping[str, str]
-    statuses: Mapping[str, int]
-    within: Yield | None = field(metadata={"json": "yield"})
-    figures: Mapping[str, Spread]
-    elapsed: float
-    cpu_seconds: float
-    rate: float
-    findings: tuple[Finding, ...]
-    fresh: bool = field(default=False, metadata=HIDDEN)
-
-    def _next(self, asked: Asked) -> Sequence[object] | None:
-        """Read the report of a study that was run."""
-        return ["sweep", "report", self.store] if self.fresh else None
-
-    @property
-    def text(self) -> str:
-        """Text for the terminal."""
-        return _text(self)
-
-
-def summary(store: Store, made: int = 0, findings: Sequence[Finding] = ()) -> SweepSummary:
-    """Return what a store holds, after `made` new chunks."""
-    has_rows = bool(store.parts)
-    statuses = counts(store) if has_rows else {}
-    times = store.times()
-    return SweepSummary(
-        store=str(store.home),
-        design=store.manifest.design,
-        variants=store.manifest.variants,
-        done=store.done,
-        chunks=store.manifest.chunks,
-        chunks_done=len(store.parts),
-        chunks_made=made,
-        columns=store.manifest.columns,
-        statuses=statuses,
-        within=yield_of(store) if has_rows else None,
-        figures=spreads(store) if has_rows else {},
-        elapsed=times["elapsed"],
-        cpu_seconds=times["cpu_seconds"],
-        rate=times["variants"] / times["elapsed"] if times["elapsed"] else 0.0,
-        findings=(*findings, *remarks(store, statuses)),
-    )
-
-
 def remarks(store: Store, statuses: Mapping[str, int]) -> tuple[Finding, ...]:
     """Return what to know about the variants of a store: missing, refused, unsure."""
     about, refused, unsure = store.manifest, statuses.get("refused", 0), statuses.get("unsure", 0)
@@ -462,32 +383,6 @@ def remarks(store: Store, statuses: Mapping[str, int]) -> tuple[Finding, ...]:
         (unsure > 0, "CL933", {"count": unsure}),
     )
     return tuple(finding(code, **values) for holds, code, values in known if holds)
-
-
-def _text(result: SweepSummary) -> str:
-    head = f"{result.done} of {result.variants} variants in {result.store}"
-    if result.chunks_made:
-        head += f"; {result.chunks_made} of {result.chunks} chunks new"
-    if result.rate:
-        head += f"; {number(result.rate)} variants per second, {figure(result.elapsed, 's')} in all"
-    ended = ", ".join(f"{count} {status}" for status, count in result.statuses.items() if status != "unsure" or count)
-    lines = [paragraphs([head, f"status: {ended or 'no variant yet'}"])]
-    within = result.within
-    if within is not None:
-        ends = f" ({figure(within.low, '%', 4)} to {figure(within.high, '%', 4)} with 95 % confidence)"
-        ends = ends if result.design in DRAWN else ""  # a grid or list is no sample
-        what = f"{within.figure} within {figure(within.tolerance, 'um')}"
-        share = f"yield: {figure(within.share, '%', 4)}{ends}"
-        lines.append(paragraphs([f"{share}: {within.passed} of {within.judged} have {what}"]))
-    if result.figures:
-        names = ("mean", "minimum", "p5", "median", "p95", "p99", "maximum")
-        table = Table([Column("figure", left=True), Column("unit", left=True), *map(Column, names)])
-        for name, spread in result.figures.items():
-            unit, factor = display(spread.unit)
-            values = (getattr(spread, word) for word in names)
-            table.add(name, unit, *("-" if value is None else number(value * factor, 4) for value in values))
-        lines.append(table.text())
-    return "\n\n".join(filter(None, [*lines, paragraphs(map(str, result.findings))]))
 
 
 def display(unit: str) -> tuple[str, float]:
