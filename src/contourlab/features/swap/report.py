@@ -126,6 +126,14 @@ class SwapResult(Answer):
         """The variants, one a row [SI]."""
         return [{"variant": name, "best": one.best, **one.parameters} for name, one in self.variants.items()]
 
+    def plot(self, ax: Axes | None = None, *, key: str = "") -> Axes:
+        """Draw the losses of each variant; on given axes those of one controller for all."""
+        losses, full = matrices(self.study), self.study.settings.full
+        if ax is None:
+            return drawing(losses, full).axes[0]  # type: ignore[no-any-return]
+        _draw(ax, losses[0], full)
+        return ax
+
     def save(self, folder: str | Path = "results", *, plots: Sequence[str] = ("png",)) -> SwapResult:
         """Write ``swap.json``, controllers and a picture into a folder.
 

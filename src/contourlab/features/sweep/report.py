@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import combinations
 from pathlib import Path
 from typing import Any
@@ -12,6 +12,7 @@ import numpy as np
 
 from contourlab import __version__
 from contourlab.app.command_line import as_typed
+from contourlab.app.json_values import HIDDEN
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array, Index
 from contourlab.features.sweep.answers import FEW, GOAL, Answers, Effect, Pairings, Subset, answers_of, best_choice, means_of
@@ -421,10 +422,17 @@ class SweepReport(Answer):
     ----------
     page : Path
     answers : Answers
+    judged : Rows
+        What they are about.
     """
 
     page: Path
     answers: Answers
+    judged: Rows = field(repr=False, metadata=HIDDEN)
+
+    def _charts(self) -> Iterator[Chart]:
+        yield _distribution(self.answers, self.judged)
+        yield from _convergence(self.answers)
 
     def _next(self, asked: Asked) -> Sequence[object]:
         """List the worst variants."""
@@ -467,7 +475,7 @@ def report(store: str | Path, *, settings: Report, session: Session = QUIET) -> 
     answers = answers_of(rows)
     page = settings.out or opened.home / "report.html"
     write_page(answers, rows, said(answers), page)
-    return SweepReport(page, answers)
+    return SweepReport(page, answers, rows)
 
 
 def _subset_text(answers: Answers) -> str:
