@@ -16,7 +16,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from contourlab.app.json_values import HIDDEN
+from contourlab.app.json_values import HIDDEN, json_values
 from contourlab.app.results import SAFETY, check_file
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array
@@ -93,8 +93,8 @@ class Commissioned(Answer):
 
     @property
     def rows(self) -> list[dict[str, Any]]:
-        """The proposed gains, one axis a row."""
-        return [{"axis": axis, **gains} for axis, gains in self.pid.items()]
+        """What each axis is, and its proposed gains, one axis a row."""
+        return [{"axis": axis, **json_values(kind), **self.pid.get(axis, {})} for axis, kind in self.axes.items()]
 
     def save(self, folder: str | Path = "commissioning") -> Commissioned:
         """Write excitation, sampler and steps; or report, diffs and picture; all or none.
