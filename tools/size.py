@@ -13,7 +13,7 @@ from pathlib import Path
 BUDGETS = {
     "analysis": 4272,
     "app": 831,
-    "cli": 506,
+    "cli": 481,
     "components": 5117,
     "contours": 1556,
     "engine": 3260,
@@ -31,7 +31,7 @@ BUDGETS = {
     "result": 351,
     "scenario": 1922,
     "study": 1453,
-    "without papers": 51680,
+    "without papers": 51655,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

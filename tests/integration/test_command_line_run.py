@@ -268,11 +268,11 @@ def test_ctrl_c_keeps_the_schemes_that_ended(tmp_path: Path, capsys: pytest.Capt
 
     whole, ran = command.run_case, list[str]()
 
-    def stopped(case: Any, **options: Any) -> Any:
+    def stopped(case: Any, *more: Any, **options: Any) -> Any:
         ran.append(case.name)
         if len(ran) == 3:
             raise KeyboardInterrupt
-        return whole(case, **options)
+        return whole(case, *more, **options)
 
     monkeypatch.setattr(command, "run_case", stopped)
     monkeypatch.chdir(tmp_path)

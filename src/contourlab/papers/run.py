@@ -56,7 +56,7 @@ class Reproduction(Answer):
         return all(row.passed is not False for row in self.figures)
 
     @property
-    def json(self) -> Any:
+    def json(self) -> tuple[Row, ...]:
         """The rows."""
         return self.figures
 

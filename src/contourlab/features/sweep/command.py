@@ -507,9 +507,9 @@ class Rows(Answer):
         return list(self.whole) or [dict(zip(self.names, row, strict=True)) for row in self.values]
 
     @property
-    def json(self) -> list[dict[str, Any]]:
+    def json(self) -> tuple[dict[str, Any], ...]:
         """The rows."""
-        return self.rows
+        return tuple(self.rows)
 
     @property
     def text(self) -> str:
