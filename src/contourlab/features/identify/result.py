@@ -65,7 +65,7 @@ class Identification(Answer):
     Attributes
     ----------
     fit_percent : float or None
-        100 (1 - |measured - model|/|measured - mean|); None if nothing is fitted.
+        ``100 (1 - |measured - model|/|measured - mean|)``; None if nothing is fitted.
     usable : bool
         Whether the parameters are usable; if not, no axis file is written.
     details : mapping
