@@ -146,11 +146,6 @@ def _flat(values: Array, figures: Array) -> Interval | None:
     return _interval(values, *best[1:]) if best[0] and best[0] >= SHARE * len(values) else None
 
 
-def _intervals(values: Array, which: Flags) -> tuple[Interval, ...]:
-    """Return the intervals over which a condition holds."""
-    return tuple(_interval(values, a, b - 1) for a, b in true_spans(which))
-
-
 def _interval(values: Array, a: int, b: int) -> Interval:
     return Interval(float(values[a]), float(values[b]), a == 0, b == len(values) - 1)
 

@@ -209,10 +209,13 @@ class Store(Parts):
         arrays = {name: (dims if values.shape[2] > 1 else dims[:2], np.squeeze(values, 2) if values.shape[2] == 1 else values)
                   for name, values in chunk.signals.items()}  # fmt: skip
         data = xarray.Dataset(arrays, {"variant": np.array(self.manifest.numbers(chunk.number))})
-        with TemporaryDirectory() as folder:
-            file = Path(folder) / "signals.nc"
-            data.to_netcdf(file, engine="h5netcdf", encoding={key: {"zlib": True, "complevel": 1} for key in arrays})
-            return file.read_bytes()
+        try:
+            with TemporaryDirectory() as folder:
+                file = Path(folder) / "signals.nc"
+                data.to_netcdf(file, engine="h5netcdf", encoding={key: {"zlib": True, "complevel": 1} for key in arrays})
+                return file.read_bytes()
+        except OSError as error:
+            raise OutputError(f"{self.home}: the signals of a chunk cannot be written: {error.strerror or error}") from error
 
     def log(self, chunk: Chunk, elapsed: float) -> None:
         """Add the time of a chunk to the list of times, which no result depends on."""

@@ -155,12 +155,12 @@ def distribution(variation: Variation, parameter: Parameter, present: float) -> 
         if kind in ("values", "uniform", "log-uniform", "triangular"):
             for number in numbers:
                 parameter.check(number)
+    low, high = _bounds(table, parameter, present)
     if variation.steps:
         spaced = np.linspace if kind == "uniform" else np.geomspace
         return Distribution("values", tuple(spaced(numbers[0], numbers[1], variation.steps).tolist()))
     if kind == "values":
         return Distribution(kind, tuple(numbers), weights=variation.weights)
-    low, high = _bounds(table, parameter, present)
     made = Distribution(kind, tuple(numbers), low, high)
     if made.beyond > 1.0 - 1e-9 or (kind not in ("normal", "lognormal") and (numbers[0] >= high or numbers[-1] <= low)):
         raise table.error(f"lies outside of the bounds, {parameter.bound or 'finite'} or within: move it", kind)
