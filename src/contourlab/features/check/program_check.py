@@ -17,12 +17,12 @@ from contourlab.errors import ContourlabError, ProgramError
 from contourlab.features.check.options import Check
 from contourlab.features.check.reading import reading_of
 from contourlab.findings import Finding, finding
-from contourlab.loop import Machine
 from contourlab.program import Arc, Dwell, Feed, Move, Program, Reader, Spline, Traverse, open_program
 from contourlab.program.reader import NO_END
 from contourlab.rendering.table import paragraphs
 
 if TYPE_CHECKING:
+    from contourlab.loop import Machine
     from contourlab.scenario.placing import TravelCheck
 
 DEFAULT_MACHINE = "builtin:xyz"
@@ -340,7 +340,8 @@ class PlannedMotion:
 
         feed, rapid, cycle_time, dwell, at_feedrate = self._sums.tolist()
         extent = zip(self.travel.low.tolist(), self.travel.high.tolist(), strict=True)
-        file = "" if isinstance(self._given, Machine) else DEFAULT_MACHINE if self._given is None else named_file(self._given)
+        given = DEFAULT_MACHINE if self._given is None else self._given
+        file = named_file(given) if isinstance(given, str | Path) else ""
         return {
             "findings": (*self._outside(), *travel_unknown(self.machine), *self._assumed.values()),
             "length": {"feed": feed, "rapid": rapid},

@@ -22,7 +22,7 @@ from contourlab.features.check.program_check import DEFAULT_MACHINE
 from contourlab.features.check.reading import reading_of, refuse_drawing
 from contourlab.features.limits.log_limits import KINDS, AxisPeak, control_samples, course, moving_part
 from contourlab.features.limits.options import Limits
-from contourlab.features.measure.log_choice import PROGRAMS, LogChoice, open_log, positive
+from contourlab.features.measure.log_choice import PROGRAMS, LogChoice, open_log
 from contourlab.features.measure.measured_path import progress_along
 from contourlab.features.measure.plausibility import known_signal
 from contourlab.features.measure.study import ACTUAL
@@ -103,7 +103,12 @@ def _limits(options: Limits, axes: Sequence[str], machine: Machine | None) -> di
             name, quantity = (word.strip() for word in part.rpartition("=")[::2])
             if name and name not in axes:
                 raise ParameterError(option, repr(text), f"limits of {', '.join(axes)}, such as {axes[0]}={example}")
-            value = positive(option, quantity, unit, f'a limit with its unit, such as "{example}" or "{axes[0]}={example}"')
+            try:
+                value = to_si(quantity, unit)
+            except UnitError as error:
+                raise ParameterError(option, repr(text), f'a limit with its unit, such as "{example}" or "{axes[0]}={example}"') from error
+            if not value > 0.0:
+                raise ParameterError(option, text, "> 0")
             known |= dict.fromkeys([name] if name else axes, value)
         limits[kind] = [known.get(axis, math.inf) for axis in axes]
     return limits
