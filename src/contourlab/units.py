@@ -74,11 +74,14 @@ def _factor(unit: str) -> tuple[Any, float]:
     units = registry()
     try:
         one = units.Quantity(1.0, units.parse_units(plain(unit))).to_base_units() if unit else units.Quantity(1.0)
+        size = float(one.magnitude)
+        if not 1e-300 < size < 1e300:  # such as mm^200: no number in it would be finite and not 0
+            raise OverflowError
     except pint.OffsetUnitCalculusError as error:
         raise UnitError(f"unit {unit!r} has an offset and cannot be used here") from error
     except Exception as error:  # pint's parser raises anything for text that is no unit: an AssertionError for "-"
         raise UnitError(f"unknown unit {unit!r}: write for example mm, mm/min, N/V, 1/s, um or full_scale") from error
-    return one.dimensionality, float(one.magnitude)
+    return one.dimensionality, size
 
 
 def same_dimension(unit: str, other: str) -> bool:

@@ -136,8 +136,9 @@ class Trials:
         self.engine_seconds = self.judge_seconds = 0.0
 
     def _built(self, trial: int) -> Loop:
+        start, progress = self.position[0], float(self.arc_length[0])
         given: dict[str, Any] = {"view": self._view, "seed": self.seed, "trial": trial, "fed": self._feed.names}
-        return build(self.machine, self.controller, self.reference.path, **self._feed.first(), **given)
+        return build(self.machine, self.controller, self.reference.path, start, progress, **given)
 
     def _wanted(self) -> dict[str, int]:
         """Return the logged signals, and the column of each."""

@@ -194,14 +194,19 @@ class ForceRipple(Disturbance):
         if len(self.phases) != len(self.amplitudes):
             raise ParameterError("phases", f"{list(self.phases)}", f"as many as the amplitudes, {len(self.amplitudes)}", "rad")
 
+    @property
+    def harmonics(self) -> int:
+        """Number of harmonics."""
+        return len(self.amplitudes)
+
     @staticmethod
-    def step(par: Any, x: Any, inp: Any, clock: Any, *, amplitudes: tuple[float, ...]) -> Any:
+    def step(par: Any, x: Any, inp: Any, clock: Any, *, harmonics: int) -> Any:
         turns = inp.position * par.inverse_pitch
         angle = _TURN * (turns - floor(turns))
         c, s = cos(angle), sin(angle)
         # Horner's rule for the sum of a_k exp(i phi_k) z^k with |z| = 1: one sine and one cosine for any number of harmonics.
         re, im = 0.0, 0.0
-        for k in range(len(amplitudes) - 1, -1, -1):
+        for k in range(harmonics - 1, -1, -1):
             re, im = re + lookup(par.in_phase, k), im + lookup(par.quadrature, k)
             re, im = re * c - im * s, re * s + im * c
         noise = next_noise(x.noise, par.noise, par.keep, par.stream, clock.k)

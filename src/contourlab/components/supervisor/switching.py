@@ -186,12 +186,17 @@ class PreRouted(Supervisor):
     def table_values(self) -> dict[str, Array]:
         return {"routes": np.array([*self._route, *self.numbers])}
 
+    @property
+    def n_place(self) -> int:
+        """Number of places at which the controller changes."""
+        return len(self.numbers)
+
     @staticmethod
-    def step(par: Any, x: Any, inp: Any, clock: Any, *, by: str, numbers: tuple[float, ...]) -> Any:
+    def step(par: Any, x: Any, inp: Any, clock: Any, *, by: str, n_place: int) -> Any:
         place = inp.source_line if by == "line" else inp.arc_length
         wanted = 0.0
-        for i in range(len(numbers)):
-            wanted = select(place >= lookup(par.routes, float(i)), lookup(par.routes, float(len(numbers) + i)), wanted)
+        for i in range(n_place):
+            wanted = select(place >= lookup(par.routes, float(i)), lookup(par.routes, float(n_place + i)), wanted)
         return settled(x.active, x.since, wanted, 1.0, par.dwell_time, clock.dt)
 
     @property
