@@ -182,13 +182,10 @@ def _variants(case: Case, options: Swap) -> tuple[Variants, float | None, list[F
         None if text is None else quantity(option, text, objective.quantity, f'"{objective.example(2)}"', positive=True)
         for option, text in (("--floor", options.floor), ("--tolerance", options.tolerance))
     )
-    space = Space.chosen(machine, case.controller, options.parameter, options.width)
-    if of_machine := [number.short for number in space.numbers if number.name.startswith("axes.")]:
-        raise ParameterError("--parameter", of_machine[0], "a parameter of the controller; the machine is not searched")
     variants = Variants(
         variants_of(machine, modules),
         Setting.of(case),
-        space,
+        Space.chosen(machine, case.controller, options.parameter, options.width),
         objective=objective.name,
         floor=objective.floor if floor is None else floor,
         bounds=options.margins,
