@@ -32,6 +32,8 @@ FEW = 40
 COHERENT = 0.5
 EXCITATIONS = ("reference", "command")
 """What excites an axis: the reference where it moves, else the command; or the command in any case."""
+SIDES = ("motor", "load")
+"""Where the position is measured."""
 MODEL_POINTS = 400
 """Points of a model curve."""
 BEYOND, BELOW_NYQUIST = 2.0, 0.4
@@ -61,7 +63,7 @@ def identify_response(records: Sequence[AxisRecord], options: Identify) -> Ident
     ParameterError
         If a record is too short, or its response is noise.
     """
-    response, unit = _measured(records, options.excitation), records[0].unit
+    response, unit = _measured(records, options), records[0].unit
     weak = int(np.count_nonzero(response.coherence < COHERENT))
     low = [finding("CL507", limit=COHERENT, count=weak, points=response.frequency.size)] if weak else []
     doubts = response_findings(response)
@@ -88,7 +90,7 @@ def identify_linear_motor(records: Sequence[AxisRecord], options: Identify) -> I
     ResultError, ParameterError
         If the response cannot be measured or the model cannot be fitted.
     """
-    response = _measured(records, options.excitation)
+    response = _measured(records, options)
     fit, forces = drive_fit.fit_linear_motor(response), forces_of(records)
     uncertainty = _propagated(records, fit, lambda x: plant_numbers(forces, 1.0 / x["M"], x["B"] / x["M"]) | {"drive.delay": x["delay"]})
     tables = _rigid_tables(records, fit, fit["M"], fit["B"], uncertainty) if fit.usable else {}
@@ -110,7 +112,7 @@ def identify_two_inertia(records: Sequence[AxisRecord], options: Identify) -> Id
     side, lead, inertia = options.side, options.si("lead"), options.si("motor_inertia")
     if inertia is not None and side == "motor":
         raise ParameterError("motor_inertia", f"{inertia:g} kg*m^2", "omitted: with the position of the motor it is identified")
-    response, unit = _measured(records, options.excitation), records[0].unit
+    response, unit = _measured(records, options), records[0].unit
     fit = drive_fit.fit_two_inertia(response, side)
     if inertia is not None and lead is not None and unit == "N" and fit.usable:
         arm = lead / (2.0 * math.pi)
@@ -138,7 +140,7 @@ def identify_two_mass(records: Sequence[AxisRecord], options: Identify) -> Ident
     ResultError, ParameterError
         If the response cannot be measured or the model cannot be fitted.
     """
-    response = _measured(records, options.excitation)
+    response = _measured(records, options)
     fit = drive_fit.fit_two_mass(response, options.side)
     if not fit.usable or records[0].unit != "N":
         findings = [finding("CL504", options=(newton_option(records[0].logged),))] if fit.usable else []
@@ -162,14 +164,15 @@ def _rigid_tables(records: Sequence[AxisRecord], fit: DriveFit, mass: float, los
     return rigid_tables(records, 1.0 / mass, loss / mass, origin, delay=fit["delay"], peak=peak)
 
 
-def _measured(records: Sequence[AxisRecord], excitation: str) -> MeasuredResponse:
+def _measured(records: Sequence[AxisRecord], options: Identify) -> MeasuredResponse:
     """Return position over command of an axis; a moving reference means a closed loop, and it, unlike the command, has no noise."""
-    if excitation not in EXCITATIONS:
-        raise ParameterError("--excitation", repr(excitation), f"one of {', '.join(EXCITATIONS)}")
+    for option, value, known in (("--excitation", options.excitation, EXCITATIONS), ("--side", options.side, SIDES)):
+        if value not in known:
+            raise ParameterError(option, repr(value), f"one of {', '.join(known)}")
     common_unit(records, "one response")
     runs = []
     for record in records:
-        closed = excitation == "reference" and record.reference is not None and np.ptp(record.reference) > 0.0
+        closed = options.excitation == "reference" and record.reference is not None and np.ptp(record.reference) > 0.0
         with about(record.source):
             runs.append(Measured(record.period, record.driven(), record.position, record.reference if closed else None))
     return measured_response(runs, [record.source for record in records])
