@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from contourlab.app.options import Options, option, options
 from contourlab.app.session import Command
@@ -105,6 +105,9 @@ class Link(Network, Schemes):
     quick: bool = option(False, "Answer within a minute: few values, a limit lies between two.")
 
     def __post_init__(self) -> None:
+        given: Any = self.vary or ()
+        texts = [given] if isinstance(given, str) else given
+        object.__setattr__(self, "vary", [str(text).replace("_", "-") for text in texts])  # JSON writes message_period
         super().__post_init__()
         if self.seeds is not None and not 1 <= self.seeds <= MOST_SEEDS:
             raise ParameterError("--seeds", f"{self.seeds}", f">= 1 and <= {MOST_SEEDS}")

@@ -89,7 +89,7 @@ class LineRule:
     plateau : str
         Which of the values within `within` of the best to take: "robust" takes that whose loop stays farthest from -1, "largest" the
         largest ("as large as feasible"), "best" the best.
-    within : float, >= 0
+    within : float, >= 0, < 1
         Share by which a value may be worse than the best.
     """
 

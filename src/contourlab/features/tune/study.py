@@ -57,6 +57,8 @@ class TuneSettings(Tune):
             raise ParameterError("width", f"{self.width:g}", "> 1 and <= 1000")
         if not 0 <= self.seed < 2**63:
             raise ParameterError("seed", f"{self.seed}", f"0 to {2**63 - 1}")
+        if not self.within < 1.0:
+            raise ParameterError("within", f"{self.within:g}", ">= 0 and < 1")
         _ = self.goal, self.bounds  # refuse what is wrong before any work
 
     @property
