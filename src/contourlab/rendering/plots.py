@@ -92,7 +92,7 @@ def write_figures(
             raise ParameterError("formats", name, f"of {', '.join(TIMELESS)}")
     files = []
     with matplotlib.rc_context(fname=LOOKS):
-        for key, draw in drawings:
+        for key, draw in drawings if formats else ():
             figure = draw()
             for name in formats:
                 files.append(Path(folder) / f"{key}.{name}")

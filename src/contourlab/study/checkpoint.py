@@ -77,7 +77,7 @@ class Parts:
         write_bytes_atomic(file, data, durable=True)
         for other in self.files(kind, key):
             if other != file:
-                other.unlink()
+                other.unlink(missing_ok=True)
         return file
 
 
