@@ -47,14 +47,14 @@ def dump(value: Machine | Controller | Axis | Scenario, machine: Machine | None 
     """
     if isinstance(value, Controller):
         if machine is None:
-            raise TypeError("a controller with its machine, save(controller, file, machine): the machine sets the units of the gains")
+            raise TypeError("dump(controller, machine): the machine sets the units of the gains")
         return toml({"controller": controller_table(value, machine)})
     if isinstance(value, Axis):
         return toml(axis_table(value))
     if isinstance(value, Machine):
         return toml(machine_tables(value))
     if not isinstance(value, Scenario):
-        raise TypeError("a Machine, Controller, Axis or Scenario")
+        raise TypeError(f"{type(value).__name__} has no file of its own")
     base = case_tables(value.base)
     content: dict[str, Any] = {"name": value.name, **motion_table(value.motion), **base}
     schemes = {case.name: difference(base, case_tables(case)) for case in value.all_cases}
@@ -84,7 +84,8 @@ def save(value: Machine | Controller | Axis | Scenario, file: str | File, machin
     try:
         text = dump(value, machine)
     except TypeError as error:
-        raise ParameterError("value", f"a {type(value).__name__}", str(error)) from error
+        wanted = "a Machine, an Axis, a Scenario, or a Controller with its machine"
+        raise ParameterError("value", f"a {type(value).__name__}", wanted) from error
     write_text_atomic(file, text)
 
 
