@@ -161,7 +161,7 @@ def test_arc_length_is_arc_length(path: Path) -> None:
     # A chord is never longer than its arc, and shorter by kappa^2 h^3 / 24 at most, kappa being the greatest on it.
     points = path.position(s)
     chord, h = np.linalg.norm(np.diff(points, axis=0), axis=1), path.length / 300
-    rounding = 1e-11 * h + 4.0 * np.finfo(float).eps * np.abs(points).max()
+    rounding = 2e-13 * path.length + 4.0 * np.finfo(float).eps * np.abs(points).max()  # each end lies within 1e-13 of the length
     bend = np.abs(path.curvature(np.linspace(0.0, path.length, 6001)))
     assert (chord <= h + rounding).all()
     assert (chord >= h - 1.05 * bend.max() ** 2 * h**3 / 24.0 - rounding).all()

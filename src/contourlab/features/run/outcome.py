@@ -26,7 +26,7 @@ from contourlab.features.run.trust import numbers_of, part_interval, stated
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import LimitReport, Reference, limit_report
 from contourlab.feed.planner import NEAR_FEED
-from contourlab.feed.verify import KINDS, Worst
+from contourlab.feed.verify import Worst
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.loop.feeding import Feed
@@ -131,6 +131,25 @@ class NearestLimit:
     worst: Worst
 
 
+@dataclass(frozen=True)
+class LimitSummary:
+    """The planned motion against the limits of the axes, checked from its samples alone; null for a kind that does not occur.
+
+    Attributes
+    ----------
+    curvature_step : NearestLimit or None
+        Steps of acceleration where the curvature jumps; `jerk` leaves them out.
+    kink : NearestLimit or None
+        Steps of velocity where the direction jumps slightly.
+    """
+
+    velocity: NearestLimit | None
+    acceleration: NearestLimit | None
+    jerk: NearestLimit | None
+    curvature_step: NearestLimit | None
+    kink: NearestLimit | None
+
+
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Outcome(JudgedRun):
     """A judged case; of a case that learns, its best trial.
@@ -153,7 +172,7 @@ class Outcome(JudgedRun):
         Null if no axis has several controllers.
     margins : mapping of str to Margins
         Of the sampled loop of each axis; all but `stable` are null if it is unstable.
-    limits : mapping of str to NearestLimit or None
+    limits : LimitSummary or None
         The planned motion against the limits of the axes, checked from its samples alone: velocity, acceleration (without kinks), jerk
         (without curvature steps), curvature_step (of the acceleration, where the curvature jumps) and kink (of the velocity, where the
         direction jumps slightly); null for a kind that does not occur. Null under the uniform law.
@@ -218,12 +237,12 @@ class Outcome(JudgedRun):
         return SwitchSummary(axes, tuple(switches.rows(LISTED)), max(len(switches) - LISTED, 0))
 
     @property
-    def limit_summary(self) -> dict[str, NearestLimit | None] | None:
+    def limit_summary(self) -> LimitSummary | None:
         """The axis nearest to each kind of limit."""
         if self.limits is None:
             return None
-        worsts = {kind.replace(" ", "_"): nearest(entries) for kind, entries in zip(KINDS, self.limits.kinds, strict=True)}
-        return {kind: None if worst is None else NearestLimit(self.result.axes[worst.axis], worst) for kind, worst in worsts.items()}
+        worsts = [nearest(entries) for entries in self.limits.kinds]  # in the order of its fields
+        return LimitSummary(*(None if worst is None else NearestLimit(self.result.axes[worst.axis], worst) for worst in worsts))
 
     @property
     def warnings(self) -> tuple[str, ...]:
