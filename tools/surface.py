@@ -71,7 +71,7 @@ def signature(target: Any, imports: set[str]) -> str:
         parameters += [*(["*"] if first else []), f"{star}{each.name}: {each.annotation}{default}"]
     text = f"{', '.join(parameters)}) -> {made.return_annotation}"
     for word in sorted(set(re.findall(r"[A-Z]\w+", text)) - {"Path", "Sequence", "None"}):
-        kind = getattr(home, word)
+        kind = getattr(home, word, None) or getattr(contourlab, word)  # types alone may be imported for type checkers only
         if inspect.isclass(kind) and kind.__module__.startswith("contourlab."):
             imports.add(f"from {kind.__module__} import {kind.__name__} as {word}")
         else:  # of Python, or the name of a type

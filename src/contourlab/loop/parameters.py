@@ -126,7 +126,7 @@ def with_values(machine: Machine, controller: Controller, values: Mapping[str, f
     >>> case = load_scenario("builtin:demo-part").base
     >>> machine, controller = with_values(case.machine, case.controller, {"axes.*.plant.mass": 90.0})
     >>> [axis.plant.mass for axis in machine.axes]
-    [90.0, 90.0]
+    [90.0, 90.0, 90.0]
     """
     known = parameters_of(machine, controller)
     changes: dict[str, dict[str, float]] = {}
