@@ -10,7 +10,7 @@ import math
 import operator
 import re
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -50,6 +50,10 @@ _ROW = "assignments_in_a_row"
 _WORD = re.compile(r"(?<![\w.])[A-Za-z]\w*")
 
 
+def _shorter(short: dict[str, str], word: re.Match[str]) -> str:
+    return short.get(word[0], word[0])
+
+
 @cache
 def _assignment(shape: str) -> Any:
     from blark.parse import parse_source_code
@@ -86,10 +90,8 @@ class FunctionBlock:
         self.rows: list[list[tuple[Any, dict[str, str]]]] = []
         self.names: dict[str, str] = {}
         self.alike: dict[str, list[str]] = {}
-        if file.suffix == ".st":
-            parts = [parse_source_code(self._shortened(file.read_text()))]
-        else:
-            parts = list(parse(file))  # of TwinCAT: declaration and implementation
+        # Of TwinCAT: declaration and implementation.
+        parts = [parse_source_code(self._shortened(file.read_text()))] if file.suffix == ".st" else list(parse(file))
         assert [part.exception for part in parts if part.exception] == []
         trees = [part.transform().items[0] for part in parts]
         self.tree, self.body = trees[0], trees[0].body if len(trees) == 1 else trees[1]
@@ -103,7 +105,7 @@ class FunctionBlock:
         assert {name for row in self.rows for _, names in row for name in names.values()} <= set(self.kinds)
 
     def _shortened(self, text: str) -> str:
-        """Return the source without names in lists that the first of their kind stands for, and with one statement for assignments in a row."""
+        """Return the source with one name for those of a list that differ only in digits, and one statement for assignments in a row."""
         text = _LIST.sub(self._first_ones, text)
         declared = set(re.findall(r"^ +(\w+) : ", text, re.MULTILINE))
         declared |= {name for names in self.alike.values() for name in names}
@@ -111,12 +113,13 @@ class FunctionBlock:
         row: list[tuple[Any, dict[str, str]]] = []
         for line in text.splitlines():
             if _ASSIGNMENT.fullmatch(line):
-                short: dict[str, str] = {}
-                shape = _WORD.sub(lambda word: short.setdefault(word[0], f"n{len(short)}") if word[0] in declared else word[0], line)
+                variables = dict.fromkeys(word for word in _WORD.findall(line) if word in declared)
+                short = {name: f"n{number}" for number, name in enumerate(variables)}
+                shape = _WORD.sub(partial(_shorter, short), line.strip())
                 if not row:
                     self.rows.append(row)
                     lines.append(f"{_ROW} := {len(self.rows) - 1};")
-                row.append((_assignment(shape.strip()), {name: word for word, name in short.items()}))
+                row.append((_assignment(shape), dict(zip(short.values(), short, strict=True))))
             else:
                 row = []
                 lines.append(line)
@@ -131,8 +134,8 @@ class FunctionBlock:
 
     def _declare(self, section: Any, item: Any) -> None:
         kind = str(getattr(item.init.spec, "type", "")).split()[-1]
-        names = [str(declared.variable.name) for declared in item.variables]
-        for name in [alike for name in names for alike in self.alike.get(name, [name])]:
+        first = [str(declared.variable.name) for declared in item.variables]
+        for name in (name for one in first for name in self.alike.get(one, [one])):
             assert name.lower() not in map(str.lower, self.kinds), f"{name} is declared twice"
             self.kinds[name] = kind
             if type(section).__name__ == "TemporaryVariableDeclarations":
@@ -162,7 +165,8 @@ class FunctionBlock:
     def _assignmentstatement(self, statement: Any) -> None:
         (target,) = statement.variables
         if str(target.name) == _ROW:
-            for assignment, self.names in self.rows[int(str(statement.expression.value))]:
+            for assignment, names in self.rows[int(str(statement.expression.value))]:
+                self.names = names
                 self._assignmentstatement(assignment)
             self.names = {}
             return
