@@ -229,10 +229,14 @@ def _figures(data: ReportData, scheme: JudgedRun) -> Iterator[Figure]:
 def comparison_text(data: ReportData, width: int | None = None) -> str:
     """Return the comparison for the terminal."""
     comparison = compare(data)
-    table = Table([Column("figure", left=True), *(Column(head.name) for head in comparison.heads)], data.title)
-    if comparison.has_change:
-        table.columns = [*table.columns, Column("change")]
-    for row in comparison.rows:
-        label = f"{row.label} [{row.unit}]" if row.unit else row.label
-        table.add(label, *(cell.text for cell in row.cells), *([row.change.text] if comparison.has_change else []))
+    heads = [*(head.name for head in comparison.heads), *(["change"] if comparison.has_change else [])]
+    rows = (
+        (
+            f"{row.label} [{row.unit}]" if row.unit else row.label,
+            *(cell.text for cell in row.cells),
+            *([row.change.text] if comparison.has_change else []),
+        )
+        for row in comparison.rows
+    )
+    table = Table([Column("figure", left=True), *map(Column, heads)], data.title, rows=rows)
     return f"{table.text(width)}\n\n{paragraphs(filter(None, [comparison.note, *comparison.notes]), width)}"

@@ -153,10 +153,8 @@ def reversal_text(data: ReportData) -> str:
     if reversals is None:
         return ""
     heads = [Column("axis, direction (count)", left=True), *map(Column, reversals.heads)]
-    table = Table(heads, "Reversal spikes, mean / largest [um]")
-    for where, many, cells in reversals.rows:
-        table.add(f"{where} ({many})", *(f"{mean} / {top}" for mean, top, _ in cells))
-    return table.text()
+    rows = ((f"{where} ({many})", *(f"{mean} / {top}" for mean, top, _ in cells)) for where, many, cells in reversals.rows)
+    return Table(heads, "Reversal spikes, mean / largest [um]", rows=rows).text()
 
 
 def _kind(figures: ReversalFigures, mixed: bool) -> str:

@@ -11,8 +11,6 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from contourlab.app.json_values import write_json
-from contourlab.app.results import staged
 from contourlab.app.session import Answer, Asked
 from contourlab.features.link.cost import DivisionCost
 from contourlab.features.link.sweep import GROWN, QUANTITIES, LinkSweep
@@ -168,9 +166,7 @@ class LinkResult(Answer):
         OutputError
             If the folder cannot be written to.
         """
-        with staged(folder, "summary.json", inputs=self.scenario.inputs) as stage:
-            write_json(stage / "summary.json", self)
-            files = self._draw(stage, folder, plots)
+        files = self._put(folder, plots, self.scenario.inputs, "summary.json")
         return replace(self, plots=files, folder=str(folder))
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
@@ -189,18 +185,18 @@ def scheme_text(name: str, costs: SchemeCost) -> str:
     head = f"{name}\n{costs.figure.replace('_', ' ')}: {undivided} undivided, {allowed} allowed"
     title = "Largest value that holds, all others as given; times are for one direction"
     left = Column("in the axis, messages", left=True)
-    largest = Table([left, Column(f"error [{unit}]"), *(Column(words(quantity)) for quantity in quantities)], title)
-    for cost in divisions:
-        error = "diverges" if math.isnan(cost.error) else figure(cost.error, unit, 4).removesuffix(f" {unit}")
-        largest.add(cost.name, error, *(largest_held(cost.sweeps[quantity]) for quantity in quantities))
+    errors = ("diverges" if math.isnan(cost.error) else figure(cost.error, unit, 4).removesuffix(f" {unit}") for cost in divisions)
+    rows = (
+        (cost.name, error, *(largest_held(cost.sweeps[quantity]) for quantity in quantities))
+        for cost, error in zip(divisions, errors, strict=True)
+    )
+    largest = Table([left, Column(f"error [{unit}]"), *(Column(words(quantity)) for quantity in quantities)], title, rows=rows)
     parts = [head + _slowest(costs), largest.text()]
     timed = [quantity for quantity in ("message_period", "delay") if quantity in quantities]
     if timed and not costs.coarse:
         title = "Largest value at which the loop is stable, by linear model / by simulation without friction (-: unknown)"
-        stable = Table([left, *(Column(words(quantity)) for quantity in timed)], title)
-        for cost in divisions:
-            stable.add(cost.name, *(_stable(cost.sweeps[quantity]) for quantity in timed))
-        parts.append(stable.text())
+        rows = ((cost.name, *(_stable(cost.sweeps[quantity]) for quantity in timed)) for cost in divisions)
+        parts.append(Table([left, *(Column(words(quantity)) for quantity in timed)], title, rows=rows).text())
     shared = [one for one in divisions[0].findings if all(one in cost.findings for cost in divisions)]
     lines = [str(one) for one in (*costs.findings, *shared)]
     lines += [f"{cost.name}: {one}" for cost in divisions for one in cost.findings if one not in shared]
