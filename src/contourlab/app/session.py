@@ -107,6 +107,14 @@ class Session:
         self._bar.close()
 
 
+def interrupt(note: str = "") -> KeyboardInterrupt:
+    """Return an interrupt that says what is kept, if anything."""
+    end = KeyboardInterrupt()
+    if note:
+        end.add_note(note)
+    return end
+
+
 QUIET = Session()
 """Of a question that is asked in Python."""
 

@@ -13,6 +13,7 @@ from contourlab.app.json_values import json_values
 from contourlab.app.options import Options
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.errors import ParameterError
+from contourlab.figures import grouped
 from contourlab.papers.options import Reproduce
 from contourlab.papers.rows import CLOSE, COMPUTED, DERIVED, HEADS, IDENTITY, INPUT, OURS, OUTSIDE, Bands, Part, Row, banded
 from contourlab.rendering.stages import begin_stage
@@ -212,9 +213,7 @@ def _is_compared(row: Row) -> bool:
 
 def _groups(rows: Iterable[Row]) -> list[tuple[str, list[Row]]]:
     """Return rows of equal name and unit together, in the order of the first of them."""
-    known: dict[tuple[str, str], list[Row]] = {}
-    for row in rows:
-        known.setdefault((row.name, row.unit), []).append(row)
+    known = grouped(((row.name, row.unit), row) for row in rows)
     return [(f"{name} [{unit}]" if unit else name, group) for (name, unit), group in known.items()]
 
 
@@ -246,10 +245,7 @@ def _percent(part: float) -> str:
 
 def _why(rows: Sequence[Row]) -> list[str]:
     """Return the reasons of the computed figures that are not reached, each once."""
-    reasons: dict[str, list[Row]] = {}
-    for row in rows:
-        if _is_compared(row) and (not row.agrees if row.limit else abs(row.off) > FAR):
-            reasons.setdefault(row.note, []).append(row)
+    reasons = grouped((row.note, row) for row in rows if _is_compared(row) and (not row.agrees if row.limit else abs(row.off) > FAR))
     lines = [f"{', '.join(dict.fromkeys(row.name for row in group))}: {note or 'no reason known'}." for note, group in reasons.items()]
     return ["\n".join(["Not reached, and why:", paragraphs(lines)])] if lines else []
 
@@ -262,10 +258,7 @@ def _assumed(rows: Sequence[Row]) -> list[str]:
 
 def _missing(rows: Sequence[Row]) -> list[str]:
     """Return what is not computed for want of a package."""
-    needs: dict[str, list[str]] = {}
-    for row in rows:
-        if row.missing:
-            needs.setdefault(row.missing, []).append(f"{row.name} ({row.case})")
+    needs = grouped((row.missing, f"{row.name} ({row.case})") for row in rows if row.missing)
     return ["\n".join(["Not computed:", paragraphs(f"{', '.join(names)}: {why}." for why, names in needs.items())])] if needs else []
 
 

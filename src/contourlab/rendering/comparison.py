@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from contourlab.figures import NONE, figure, listing, number
+from contourlab.figures import NONE, figure, grouped, listing, number
 from contourlab.metrics import ErrorFigures
 from contourlab.metrics.run_figures import FIGURES, PART, figures_of_run
 from contourlab.rendering.data import JudgedRun, ReportData
@@ -141,9 +141,7 @@ def judged_words(scheme: JudgedRun) -> str:
 
 def _judged_parts(schemes: Sequence[JudgedRun]) -> str:
     """Describe the evaluated part of the run; by scheme if they differ."""
-    parts: dict[str, list[str]] = {}
-    for scheme in schemes:
-        parts.setdefault(judged_words(scheme), []).append(scheme.name)
+    parts = grouped((judged_words(scheme), scheme.name) for scheme in schemes)
     if len(parts) == 1:
         return f"Errors over {next(iter(parts))}."
     texts = [f"{part} ({listing(names)})" for part, names in parts.items()]

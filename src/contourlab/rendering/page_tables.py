@@ -130,10 +130,13 @@ def reversal_table(data: ReportData, *, places: bool = True) -> PageTable | None
 
     A row has kind, number, and for each scheme mean and largest spike [um] and mean duration [ms].
     """
-    columns = []
-    for scheme in data.schemes:
-        by_kind = reversal_figures(scheme.spikes, places=places)
-        columns.append({(math.isnan(f.angle), np.nan_to_num(f.angle), data.axes.index(f.axis), -f.direction): f for f in by_kind})
+    columns = [
+        {
+            (math.isnan(f.angle), np.nan_to_num(f.angle), data.axes.index(f.axis), -f.direction): f
+            for f in reversal_figures(scheme.spikes, places=places)
+        }
+        for scheme in data.schemes
+    ]
     keys = sorted({key for column in columns for key in column})
     if not keys:
         return None

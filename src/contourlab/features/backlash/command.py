@@ -109,8 +109,8 @@ def backlash(*source: Source, settings: Backlash, session: Session = QUIET) -> B
 def _texts(name: str, study: BacklashStudy, period: float) -> Iterator[str]:
     """Yield the conclusions of a study, its tables and the recommended compensation."""
     yield paragraphs([_sentence(name, study), *map(str, study.findings)])
-    heads = ("gap in file [um]", "lost motion [um]", "motor and load: lost motion [um]", "motor alone: gap [um]", "confidence")
-    heads += () if study.on_circle is None else ("on the circle, controlled [um]",)
+    heads = ["gap in file [um]", "lost motion [um]", "motor and load: lost motion [um]", "motor alone: gap [um]", "confidence"]
+    heads += [] if study.on_circle is None else ["on the circle, controlled [um]"]
     on_circle = {} if study.on_circle is None else dict(zip(study.on_circle.axes, study.on_circle.backlash, strict=True))
     gaps, cycles = [], []
     for axis, gap in study.axes.items():
@@ -128,10 +128,14 @@ def _texts(name: str, study: BacklashStudy, period: float) -> Iterator[str]:
     if cycles:
         columns = [Column("axis", left=True), Column("limit cycle", left=True), Column("frequency [Hz]"), Column("amplitude [um]")]
         yield Table(columns, rows=cycles).text()
-    trials = []
-    for trial in study.trials:
-        errors = (NONE if error is None else number(1e6 * error) for error in (trial.part_error_rms, trial.part_error_max))
-        trials.append((trial.name, *errors, "recommended" if trial.name == study.recommended else ""))
+    trials = (
+        (
+            trial.name,
+            *(NONE if error is None else number(1e6 * error) for error in (trial.part_error_rms, trial.part_error_max)),
+            "recommended" if trial.name == study.recommended else "",
+        )
+        for trial in study.trials
+    )
     columns = [Column("compensation", left=True), Column("part error rms [um]"), Column("largest [um]"), Column("", left=True)]
     yield Table(columns, rows=trials).text()
     if study.toml:
