@@ -120,10 +120,10 @@ def _texts(name: str, study: BacklashStudy, period: float) -> Iterator[str]:
         left = [] if study.on_circle is None else [number(1e6 * on_circle[axis]) if axis in on_circle else NONE]
         gaps.append((axis, number(1e6 * gap.backlash_gap), number(1e6 * gap.lost_motion), seen, *cells, *left))
         for kind, predicted in (("describing function", gap.describing_function), ("exact, without friction", gap.limit_cycles)):
-            for cycle in predicted or ():
-                cycles.append((axis, _kind(kind, cycle, period), number(cycle.frequency, 4), number(1e6 * cycle.amplitude)))
-            if predicted == ():
-                cycles.append((axis, f"{kind}: none", NONE, NONE))
+            cycles += [
+                (axis, _kind(kind, cycle, period), number(cycle.frequency, 4), number(1e6 * cycle.amplitude)) for cycle in predicted or ()
+            ]
+            cycles += [(axis, f"{kind}: none", NONE, NONE)] if predicted == () else []
     yield Table([Column("axis", left=True), *map(Column, heads)], rows=gaps).text()
     if cycles:
         columns = [Column("axis", left=True), Column("limit cycle", left=True), Column("frequency [Hz]"), Column("amplitude [um]")]

@@ -12,11 +12,12 @@ from pathlib import Path
 
 import numpy as np
 
+from contourlab.app.options import positive
 from contourlab.app.results import check_file, spared
 from contourlab.app.session import QUIET, Session, question
 from contourlab.errors import ParameterError, ProgramError, ResultError
 from contourlab.features.check.reading import reading_of
-from contourlab.features.measure.log_choice import LogChoice, positive
+from contourlab.features.measure.log_choice import LogChoice
 from contourlab.features.precompensate.law import CUTOFF, Run, fit_loop, learn, proposed, smoother, spread
 from contourlab.features.precompensate.options import Precompensate
 from contourlab.features.precompensate.passes import STATE, Passes, PassFigures, digest_of, load, save
