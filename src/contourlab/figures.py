@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Hashable, Iterable
+from typing import TypeVar
+
+Key = TypeVar("Key", bound=Hashable)
+Value = TypeVar("Value")
 
 NONE = "-"
 """Text of an unknown value."""
@@ -67,3 +72,15 @@ def listing(names: tuple[str, ...] | list[str]) -> str:
     if any("," in name for name in names):
         return "; ".join(names)
     return " and ".join(", ".join(names).rsplit(", ", 1)) if names else "none"
+
+
+def grouped(pairs: Iterable[tuple[Key, Value]]) -> dict[Key, list[Value]]:
+    """Return the values of pairs (key, value) by key, in the order of the first of each.
+
+    >>> grouped([("x", 1), ("y", 2), ("x", 3)])
+    {'x': [1, 3], 'y': [2]}
+    """
+    groups: dict[Key, list[Value]] = {}
+    for key, value in pairs:
+        groups.setdefault(key, []).append(value)
+    return groups

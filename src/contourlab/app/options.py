@@ -233,18 +233,8 @@ class Options:
         ParameterError
             If it is no quantity of its unit, or not positive.
         """
-        from contourlab.units import to_si
-
-        limits, text = self.PARTS[name].option, getattr(self, name)
-        if text is None:
-            return None
-        try:
-            value = to_si(text, limits.unit)
-        except UnitError as error:
-            raise ParameterError(name, repr(text), self.PARTS[name].wanted) from error
-        if not value > 0.0:
-            raise ParameterError(name, text, "> 0")
-        return value
+        part, text = self.PARTS[name], getattr(self, name)
+        return None if text is None else positive(name, text, part.option.unit, part.wanted)
 
     def words_of(self, kind: type[Options]) -> list[str]:
         """Return the words of a command that has the options of a base."""
@@ -253,3 +243,29 @@ class Options:
     def words(self, *but: str) -> list[str]:
         """Return the words of a command that give these options, except those of the fields in `but`."""
         return [word for name, part in self.PARTS.items() if name not in but for word in part.words(getattr(self, name))]
+
+
+def positive(option: str, text: str, unit: str, wanted: str) -> float:
+    """Read the value of an option, > 0, in SI.
+
+    Parameters
+    ----------
+    unit : str
+        SI unit of the expected dimension.
+    wanted : str
+        Expected form, for the message.
+
+    Raises
+    ------
+    ParameterError
+        If the text is not such a quantity, or not positive.
+    """
+    from contourlab.units import to_si  # the help does without
+
+    try:
+        value = to_si(text, unit)
+    except UnitError as error:
+        raise ParameterError(option, repr(text), wanted) from error
+    if not value > 0.0:
+        raise ParameterError(option, text, "> 0")
+    return value

@@ -19,6 +19,7 @@ from pathlib import Path, PurePosixPath
 from typing import BinaryIO
 
 from contourlab.errors import OutputError, ParameterError
+from contourlab.figures import grouped
 
 SAFETY = "contourlab is no safety function: test on the machine with its own limits active."
 """What all proposed gains and exported controllers say."""
@@ -165,9 +166,7 @@ def _listed(folder: Path) -> dict[str, str]:
 
 
 def _save_list(listed: Mapping[str, str], stage: Path, folder: Path) -> None:
-    sets: dict[str, list[str]] = {}
-    for name, summary in sorted(listed.items()):
-        sets.setdefault(summary, []).append(name)
+    sets = grouped((summary, name) for name, summary in sorted(listed.items()))
     (stage / LIST).write_text(json.dumps({"schema": "contourlab-files/1", "files": sets}, indent=2) + "\n", encoding="utf-8")
     (stage / LIST).replace(folder / LIST)
 

@@ -107,6 +107,14 @@ class Session:
         self._bar.close()
 
 
+def interrupt(note: str = "") -> KeyboardInterrupt:
+    """Return an interrupt that says what is kept, if anything."""
+    end = KeyboardInterrupt()
+    if note:
+        end.add_note(note)
+    return end
+
+
 QUIET = Session()
 """Of a question that is asked in Python."""
 
@@ -193,6 +201,18 @@ class Answer:
 
         files = write_charts(self._charts(), stage / "plots", tuple(formats))
         return tuple(Path(folder) / file.relative_to(stage) for file in files)
+
+    def _put(self, folder: str | Path, plots: Sequence[str], inputs: Iterable[str | os.PathLike[str]], *summary: str) -> tuple[Path, ...]:
+        """Write pictures, and the answer as JSON if a `summary` is named, into a folder; return the pictures."""
+        from contourlab.app.json_values import write_json
+        from contourlab.app.results import staged
+
+        if not plots and not summary:
+            return ()
+        with staged(folder, *summary, inputs=inputs) as stage:
+            for name in summary:
+                write_json(stage / name, self)
+            return self._draw(stage, folder, plots)
 
     def save(self, folder: str | Path = "results") -> Any:
         """Write the files of the answer into a folder; return the answer with their names."""

@@ -116,9 +116,8 @@ def _list(files: list[Shipped]) -> str:
     from contourlab.rendering.table import Column, Table, paragraphs
 
     names, prose = ("kind", "name", "axes"), ("description", "sources")
-    table = Table([*(Column(head, left=True) for head in names), *(Column(head, prose=True) for head in prose)])
-    for file in files:
-        table.add(file.kind, file.name, ", ".join(file.axes), file.about, "; ".join(file.references))
+    rows = ((file.kind, file.name, ", ".join(file.axes), file.about, "; ".join(file.references)) for file in files)
+    table = Table([*(Column(head, left=True) for head in names), *(Column(head, prose=True) for head in prose)], rows=rows)
     return f"{table.text()}\n\n{paragraphs([FOOT])}"
 
 
@@ -132,9 +131,8 @@ def _details(file: Shipped) -> str:
         return "\n".join([*head, "", file.text.rstrip()])
     sources = ", ".join(f"{count} {source}" for source, count in file.sources.items())
     plain = (Column("value"), *(Column(name, left=True) for name in ("unit", "source", "deviation")))
-    table = Table([Column("number", left=True), *plain, Column("from", prose=True), Column("note", prose=True)])
-    for number in file.numbers:
-        table.add(number.name, number.value_text, number.display, number.source, number.deviation_text, number.reference, number.note)
+    rows = ((one.name, one.value_text, one.display, one.source, one.deviation_text, one.reference, one.note) for one in file.numbers)
+    table = Table([Column("number", left=True), *plain, Column("from", prose=True), Column("note", prose=True)], rows=rows)
     return "\n".join([*head, f"{file.about}.", f"numbers: {sources}", table.text()])
 
 
@@ -157,9 +155,8 @@ def explain(code: str | None, settings: Explain, session: Session) -> Entry:
 
     entries = catalogue()
     if code is None:
-        table = Table([Column("code", left=True), Column("severity", left=True), Column("name", left=True), Column("text", prose=True)])
-        for entry in entries.values():
-            table.add(entry.code, entry.severity, entry.name, entry.outline)
+        columns = [Column("code", left=True), Column("severity", left=True), Column("name", left=True), Column("text", prose=True)]
+        table = Table(columns, rows=((entry.code, entry.severity, entry.name, entry.outline) for entry in entries.values()))
         return Entry(list(entries.values()), table.text(), ("explain", next(iter(entries))))
     code = f"CL{code}" if code.isdigit() else code.upper()
     if code not in entries:

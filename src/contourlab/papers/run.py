@@ -13,6 +13,7 @@ from contourlab.app.json_values import json_values
 from contourlab.app.options import Options
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.errors import ParameterError
+from contourlab.figures import grouped
 from contourlab.papers.options import Reproduce
 from contourlab.papers.rows import CLOSE, COMPUTED, DERIVED, HEADS, IDENTITY, INPUT, OURS, OUTSIDE, Bands, Part, Row, banded
 from contourlab.rendering.stages import begin_stage
@@ -212,9 +213,7 @@ def _is_compared(row: Row) -> bool:
 
 def _groups(rows: Iterable[Row]) -> list[tuple[str, list[Row]]]:
     """Return rows of equal name and unit together, in the order of the first of them."""
-    known: dict[tuple[str, str], list[Row]] = {}
-    for row in rows:
-        known.setdefault((row.name, row.unit), []).append(row)
+    known = grouped(((row.name, row.unit), row) for row in rows)
     return [(f"{name} [{unit}]" if unit else name, group) for (name, unit), group in known.items()]
 
 
@@ -223,13 +222,12 @@ def _overview(rows: Sequence[Row]) -> str:
     steps = zip((0.0, *CLOSE), CLOSE, strict=False)
     heads = [*(f"{100 * low:g}-{100 * high:g} %" for low, high in steps), "beyond", "worst [%]"]
     title = "Computed figures, counted by their distance from the printed or measured one"
-    table = Table([Column("figure", left=True, prose=True), *map(Column, heads)], title)
-    groups = _groups(filter(_is_evidence, rows))
+    groups, cells = _groups(filter(_is_evidence, rows)), []
     for name, group in groups:
         counts = [sum(low < abs(row.off) <= high for row in group) for low, high in zip((-1.0, *CLOSE), CLOSE, strict=False)]
         worst = max(group, key=lambda row: abs(row.off))
         off = _percent(worst.off) if worst.paper else f"{worst.here:.3g}, not 0"
-        table.add(name, *(str(count or "") for count in (*counts, len(group) - sum(counts))), off)
+        cells.append((name, *(str(count or "") for count in (*counts, len(group) - sum(counts))), off))
     others = [f"{count} {words}" for kind, words in KINDS.items() if (count := sum(row.kind == kind for row in rows))]
     readings = sum(row.kind == COMPUTED and not row.main for row in rows)
     others += [f"{readings} under other readings"] if readings else []
@@ -237,7 +235,7 @@ def _overview(rows: Sequence[Row]) -> str:
     others += [f"{alone} with nothing to compare with"] if alone else []
     limits = [row for row in rows if row.limit and _is_compared(row)]
     others += [f"{sum(row.agrees for row in limits)} of {len(limits)} limits kept"] if limits else []
-    shown = [table.text()] if groups else []
+    shown = [Table([Column("figure", left=True, prose=True), *map(Column, heads)], title, rows=cells).text()] if groups else []
     return "\n".join([*shown, *([paragraphs([f"Not counted: {', '.join(others)}; --all shows them."])] if others else [])])
 
 
@@ -247,10 +245,7 @@ def _percent(part: float) -> str:
 
 def _why(rows: Sequence[Row]) -> list[str]:
     """Return the reasons of the computed figures that are not reached, each once."""
-    reasons: dict[str, list[Row]] = {}
-    for row in rows:
-        if _is_compared(row) and (not row.agrees if row.limit else abs(row.off) > FAR):
-            reasons.setdefault(row.note, []).append(row)
+    reasons = grouped((row.note, row) for row in rows if _is_compared(row) and (not row.agrees if row.limit else abs(row.off) > FAR))
     lines = [f"{', '.join(dict.fromkeys(row.name for row in group))}: {note or 'no reason known'}." for note, group in reasons.items()]
     return ["\n".join(["Not reached, and why:", paragraphs(lines)])] if lines else []
 
@@ -263,22 +258,20 @@ def _assumed(rows: Sequence[Row]) -> list[str]:
 
 def _missing(rows: Sequence[Row]) -> list[str]:
     """Return what is not computed for want of a package."""
-    needs: dict[str, list[str]] = {}
-    for row in rows:
-        if row.missing:
-            needs.setdefault(row.missing, []).append(f"{row.name} ({row.case})")
+    needs = grouped((row.missing, f"{row.name} ({row.case})") for row in rows if row.missing)
     return ["\n".join(["Not computed:", paragraphs(f"{', '.join(names)}: {why}." for why, names in needs.items())])] if needs else []
 
 
 def _outside(rows: Sequence[Row]) -> list[str]:
     """Return a table of the rows outside their bands."""
     words = (Column(name, left=True, prose=True) for name in ("figure", "case"))
-    table = Table([*words, Column("here"), Column("low"), Column("high")])
-    for row in rows:
-        if row.verdict == OUTSIDE:
-            limits = ("none", "none") if row.band is None else (f"{limit:.6g}" for limit in row.band)
-            table.add(row.name, row.case, f"{row.here:.6g}", *limits)
-    return ["\n".join(["Outside their bands:", table.text()])] if any(row.verdict == OUTSIDE for row in rows) else []
+    cells = [
+        (row.name, row.case, f"{row.here:.6g}", *(("none", "none") if row.band is None else (f"{limit:.6g}" for limit in row.band)))
+        for row in rows
+        if row.verdict == OUTSIDE
+    ]
+    table = Table([*words, *map(Column, ("here", "low", "high"))], rows=cells)
+    return [f"Outside their bands:\n{table.text()}"] if cells else []
 
 
 def _all(rows: Sequence[Row]) -> Iterable[str]:
@@ -294,16 +287,10 @@ def _all(rows: Sequence[Row]) -> Iterable[str]:
 def _table(rows: Sequence[Row], *, with_notes: bool = False) -> Table:
     compared = any(row.paper is not None for row in rows)
     origins = dict.fromkeys(HEADS[row.source] for row in rows if row.paper is not None)
-    columns = [Column("case", left=True, prose=True)]
-    if compared:
-        columns += [Column(" or ".join(origins)), Column("here"), Column("difference"), Column("kind", left=True)]
-        columns.append(Column("verdict", left=True))
-    else:
-        columns.append(Column("here"))
-    table = Table([*columns, *([Column("note", prose=True)] if with_notes else [])])
-    for row in rows:
-        table.add(row.case, *_figures(row, compared=compared), *([row.note] if with_notes else []))
-    return table
+    columns = [Column("case", left=True, prose=True), *([Column(" or ".join(origins))] if compared else []), Column("here")]
+    columns += [Column("difference"), Column("kind", left=True), Column("verdict", left=True)] if compared else []
+    cells = ((row.case, *_figures(row, compared=compared), *([row.note] if with_notes else [])) for row in rows)
+    return Table([*columns, *([Column("note", prose=True)] if with_notes else [])], rows=cells)
 
 
 def _figures(row: Row, *, compared: bool) -> list[str]:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from contourlab.figures import NONE, figure, listing, number
+from contourlab.figures import NONE, figure, grouped, listing, number
 from contourlab.metrics import ErrorFigures
 from contourlab.metrics.run_figures import FIGURES, PART, figures_of_run
 from contourlab.rendering.data import JudgedRun, ReportData
@@ -141,9 +141,7 @@ def judged_words(scheme: JudgedRun) -> str:
 
 def _judged_parts(schemes: Sequence[JudgedRun]) -> str:
     """Describe the evaluated part of the run; by scheme if they differ."""
-    parts: dict[str, list[str]] = {}
-    for scheme in schemes:
-        parts.setdefault(judged_words(scheme), []).append(scheme.name)
+    parts = grouped((judged_words(scheme), scheme.name) for scheme in schemes)
     if len(parts) == 1:
         return f"Errors over {next(iter(parts))}."
     texts = [f"{part} ({listing(names)})" for part, names in parts.items()]
@@ -229,10 +227,14 @@ def _figures(data: ReportData, scheme: JudgedRun) -> Iterator[Figure]:
 def comparison_text(data: ReportData, width: int | None = None) -> str:
     """Return the comparison for the terminal."""
     comparison = compare(data)
-    table = Table([Column("figure", left=True), *(Column(head.name) for head in comparison.heads)], data.title)
-    if comparison.has_change:
-        table.columns = [*table.columns, Column("change")]
-    for row in comparison.rows:
-        label = f"{row.label} [{row.unit}]" if row.unit else row.label
-        table.add(label, *(cell.text for cell in row.cells), *([row.change.text] if comparison.has_change else []))
+    heads = [*(head.name for head in comparison.heads), *(["change"] if comparison.has_change else [])]
+    rows = (
+        (
+            f"{row.label} [{row.unit}]" if row.unit else row.label,
+            *(cell.text for cell in row.cells),
+            *([row.change.text] if comparison.has_change else []),
+        )
+        for row in comparison.rows
+    )
+    table = Table([Column("figure", left=True), *map(Column, heads)], data.title, rows=rows)
     return f"{table.text(width)}\n\n{paragraphs(filter(None, [comparison.note, *comparison.notes]), width)}"

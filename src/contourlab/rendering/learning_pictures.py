@@ -55,13 +55,14 @@ def trial_rows(course: TrialCourse) -> list[tuple[int, float, float]]:
 
 def trials_text(data: ReportData) -> str:
     """Return the trials of each scheme that learns; empty if none learns."""
-    tables = []
+    columns, tables = [*map(Column, ("trial", "contour rms [um]", "tracking rms [um]")), Column("", left=True)], []
     for scheme in data.schemes:
-        if scheme.trials is not None:
-            table = Table([Column("trial"), Column("contour rms [um]"), Column("tracking rms [um]"), Column("", left=True)], scheme.name)
-            for trial, contour, tracking in trial_rows(scheme.trials):
-                table.add(str(trial), number(contour * 1e6, 4), number(tracking * 1e6, 4), "best" if trial == scheme.trials.best else "")
-            tables.append(table.text())
+        if (course := scheme.trials) is not None:
+            rows = (
+                (str(trial), number(contour * 1e6, 4), number(tracking * 1e6, 4), "best" if trial == course.best else "")
+                for trial, contour, tracking in trial_rows(course)
+            )
+            tables.append(Table(columns, scheme.name, rows=rows).text())
     return "\n\n".join(tables)
 
 

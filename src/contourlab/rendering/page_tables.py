@@ -130,10 +130,13 @@ def reversal_table(data: ReportData, *, places: bool = True) -> PageTable | None
 
     A row has kind, number, and for each scheme mean and largest spike [um] and mean duration [ms].
     """
-    columns = []
-    for scheme in data.schemes:
-        by_kind = reversal_figures(scheme.spikes, places=places)
-        columns.append({(math.isnan(f.angle), np.nan_to_num(f.angle), data.axes.index(f.axis), -f.direction): f for f in by_kind})
+    columns = [
+        {
+            (math.isnan(f.angle), np.nan_to_num(f.angle), data.axes.index(f.axis), -f.direction): f
+            for f in reversal_figures(scheme.spikes, places=places)
+        }
+        for scheme in data.schemes
+    ]
     keys = sorted({key for column in columns for key in column})
     if not keys:
         return None
@@ -153,10 +156,8 @@ def reversal_text(data: ReportData) -> str:
     if reversals is None:
         return ""
     heads = [Column("axis, direction (count)", left=True), *map(Column, reversals.heads)]
-    table = Table(heads, "Reversal spikes, mean / largest [um]")
-    for where, many, cells in reversals.rows:
-        table.add(f"{where} ({many})", *(f"{mean} / {top}" for mean, top, _ in cells))
-    return table.text()
+    rows = ((f"{where} ({many})", *(f"{mean} / {top}" for mean, top, _ in cells)) for where, many, cells in reversals.rows)
+    return Table(heads, "Reversal spikes, mean / largest [um]", rows=rows).text()
 
 
 def _kind(figures: ReversalFigures, mixed: bool) -> str:

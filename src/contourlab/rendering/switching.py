@@ -10,7 +10,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.figures import figure
-from contourlab.loop.switches import Switches, SwitchKind
+from contourlab.loop.switches import Switches
 from contourlab.rendering.charts import Chart, Curve, Panel
 from contourlab.rendering.data import JudgedRun, ReportData
 from contourlab.rendering.samples import signal
@@ -50,18 +50,12 @@ class SwitchTable:
 
 def switch_lines(data: ReportData) -> list[str]:
     """Return an ASCII line for each axis with several controllers: number of switches and reasons."""
-    lines = []
-    for scheme in data.schemes:
-        if scheme.switches is None:
-            continue
-        counts = scheme.switches.counts()
-        for axis in scheme.switches.axes:
-            own = {kind: count for kind, count in counts.items() if kind.axis == axis}
-            lines.append(f"{scheme.name}: {axis}: {_in_words(own, scheme.switches.first[axis])}")
-    return lines
+    known = ((scheme.name, scheme.switches) for scheme in data.schemes if scheme.switches is not None)
+    return [f"{name}: {axis}: {_in_words(switches, axis)}" for name, switches in known for axis in switches.axes]
 
 
-def _in_words(counts: dict[SwitchKind, int], first: str) -> str:
+def _in_words(switches: Switches, axis: str) -> str:
+    counts, first = {kind: count for kind, count in switches.counts().items() if kind.axis == axis}, switches.first[axis]
     total = sum(counts.values())
     if not total:
         return f"no switch, {first} is always active"

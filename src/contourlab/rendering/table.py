@@ -6,7 +6,7 @@ import os
 import shutil
 import sys
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 PIPE_WIDTH = 80
 """Columns of output that goes to a file or a pipe, unless ``COLUMNS`` states others."""
@@ -38,8 +38,7 @@ class Column:
 class Table:
     """Rows of text under heads. The first `keys` columns name the rows; a table wider than the page repeats them.
 
-    >>> table = Table([Column("axis", left=True), Column("rms [um]")])
-    >>> table.add("x", "12.3")
+    >>> table = Table([Column("axis", left=True), Column("rms [um]")], rows=[("x", "12.3")])
     >>> print(table.text(40))
            rms
     axis  [um]
@@ -50,13 +49,13 @@ class Table:
     columns: Sequence[Column]
     title: str = ""
     keys: int = 1
-    rows: list[tuple[str, ...]] = field(default_factory=list)
+    rows: Iterable[Sequence[str]] = ()
 
-    def add(self, *cells: str) -> None:
-        """Add a row."""
-        if len(cells) != len(self.columns):
-            raise ValueError(f"{len(cells)} cells for {len(self.columns)} columns")
-        self.rows.append(cells)
+    def __post_init__(self) -> None:
+        self.rows = list(self.rows)
+        for cells in self.rows:
+            if len(cells) != len(self.columns):
+                raise ValueError(f"{len(cells)} cells for {len(self.columns)} columns")
 
     def text(self, width: int | None = None) -> str:
         """Return the table as lines of at most `width` characters, by default the width of the page.

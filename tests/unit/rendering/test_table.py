@@ -12,10 +12,9 @@ NAME = "controller.axes.x.controller.position_gain"
 CELLS = st.text("abcdefghij.0123456789", min_size=1, max_size=12)
 
 
-def wide() -> Table:
-    table = Table([Column("step", left=True), Column("parameter", left=True), *(Column(f"variant {i} [um]") for i in range(9))], keys=2)
-    table.add("1", NAME, *["12.34"] * 9)
-    return table
+def wide(*cells: str) -> Table:
+    columns = [Column("step", left=True), Column("parameter", left=True), *(Column(f"variant {i} [um]") for i in range(9))]
+    return Table(columns, keys=2, rows=[cells or ("1", NAME, *["12.34"] * 9)])
 
 
 @pytest.mark.parametrize("width", [60, 80, 100, 200])
@@ -27,8 +26,7 @@ def test_a_wide_table_becomes_panels_that_fit_and_repeat_the_names(width: int) -
 
 
 def test_prose_wraps_and_names_do_not() -> None:
-    table = Table([Column("parameter", left=True), Column("remark", prose=True)])
-    table.add(NAME, "words " * 20)
+    table = Table([Column("parameter", left=True), Column("remark", prose=True)], rows=[(NAME, "words " * 20)])
     lines = table.text(72).splitlines()
     assert NAME in lines[2]
     assert len(lines) > 3
@@ -40,16 +38,14 @@ PROSE = st.lists(CELLS, max_size=8).map(" ".join)
 
 @given(st.lists(st.tuples(CELLS, CELLS, PROSE, PROSE), min_size=1, max_size=5), st.integers(20, 120))
 def test_every_word_is_printed_whole(rows: list[tuple[str, str, str, str]], width: int) -> None:
-    table = Table([Column("a", left=True), Column("b"), Column("c", prose=True), Column("d", prose=True)])
-    for row in rows:
-        table.add(*row)
+    table = Table([Column("a", left=True), Column("b"), Column("c", prose=True), Column("d", prose=True)], rows=rows)
     printed = table.text(width).split()
     assert all(word in printed for row in rows for cell in row for word in cell.split())
 
 
 def test_a_row_with_too_few_cells_is_refused() -> None:
     with pytest.raises(ValueError):
-        wide().add("1")
+        wide("1")
 
 
 def test_the_page_is_as_wide_as_columns_says_and_80_without_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -60,8 +56,8 @@ def test_the_page_is_as_wide_as_columns_says_and_80_without_a_terminal(monkeypat
 
 
 def test_a_word_in_a_column_of_prose_is_never_cut_but_a_head_may_take_lines() -> None:
-    table = Table([Column("a", left=True), Column("with observer and modified reference"), Column("c", prose=True)])
-    table.add("x", "1.5", "controller_acceleration_feedforward and more words")
+    columns = [Column("a", left=True), Column("with observer and modified reference"), Column("c", prose=True)]
+    table = Table(columns, rows=[("x", "1.5", "controller_acceleration_feedforward and more words")])
     lines = table.text(60).splitlines()
     assert any("controller_acceleration_feedforward" in line for line in lines)
     assert any("observer" in line and "reference" not in line for line in lines) and max(map(len, lines)) <= 60

@@ -21,7 +21,6 @@ from contourlab.analysis.linear.divided_loop import link_growth
 from contourlab.analysis.linear.margins import Margins, doubling
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.app.json_values import HIDDEN, json_values
-from contourlab.app.results import staged
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array, Complex
 from contourlab.errors import ComponentError
@@ -158,10 +157,7 @@ class Analysis(Answer):
         OutputError
             If the folder cannot be written to.
         """
-        if not plots:
-            return self
-        with staged(folder, inputs=self.inputs) as stage:
-            return replace(self, files=self._draw(stage, folder, plots))
+        return replace(self, files=self._put(folder, plots, self.inputs))
 
     def _next(self, asked: Asked) -> Sequence[object]:
         """Run the schemes."""
@@ -248,17 +244,18 @@ def _analyse(case: Case, whole: bool) -> SchemeAnalysis:
 
 def _table(name: str, scheme: SchemeAnalysis) -> str:
     """Return the table of margins of loops and coupling."""
-    table = Table([Column("loop", left=True), *map(Column, ("gain margin", "phase margin", "at [Hz]", "modulus margin"))], name)
+    rows = []
     for axis, margins in scheme.margins.items():
-        crossover, modulus = (number(margins.crossover / (2.0 * math.pi)), number(margins.modulus)) if margins.stable else (NONE, NONE)
-        table.add(f"axis {axis}", decibel(margins), degrees(margins), crossover, modulus)
-    if scheme.coupling is not None and scheme.coupling.margins.stable:
-        over = scheme.coupling.margins
-        at = number(over.modulus_frequency / (2.0 * math.pi))
-        table.add("coupling, worst direction", gain_words(over.gain), phase_words(over.phase), at, number(over.modulus))
-    elif scheme.coupling is not None:
-        table.add("coupling, worst direction", "unstable", NONE, NONE, NONE)
-    return table.text()
+        ends = (number(margins.crossover / (2.0 * math.pi)), number(margins.modulus)) if margins.stable else (NONE, NONE)
+        rows.append((f"axis {axis}", decibel(margins), degrees(margins), *ends))
+    if scheme.coupling is not None:
+        over, words = scheme.coupling.margins, ("unstable", NONE, NONE, NONE)
+        if over.stable:
+            at = number(over.modulus_frequency / (2.0 * math.pi))
+            words = gain_words(over.gain), phase_words(over.phase), at, number(over.modulus)
+        rows.append(("coupling, worst direction", *words))
+    heads = ("gain margin", "phase margin", "at [Hz]", "modulus margin")
+    return Table([Column("loop", left=True), *map(Column, heads)], name, rows=rows).text()
 
 
 FAR = 3.0  # loop gains larger than this are not drawn

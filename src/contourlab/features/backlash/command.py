@@ -109,31 +109,35 @@ def backlash(*source: Source, settings: Backlash, session: Session = QUIET) -> B
 def _texts(name: str, study: BacklashStudy, period: float) -> Iterator[str]:
     """Yield the conclusions of a study, its tables and the recommended compensation."""
     yield paragraphs([_sentence(name, study), *map(str, study.findings)])
-    heads = ("gap in file [um]", "lost motion [um]", "motor and load: lost motion [um]", "motor alone: gap [um]", "confidence")
-    gaps = Table([Column("axis", left=True), *map(Column, heads)])
-    if study.on_circle is not None:
-        gaps.columns = [*gaps.columns, Column("on the circle, controlled [um]")]
+    heads = ["gap in file [um]", "lost motion [um]", "motor and load: lost motion [um]", "motor alone: gap [um]", "confidence"]
+    heads += [] if study.on_circle is None else ["on the circle, controlled [um]"]
     on_circle = {} if study.on_circle is None else dict(zip(study.on_circle.axes, study.on_circle.backlash, strict=True))
-    cycles = Table([Column("axis", left=True), Column("limit cycle", left=True), Column("frequency [Hz]"), Column("amplitude [um]")])
+    gaps, cycles = [], []
     for axis, gap in study.axes.items():
         pair, alone = gap.from_motor_and_load, gap.from_motor_alone
         seen = NONE if pair is None else _plus_minus(pair.lost_motion, pair.lost_motion_deviation)
         cells = [NONE, NONE] if alone is None else [_plus_minus(alone.gap, alone.deviation), f"{alone.confidence:.2f}"]
         left = [] if study.on_circle is None else [number(1e6 * on_circle[axis]) if axis in on_circle else NONE]
-        gaps.add(axis, number(1e6 * gap.backlash_gap), number(1e6 * gap.lost_motion), seen, *cells, *left)
-        for kind, cycles_found in (("describing function", gap.describing_function), ("exact, without friction", gap.limit_cycles)):
-            for cycle in cycles_found or ():
-                cycles.add(axis, _kind(kind, cycle, period), number(cycle.frequency, 4), number(1e6 * cycle.amplitude))
-            if cycles_found == ():
-                cycles.add(axis, f"{kind}: none", NONE, NONE)
-    yield gaps.text()
-    if cycles.rows:
-        yield cycles.text()
-    trials = Table([Column("compensation", left=True), Column("part error rms [um]"), Column("largest [um]"), Column("", left=True)])
-    for trial in study.trials:
-        errors = (NONE if error is None else number(1e6 * error) for error in (trial.part_error_rms, trial.part_error_max))
-        trials.add(trial.name, *errors, "recommended" if trial.name == study.recommended else "")
-    yield trials.text()
+        gaps.append((axis, number(1e6 * gap.backlash_gap), number(1e6 * gap.lost_motion), seen, *cells, *left))
+        for kind, predicted in (("describing function", gap.describing_function), ("exact, without friction", gap.limit_cycles)):
+            cycles += [
+                (axis, _kind(kind, cycle, period), number(cycle.frequency, 4), number(1e6 * cycle.amplitude)) for cycle in predicted or ()
+            ]
+            cycles += [(axis, f"{kind}: none", NONE, NONE)] if predicted == () else []
+    yield Table([Column("axis", left=True), *map(Column, heads)], rows=gaps).text()
+    if cycles:
+        columns = [Column("axis", left=True), Column("limit cycle", left=True), Column("frequency [Hz]"), Column("amplitude [um]")]
+        yield Table(columns, rows=cycles).text()
+    trials = (
+        (
+            trial.name,
+            *(NONE if error is None else number(1e6 * error) for error in (trial.part_error_rms, trial.part_error_max)),
+            "recommended" if trial.name == study.recommended else "",
+        )
+        for trial in study.trials
+    )
+    columns = [Column("compensation", left=True), Column("part error rms [um]"), Column("largest [um]"), Column("", left=True)]
+    yield Table(columns, rows=trials).text()
     if study.toml:
         yield f"Add to the scenario:\n\n{study.toml.rstrip()}"
 

@@ -127,24 +127,24 @@ class Checked(Answer):
         lines.append(f"{self.faults} fault{'s' * (self.faults > 1)}" if self.faults else "no fault in the program")
         return "\n".join([*lines, paragraphs([f"{name:<12}{value}" for name, value in self._rows()], indent=" " * 12)])
 
-    def _rows(self) -> list[tuple[str, str]]:
-        rows = [("lines", f"{self.n_line}"), ("moves", ", ".join(f"{n} {kind}" for kind, n in self.moves.items()) or "none")]
+    def _rows(self) -> Iterator[tuple[str, str]]:
+        yield "lines", f"{self.n_line}"
+        yield "moves", ", ".join(f"{n} {kind}" for kind, n in self.moves.items()) or "none"
         for name, (low, high) in self.box.items():
-            rows.append((f"box {name}", f"{low * 1e3:.6g} .. {high * 1e3:.6g} mm ({(high - low) * 1e3:.6g} mm)"))
+            yield f"box {name}", f"{low * 1e3:.6g} .. {high * 1e3:.6g} mm ({(high - low) * 1e3:.6g} mm)"
         if self.cycle_time is not None and self.feed_time_without_acceleration is not None:
-            rows.append(("path", f"{self.length['feed'] * 1e3:.6g} mm feed, {self.length['rapid'] * 1e3:.6g} mm rapid"))
+            yield "path", f"{self.length['feed'] * 1e3:.6g} mm feed, {self.length['rapid'] * 1e3:.6g} mm rapid"
             ideal = _duration(self.feed_time_without_acceleration)
             detail = f"dwells {self.dwell:.3g} s; feed moves without acceleration {ideal}"
             detail += f"; planned in parts, with {self.added_stops} added stops" if self.added_stops else ""
-            rows.append(("cycle time", f"{_duration(self.cycle_time)} on {self.machine['name']} ({detail})"))
+            yield "cycle time", f"{_duration(self.cycle_time)} on {self.machine['name']} ({detail})"
         feeds = self.feeds_mm_per_min
         shown = [f"{feed:g}" for feed in feeds] if len(feeds) <= MOST_FEEDS else [f"{len(feeds)} from {feeds[0]:g} to {feeds[-1]:g}"]
-        rows.append(("feeds", (", ".join(shown) + " mm/min") if feeds else "none"))
+        yield "feeds", (", ".join(shown) + " mm/min") if feeds else "none"
         if self.spindle_speeds:
-            rows.append(("spindle", ", ".join(f"{speed:g}" for speed in self.spindle_speeds) + " rpm"))
+            yield "spindle", ", ".join(f"{speed:g}" for speed in self.spindle_speeds) + " rpm"
         if self.tools:
-            rows.append(("tools", ", ".join(f"T{tool}" for tool in self.tools)))
-        return rows
+            yield "tools", ", ".join(f"T{tool}" for tool in self.tools)
 
 
 @question(Check)

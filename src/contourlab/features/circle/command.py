@@ -261,11 +261,9 @@ class CircleTest(Answer):
         return f"{verdict}circular deviation {figure(self.circular_deviation, 'um')}{largest}."
 
     def _causes(self) -> Table:
-        table = Table([Column("cause", left=True), Column("adds [um]"), Column("value", left=True)])
-        for cause in self.causes:
-            adds = plus_minus(cause.contribution, cause.deviation)
-            table.add(cause.name, adds if cause.is_sure else f"({adds})", value_text(cause))
-        return table
+        adds = (plus_minus(cause.contribution, cause.deviation) for cause in self.causes)
+        rows = ((one.name, size if one.is_sure else f"({size})", value_text(one)) for one, size in zip(self.causes, adds, strict=True))
+        return Table([Column("cause", left=True), Column("adds [um]"), Column("value", left=True)], rows=rows)
 
     def _about(self) -> Iterator[str]:
         senses = [f"{'clockwise' if run.clockwise else 'counter-clockwise'} {figure(run.circular_deviation, 'um')}" for run in self.runs]

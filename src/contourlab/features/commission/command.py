@@ -516,13 +516,10 @@ def circle_png(errors: Curves) -> bytes:
 
 def gain_table(axes: tuple[AxisSetup, ...], columns: Mapping[str, Mapping[str, Mapping[str, float]]]) -> Table:
     """Return a table of axis, gain, and its value in each column; gains that are zero everywhere are left out."""
-    table = Table([Column("gain", left=True), *map(Column, columns)])
-    for axis in axes:
-        for name in axis.gains:
-            values = [gains[axis.name][name] for gains in columns.values() if axis.name in gains]
-            if len(values) == len(columns) and any(values):
-                table.add(f"{axis.name} {name}", *map(text_of, values))
-    return table
+    names = ((axis.name, name) for axis in axes for name in axis.gains)
+    rows = ((axis, name, [gains[axis][name] for gains in columns.values() if axis in gains]) for axis, name in names)
+    whole = ((f"{axis} {name}", *map(text_of, values)) for axis, name, values in rows if len(values) == len(columns) and any(values))
+    return Table([Column("gain", left=True), *map(Column, columns)], rows=whole)
 
 
 def page(

@@ -139,10 +139,6 @@ def terms_of(control: str, cascades: Mapping[str, Cascade]) -> tuple[Term, ...]:
 
 def term_table(terms: tuple[Term, ...]) -> Table:
     """Return the parameters as a table, with a column for each axis."""
-    table = Table(
-        [Column("parameter", left=True), *(Column(axis) for axis in terms[0].values), Column("unit", left=True), Column("maps", left=True)]
-    )
-    for term in terms:
-        values = (figure(value) if math.isfinite(value) else "-" for value in term.values.values())
-        table.add(term.name, *values, term.unit, term.maps)
-    return table
+    columns = [Column("parameter", left=True), *map(Column, terms[0].values), Column("unit", left=True), Column("maps", left=True)]
+    shown = ([figure(value) if math.isfinite(value) else "-" for value in term.values.values()] for term in terms)
+    return Table(columns, rows=((term.name, *values, term.unit, term.maps) for term, values in zip(terms, shown, strict=True)))

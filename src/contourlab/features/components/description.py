@@ -91,10 +91,8 @@ def _summary(kind: type[Component]) -> str:
 def overview(kinds: Sequence[type[Component]]) -> Table:
     """Return one row for each component."""
     prose = (Column(head, prose=True) for head in ("description", "parameters", "reference"))
-    table = Table([Column("family", left=True), Column("kind", left=True), *prose])
-    for kind in kinds:
-        table.add(kind.family, kind.kind, _summary(kind), ", ".join(kind.parameters), kind.reference)
-    return table
+    rows = ((kind.family, kind.kind, _summary(kind), ", ".join(kind.parameters), kind.reference) for kind in kinds)
+    return Table([Column("family", left=True), Column("kind", left=True), *prose], rows=rows)
 
 
 def details(kind: type[Component]) -> list[str]:
@@ -106,10 +104,8 @@ def details(kind: type[Component]) -> list[str]:
 
 def _parameter_table(head: str, parameters: Mapping[str, Parameter]) -> Table:
     names = (Column(name, left=True) for name in (head, "unit", "bounds", "default"))
-    table = Table([*names, Column("meaning", prose=True), Column("source", prose=True)])
-    for name, parameter in parameters.items():
-        table.add(name, *parameter_cells(parameter))
-    return table
+    rows = ((name, *parameter_cells(parameter)) for name, parameter in parameters.items())
+    return Table([*names, Column("meaning", prose=True), Column("source", prose=True)], rows=rows)
 
 
 def parameter_cells(parameter: Parameter) -> tuple[str, str, str, str, str]:

@@ -143,10 +143,12 @@ class Exported(Answer):
     @property
     def text(self) -> str:
         """Table of the axes, findings, and the files written."""
-        table = Table([Column("axis", left=True), *(Column(head, prose=True, left=True) for head in ("inputs", "command", "parameters"))])
-        for axis, made in self.axes.items():
-            command = made.outputs[0]
-            table.add(axis, _names(made.inputs), f"{command.name} [{command.unit}]", _names(made.parameters))
+        columns = [Column("axis", left=True), *(Column(head, prose=True, left=True) for head in ("inputs", "command", "parameters"))]
+        rows = (
+            (axis, _names(made.inputs), f"{made.outputs[0].name} [{made.outputs[0].unit}]", _names(made.parameters))
+            for axis, made in self.axes.items()
+        )
+        table = Table(columns, rows=rows)
         files = "\n".join(map(str, self.files))
         return "\n\n".join(filter(None, [table.text(), paragraphs(map(str, self.findings)), f"hash: {self.hash}\n{files}"]))
 

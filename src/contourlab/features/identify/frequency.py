@@ -275,18 +275,15 @@ def _point_table(response: MeasuredResponse, unit: str) -> Table:
         wanted = np.geomspace(response.frequency[0], response.frequency[-1], PRINTED)
         chosen = np.unique(np.searchsorted(response.frequency, wanted).clip(0, chosen.size - 1))
     heads = ("frequency [Hz]", f"velocity [mm/s/{unit or 'command'}]", "phase [deg]", "deviation [%]", "coherence", "harmonics [%]")
-    table = Table([Column(head) for head in heads])
-    for i in chosen:
-        velocity, harmonics = response.velocity[i], response.distortion[i]
-        table.add(
-            f"{response.frequency[i]:.4g}",
-            f"{1e3 * abs(velocity):.4g}",
-            f"{np.degrees(np.angle(velocity)):.4g}",
-            f"{100.0 * response.deviation[i]:.2g}",
-            f"{response.coherence[i]:.3f}",
-            "" if np.isnan(harmonics) else f"{100.0 * harmonics:.2g}",
+    columns = (response.frequency, response.velocity, response.deviation, response.coherence, response.distortion)
+    rows = (
+        (
+            *(f"{frequency:.4g}", f"{1e3 * abs(velocity):.4g}", f"{np.degrees(np.angle(velocity)):.4g}"),
+            *(f"{100.0 * deviation:.2g}", f"{coherence:.3f}", "" if np.isnan(harmonics) else f"{100.0 * harmonics:.2g}"),
         )
-    return table
+        for frequency, velocity, deviation, coherence, harmonics in zip(*(column[chosen] for column in columns), strict=True)
+    )
+    return Table([*map(Column, heads)], rows=rows)
 
 
 def _bode(title: str, response: MeasuredResponse, unit: str, model: tuple[Array, Complex] | None = None) -> Chart:

@@ -111,10 +111,11 @@ def _units(unit: str) -> dict[str, str]:
 
 def _stretch_table(stretches: Sequence[Stretch], unit: str) -> Table:
     heads = ("speed [mm/s]", f"mean [{unit}]", "deviation", "scatter within", "samples")
-    table = Table([*(Column(head) for head in heads), Column("log", left=True)])
-    for s in sorted(stretches, key=lambda s: s.speed):
-        table.add(f"{1e3 * s.speed:.4g}", f"{s.command:.4g}", f"{s.deviation:.2g}", f"{s.scatter:.3g}", f"{s.count}", s.source)
-    return table
+    rows = (
+        (f"{1e3 * s.speed:.4g}", f"{s.command:.4g}", f"{s.deviation:.2g}", f"{s.scatter:.3g}", f"{s.count}", s.source)
+        for s in sorted(stretches, key=lambda s: s.speed)
+    )
+    return Table([*map(Column, heads), Column("log", left=True)], rows=rows)
 
 
 def _mean(x: Mapping[str, float], name: str) -> float:
@@ -237,10 +238,8 @@ def _ramp_findings(ways: Mapping[str, Sequence[Breakaway]]) -> list[Finding]:
 
 def _ramp_table(ramps: Sequence[Breakaway], unit: str) -> Table:
     heads = ("time [s]", f"breakaway [{unit}]", "deviation", f"rate [{unit}/s]", "fit [%]")
-    table = Table([Column(head) for head in heads])
-    for b in ramps:
-        table.add(f"{b.time:.4g}", f"{b.level:.5g}", f"{b.deviation:.2g}", f"{b.rate:.3g}", f"{b.fit:.4g}")
-    return table
+    rows = ((f"{b.time:.4g}", f"{b.level:.5g}", f"{b.deviation:.2g}", f"{b.rate:.3g}", f"{b.fit:.4g}") for b in ramps)
+    return Table([*map(Column, heads)], rows=rows)
 
 
 def _stiction_tables(ways: Sequence[Sequence[Breakaway]], unit: str, source: str) -> Tables:

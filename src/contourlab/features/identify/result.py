@@ -14,7 +14,6 @@ import numpy as np
 
 from contourlab.analysis.identification.least_squares import Estimate
 from contourlab.app.json_values import HIDDEN, json_values
-from contourlab.app.results import staged
 from contourlab.app.session import Answer, Asked
 from contourlab.arrays import Array
 from contourlab.components.origin import Origin
@@ -115,12 +114,12 @@ class Identification(Answer):
         parts = [f"{join_names(self.logs)}, axis {self.axis}, model {self.model}"]
         if self.parameters:
             heads = ("value", "deviation", "robust", "robust [%]")
-            table = Table([Column("parameter", left=True), *map(Column, heads), Column("unit", left=True)])
+            rows = []
             for name, x in self.parameters.items():
                 share = 100.0 * x.robust_deviation / abs(x.value) if x.value else math.inf
                 cells = f"{x.deviation:.3g}", f"{x.robust_deviation:.3g}", f"{share:.2g}"
-                table.add(name, f"{x.value:.6g}", *(("-",) * 3 if math.isnan(x.robust_deviation) else cells), x.unit)
-            parts.append(table.text())
+                rows.append((name, f"{x.value:.6g}", *(("-",) * 3 if math.isnan(x.robust_deviation) else cells), x.unit))
+            parts.append(Table([Column("parameter", left=True), *map(Column, heads), Column("unit", left=True)], rows=rows).text())
         parts += [] if self.fit_percent is None else [f"fit {self.fit_percent:.4g} %"]
         parts += self.lines
         parts += [] if self.points is None else [self.points.text()]
@@ -165,10 +164,7 @@ class Identification(Answer):
         OutputError
             If a file cannot be written.
         """
-        drawn: tuple[Path, ...] = ()
-        if plots:
-            with staged(folder, inputs=self.inputs) as stage:
-                drawn = self._draw(stage, folder, plots)
+        drawn = self._put(folder, plots, self.inputs)
         wanted = None if write is None else Path(write)
         file = wanted if self.usable and self.tables else None
         if file is not None:

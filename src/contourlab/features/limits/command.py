@@ -403,25 +403,25 @@ class LimitTest(Answer):
 
     def _peaks(self) -> Table:
         heads = [Column("axis", left=True), Column("", left=True), *map(Column, ("largest", "limit", "use", "at", "line"))]
-        table = Table(heads, keys=2)
+        rows = []
         for peak in self.peaks:
             unit, worst = UNITS[peak.kind], peak.worst
             limit = figure(worst.limit, unit) if math.isfinite(worst.limit) else NONE
             largest = figure(worst.value, unit)
             if 0.0 < 1e-3 * worst.value < worst.allowance:
                 largest = f"{largest.split()[0]} +- {figure(worst.allowance, unit, 2)}"
-            table.add(peak.axis, peak.kind, largest, limit, _percent(peak.use), f"{number(worst.time, 5)} s", str(peak.line or NONE))
-        return table
+            rows.append((peak.axis, peak.kind, largest, limit, _percent(peak.use), f"{number(worst.time, 5)} s", str(peak.line or NONE)))
+        return Table(heads, keys=2, rows=rows)
 
     def _lines(self) -> Table:
         heads = ("line", "use", "limit", "at [s]", "takes [s]", "largest error [um]")
         shown = heads if any(line.error is not None for line in self.worst) else heads[:-1]
-        table = Table([Column(head, left=head == "limit") for head in shown], "Worst lines of the program")
+        rows = []
         for row in self.worst:
             error = NONE if row.error is None else number(1e6 * row.error)
             cells = (str(row.line), _percent(row.use), f"{row.kind} {row.axis}", number(row.start, 5), number(row.duration), error)
-            table.add(*cells[: len(shown)])
-        return table
+            rows.append(cells[: len(shown)])
+        return Table([Column(head, left=head == "limit") for head in shown], "Worst lines of the program", rows=rows)
 
 
 def _percent(use: float | None) -> str:

@@ -11,12 +11,10 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from contourlab.app.json_values import write_json
-from contourlab.app.results import staged
-from contourlab.app.session import Answer, Asked
+from contourlab.app.session import Answer, Asked, interrupt
 from contourlab.features.link.cost import DivisionCost
 from contourlab.features.link.sweep import GROWN, QUANTITIES, LinkSweep
-from contourlab.figures import figure
+from contourlab.figures import figure, grouped
 from contourlab.findings import Finding, finding
 from contourlab.metrics.run_figures import GOALS
 from contourlab.rendering.charts import Chart, Curve, Level, Panel
@@ -68,10 +66,8 @@ class SchemeCost:
         sweeps = self.divisions[0].sweeps
         found = [finding("CL765")] if self.coarse else [*_ranges(sweeps)]
         for quantity in sweeps:
-            ended: dict[str, list[str]] = {}
-            for cost in self.divisions:
-                if cost.sweeps[quantity].ended_early:
-                    ended.setdefault(amount(quantity, float(cost.sweeps[quantity].values[-1])), []).append(cost.name)
+            early = ((cost.name, cost.sweeps[quantity]) for cost in self.divisions if cost.sweeps[quantity].ended_early)
+            ended = grouped((amount(quantity, float(sweep.values[-1])), name) for name, sweep in early)
             found += [finding("CL761", words(quantity), last=last, names=names) for last, names in ended.items()]
         failed = ((cost.name, sweep) for cost in self.divisions for sweep in cost.sweeps.values() if math.isnan(sweep.most))
         return (*found, *(self._nothing_holds(f"{name}, {words(sweep.quantity)}", sweep) for name, sweep in failed))
@@ -86,11 +82,8 @@ class SchemeCost:
 
 def _ranges(sweeps: Mapping[str, LinkSweep]) -> Iterator[Finding]:
     """Yield the ranges tested, once for all quantities with the same."""
-    ranges: dict[tuple[str, str], list[str]] = {}
-    for quantity, sweep in sweeps.items():
-        gaps = np.diff(sweep.values, prepend=0.0)
-        step, last = amount(quantity, float(gaps[gaps > 0.0].min())), amount(quantity, sweep.asked)
-        ranges.setdefault((step, last), []).append(words(quantity))
+    gaps = ((quantity, sweep, np.diff(sweep.values, prepend=0.0)) for quantity, sweep in sweeps.items())
+    ranges = grouped(((amount(of, float(gap[gap > 0.0].min())), amount(of, sweep.asked)), words(of)) for of, sweep, gap in gaps)
     for (step, last), names in ranges.items():
         yield finding("CL759", ", ".join(names), step=step, last=last)
 
@@ -129,11 +122,8 @@ class LinkResult(Answer):
     @property
     def stopped(self) -> BaseException | None:
         """The interrupt that ended the work, if one did."""
-        if not self.interrupted:
-            return None
-        end = KeyboardInterrupt()
-        end.add_note(f"Finished before, and kept in {Path(self.folder) / 'summary.json'}:\n\n{self.text}")
-        return end
+        kept = Path(self.folder) / "summary.json"
+        return interrupt(f"Finished before, and kept in {kept}:\n\n{self.text}") if self.interrupted else None
 
     @property
     def rows(self) -> list[dict[str, Any]]:
@@ -168,9 +158,7 @@ class LinkResult(Answer):
         OutputError
             If the folder cannot be written to.
         """
-        with staged(folder, "summary.json", inputs=self.scenario.inputs) as stage:
-            write_json(stage / "summary.json", self)
-            files = self._draw(stage, folder, plots)
+        files = self._put(folder, plots, self.scenario.inputs, "summary.json")
         return replace(self, plots=files, folder=str(folder))
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
@@ -189,18 +177,18 @@ def scheme_text(name: str, costs: SchemeCost) -> str:
     head = f"{name}\n{costs.figure.replace('_', ' ')}: {undivided} undivided, {allowed} allowed"
     title = "Largest value that holds, all others as given; times are for one direction"
     left = Column("in the axis, messages", left=True)
-    largest = Table([left, Column(f"error [{unit}]"), *(Column(words(quantity)) for quantity in quantities)], title)
-    for cost in divisions:
-        error = "diverges" if math.isnan(cost.error) else figure(cost.error, unit, 4).removesuffix(f" {unit}")
-        largest.add(cost.name, error, *(largest_held(cost.sweeps[quantity]) for quantity in quantities))
+    errors = ("diverges" if math.isnan(cost.error) else figure(cost.error, unit, 4).removesuffix(f" {unit}") for cost in divisions)
+    rows = (
+        (cost.name, error, *(largest_held(cost.sweeps[quantity]) for quantity in quantities))
+        for cost, error in zip(divisions, errors, strict=True)
+    )
+    largest = Table([left, Column(f"error [{unit}]"), *(Column(words(quantity)) for quantity in quantities)], title, rows=rows)
     parts = [head + _slowest(costs), largest.text()]
     timed = [quantity for quantity in ("message_period", "delay") if quantity in quantities]
     if timed and not costs.coarse:
         title = "Largest value at which the loop is stable, by linear model / by simulation without friction (-: unknown)"
-        stable = Table([left, *(Column(words(quantity)) for quantity in timed)], title)
-        for cost in divisions:
-            stable.add(cost.name, *(_stable(cost.sweeps[quantity]) for quantity in timed))
-        parts.append(stable.text())
+        rows = ((cost.name, *(_stable(cost.sweeps[quantity]) for quantity in timed)) for cost in divisions)
+        parts.append(Table([left, *(Column(words(quantity)) for quantity in timed)], title, rows=rows).text())
     shared = [one for one in divisions[0].findings if all(one in cost.findings for cost in divisions)]
     lines = [str(one) for one in (*costs.findings, *shared)]
     lines += [f"{cost.name}: {one}" for cost in divisions for one in cost.findings if one not in shared]

@@ -9,10 +9,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
 from contourlab.app.shared_options import LogColumns
-from contourlab.errors import LogError, ParameterError, UnitError
+from contourlab.errors import LogError
 from contourlab.logs import Column, Columns, Log, Record, parse_columns, read_columns, read_record, result_of
 from contourlab.logs.mapping import once
-from contourlab.units import to_si
 
 if TYPE_CHECKING:
     from contourlab.geometry import Path as Contour
@@ -104,30 +103,6 @@ def distinct_names(files: Sequence[str | os.PathLike[str]]) -> list[str]:
         return Path(*path[-length:]).as_posix()
 
     return [name(path) for path in paths]
-
-
-def positive(option: str, text: str, unit: str, wanted: str) -> float:
-    """Read the value of an option, > 0, in SI.
-
-    Parameters
-    ----------
-    unit : str
-        SI unit of the expected dimension.
-    wanted : str
-        Expected form, for the message.
-
-    Raises
-    ------
-    ParameterError
-        If the text is not such a quantity, or not positive.
-    """
-    try:
-        value = to_si(text, unit)
-    except UnitError as error:
-        raise ParameterError(option, repr(text), wanted) from error
-    if not value > 0.0:
-        raise ParameterError(option, text, "> 0")
-    return value
 
 
 def is_program(reference: str) -> bool:

@@ -8,7 +8,6 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, ClassVar
 
-from contourlab.analysis.linear.margins import Margins
 from contourlab.app.json_values import json_values
 from contourlab.app.results import proposed
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
@@ -201,8 +200,10 @@ def _design_text(axis: str, design: NotchDesign) -> str:
     )
     both = (design.margins_before, design.margins_after)
     rows = [("gain margin", *map(decibel, both)), ("phase margin", *map(degrees, both))]
-    for share, moved in zip((-MOVED, MOVED), design.margins_moved, strict=False):
-        rows.append((f"margins, resonance {100.0 * share:+.0f} %", "", _margins(moved)))
+    rows += [
+        (f"margins, resonance {100.0 * share:+.0f} %", "", f"{decibel(moved)}, {degrees(moved)}" if moved.stable else "unstable")
+        for share, moved in zip((-MOVED, MOVED), design.margins_moved, strict=False)
+    ]
     if math.isfinite(design.velocity_gain_before):
         gains = (design.velocity_gain_before, design.velocity_gain_after), (design.largest_before, design.largest_after)
         heads = ("velocity gain [command s/m]", "largest that keeps the margins")
@@ -211,17 +212,13 @@ def _design_text(axis: str, design: NotchDesign) -> str:
     return f"{paragraphs([head])}\n\n{table.text()}"
 
 
-def _margins(margins: Margins) -> str:
-    return f"{decibel(margins)}, {degrees(margins)}" if margins.stable else "unstable"
-
-
 def _runs(notched: Notched) -> str:
     if not notched.designs:
         return ""
     runs = {"before": notched.before, "before, lower gain": notched.without, "after": notched.after}
     shown = {head: run for head, run in runs.items() if run is not None}
-    rows = []
-    for one in map(FIGURES.__getitem__, SHOWN):
-        texts = ("diverges" if run.run is None else figure(run.figures[one.name], one.display) for run in shown.values())
-        rows.append((one.label, *texts))
+    rows = (
+        (one.label, *("diverges" if run.run is None else figure(run.figures[one.name], one.display) for run in shown.values()))
+        for one in map(FIGURES.__getitem__, SHOWN)
+    )
     return Table([Column("run", left=True), *map(Column, shown)], rows=rows).text()

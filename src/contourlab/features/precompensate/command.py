@@ -2,26 +2,267 @@
 
 from __future__ import annotations
 
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import cached_property, partial
 from pathlib import Path
 
+import numpy as np
+
+from contourlab.app.options import positive
 from contourlab.app.results import check_file, spared
 from contourlab.app.session import QUIET, Session, question
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, ProgramError, ResultError
 from contourlab.features.check.reading import reading_of
 from contourlab.features.measure.log_choice import LogChoice
-from contourlab.features.precompensate.law import Run, spread
+from contourlab.features.precompensate.law import CUTOFF, Run, fit_loop, learn, proposed, smoother, spread
 from contourlab.features.precompensate.options import Precompensate
-from contourlab.features.precompensate.passes import STATE, digest_of, load
-from contourlab.features.precompensate.result import Precompensated
-from contourlab.features.precompensate.runs import Measured, open_run, simulated
-from contourlab.features.precompensate.work import Work
+from contourlab.features.precompensate.passes import STATE, Passes, PassFigures, digest_of, load, save
+from contourlab.features.precompensate.result import LeftMove, Precompensated
+from contourlab.features.precompensate.runs import Measured, limits_of, open_run, run_of, simulated
+from contourlab.features.precompensate.writing import MARK, Contour, Written, contour_of, marked, parse_blocks, read_blocks, write_corrected
 from contourlab.features.run import options
 from contourlab.features.run.source import scenario_of
+from contourlab.feed import LimitReport
+from contourlab.figures import grouped
 from contourlab.findings import Finding, finding
 from contourlab.loop import Machine
-from contourlab.program import Reading
+from contourlab.program import Program, Reading
+from contourlab.program.reader import read_text, split_lines
+from contourlab.result import write_text_atomic
 from contourlab.scenario.load import machine_of
+
+NODE_TIME = 1e-3
+"""Least time between nodes at the programmed feed [s]."""
+SMOOTHER = 0.8
+"""Factor on the cutoff after a pass that took too long."""
+SLOWED = 0.01
+"""Share by which a pass may be slower than the program, up to which lines get feed words. They slow down a control that merges lines of one
+feed, or whose acceleration is zero between lines."""
+POOR = 0.5
+"""Unexplained share of the following error from which the model of the loop is doubted."""
+COVERED = 0.98
+"""Share of the corrected path that a log must cover."""
+AT_START = 0.5
+"""Share of the squared error that lies just after starts of cuts; from here on CL917 says so."""
+
+
+class Work:
+    """A program, its passes so far, and the program of the pass that was run last."""
+
+    def __init__(
+        self, part: Path, axes: Sequence[str], settings: Precompensate, reading: Reading, machine: Machine | None, period: float
+    ) -> None:
+        self.part, self.reading, self.machine = part, reading, machine
+        self.tolerance, self.cap = settings.si("tolerance"), settings.si("cap")
+        self.band = positive("--band", settings.band, "", 'a share, such as "2 %"')
+        period = max(NODE_TIME, period)
+        source = read_blocks(part, reading, axes)
+        if any(MARK in line for line in source.program.lines[:2]):
+            raise ProgramError("is a corrected program: give the one before any correction, and the folder with --passes", file=part)
+        self.contour = contour_of(source, axes, period)
+        if not self.contour.corrected.any():
+            raise ProgramError(f"no cutting move along {', '.join(axes)} can be corrected", file=part)
+        known = repr((tuple(axes), period, self.tolerance))
+        self.passes = Passes(digest_of("\n".join(source.program.lines).encode("utf-8", "replace"), known.encode()), tuple(axes))
+        self.needs: LimitReport | None = None
+        self._read: tuple[Written, Contour] | None = None
+
+    @property
+    def driven(self) -> Contour:
+        """The contour of the last written program."""
+        if not self.passes.written:
+            return self.contour
+        written = self.passes.written[-1]
+        if self._read is None or self._read[0] is not written:
+            self._read = written, self.contour_again(written)
+        return self._read[1]
+
+    @cached_property
+    def is_interpreted(self) -> bool:
+        """Whether LinuxCNC's interpreter is installed and reads the program itself."""
+        if shutil.which("rs274") is None or self.reading.dialect != "linuxcnc":
+            return False
+        return not complaint("\n".join(split_lines(read_text(self.part))) + "\n", self.part.parent)
+
+    def contour_again(self, written: Written) -> Contour:
+        """Read a written program, and check that it is the corrected path and nothing else."""
+        reading = replace(self.reading, folder=self.part.parent) if self.reading.folder is None else self.reading
+        source = parse_blocks(written.text, f"corrected {self.part.name}", reading, self.contour.axes)
+        contour = contour_of(source, self.contour.axes, self.contour.period)
+        breaks = np.asarray(contour.path.breaks)
+        if len(breaks) != len(written.corrected_arc) or np.abs(breaks - written.corrected_arc).max() > 1e-6 + 1e-6 * breaks[-1]:
+            raise ProgramError("cannot be corrected: the written program would move differently elsewhere", file=self.part)
+        if contour.events != self.contour.events:
+            raise ProgramError("cannot be corrected: the written program would lose a code", file=self.part)
+        return contour
+
+    def run(self, measured: Measured) -> Run:
+        """Return what a run of the last written program shows.
+
+        Raises
+        ------
+        ResultError
+            If it is a run of another program, or of a part of it, or if all passes were learned from.
+        """
+        written = self.passes.written[-1] if self.passes.written else None
+        if written is not None and len(self.passes.figures) > len(self.passes.written):
+            raise ResultError(f"all passes were learned from: keep pass {self.passes.best}, or use a new folder with --passes")
+        try:
+            run = run_of(self.contour, measured, self.driven, written)
+        except ResultError as error:
+            if written is None:
+                raise
+            number, best = len(self.passes.written), self.passes.best
+            raise ResultError(f"pass {number} is to be run and logged, but {error} If it was, keep pass {best}, the best so far") from error
+        on = self.contour.is_corrected(self.contour.nodes)
+        covered = float(on[(self.contour.nodes >= run.place[0]) & (self.contour.nodes <= run.place[-1])].sum()) / float(on.sum())
+        if covered < COVERED:
+            raise ResultError(f"the log covers {covered:.0%} of the cuts: record from before the program's start to after its end")
+        return run
+
+    def learn(self, measured: Measured, runs: list[Run]) -> list[Finding]:
+        """Learn from the runs of a pass; return the findings."""
+        passes, run, nodes = self.passes, runs[0], self.contour.nodes
+        number, findings = len(passes.figures), list[Finding]()
+        first = passes.figures[0].duration if passes.figures else run.duration
+        rms, largest = float(np.sqrt(np.mean([one.rms**2 for one in runs]))), max(one.largest for one in runs)
+        fastest = tuple(run.velocity.tolist()), tuple(run.acceleration.tolist())
+        figures = PassFigures(number, rms, largest, run.duration, *fastest, run.duration <= (1.0 + self.band) * first)
+        if not passes.loops:
+            loops = tuple(fit_loop(*pair, measured.period) for pair in zip(measured.command.T, measured.motor.T, strict=True))
+            cutoff = CUTOFF * min(loop.bandwidth for loop in loops)
+            passes = replace(passes, loops=loops, cutoff=min(cutoff, 0.2 / measured.period))
+            findings += [
+                finding("CL913", f"axis {axis}", share=loop.unexplained)
+                for axis, loop in zip(passes.axes, loops, strict=True)
+                if loop.unexplained > POOR
+            ]
+            findings += self._starts(run, passes.cutoff)
+        learned = learn(passes.learned, runs, list(passes.loops), nodes, passes.cutoff)
+        self.passes = replace(passes, figures=(*passes.figures, figures), learned=learned)
+        best = self.passes.figures[self.passes.best]
+        if number and best.number != number and figures.in_time:
+            findings.append(finding("CL914", number=number, rms=figures.rms, best=best.number, least=best.rms))
+        if not figures.in_time:
+            cutoff = SMOOTHER * passes.cutoff
+            self.passes = replace(self.passes, cutoff=cutoff, learned=smoother(learned, run, nodes, cutoff))
+            findings += [finding("CL911", number=number, change=run.duration / first - 1.0, band=self.band), *self._free_corners()]
+        return findings
+
+    def _free_corners(self) -> list[Finding]:
+        """Name the sharpest corner that the control may round without a tolerance."""
+        contour, blocks = self.contour, self.contour.source.blocks
+        modes = [blocks[number - 1].move.mode for number in contour.route.source_line.tolist()]
+        is_free = np.array([mode.tolerance is None and mode.control in (None, "blend") for mode in modes])
+        (_, after), (_, before) = contour.path.starts, contour.path.ends
+        turn = np.linalg.norm(after[1:] - before[:-1], axis=1) * (is_free & contour.corrected)[:-1] * contour.corrected[1:]
+        if not contour.path.corners.size or turn.max() == 0.0:
+            return []
+        k = int(np.argmax(turn))
+        line = blocks[contour.route.source_line[k] - 1].lines[1]
+        angle = 2.0 * float(np.arcsin(min(0.5 * turn[k], 1.0)))
+        return [finding("CL918", angle=angle, line=contour.source.numbers[line - 1])]
+
+    def _starts(self, run: Run, cutoff: float) -> list[Finding]:
+        """Say where cuts begin while the axes still settle from the move before."""
+        square = np.where(run.moves, (run.error**2).sum(axis=1), 0.0)
+        first = [part[0] for part in self.contour.chunks]
+        begins = np.searchsorted(run.place, self.contour.path.breaks[first], side="right")
+        spans = [square[begin : begin + max(round(1.0 / (cutoff * run.period)), 1)].sum() for begin in begins.tolist()]
+        share = float(np.sum(spans) / max(square.sum(), 1e-300))
+        if share < AT_START:
+            return []
+        block = self.contour.source.blocks[self.contour.route.source_line[first[int(np.argmax(spans))]] - 1]
+        return [finding("CL917", share=share, time=1.0 / cutoff, line=self.contour.source.numbers[block.lines[0] - 1])]
+
+    def propose(self) -> list[Finding]:
+        """Write the program of the next pass; return the findings."""
+        learned = self.passes.learned
+        assert learned is not None
+        tried, capped = proposed(learned, self.cap, self.contour.room)
+        durations = [one.duration for one in self.passes.figures]
+        slowed = max(durations) > (1.0 + SLOWED) * durations[0]
+        written = write_corrected(self.contour, tried, self.tolerance, np.inf if slowed else (1.0 + self.band) * learned.speed)
+        written = replace(written, text=marked(written.text, len(self.passes.written) + 1, self.part.name))
+        self.passes = replace(self.passes, learned=replace(learned, tried=tried), written=(*self.passes.written, written))
+        driven = self.driven.source.program
+        findings = [finding("CL910", cap=self.cap, share=float(capped.mean()))] if capped.any() else []
+        if self.machine is not None and set(self.machine.axis_names) >= set(self.contour.axes):
+            findings += self._limits(self.machine, driven)
+        message = complaint(written.text, self.part.parent) if self.is_interpreted else ""
+        return [*findings, finding("CL916", message=message)] if message else findings
+
+    def _limits(self, machine: Machine, program: Program) -> Iterator[Finding]:
+        """Plan the written program on the machine, and compare what it needs with the program itself."""
+        self.needs = self.needs or limits_of(self.contour.source.program, machine)
+        after = limits_of(program, machine)
+        for kind in ("velocity", "acceleration", "jerk"):
+            for old, new in zip(getattr(self.needs, kind), getattr(after, kind), strict=True):
+                if new.ratio > max(1.005, 1.005 * old.ratio):
+                    axis = machine.axis_names[new.axis]
+                    yield finding("CL912", kind=kind, axis=axis, use=new.ratio, before=old.ratio, machine=machine.name)
+
+    def save(self, passes: Path | None, result: Precompensated) -> None:
+        """Write the program that a result names, if a pass gains, and what was learned into a folder, if there is one."""
+        if result.written:
+            write_text_atomic(result.out, self.passes.written[result.written - 1].text)
+        if passes is not None:
+            save(self.passes, passes)
+
+    def result(
+        self, out: Path, position: str, rest: float | None, findings: Sequence[Finding], proceed: bool, folder: Path | None = None
+    ) -> Precompensated:
+        """Return the result; `folder` is that of the passes."""
+        passes, learned = self.passes, self.passes.learned
+        assert learned is not None
+        number = len(passes.written) if proceed else passes.best
+        written = passes.written[number - 1] if number else None
+        source = self.contour.source
+        left = [LeftMove(source.numbers[b.lines[0] - 1], b.reason) for b in source.blocks if b.reason not in ("", "-")]
+        lines = grouped((move.reason, move.line) for move in left)
+        more = [finding("CL909", count=len(those), reason=reason, line=those[0]) for reason, those in lines.items()]
+        more += [] if passes.helps else [finding("CL915", best=passes.best)]
+        return Precompensated(
+            program=self.part.name,
+            out=str(out) if number else "",
+            position=position,
+            axes=passes.axes,
+            not_repeating=rest,
+            passes=passes.figures,
+            best=passes.best,
+            written=number,
+            status="next pass" if proceed else "done" if number else "no gain",
+            bandwidth={axis: loop.bandwidth for axis, loop in zip(passes.axes, passes.loops, strict=True) if np.isfinite(loop.bandwidth)},
+            cutoff=passes.cutoff,
+            correction=float(np.linalg.norm(learned.tried if proceed else learned.kept, axis=1).max()),
+            lines=0 if written is None else written.n_line,
+            shortest_line=None if written is None else written.shortest,
+            left=tuple(left),
+            findings=(*findings, *more),
+            writer=partial(self.save, folder),
+        )
+
+
+def complaint(text: str, folder: Path) -> str:
+    """Return what LinuxCNC's interpreter says against a program; empty for nothing."""
+    with tempfile.TemporaryDirectory() as name:
+        file = Path(name, "program.ngc")
+        file.write_text(text, encoding="utf-8", errors="replace")
+        try:
+            ran = subprocess.run(
+                ["rs274", "-g", str(file)], capture_output=True, text=True, errors="replace", timeout=60, cwd=folder, check=False
+            )
+        except (OSError, subprocess.TimeoutExpired):
+            return ""
+    lines = [line.strip() for line in ran.stderr.splitlines() if line.strip()]
+    return "" if ran.returncode == 0 else (lines[-1] if lines else f"code {ran.returncode}")[:200]
+
+
+# --- the question ---
 
 
 @question(Precompensate)

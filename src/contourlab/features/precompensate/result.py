@@ -142,11 +142,15 @@ class Precompensated(Answer):
         """What does not repeat, the passes, and what was written; if nothing was, this first."""
         repeats = "unknown from one run" if self.not_repeating is None else f"{figure(self.not_repeating, 'um')} rms"
         heads = ("pass", "rms [um]", "largest [um]", "cycle time [s]", "change")
-        table = Table([*map(Column, heads), Column("", left=True)])
-        for one in self.passes:
-            change = f"{100.0 * (one.duration / self.passes[0].duration - 1.0):+.2f} %"
-            marks = "best" if one.number == self.best else "" if one.in_time else "too slow"
-            table.add(str(one.number), f"{1e6 * one.rms:.2f}", f"{1e6 * one.largest:.1f}", f"{one.duration:.3f}", change, marks)
+        rows = (
+            (
+                *(str(one.number), f"{1e6 * one.rms:.2f}", f"{1e6 * one.largest:.1f}", f"{one.duration:.3f}"),
+                f"{100.0 * (one.duration / self.passes[0].duration - 1.0):+.2f} %",
+                "best" if one.number == self.best else "" if one.in_time else "too slow",
+            )
+            for one in self.passes
+        )
+        table = Table([*map(Column, heads), Column("", left=True)], rows=rows)
         lines = [f"does not repeat: {repeats}", f"position: {self.position}, axes {', '.join(self.axes)}", "", table.text()]
         if self.written:
             size, cutoff = figure(self.correction, "um"), figure(self.cutoff, "Hz")

@@ -639,10 +639,7 @@ def _text(contour: Contour, replaced: dict[int, _Lines]) -> str:
                 if _PLAIN.fullmatch(COMMENT.sub("", typed[number - 1])):
                     text = without_motion(typed[number - 1])
                     by_line[number] = [text] if text else []
-    written: list[str] = []
-    for number, line in enumerate(typed, 1):
-        written += by_line.get(number, [line])
-    return "\n".join(written) + "\n"
+    return "".join(f"{text}\n" for number, line in enumerate(typed, 1) for text in by_line.get(number, [line]))
 
 
 def marked(text: str, number: int, name: str) -> str:

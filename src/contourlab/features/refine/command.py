@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.app.json_values import HIDDEN
-from contourlab.app.results import spared, staged
+from contourlab.app.results import spared
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.errors import ParameterError, UnitError
 from contourlab.features.measure.log_choice import LogChoice, distinct_names, open_log
@@ -111,10 +111,7 @@ class Refinement(Answer):
         OutputError
             If a file cannot be written.
         """
-        saved = self
-        if plots:
-            with staged(folder, inputs=self.inputs) as stage:
-                saved = replace(saved, plots=self._draw(stage, folder, plots))
+        saved = replace(self, plots=self._put(folder, plots, self.inputs))
         if write is None:
             return saved
         if not self.result.usable:
@@ -137,12 +134,12 @@ class Refinement(Answer):
 
     def _parameters(self) -> Table:
         heads = ("start", "refined", "deviation", "deviation for a white residual")
-        table = Table([Column("parameter", left=True), *map(Column, heads)])
+        rows = []
         for parameter in self.result.parameters:
-            sought = parameter.sought
-            values = (sought.shown(sought.variable.value), sought.shown(parameter.value))
-            table.add(sought.label, *values, sought.shown(parameter.deviation, 2), sought.shown(parameter.white_deviation, 2))
-        return table
+            shown, start = parameter.sought.shown, parameter.sought.variable.value
+            deviations = shown(parameter.deviation, 2), shown(parameter.white_deviation, 2)
+            rows.append((parameter.sought.label, shown(start), shown(parameter.value), *deviations))
+        return Table([Column("parameter", left=True), *map(Column, heads)], rows=rows)
 
     def _agreements(self) -> Table:
         """Return the table of how well the simulation follows the logs."""
@@ -150,23 +147,26 @@ class Refinement(Answer):
         groups = {"before": result.before, "fitted": result.after, "unseen before": result.unseen_before, "unseen": result.unseen}
         groups |= {"validation before": self.validation_before, "validation": self.validation}
         left = ("samples", "run", "axis", "signal")
-        table = Table([*(Column(head, left=True) for head in left), *map(Column, ("explained", "fit", "residual rms"))])
-        for name, agreements in groups.items():
-            for one in agreements:
-                rms = figure(one.rms, "um" if one.signal == "position" else "")
-                table.add(name, one.run, one.axis, one.signal, figure(one.explained, "%", 5), figure(one.fit / 100.0, "%", 4), rms)
-        return table
+        rows = (
+            (
+                *(name, one.run, one.axis, one.signal, figure(one.explained, "%", 5), figure(one.fit / 100.0, "%", 4)),
+                figure(one.rms, "um" if one.signal == "position" else ""),
+            )
+            for name, agreements in groups.items()
+            for one in agreements
+        )
+        return Table([*(Column(head, left=True) for head in left), *map(Column, ("explained", "fit", "residual rms"))], rows=rows)
 
     def _held_out(self) -> str:
         """Return the table of the runs that were left out in turn; empty if there is none."""
         if self.cross_validation is None:
             return ""
         heads = ("error rms measured", "simulated", "maximum measured", "simulated")
-        table = Table([Column("left out", left=True), *map(Column, heads)])
+        rows = []
         for one in self.cross_validation.held_out:
             values = (one.measured_rms, one.simulated_rms, one.measured_max, one.simulated_max)
-            table.add(one.run + (", second half" if one.second_half else ""), *(figure(value, "um") for value in values))
-        return table.text()
+            rows.append((one.run + (", second half" if one.second_half else ""), *(figure(value, "um") for value in values)))
+        return Table([Column("left out", left=True), *map(Column, heads)], rows=rows).text()
 
 
 @question(Refine)

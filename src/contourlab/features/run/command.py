@@ -14,7 +14,7 @@ from contourlab import __version__
 from contourlab.app.command_line import as_typed, chosen_options
 from contourlab.app.json_values import json_values, write_json
 from contourlab.app.results import proposed, staged
-from contourlab.app.session import QUIET, Answer, Session, question
+from contourlab.app.session import QUIET, Answer, Session, interrupt, question
 from contourlab.components.friction.laws import NoFriction
 from contourlab.errors import DivergenceError, ScenarioError
 from contourlab.features.learn import learn as learn_machine
@@ -150,10 +150,8 @@ class Runs(JudgedRuns):
         """The interrupt, or the error of the first scheme that diverged."""
         if not self.interrupted:
             return next(iter(self.diverged.values()), None)
-        end = KeyboardInterrupt()
-        if "report" in self.files:
-            end.add_note(f"Kept {len(self.outcomes)} of {len(self.scenario.cases())} schemes: {self.files['report']}")
-        return end
+        kept = f"Kept {len(self.outcomes)} of {len(self.scenario.cases())} schemes: {self.files.get('report')}"
+        return interrupt(kept if "report" in self.files else "")
 
     @cached_property
     def data(self) -> Any:

@@ -102,8 +102,8 @@ def _table(runs: Runs) -> str:
     keys = ("max", "rms", "mean", "signed_mean", "integral")
     heads = [Column(f"{key.replace('_', ' ')} [{'um s' if key == 'integral' else 'um'}]") for key in keys]
     title = f"{runs.data.title}: part error against {figure(runs.data.tolerance, 'um')}"
-    table = Table([Column("scheme", left=True), *heads, Column("verdict", left=True)], title)
-    for outcome in runs.outcomes:
-        errors = (number(1e6 * getattr(outcome.metrics.part_error, key)) for key in keys)
-        table.add(outcome.name, *errors, "pass" if _passes(outcome) else "fail")
-    return table.text()
+    rows = (
+        (one.name, *(number(1e6 * getattr(one.metrics.part_error, key)) for key in keys), "pass" if _passes(one) else "fail")
+        for one in runs.outcomes
+    )
+    return Table([Column("scheme", left=True), *heads, Column("verdict", left=True)], title, rows=rows).text()

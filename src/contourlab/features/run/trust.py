@@ -187,15 +187,14 @@ def stated(numbers: Iterable[Number]) -> tuple[Number, ...]:
 
 def numbers_of(machine: Machine, controller: Controller) -> tuple[Number, ...]:
     """Return the numbers of a machine, then those of its controller; a default only where its source is stated."""
-    numbers = [*numbers_of_machine(machine)]
     units = {axis.name: (axis.plant.command_unit, axis.plant.force_unit) for axis in machine.axes}
     first = units[machine.axis_names[0]]
-    for name in machine.axis_names:
-        for slot, part in controller.axes[name].parts.items():
-            numbers += _component(f"controller.axes.{name}.{slot}", part, units[name])
-    for slot in ("estimator", "coupling"):
-        numbers += _component(f"controller.{slot}", getattr(controller, slot), first)
-    return tuple(numbers)
+    parts = [
+        *((f"axes.{name}.{slot}", part, units[name]) for name in units for slot, part in controller.axes[name].parts.items()),
+        *((slot, getattr(controller, slot), first) for slot in ("estimator", "coupling")),
+    ]
+    of_parts = (number for place, part, shown in parts for number in _component(f"controller.{place}", part, shown))
+    return (*numbers_of_machine(machine), *of_parts)
 
 
 def numbers_of_machine(machine: Machine) -> tuple[Number, ...]:

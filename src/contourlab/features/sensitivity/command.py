@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from contourlab.app.json_values import HIDDEN, write_json
+from contourlab.app.json_values import HIDDEN
 from contourlab.app.quick import affordable
-from contourlab.app.results import staged
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError
@@ -74,18 +73,17 @@ def tables(study: Study) -> Iterator[str]:
 def _overview(study: Study) -> Table:
     assert study.curves is not None and study.sobol is not None
     title = "Share of the variance (total Sobol index); best value of this parameter alone, and the part of the error that it leaves:"
-    table = _table(title, ("share [%]", "present", "best", "unit", "leaves [%]"), left=("unit",))
-    indices = study.sobol
+    rows, indices = [], study.sobol
     for j in np.argsort(-indices.total, kind="stable"):
         variable, lowest = study.space.numbers[j], study.curves[j].minimum
         best = ("-", "-") if lowest is None else (*_shown(variable, lowest.value), figure(100.0 * lowest.figure / study.present))
         share = " +-".join(figure(100.0 * float(values[j]), digits=2) for values in (indices.total, indices.total_interval))
-        table.add(variable.short, share, *_shown(variable, variable.value), best[0], variable.display_unit, best[1])
-    return table
+        rows.append((variable.short, share, *_shown(variable, variable.value), best[0], variable.display_unit, best[1]))
+    return _table(title, ("share [%]", "present", "best", "unit", "leaves [%]"), rows, left=("unit",))
 
 
-def _table(title: str, heads: Sequence[str], left: Sequence[str] = (), prose: Sequence[str] = ()) -> Table:
-    return Table([Column("parameter", left=True), *(Column(head, left=head in left, prose=head in prose) for head in heads)], title)
+def _table(title: str, heads: Sequence[str], rows: Iterable[Sequence[str]], left: Sequence[str] = (), prose: Sequence[str] = ()) -> Table:
+    return Table([Column("parameter", left=True), *(Column(head, head in left, head in prose) for head in heads)], title, rows=rows)
 
 
 def _shown(variable: DesignVariable, *values: float) -> Iterator[str]:
@@ -97,7 +95,7 @@ def _curves(study: Study, curves: Sequence[Curve]) -> Table:
     title = f"One parameter at a time, {study.plan.values} values each, the others at their present values:"
     flat = f"changes by less than {100.0 * CHANGE:.0f} %"
     heads = ("present", "from", "to", "unit", "minimum at", "+-", "figure at minimum", "bound", flat, "runs fail")
-    table = _table(title, heads, left=("unit", "bound", flat, "runs fail"))
+    rows = []
     for curve in curves:
         variable, lowest = curve.variable, curve.minimum
         minimum = ["-"] * 3 + [""]
@@ -106,8 +104,8 @@ def _curves(study: Study, curves: Sequence[Curve]) -> Table:
             minimum = [*_shown(variable, lowest.value), within, figure(lowest.figure, unit, 4), lowest.bound]
         present = (*_shown(variable, variable.value, variable.low, variable.high), variable.display_unit)
         failed = ", ".join(_range(variable, interval) for interval in curve.failed)
-        table.add(variable.short, *present, *minimum, "" if curve.flat is None else _range(variable, curve.flat), failed)
-    return table
+        rows.append((variable.short, *present, *minimum, "" if curve.flat is None else _range(variable, curve.flat), failed))
+    return _table(title, heads, rows, left=("unit", "bound", flat, "runs fail"))
 
 
 def _range(variable: DesignVariable, interval: Interval) -> str:
@@ -116,22 +114,26 @@ def _range(variable: DesignVariable, interval: Interval) -> str:
 
 def _local(near: Local) -> Table:
     heads = ("sensitivity [%/%]", "step", "change with twice the step", "below", "above", "doubt")
-    table = _table("Small changes: percent of the figure per percent of the parameter:", heads, left=("doubt",))
-    for slope in near.slopes:
-        slopes = (figure(value) for value in (slope.difference, slope.below, slope.above))
-        doubt = slope.doubt.entry.name if slope.doubt else ""
-        table.add(slope.variable.short, figure(slope.sensitivity), figure(slope.step, "%"), *slopes, doubt)
-    return table
+    rows = (
+        (
+            *(slope.variable.short, figure(slope.sensitivity), figure(slope.step, "%")),
+            *map(figure, (slope.difference, slope.below, slope.above)),
+            slope.doubt.entry.name if slope.doubt else "",
+        )
+        for slope in near.slopes
+    )
+    return _table("Small changes: percent of the figure per percent of the parameter:", heads, rows, left=("doubt",))
 
 
 def _interactions(space: Space, near: Local) -> Table:
     step = figure(float(near.interaction_steps.max()), "%", 2)
     title = f"Interactions: second differences relative to the figure (step {step}); ?: changes by half or more with half the step:"
-    table = _table(title, [str(j + 1) for j in range(len(near.interactions))])
-    for j, (variable, values, doubtful) in enumerate(zip(space.numbers, near.interactions, near.doubtful, strict=True), 1):
-        cells = (figure(value, digits=2) + "?" * int(doubt) for value, doubt in zip(values, doubtful, strict=True))
-        table.add(f"{j} {variable.short}", *cells)
-    return table
+    numbers = [str(j + 1) for j in range(len(near.interactions))]
+    rows = (
+        (f"{j} {variable.short}", *(figure(value, digits=2) + "?" * int(doubt) for value, doubt in zip(values, doubtful, strict=True)))
+        for j, variable, values, doubtful in zip(numbers, space.numbers, near.interactions, near.doubtful, strict=True)
+    )
+    return _table(title, numbers, rows)
 
 
 def _sampled(sample: Sample | None) -> str:
@@ -148,11 +150,11 @@ def _distribution(one: Drawn) -> str:
 
 def _estimates(study: Study, title: str, heads: Sequence[str], columns: Sequence[Array], by: Array) -> Table:
     """Return a table of indices, largest first, with the distribution of each parameter."""
-    table = _table(title, [*heads, "distribution"], prose=("distribution",))
-    for j in np.argsort(-by, kind="stable"):
-        cells = (figure(float(values[j])) for values in columns)
-        table.add(study.space.numbers[j].short, *cells, _distribution(study.distributions[j]))
-    return table
+    rows = (
+        (study.space.numbers[j].short, *(figure(float(values[j])) for values in columns), _distribution(study.distributions[j]))
+        for j in np.argsort(-by, kind="stable")
+    )
+    return _table(title, [*heads, "distribution"], rows, prose=("distribution",))
 
 
 def _morris(study: Study, indices: MorrisIndices) -> Table:
@@ -173,10 +175,9 @@ def _sobol(study: Study, indices: SobolIndices) -> Iterator[Table]:
     columns = (indices.first, indices.first_interval, indices.total, indices.total_interval)
     yield _estimates(study, title, ("first", *ESTIMATE, "total", *ESTIMATE), columns, indices.total)
     if (second := indices.second) is not None and indices.second_interval is not None:
-        table = Table([Column("pair", left=True), Column("share of the interaction"), *map(Column, ESTIMATE)])
-        for j, k in sorted(np.argwhere(np.isfinite(second)).tolist(), key=lambda pair: -second[tuple(pair)])[:MOST_PAIRS]:
-            table.add(f"{names[j]} with {names[k]}", figure(second[j, k]), figure(indices.second_interval[j, k]))
-        yield table
+        largest = sorted(np.argwhere(np.isfinite(second)).tolist(), key=lambda pair: -second[tuple(pair)])[:MOST_PAIRS]
+        rows = ((f"{names[j]} with {names[k]}", figure(second[j, k]), figure(indices.second_interval[j, k])) for j, k in largest)
+        yield Table([Column("pair", left=True), Column("share of the interaction"), *map(Column, ESTIMATE)], rows=rows)
 
 
 def charts_of(study: Study) -> Iterator[Multiples | Bars | Matrix]:
@@ -297,9 +298,7 @@ class Sensitivity(Answer):
         OutputError
             If the folder cannot be written to.
         """
-        with staged(folder, "summary.json", inputs=self.inputs) as stage:
-            write_json(stage / "summary.json", self)
-            self._draw(stage, folder, plots)
+        self._put(folder, plots, self.inputs, "summary.json")
         return replace(self, folder=str(folder))
 
     def _next(self, asked: Asked) -> Sequence[object]:

@@ -15,7 +15,7 @@ from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError, UnitError
 from contourlab.features.sensitivity.curves import CHANGE, Curve, Local, curves, local
 from contourlab.features.sensitivity.options import STAGES, Plan
-from contourlab.figures import figure, listing
+from contourlab.figures import figure, grouped, listing
 from contourlab.findings import Finding, finding
 from contourlab.loop.parameters import fits
 from contourlab.scenario.quantities import read_number
@@ -394,9 +394,7 @@ def _doubts(study: Study) -> Iterator[Finding]:
     for name, sampled in (("Morris", study.morris_sample), ("Sobol", study.sobol_sample)):
         if sampled is not None and sampled.failed:
             yield finding("CL674", name, failed=sampled.failed, runs=sampled.runs, share=sampled.failed / sampled.runs)
-    doubtful: dict[str, list[str]] = {}
-    for slope in study.local.slopes if study.local is not None else ():
-        if slope.doubt is not None:
-            doubtful.setdefault(slope.doubt.code, []).append(slope.variable.short)
+    slopes = study.local.slopes if study.local is not None else ()
+    doubtful = grouped((slope.doubt.code, slope.variable.short) for slope in slopes if slope.doubt is not None)
     for code, names in doubtful.items():
         yield finding(code, listing(names), parameters=names)

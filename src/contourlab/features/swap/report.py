@@ -226,13 +226,9 @@ def _on_network(variants: Variants, cost: NetworkCost) -> Iterator[Finding]:
 
 def on_bounds(variants: Variants, choice: Design) -> list[str]:
     """Return the parameters of a design that lie on a bound that could be wider, with the bound."""
-    found = []
-    for j, number in enumerate(variants.space.numbers):
-        for value in number.physical(choice.points[:, j]).tolist():
-            if number.cramped(value):
-                bound = number.low if value - number.low < number.high - value else number.high
-                found.append(f"{number.short} at {number.display_value(bound):.4g} {number.display_unit}".rstrip())
-    return list(dict.fromkeys(found))
+    values = ((one, value) for j, one in enumerate(variants.space.numbers) for value in one.physical(choice.points[:, j]).tolist())
+    bounds = ((one, one.low if value - one.low < one.high - value else one.high) for one, value in values if one.cramped(value))
+    return list(dict.fromkeys(f"{one.short} at {one.display_value(bound):.4g} {one.display_unit}".rstrip() for one, bound in bounds))
 
 
 # --- text --------------------------------------------------------------------------------------------------------------------------------

@@ -12,6 +12,7 @@ import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
 from contourlab.features.sweep.query import Rows, counts, display, objectives, remarks
+from contourlab.figures import grouped
 from contourlab.findings import Finding
 from contourlab.metrics.run_figures import title_of
 from contourlab.study.design import DRAWN
@@ -142,10 +143,8 @@ def subsets(rows: Rows) -> tuple[Subset, ...]:
 
 def _together(found: Iterable[tuple[bytes, Made, str]]) -> list[tuple[Made, str]]:
     """Return what was found of columns, once for those that vary together, which have the same key, with one name for them."""
-    made: dict[bytes, tuple[Made, list[str]]] = {}
-    for key, one, name in found:
-        made.setdefault(key, (one, []))[1].append(name)
-    return [(one, common(names)) for one, names in made.values()]
+    groups = grouped((key, (one, name)) for key, one, name in found).values()
+    return [(group[0][0], common([name for _, name in group])) for group in groups]
 
 
 @dataclass(frozen=True, eq=False)

@@ -149,12 +149,12 @@ class SweepSummary(InStore):
             lines.append(paragraphs([f"{share}: {within.passed} of {within.judged} have {what}"]))
         if self.figures:
             names = ("mean", "minimum", "p5", "median", "p95", "p99", "maximum")
-            table = Table([Column("figure", left=True), Column("unit", left=True), *map(Column, names)])
+            rows = []
             for name, spread in self.figures.items():
                 unit, factor = display(spread.unit)
                 values = (getattr(spread, word) for word in names)
-                table.add(name, unit, *("-" if value is None else number(value * factor, 4) for value in values))
-            lines.append(table.text())
+                rows.append((name, unit, *("-" if value is None else number(value * factor, 4) for value in values)))
+            lines.append(Table([Column("figure", left=True), Column("unit", left=True), *map(Column, names)], rows=rows).text())
         return "\n\n".join(filter(None, [*lines, paragraphs(map(str, self.findings))]))
 
 

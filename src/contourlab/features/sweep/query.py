@@ -398,10 +398,8 @@ def rows_text(names: Sequence[str], rows: Sequence[Sequence[Any]], units: Mappin
     shown = [display(units[name]) if name in units else ("", 1.0) for name in names]
     heads = [f"{name} [{unit}]" if unit else name for name, (unit, _) in zip(names, shown, strict=True)]
     texts = [any(isinstance(row[i], str) for row in rows) for i in range(len(names))]
-    table = Table([Column(head, left=left) for head, left in zip(heads, texts, strict=True)])
-    for row in rows:
-        table.add(*(_cell(value, factor) for value, (_, factor) in zip(row, shown, strict=True)))
-    return table.text()
+    cells = ([_cell(value, factor) for value, (_, factor) in zip(row, shown, strict=True)] for row in rows)
+    return Table([*map(Column, heads, texts)], rows=cells).text()
 
 
 def _cell(value: Any, factor: float) -> str:

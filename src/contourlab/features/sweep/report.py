@@ -484,12 +484,15 @@ def _subset_text(answers: Answers) -> str:
     (unit, factor), judged = answers.display, answers.tolerance is not None
     yields = ("yield", "95 % interval") if judged else ()
     heads = ("value", answers.kind, *yields, f"median [{unit}]", f"p95 [{unit}]")
-    table = Table([Column("column", left=True), *map(Column, heads)], keys=2)
-    for one in answers.subsets:
-        passing = [share_text(one.share), range_text(one.low, one.high)] if judged else []
-        ends = [number(value * factor, 4) if value is not None else "-" for value in (one.median, one.p95)]
-        table.add(one.column, value_text(one), str(one.judged), *passing, *ends)
-    return table.text()
+    rows = (
+        (
+            *(one.column, value_text(one), str(one.judged)),
+            *((share_text(one.share), range_text(one.low, one.high)) if judged else ()),
+            *(number(value * factor, 4) if value is not None else "-" for value in (one.median, one.p95)),
+        )
+        for one in answers.subsets
+    )
+    return Table([Column("column", left=True), *map(Column, heads)], keys=2, rows=rows).text()
 
 
 def _effect_text(effects: tuple[Effect, ...]) -> str:
@@ -497,15 +500,15 @@ def _effect_text(effects: tuple[Effect, ...]) -> str:
         return ""
     interval, has_totals = "95 % interval", any(one.total is not None for one in effects)
     heads = ("explains", interval, *(("with others", interval) if has_totals else ()), "rank correlation", interval)
-    table = Table([Column("parameter", left=True), *map(Column, heads)])
+    rows = []
     for one in effects[:SHOWN]:
         signed = ["-", "-"]
         if one.correlation is not None and one.correlation_low is not None and one.correlation_high is not None:
             signed = [f"{one.correlation:+.2f}", f"{one.correlation_low:+.2f} to {one.correlation_high:+.2f}"]
         total = [share_text(one.total, 2), range_text(one.total_low, one.total_high, 2)] if has_totals else []
-        table.add(one.column, share_text(one.index, 2), range_text(one.index_low, one.index_high, 2), *total, *signed)
-    more = len(effects) - SHOWN
-    return table.text() + (f"\n{more} more on the page" if more > 0 else "")
+        rows.append((one.column, share_text(one.index, 2), range_text(one.index_low, one.index_high, 2), *total, *signed))
+    more = f"\n{len(effects) - SHOWN} more on the page" if len(effects) > SHOWN else ""
+    return Table([Column("parameter", left=True), *map(Column, heads)], rows=rows).text() + more
 
 
 def _module_text(found: Pairings | None) -> str:
@@ -513,8 +516,9 @@ def _module_text(found: Pairings | None) -> str:
     if found is None or not found.bad:
         return ""
     heads = ("module", "pairings", "yield", "yield without it and those above")
-    table = Table([Column("modules", left=True), *map(Column, heads)])
-    for one in found.bad[:SHOWN]:
-        table.add(one.column.removesuffix(".module"), str(one.module), str(one.judged), share_text(one.share), share_text(one.left))
+    rows = (
+        (one.column.removesuffix(".module"), str(one.module), str(one.judged), share_text(one.share), share_text(one.left))
+        for one in found.bad[:SHOWN]
+    )
     more = len(found.bad) - SHOWN
-    return table.text() + (f"\n{more} more in --json" if more > 0 else "")
+    return Table([Column("modules", left=True), *map(Column, heads)], rows=rows).text() + (f"\n{more} more in --json" if more > 0 else "")

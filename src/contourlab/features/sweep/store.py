@@ -148,8 +148,10 @@ class Store(Parts):
         arrow = extra_module("pyarrow")
         texts = {key for one in self.manifest.structures for key, label in one.choices.items() if isinstance(label, str)}
         fields = [arrow.field(name, arrow.int64()) for name in ("variant", *self.manifest.modules)]
-        for name, unit in {**self.manifest.columns, **self.manifest.figures}.items():
-            fields.append(arrow.field(name, arrow.string() if name in texts else arrow.float64(), metadata={"unit": unit}))
+        fields += [
+            arrow.field(name, arrow.string() if name in texts else arrow.float64(), metadata={"unit": unit})
+            for name, unit in {**self.manifest.columns, **self.manifest.figures}.items()
+        ]
         ends = [("status", arrow.string(), ""), ("failed_at", arrow.float64(), "s"), ("unsure", arrow.int32(), "")]
         return arrow.schema([*fields, *(arrow.field(name, kind, metadata={"unit": unit}) for name, kind, unit in ends)])
 

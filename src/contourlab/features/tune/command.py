@@ -13,7 +13,7 @@ import numpy as np
 
 from contourlab.analysis.linear.margins import Margins
 from contourlab.app.results import proposed, staged
-from contourlab.app.session import QUIET, Answer, Asked, Session, question
+from contourlab.app.session import QUIET, Answer, Asked, Session, interrupt, question
 from contourlab.app.shared_options import Motion
 from contourlab.arrays import Array
 from contourlab.errors import ScenarioError
@@ -23,7 +23,7 @@ from contourlab.features.tune.options import Tune
 from contourlab.features.tune.search import REFINEMENTS
 from contourlab.features.tune.study import Tuned, TuneSettings
 from contourlab.features.tune.study import tune as calibrated
-from contourlab.figures import figure, listing
+from contourlab.figures import figure, grouped, listing
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller
 from contourlab.metrics.run_figures import FIGURES
@@ -111,12 +111,8 @@ class Calibration(Answer):
     @property
     def stopped(self) -> BaseException | None:
         """The interrupt that ended the search, if one did."""
-        if not self.result.interrupted:
-            return None
-        end = KeyboardInterrupt()
-        if self.controller_file is not None:
-            end.add_note(f"Kept the best gains so far: {self.controller_file}")
-        return end
+        kept = "" if self.controller_file is None else f"Kept the best gains so far: {self.controller_file}"
+        return interrupt(kept) if self.result.interrupted else None
 
     def save(self, folder: str | Path = "results", *, write: str | Path | None = None, plots: Sequence[str] = ()) -> Calibration:
         """Write the controller, unless it breaks a bound, and pictures.
@@ -325,20 +321,17 @@ def tuning_charts(goal: Goal, tuned: Tuned) -> Iterator[Chart]:
         panel = Panel("runs", label, _curves(progress), log_y=True)
         caption = "Objective over runs: after each step of the sequential procedure; for the global search, the best so far."
         yield Chart("tune-course", "Progress of the calibration", caption, (panel,), panel_height=320)
-    axes: dict[str, list[Trace]] = {}
-    for step in steps:
-        if step.stage != "repair" and step.before:
-            axis, _, name = step.variable.short.partition(".")
-            axes.setdefault(axis, []).append((name, *_positive(step.values / step.before, scale * step.objectives)))
+    varied = ((step.variable.short.partition("."), step) for step in steps if step.stage != "repair" and step.before)
+    axes = grouped((axis, (name, *_positive(step.values / step.before, scale * step.objectives))) for (axis, _, name), step in varied)
     if axes:
-        panels = []
-        for axis, lines in axes.items():
-            log_x = all((x > 0.0).all() for _, x, _ in lines)
-            panels.append(Panel("value / previous value", f"{axis}: {label}", _curves(lines, 2), log_x=log_x, log_y=True))
+        around = ((axis, lines, all((x > 0.0).all() for _, x, _ in lines)) for axis, lines in axes.items())
+        panels = tuple(
+            Panel("value / previous value", f"{axis}: {label}", _curves(lines, 2), log_x=log_x, log_y=True) for axis, lines, log_x in around
+        )
         caption = (
             "Each curve varies one parameter, with all others at their values of that step. A flat curve: the parameter hardly matters."
         )
-        yield Chart("tune-lines", "One parameter at a time", caption, tuple(panels), panel_height=320)
+        yield Chart("tune-lines", "One parameter at a time", caption, panels, panel_height=320)
     errors = list[Trace]()
     for name, run in (("before", tuned.before.run), ("after", tuned.after.run)):
         if run is not None:
