@@ -100,9 +100,7 @@ def test_what_python_built_is_saved_for_the_shell(folder: Path, as_json: AsJson)
     cl.save(machine, "m.toml")
     cl.save(controller, "c.toml", machine)
     head = 'name = "again"\nmachine = "m.toml"\ncontroller = "c.toml"\n'
-    (folder / "again.toml").write_text(
-        head + '[contour]\nname = "circle"\nradius = "1 mm"\n[feed]\nfeedrate = "600 mm/min"\n'
-    )
+    (folder / "again.toml").write_text(head + '[contour]\nname = "circle"\nradius = "1 mm"\n[feed]\nfeedrate = "600 mm/min"\n')
     again = cl.load_scenario("again.toml").base
     assert dump(again.machine) == dump(machine) and dump(again.controller, again.machine) == dump(controller, machine)
     values = {"axes.1.plant.damping": 4.0}
