@@ -20,8 +20,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.components.ideal import IdealLink, IdealSensor, TrueVelocity
-from contourlab.engine.schedule import Late, Node
-from contourlab.engine.step import Step, ports
+from contourlab.engine.step import Late, Node, Step, ports
 from contourlab.errors import ParameterError, refuse
 from contourlab.geometry import Path
 from contourlab.loop.machine import SIDES, Axis, Controller, Machine

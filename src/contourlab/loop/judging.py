@@ -15,8 +15,7 @@ import numpy as np
 from contourlab.arrays import Array, Index
 from contourlab.components.estimator.newton import Newton
 from contourlab.engine.runner import Group, make_group
-from contourlab.engine.schedule import Late, Node, Schedule
-from contourlab.engine.step import Port, Step, ports
+from contourlab.engine.step import Late, Node, Port, Schedule, Step, ports
 from contourlab.feed import Reference
 from contourlab.geometry import Path
 from contourlab.geometry.clearance import clearance
