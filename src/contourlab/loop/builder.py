@@ -164,10 +164,6 @@ class Builder:
             return False
         return parts.link.is_local("observer") and any(part.takes("disturbance_estimate") for part in parts.controllers.values())
 
-    def may_limit(self, axis: str) -> bool:
-        """Return whether the drive of an axis may limit its command, in any variant."""
-        return getattr(self.machine.axis(axis).drive, "limit", 0.0) != math.inf or "limit" in self.changed(f"axes.{axis}.drive")
-
 
 def accepted_output(drive: Component) -> str:
     """Return the output of a drive with the accepted command: after its limit, before its delay."""
@@ -348,7 +344,7 @@ def add_taken(builder: Builder, axis: str) -> None:
     if not builder.controlled_from_base(axis):
         return
     own = {"own": Late(builder.wanted(axis))}
-    if not builder.may_limit(axis):
+    if getattr(builder.machine.axis(axis).drive, "limit", 0.0) == math.inf and "limit" not in builder.changed(f"axes.{axis}.drive"):
         builder.nodes.append(Node(f"{axis}.taken", _ECHO, own))
         return
     estimate = Late(f"{axis}.observer.disturbance_estimate") if builder.compensated_in_axis(axis) else 0.0
