@@ -11,7 +11,8 @@ from drawings import dxf
 
 import contourlab as cl
 from contourlab.errors import ScenarioError
-from contourlab.scenario import Contour, dump, parse_scenario
+from contourlab.scenario import dump, parse_scenario
+from contourlab.scenario.values import Contour
 
 TWO_AXES = 'machine = "builtin:ghaffari/a3a1"\ncontroller = "builtin:ghaffari/calibrated"\n'
 THREE_AXES = 'machine = "builtin:xyz"\ncontroller = "builtin:xyz-controller"\n'
