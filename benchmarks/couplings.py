@@ -24,8 +24,7 @@ from scipy.interpolate import make_interp_spline
 
 from contourlab.components.registry import component
 from contourlab.engine.runner import Group, make_group
-from contourlab.engine.schedule import Node, Schedule
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Node, Port, Schedule, Step
 from contourlab.geometry import BSpline, Path
 from contourlab.geometry.view import view_of
 

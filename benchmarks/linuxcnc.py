@@ -44,7 +44,8 @@ import numpy as np
 from contourlab.errors import ContourlabError, ProgramError
 from contourlab.feed import AxisLimits, Route, route_from_program
 from contourlab.geometry import Path as Curves
-from contourlab.program import PLANE_AXES, Arc, Dwell, Program, Traverse, parse_program
+from contourlab.program import Arc, Dwell, Program, Traverse, parse_program
+from contourlab.program.moves import PLANE_AXES
 
 HERE = Path(__file__).resolve().parent
 SHARED = HERE.parents[1] / "shared"

@@ -16,9 +16,10 @@ from numpydoc.docscrape import NumpyDocString
 from contourlab.contours.reader import ContourOptions, read_contour
 from contourlab.loop import Axis, AxisController, AxisError, Change, Division, Limits, Machine
 from contourlab.program import Reading
-from contourlab.scenario import Contour, FeedSettings, LearningSettings, PartProgram, RunSettings
+from contourlab.scenario import PartProgram
 from contourlab.scenario.quantities import show_bound
 from contourlab.scenario.tables import keys_of, written
+from contourlab.scenario.values import Contour, FeedSettings, LearningSettings, RunSettings
 from contourlab.units import Setting
 
 HEAD = """\

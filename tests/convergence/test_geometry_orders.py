@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.geometry import Arc, BSpline, Curve, Ellipse, Lemniscate, Nurbs, Path, Star, contour
+from contourlab.geometry import Arc, BSpline, Curve, Nurbs, Path, contour
+from contourlab.geometry.parametric import Ellipse, Lemniscate, Star
 
 HELIX = Arc((0.0, 0.0, 0.0), 0.02, 0.3, 6.0 * math.pi, rise=(0.0, 0.0, 0.015))
 SPLINE = BSpline(5, np.array([(0, 0), (1, 2), (3, 1), (4, -1), (6, 0), (7, 3)]) * 0.01, [0] * 6 + [1] * 6)

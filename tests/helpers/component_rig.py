@@ -12,8 +12,7 @@ from contourlab.components.friction.laws import NoFriction
 from contourlab.components.mechanics.core import link
 from contourlab.components.registry import component
 from contourlab.engine.runner import make_group
-from contourlab.engine.schedule import Late, Node, Schedule
-from contourlab.engine.step import Port
+from contourlab.engine.step import Late, Node, Port, Schedule
 
 Array = NDArray[np.float64]
 PERIOD = 1e-3

@@ -16,8 +16,7 @@ from unittest.mock import patch
 import numpy as np
 
 from contourlab.engine.runner import make_group
-from contourlab.engine.schedule import Node, Schedule
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Node, Port, Schedule, Step
 from contourlab.errors import EngineError
 
 CALL = "helper(par.force)"

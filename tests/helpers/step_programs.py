@@ -10,8 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.engine.schedule import Node, Schedule
-from contourlab.engine.step import Port, Step, ports
+from contourlab.engine.step import Node, Port, Schedule, Step, ports
 
 TABLE = (0.5, -1.0, 2.25, 0.0, -0.0, 7.5, 0.1, -3.0)
 INPUTS = (0.0, -0.0, 1.0, -1.0, 0.5, 2.0, -3.25, 1e3)

@@ -8,8 +8,7 @@ import numpy as np
 from made_runs import PERIOD, Array
 
 from contourlab.engine.runner import make_group
-from contourlab.engine.schedule import Node, Schedule
-from contourlab.engine.step import Port
+from contourlab.engine.step import Node, Port, Schedule
 from contourlab.geometry import Path
 from contourlab.geometry.view import view_of
 from contourlab.loop.judging import room_for

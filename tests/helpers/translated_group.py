@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.engine.runner import InterpretedGroup
-from contourlab.engine.schedule import Schedule
-from contourlab.engine.step import Step, rows
+from contourlab.engine.step import Schedule, Step, rows
 from contourlab.engine.translate import llvm_ir
 from contourlab.engine.translate.step_graph import StepGraph, graph_of, ring_row
 

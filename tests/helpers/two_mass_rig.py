@@ -13,8 +13,7 @@ from contourlab.components.contract import Component
 from contourlab.components.friction.laws import NoFriction
 from contourlab.components.mechanics.core import MOTOR_FRICTION, friction_prefix, link
 from contourlab.engine.runner import Group, make_group
-from contourlab.engine.schedule import Node, Schedule
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Node, Port, Schedule, Step
 
 Array = NDArray[np.float64]
 NONE = NoFriction()

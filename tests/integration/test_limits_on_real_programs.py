@@ -24,7 +24,7 @@ def test_no_limit_is_passed_by_more_than_half_a_percent(name: str, feed: dict[st
         pytest.skip("the part program is not among the reference data beside the clone")
     options = {"fit": True, "require_end": False}
     (case,) = scenario_from_parts(str(found[0]), "builtin:xyz", "xyz-controller", options=options, feed=feed).cases()
-    report = limit_report(case.reference(), case.limits)
+    report = limit_report(case.reference(), case.machine.planner_limits())
     assert report.ok(0.005), max(report.all(), key=lambda worst: worst.ratio)
     # A motion far below its limits would pass as well.
     assert max(worst.ratio for worst in report.jerk) > 0.99

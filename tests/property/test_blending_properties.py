@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from contourlab.feed import Route, blended
-from contourlab.geometry import Arc, Blend, Curve, Line, Path
+from contourlab.geometry import Arc, Curve, Line, Path
+from contourlab.geometry.blend import Blend
 
 Array = NDArray[np.float64]
 few = settings(max_examples=40, deadline=None)

@@ -11,7 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from contourlab.geometry import Arc, Ellipse, Line, Nurbs, Path, Star, contour
+from contourlab.geometry import Arc, Line, Nurbs, Path, contour
+from contourlab.geometry.parametric import Ellipse, Star
 
 Array = NDArray[np.float64]
 few = settings(max_examples=30, deadline=None)

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from contourlab.feed import Reference
 from contourlab.geometry import Arc, Line, Path
-from contourlab.metrics import circle_figures, judge, minimum_zone, summarise
+from contourlab.metrics import circle_figures, judge, summarise
+from contourlab.metrics.circles import minimum_zone
 from contourlab.metrics.figures import Metrics
 from contourlab.result import Result, Signal
 

@@ -15,7 +15,6 @@ from hypothesis import strategies as st
 
 from contourlab.errors import ProgramError
 from contourlab.program import (
-    PLANE_AXES,
     Arc,
     Dwell,
     Feed,
@@ -29,6 +28,7 @@ from contourlab.program import (
     parse_program,
     read_program,
 )  # fmt: skip
+from contourlab.program.moves import PLANE_AXES
 
 CORPUS = [(file.read_text(encoding="utf-8")) for file in sorted((Path(__file__).parents[1] / "golden" / "programs").glob("*.ngc"))]
 SHIPPED = (files("contourlab") / "machines" / "programs" / "circle_diamond_square.ngc").read_text(encoding="utf-8")

@@ -21,8 +21,7 @@ from tests.helpers.translated_group import TranslatedGroup, tables_in_c
 from contourlab.arrays import Array
 from contourlab.engine.gpu import gpu_of_process
 from contourlab.engine.runner import CompiledGroup, GpuGroup, Group, InterpretedGroup
-from contourlab.engine.schedule import Schedule
-from contourlab.engine.step import Step
+from contourlab.engine.step import Schedule, Step
 from contourlab.engine.translate import c99, llvm_ir, tick_loop
 from contourlab.engine.translate.maths import EXACT, LANES, SINGLE
 from contourlab.engine.translate.step_graph import StepGraph, TickGraph, graph_of, tick_graph

@@ -62,7 +62,7 @@ def _run(folder: Path, side: Side) -> Figures:
     from contourlab import judge, simulate
 
     case, reference = _case(folder)
-    result = judge(simulate(case.machine, case.controller, reference, seed=case.seed, moving=case.moving), reference)
+    result = judge(simulate(case.machine, case.controller, reference, seed=case.run.seed, moving=case.moving), reference)
     program = getattr(case.motion, "program", None)
     feeds = {float(f"{move.feedrate:.9g}") for move in program.moves if hasattr(move, "feedrate")} if program else {0.0}
     return _summarised(result, reference, side) | _signals(result) | {"feeds": np.array(sorted(feeds))}
@@ -77,7 +77,7 @@ def _saved(folder: Path, side: Side) -> Figures:
     again.write_text(dump(load_scenario(folder / "scenario.toml")), encoding="utf-8")
     case = load_scenario(again).cases()[0]
     reference = case.reference()
-    judge(simulate(case.machine, case.controller, reference, seed=case.seed), reference).save(folder / "result.nc")
+    judge(simulate(case.machine, case.controller, reference, seed=case.run.seed), reference).save(folder / "result.nc")
     result = Result.load(folder / "result.nc")
     return _summarised(result, reference, side) | _signals(result)
 
@@ -88,7 +88,7 @@ def _blocks(folder: Path, side: Side) -> Figures:
     from contourlab.features.run.record import simulate_to_file
 
     case, reference = _case(folder)
-    simulate_to_file(case.machine, case.controller, reference, folder / "result.nc", seed=case.seed, block=97)
+    simulate_to_file(case.machine, case.controller, reference, folder / "result.nc", seed=case.run.seed, block=97)
     read = Result.load(folder / "result.nc")
     judged = judge(read, reference)
     # The last digits of a foot point depend on what is searched together; any more is a fault, and shows.
@@ -105,7 +105,7 @@ def _batch(folder: Path, threads: int) -> Any:
     _, _, axis, *_, name = gain.split(".")
     value = getattr(case.controller.axes[axis].controller, name)
     asked = {gain: value * np.concatenate([[1.0], np.linspace(0.9, 1.1, 39)])}
-    return simulate_batch(case.machine, case.controller, reference, asked, threads=threads, keep=("position",), seed=case.seed)
+    return simulate_batch(case.machine, case.controller, reference, asked, threads=threads, keep=("position",), seed=case.run.seed)
 
 
 def _lanes(folder: Path, side: Side) -> Figures:
@@ -119,7 +119,7 @@ def _single(folder: Path, side: Side) -> Figures:
     from contourlab import judge, simulate, summarise
 
     case, reference = _case(folder)
-    result = judge(simulate(case.machine, case.controller, reference, seed=case.seed), reference)
+    result = judge(simulate(case.machine, case.controller, reference, seed=case.run.seed), reference)
     error = summarise(result, reference, reference.judged).contour_error
     return {"position": result["position"]} | {name: np.array([getattr(error, name.rpartition("_")[2])]) for name in ERRORS}
 

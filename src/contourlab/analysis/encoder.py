@@ -31,8 +31,7 @@ from contourlab.components.sensor.quadrature_encoder import (
     followed,
 )
 from contourlab.engine.runner import make_group
-from contourlab.engine.schedule import Node, Schedule
-from contourlab.engine.step import Port, Step, ports
+from contourlab.engine.step import Node, Port, Schedule, Step, ports
 from contourlab.errors import ParameterError
 from contourlab.loop.simulate import jit_enabled
 

@@ -14,8 +14,7 @@ from contourlab.components.declaration import check_class, check_documents, form
 from contourlab.components.learning.law import LearningLaw, LearningProblem, TrialRecord
 from contourlab.components.place import fault, file_of_class, line_in
 from contourlab.engine.runner import Group, make_group
-from contourlab.engine.schedule import Node, Schedule
-from contourlab.engine.step import Step, record, rows
+from contourlab.engine.step import Node, Schedule, Step, record, rows
 from contourlab.engine.translate.step_graph import graph_of
 from contourlab.errors import ComponentError, ContourlabError, EngineError, error_text
 from contourlab.primitives import Clock, Table

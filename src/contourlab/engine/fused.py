@@ -12,8 +12,7 @@ from typing import Any
 
 from contourlab import primitives
 from contourlab.engine.gpu import Gpu
-from contourlab.engine.schedule import Schedule
-from contourlab.engine.step import Step
+from contourlab.engine.step import Schedule, Step
 from contourlab.engine.translate import llvm_ir, maths, step_graph, tick_loop
 from contourlab.engine.translate.outer import Reads
 from contourlab.engine.translate.step_graph import Rows

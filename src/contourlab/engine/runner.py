@@ -11,8 +11,7 @@ import numpy as np
 
 from contourlab.arrays import Array, Flags, Index, aligned
 from contourlab.engine.gpu import Gpu
-from contourlab.engine.schedule import Schedule
-from contourlab.engine.step import Bank, Port, pack, record, rows, unpack
+from contourlab.engine.step import Bank, Port, Schedule, pack, record, rows, unpack
 from contourlab.engine.translate.step_graph import Rows
 from contourlab.engine.translate.tick_loop import VECTOR
 from contourlab.errors import EngineError

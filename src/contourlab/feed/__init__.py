@@ -7,25 +7,19 @@ too. `bounds` plans straight segments, `smooth` with `kernels` the others; `plan
 
 from contourlab.feed.blending import blended
 from contourlab.feed.bounds import AxisLimits
-from contourlab.feed.planner import Binding, limiting, plan
-from contourlab.feed.profile import Judged, Profile
+from contourlab.feed.planner import plan
 from contourlab.feed.reference import Reference, ReferenceBlock, uniform
-from contourlab.feed.route import Correspondence, Route, route_from_path, route_from_program
+from contourlab.feed.route import Route, route_from_path, route_from_program
 from contourlab.feed.verify import LimitReport, limit_report
 
 __all__ = [
     "AxisLimits",
-    "Binding",
-    "Correspondence",
-    "Judged",
     "LimitReport",
-    "Profile",
     "Reference",
     "ReferenceBlock",
     "Route",
     "blended",
     "limit_report",
-    "limiting",
     "plan",
     "route_from_path",
     "route_from_program",

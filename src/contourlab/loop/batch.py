@@ -18,8 +18,7 @@ from contourlab.components.contract import Component
 from contourlab.components.plant.plant import Plant
 from contourlab.engine.gpu import gpu_of_process, lanes_of
 from contourlab.engine.runner import Group, make_group, memory_rows
-from contourlab.engine.schedule import Node
-from contourlab.engine.step import Step
+from contourlab.engine.step import Node, Step
 from contourlab.engine.translate.outer import Reads
 from contourlab.engine.translate.step_graph import graph_of
 from contourlab.errors import ParameterError, refuse

@@ -20,8 +20,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.components.ideal import IdealLink, IdealSensor, TrueVelocity
-from contourlab.engine.schedule import Late, Node
-from contourlab.engine.step import Step, ports
+from contourlab.engine.step import Late, Node, Step, ports
 from contourlab.errors import ParameterError, refuse
 from contourlab.geometry import Path
 from contourlab.loop.machine import SIDES, Axis, Controller, Machine
@@ -164,10 +163,6 @@ class Builder:
         if parts.link is None or parts.observer is None or not self.controlled_from_base(axis):
             return False
         return parts.link.is_local("observer") and any(part.takes("disturbance_estimate") for part in parts.controllers.values())
-
-    def may_limit(self, axis: str) -> bool:
-        """Return whether the drive of an axis may limit its command, in any variant."""
-        return getattr(self.machine.axis(axis).drive, "limit", 0.0) != math.inf or "limit" in self.changed(f"axes.{axis}.drive")
 
 
 def accepted_output(drive: Component) -> str:
@@ -349,7 +344,7 @@ def add_taken(builder: Builder, axis: str) -> None:
     if not builder.controlled_from_base(axis):
         return
     own = {"own": Late(builder.wanted(axis))}
-    if not builder.may_limit(axis):
+    if getattr(builder.machine.axis(axis).drive, "limit", 0.0) == math.inf and "limit" not in builder.changed(f"axes.{axis}.drive"):
         builder.nodes.append(Node(f"{axis}.taken", _ECHO, own))
         return
     estimate = Late(f"{axis}.observer.disturbance_estimate") if builder.compensated_in_axis(axis) else 0.0

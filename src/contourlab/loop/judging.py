@@ -6,7 +6,7 @@ import math
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import cache, lru_cache, partial
+from functools import lru_cache, partial
 from itertools import product
 from typing import Any
 
@@ -15,8 +15,7 @@ import numpy as np
 from contourlab.arrays import Array, Index
 from contourlab.components.estimator.newton import Newton
 from contourlab.engine.runner import Group, make_group
-from contourlab.engine.schedule import Late, Node, Schedule
-from contourlab.engine.step import Port, Step, ports
+from contourlab.engine.step import Late, Node, Port, Schedule, Step, ports
 from contourlab.feed import Reference
 from contourlab.geometry import Path
 from contourlab.geometry.clearance import clearance
@@ -131,12 +130,6 @@ def _watch(par: Any, x: Any, inp: Any, clock: Any) -> Any:
     return (first, axis, largest), ()
 
 
-@cache
-def _watch_step(n_axis: int) -> Step:
-    inputs = ports("reference", "position", "command", size=n_axis)
-    return Step(WATCH, _watch, tuple(f"limit_{i}" for i in range(n_axis)), (), "", ports("first", "axis", "gap"), inputs, ())
-
-
 def watch_node(machine: Machine, commands: tuple[str, ...]) -> Node:
     """Return the node that watches a machine and its commands, placed after the drives.
 
@@ -149,7 +142,9 @@ def watch_node(machine: Machine, commands: tuple[str, ...]) -> Node:
         "command": commands,
     }
     limits = {f"limit_{i}": axis.limits.following_error for i, axis in enumerate(machine.axes)}
-    return Node(WATCH, _watch_step(len(machine.axes)), wires, limits, initial={"first": -1.0, "axis": -1.0})
+    inputs = ports("reference", "position", "command", size=len(limits))
+    step = Step(WATCH, _watch, tuple(limits), (), "", ports("first", "axis", "gap"), inputs, ())
+    return Node(WATCH, step, wires, limits, initial={"first": -1.0, "axis": -1.0})
 
 
 def watched(group: Group, machine: Machine, lane: int = 0) -> Status:

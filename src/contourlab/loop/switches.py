@@ -22,8 +22,7 @@ import numpy as np
 
 from contourlab.arrays import Array, Index
 from contourlab.engine.runner import Group, make_group
-from contourlab.engine.schedule import Node
-from contourlab.engine.step import record
+from contourlab.engine.step import Node, record
 from contourlab.errors import ParameterError, refuse
 from contourlab.feed import Reference
 from contourlab.loop.machine import AxisController, Controller, Machine

@@ -32,8 +32,7 @@ from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.components.mechanics.core import MOTOR_FRICTION, friction_prefix, link
 from contourlab.components.plant.plant import Plant
-from contourlab.engine.schedule import Late, Node, Schedule
-from contourlab.engine.step import Port, Step, ports
+from contourlab.engine.step import Late, Node, Port, Schedule, Step, ports
 from contourlab.errors import ParameterError
 from contourlab.geometry import Path
 from contourlab.geometry.view import PathView, view_of

@@ -16,7 +16,7 @@ from contourlab.arrays import Array
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.ideal import IdealSensor
 from contourlab.engine.runner import make_group
-from contourlab.engine.schedule import Late, Schedule
+from contourlab.engine.step import Late, Schedule
 from contourlab.feed import Reference
 from contourlab.geometry.view import PathView, check_view, view_of
 from contourlab.loop.feeding import BLOCK, LEARNED_COMMAND, LEARNED_REFERENCE, Feed, Learned

@@ -9,9 +9,8 @@ from contourlab.metrics.circles import (
     bidirectional,
     circle_figures,
     circles_of,
-    minimum_zone,
 )
-from contourlab.metrics.figures import AxisFigures, ErrorFigures, Metrics, MoveFigures, judged_part, summarise
+from contourlab.metrics.figures import AxisFigures, ErrorFigures, Metrics, judged_part, summarise
 from contourlab.metrics.judge import judge
 from contourlab.metrics.lost_motion import LostMotion, lost_motion_from_pair
 from contourlab.metrics.reversals import ReversalFigures, Spike, reversal_figures, reversal_spikes
@@ -24,7 +23,6 @@ __all__ = [
     "ErrorFigures",
     "LostMotion",
     "Metrics",
-    "MoveFigures",
     "ReversalFigures",
     "Spike",
     "backlash_from_circle",
@@ -35,7 +33,6 @@ __all__ = [
     "judge",
     "judged_part",
     "lost_motion_from_pair",
-    "minimum_zone",
     "reversal_figures",
     "reversal_spikes",
     "summarise",

@@ -8,11 +8,10 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Port, Step, ports
 from contourlab.geometry.clearance import CORNER_ROW, PARAMETERS, TABLES
 from contourlab.geometry.view import PathView, newton_of
 from contourlab.metrics.judge import MARGIN
-from contourlab.native.generated import generated
 from contourlab.primitives import clip, copysign, dot, fabs, floor, lookup, maximum, select, sqrt, sub
 
 _OF_JUDGED = ("count", "sum_magnitude", "sum_square", "sum_signed", "largest", "largest_at", "sum_tracking", "largest_tracking")
@@ -43,18 +42,11 @@ def judge_step(view: PathView, n_axis: int, corners: bool = False) -> Step:
 
     A controller's Newton estimator takes the same steps, but fewer; tests compare this judge with the exact foot point instead.
     """
-    states = (Port("foot"), *(Port(name) for name in SUMS))
-    inputs = (Port("position", n_axis), Port("reference", n_axis), Port("arc_length"))
-    return Step(
-        "judge",
-        _make(view.evaluate, n_axis, corners),
-        ("error", "planning", "window", *view.parameters, *PARAMETERS),
-        (*view.tables, "counts", *TABLES),
-        "",
-        states,
-        inputs,
-        (Port("contour_error"), Port("doubt")),
-    )
+    states = ports("foot", *SUMS)
+    inputs = (*ports("position", "reference", size=n_axis), Port("arc_length"))
+    parameters = ("error", "planning", "window", *view.parameters, *PARAMETERS)
+    tables, outputs = (*view.tables, "counts", *TABLES), ports("contour_error", "doubt")
+    return Step("judge", _make(view.evaluate, n_axis, corners), parameters, tables, "", states, inputs, outputs)
 
 
 @cache
@@ -151,12 +143,17 @@ def _make(evaluate: Any, n_axis: int, corners: bool) -> Any:
 EFFORT_SUMS = ("count", "sum_square", "largest", "limited")
 """States of the step, in order."""
 
-_AXIS = """
-    command, accepted = inp.command[{i}] * par.rate_{i}, inp.accepted[{i}] * par.rate_{i}
-    square = square + accepted * accepted
-    largest = maximum(largest, fabs(command))
-    limited = select(fabs(command - accepted) > 0.0, 1.0, limited)
-"""
+
+def _effort(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+    square, largest, limited = 0.0, 0.0, 0.0
+    for i in range(len(inp.command)):
+        command, accepted = inp.command[i] * par[i], inp.accepted[i] * par[i]
+        square = square + accepted * accepted
+        largest = maximum(largest, fabs(command))
+        limited = select(fabs(command - accepted) > 0.0, 1.0, limited)
+    counts = lookup(par.counts, clock.k)
+    sums = (x.count + counts, x.sum_square + counts * square, maximum(x.largest, counts * largest), x.limited + counts * limited)
+    return sums, ()
 
 
 @cache
@@ -171,15 +168,6 @@ def effort_step(n_axis: int) -> Step:
     ``sum_square`` adds the squares of the commands that the drives accepted, ``largest`` is the largest command to any drive, ``limited``
     counts the ticks at which any drive was saturated.
     """
-    body = "".join(_AXIS.format(i=i) for i in range(n_axis))
-    source = (
-        "def step(par, x, inp, clock):\n    square, largest, limited = 0.0, 0.0, 0.0" + body + "\n"
-        "    counts = lookup(par.counts, clock.k)\n"
-        "    return (x.count + counts, x.sum_square + counts * square, maximum(x.largest, counts * largest),\n"
-        "            x.limited + counts * limited), ()\n"
-    )
-    scope: dict[str, Any] = {"__name__": __name__, "fabs": fabs, "lookup": lookup, "maximum": maximum, "select": select}
-    step = generated(source, scope, "step")
     parameters = tuple(f"rate_{i}" for i in range(n_axis))
-    inputs = (Port("command", n_axis), Port("accepted", n_axis))
-    return Step("effort", step, parameters, ("counts",), "", tuple(Port(name) for name in EFFORT_SUMS), inputs, ())
+    inputs = ports("command", "accepted", size=n_axis)
+    return Step("effort", _effort, parameters, ("counts",), "", ports(*EFFORT_SUMS), inputs, ())

@@ -5,18 +5,15 @@ on the modal `state`, with `motions`, and makes `moves`. `flow` follows subprogr
 program and handles its frame and its dialect. Unsupported codes are refused, never skipped.
 """
 
-from contourlab.program.moves import PLANE_AXES, Arc, Dwell, Event, Feed, Mode, Move, Notice, Plane, Point, Program, Spline, Traverse
+from contourlab.program.moves import Arc, Dwell, Feed, Mode, Move, Plane, Point, Program, Spline, Traverse
 from contourlab.program.reader import Reader, Reading, open_program, parse_program, read_program
 
 __all__ = [
-    "PLANE_AXES",
     "Arc",
     "Dwell",
-    "Event",
     "Feed",
     "Mode",
     "Move",
-    "Notice",
     "Plane",
     "Point",
     "Program",

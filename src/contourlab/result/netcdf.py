@@ -7,18 +7,18 @@ HDF5 returns wrong numbers, never returns, or ends the process.
 from __future__ import annotations
 
 import contextlib
+import hashlib
 import io
 import os
 from collections.abc import Mapping
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
 
 from contourlab.errors import OutputError, ResultError
 from contourlab.result.atomic import replacing
-from contourlab.result.digest import append_digest, is_intact
 from contourlab.result.signals import Signal, Status
 
 
@@ -176,7 +176,7 @@ class ResultWriter:
             for name, value in self.header.items():
                 self._note(name, value)
             self._data.close()
-            append_digest(self._spool)
+            self._spool.write(_digest(self._spool, self._spool.seek(0, io.SEEK_END)))
             self._spool.check()
 
     def _note(self, name: str, value: str | int | float) -> None:
@@ -187,6 +187,16 @@ class ResultWriter:
             raise ResultError(f"{known} = {value!r}: a file holds text and numbers of 64 bits only") from error
 
 
+def _digest(stream: BinaryIO, size: int) -> bytes:
+    """Return the SHA-256 digest of the first `size` bytes of a stream; leave the stream there."""
+    stream.seek(0)
+    digest, left = hashlib.sha256(), size
+    while left > 0 and (part := stream.read(min(left, 1 << 20))):
+        digest.update(part)
+        left -= len(part)
+    return digest.digest()
+
+
 def read_netcdf(file: str | Path) -> dict[str, Any]:
     """Return the arguments of a `Result` from its file; see `Result.load`."""
     import h5netcdf
@@ -194,7 +204,7 @@ def read_netcdf(file: str | Path) -> dict[str, Any]:
 
     try:
         with Path(file).open("rb") as stream:
-            if not is_intact(stream):
+            if _digest(stream, stream.seek(0, io.SEEK_END) - hashlib.sha256().digest_size) != stream.read():
                 raise ResultError(f"{file}: no result of contourlab, or damaged or changed since it was written")
         # h5py first: if the root of the file is damaged, h5netcdf fails again in its own clean-up.
         with h5py.File(file, "r") as raw:

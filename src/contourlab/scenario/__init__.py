@@ -8,17 +8,12 @@ of a class as a table), `provenance` (sources and correlations), `build` (machin
 from contourlab.scenario.dump import dump, save
 from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names, shipped_hint
 from contourlab.scenario.load import load_axis, load_controller, load_machine, load_scenario, parse_scenario, scenario_from_parts
-from contourlab.scenario.values import Case, Contour, FeedSettings, LearningSettings, Motion, PartProgram, RunSettings, Scenario, chosen
+from contourlab.scenario.values import Case, PartProgram, Scenario, chosen
 
 __all__ = [
     "BUILTIN",
     "Case",
-    "Contour",
-    "FeedSettings",
-    "LearningSettings",
-    "Motion",
     "PartProgram",
-    "RunSettings",
     "Scenario",
     "builtin_file",
     "builtin_names",

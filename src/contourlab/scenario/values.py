@@ -318,40 +318,9 @@ class Case:
         return self.run.start == "moving"
 
     @property
-    def signals(self) -> tuple[str, ...]:
-        """Signals to write; empty for all."""
-        return self.run.signals or ()
-
-    @property
-    def seed(self) -> int:
-        """Seed of all noise."""
-        return self.run.seed
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """Notes on the motion."""
-        return self.motion.notes
-
-    @property
     def lines(self) -> tuple[str, ...]:
         """Source text of the program; empty for a contour."""
         return self.motion.program.lines if isinstance(self.motion, PartProgram) else ()
-
-    @property
-    def curvature_step(self) -> float:
-        """Allowed step of an axis acceleration where the curvature jumps, as a share of its limit."""
-        return self.feed.curvature_step
-
-    @property
-    def limits(self) -> AxisLimits:
-        """Limits of the axes, for the planner.
-
-        Raises
-        ------
-        FeedError
-            If an axis has no velocity limit.
-        """
-        return self.machine.planner_limits()
 
     def reference(self, feed_scale: float = 1.0) -> Reference:
         """Return the sampled reference, with the samples that ``run.judge`` chooses.
@@ -428,7 +397,7 @@ class Case:
             assert isinstance(self.motion, Contour) and self.feed.frequency is not None  # checked by the reader
             return uniform(self.motion.path, self.feed.frequency * factor, self.feed.laps, period)
         route = self._own_route if factor == self.feed.override else self._route(factor)
-        return plan(route, self.limits, period, laps=self.feed.laps, curvature_step=self.feed.curvature_step)
+        return plan(route, self.machine.planner_limits(), period, laps=self.feed.laps, curvature_step=self.feed.curvature_step)
 
     def route(self) -> Route | None:
         """Return the path to plan along, with feedrates; None under the uniform law."""
@@ -448,7 +417,7 @@ class Case:
             route = self.motion.route(tolerance)
         if factor != 1.0:
             route = replace(route, feedrate=np.where(route.rapid, route.feedrate, route.feedrate * factor))
-        return blended(controlled(route, self.feed.path_control, tolerance, self.feed.merge_tolerance), self.limits)
+        return blended(controlled(route, self.feed.path_control, tolerance, self.feed.merge_tolerance), self.machine.planner_limits())
 
 
 @dataclass(frozen=True, eq=False)

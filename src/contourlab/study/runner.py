@@ -52,7 +52,7 @@ class Setting:
     @staticmethod
     def of(case: Case) -> Setting:
         """Plan the motion of a case of a scenario, and return what runs."""
-        return Setting(case.machine, case.controller, case.reference(), case.seed, case.moving)
+        return Setting(case.machine, case.controller, case.reference(), case.run.seed, case.moving)
 
     @cached_property
     def view(self) -> PathView:

@@ -9,8 +9,7 @@ from scipy.signal import cont2discrete
 from contourlab.analysis.linear.tick_map import spectral_radius, tick_map, tick_matrix
 from contourlab.components.controller.position import PositionController
 from contourlab.components.plant.rigid_axis import RigidAxis
-from contourlab.engine.schedule import Late, Node, Schedule
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Late, Node, Port, Schedule, Step
 from contourlab.errors import ComponentError
 from contourlab.geometry import Line, Path
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine

@@ -64,7 +64,7 @@ def test_the_limit_comes_before_the_delay() -> None:
     drive: Any = machine.axis("x").drive
 
     from contourlab.engine.runner import make_group
-    from contourlab.engine.schedule import Node, Schedule
+    from contourlab.engine.step import Node, Schedule
 
     node = Node("drive", drive.make_step(), {"command": "in.command"}, drive.block(PERIOD), ring_length=drive.ring_length(PERIOD))
     schedule = Schedule((node,), node.step.inputs, PERIOD, 1)

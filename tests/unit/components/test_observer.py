@@ -15,8 +15,7 @@ from contourlab.components.contract import Component
 from contourlab.components.friction.laws import NoFriction
 from contourlab.components.mechanics.core import link
 from contourlab.engine.runner import make_group
-from contourlab.engine.schedule import Late, Node, Schedule
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Late, Node, Port, Schedule, Step
 from contourlab.loop import Axis, AxisController
 
 POSITIVE = st.floats(0.1, 100.0)

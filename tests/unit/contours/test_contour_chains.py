@@ -13,8 +13,9 @@ from drawings import MM, away, dxf
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from contourlab.contours import read_contour, read_dxf
+from contourlab.contours import read_contour
 from contourlab.contours.drawing import Strand, chains_of
+from contourlab.contours.dxf import read_dxf
 from contourlab.errors import GeometryError
 from contourlab.geometry import Arc, Line
 from contourlab.geometry.path import JOIN_TOLERANCE

@@ -11,7 +11,8 @@ from drawings import dxf
 
 import contourlab as cl
 from contourlab.errors import ScenarioError
-from contourlab.scenario import Contour, dump, parse_scenario
+from contourlab.scenario import dump, parse_scenario
+from contourlab.scenario.values import Contour
 
 TWO_AXES = 'machine = "builtin:ghaffari/a3a1"\ncontroller = "builtin:ghaffari/calibrated"\n'
 THREE_AXES = 'machine = "builtin:xyz"\ncontroller = "builtin:xyz-controller"\n'
@@ -66,10 +67,10 @@ def test_a_third_axis_is_constant_or_takes_its_coordinate(tmp_path: File) -> Non
     reference = plane.reference()
     assert reference.n_axis == 3
     assert not reference.block(0, reference.n_sample).position[:, 2].any()
-    assert any("still" in note for note in plane.notes)
+    assert any("still" in note for note in plane.motion.notes)
     space = cl.load_scenario(scenario(tmp_path, 'file = "part.dxf"\nignore = ["TEXT"]\naxes = 3', THREE_AXES)).base
     assert space.reference().n_axis == 3
-    assert not any("still" in note for note in space.notes)
+    assert not any("still" in note for note in space.motion.notes)
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 from drawings import MM, dxf, svg
 
-from contourlab.contours import read_contour, read_dxf
+from contourlab.contours import read_contour
+from contourlab.contours.dxf import read_dxf
 from contourlab.errors import ContourlabError, GeometryError
 
 

@@ -15,7 +15,8 @@ import pytest
 from drawings import MM, area, away, dxf
 from scipy.special import ellipe, ellipeinc
 
-from contourlab.contours import read_contour, read_dxf
+from contourlab.contours import read_contour
+from contourlab.contours.dxf import read_dxf
 from contourlab.errors import GeometryError, UnitError
 from contourlab.geometry import Arc, BSpline, EllipticalArc, Line, Nurbs
 

@@ -13,8 +13,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.special import ellipe
 
-from contourlab.contours import read_contour, read_points, study_contour
+from contourlab.contours import read_contour, study_contour
 from contourlab.contours.fit import fit_points
+from contourlab.contours.reader import read_points
 from contourlab.errors import GeometryError, UnitError
 from contourlab.geometry import Line
 

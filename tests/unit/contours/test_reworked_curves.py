@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 
 from contourlab.contours.drawing import spline_curves
 from contourlab.errors import GeometryError
-from contourlab.geometry import Arc, BSpline, Curve, EllipticalArc, Lemniscate, Line, Nurbs, Path, Spiral, backwards, with_ends
+from contourlab.geometry import Arc, BSpline, Curve, EllipticalArc, Line, Nurbs, Path, backwards, with_ends
 from contourlab.geometry.nurbs import split_at
+from contourlab.geometry.parametric import Lemniscate, Spiral
 
 POINTS = np.array([(0, 0), (10, 20), (20, -15), (30, 10), (45, 5), (50, 0)]) * 1e-3
 CLAMPED = np.array([0, 0, 0, 0, 1, 2.5, 4, 4, 4, 4.0])

@@ -10,7 +10,8 @@ import pytest
 from drawings import MM, area, away, svg
 from scipy.special import ellipe
 
-from contourlab.contours import read_contour, read_svg
+from contourlab.contours import read_contour
+from contourlab.contours.svg import read_svg
 from contourlab.errors import GeometryError
 from contourlab.geometry import Arc, BSpline, EllipticalArc, Line
 

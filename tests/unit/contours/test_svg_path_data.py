@@ -11,9 +11,9 @@ from drawings import MM, svg
 from hypothesis import given
 from hypothesis import strategies as st
 
-from contourlab.contours import read_contour, read_svg
+from contourlab.contours import read_contour
 from contourlab.contours.drawing import ConicShape, LineShape, Shape, SplineShape
-from contourlab.contours.svg import path_shapes
+from contourlab.contours.svg import path_shapes, read_svg
 
 
 def only(data: str) -> list[Shape]:

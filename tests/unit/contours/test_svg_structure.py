@@ -9,7 +9,9 @@ import pytest
 from drawings import MM, svg
 from refusals import mentions
 
-from contourlab.contours import Drawing, read_contour, read_svg
+from contourlab.contours import read_contour
+from contourlab.contours.drawing import Drawing
+from contourlab.contours.svg import read_svg
 from contourlab.errors import GeometryError
 
 HEIGHT = 80.0

@@ -15,8 +15,9 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from contourlab.contours import read_points, study_contour
+from contourlab.contours import study_contour
 from contourlab.contours.fit import PointFit, fit_points
+from contourlab.contours.reader import read_points
 from contourlab.errors import GeometryError
 from contourlab.geometry import Arc, Curve, Line, Path
 

@@ -10,8 +10,7 @@ import pytest
 from contourlab import primitives
 from contourlab.engine import fused
 from contourlab.engine.runner import make_group
-from contourlab.engine.schedule import Late, Node, Schedule
-from contourlab.engine.step import Bank, Port, Step
+from contourlab.engine.step import Bank, Late, Node, Port, Schedule, Step
 from contourlab.errors import EngineError
 from contourlab.native import store
 from contourlab.primitives import (

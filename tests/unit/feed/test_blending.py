@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 from contourlab.errors import FeedError
-from contourlab.feed import Correspondence, Reference, Route, blended
+from contourlab.feed import Reference, Route, blended
 from contourlab.feed.blending import shape
-from contourlab.geometry import Arc, Blend, Curve, Line, Path, contour
-from contourlab.geometry.blend import blends, quintic_bezier
+from contourlab.feed.route import Correspondence
+from contourlab.geometry import Arc, Curve, Line, Path, contour
+from contourlab.geometry.blend import Blend, blends, quintic_bezier
 from contourlab.geometry.curve import CurveBatch
 from contourlab.metrics import judge
 from contourlab.result import Result, Signal

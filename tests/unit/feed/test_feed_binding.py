@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from contourlab.errors import FeedError
-from contourlab.feed import AxisLimits, Binding, limiting, plan, route_from_path, route_from_program
+from contourlab.feed import AxisLimits, plan, route_from_path, route_from_program
+from contourlab.feed.planner import Binding, limiting
 from contourlab.geometry import Line, Path, contour
 from contourlab.program import parse_program
 

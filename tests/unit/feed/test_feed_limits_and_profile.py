@@ -7,7 +7,8 @@ import pytest
 from each import each
 
 from contourlab.errors import FeedError, ParameterError
-from contourlab.feed import AxisLimits, Profile
+from contourlab.feed import AxisLimits
+from contourlab.feed.profile import Profile
 
 
 def test_one_number_applies_to_all_axes():

@@ -7,7 +7,8 @@ import pytest
 
 from contourlab.errors import FeedError
 from contourlab.feed import Route, blended, route_from_program
-from contourlab.geometry import Blend, BSpline, Line, Path
+from contourlab.geometry import BSpline, Line, Path
+from contourlab.geometry.blend import Blend
 from contourlab.program import parse_program
 
 HEAD = "G21 G90 G1 F600\n"

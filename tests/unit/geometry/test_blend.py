@@ -12,8 +12,8 @@ from scipy.integrate import quad
 from scipy.interpolate import BPoly
 
 from contourlab.errors import GeometryError
-from contourlab.geometry import Blend, Curve, Path
-from contourlab.geometry.blend import Blends, blends, parameter, quintic_bezier
+from contourlab.geometry import Curve, Path
+from contourlab.geometry.blend import Blend, Blends, blends, parameter, quintic_bezier
 
 Array = NDArray[np.float64]
 

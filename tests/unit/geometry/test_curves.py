@@ -13,8 +13,8 @@ from scipy.integrate import quad
 from scipy.special import ellipe, gamma
 
 from contourlab.errors import GeometryError
-from contourlab.geometry import Arc, BSpline, Curve, Ellipse, Lemniscate, Line, Nurbs, Path, Star
-from contourlab.geometry.parametric import Parametric
+from contourlab.geometry import Arc, BSpline, Curve, Line, Nurbs, Path
+from contourlab.geometry.parametric import Ellipse, Lemniscate, Parametric, Star
 
 Array = NDArray[np.float64]
 LEMNISCATE_CONSTANT = gamma(0.25) ** 2 / (2.0 * math.sqrt(2.0 * math.pi))

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 from contourlab.errors import GeometryError
-from contourlab.geometry import Arc, BSpline, Ellipse, Line, Path, contour
+from contourlab.geometry import Arc, BSpline, Line, Path, contour
+from contourlab.geometry.parametric import Ellipse
 
 SQUARE = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)]
 

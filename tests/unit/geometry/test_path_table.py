@@ -13,7 +13,8 @@ from each import each
 from numpy.typing import NDArray
 
 from contourlab.errors import GeometryError
-from contourlab.geometry import Arc, Line, Path, PathTable, contour, contour_names
+from contourlab.geometry import Arc, Line, Path, contour, contour_names
+from contourlab.geometry.table import PathTable
 from contourlab.geometry.view import PathView, view_of
 
 Array = NDArray[np.float64]

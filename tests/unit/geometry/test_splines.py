@@ -12,7 +12,8 @@ from scipy.interpolate import BSpline as ScipySpline
 from scipy.interpolate import make_interp_spline
 
 from contourlab.errors import GeometryError
-from contourlab.geometry import BSpline, Ellipse, Nurbs, Path, contour
+from contourlab.geometry import BSpline, Nurbs, Path, contour
+from contourlab.geometry.parametric import Ellipse
 
 POINTS = np.array([(0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, -1.0), (6.0, 0.0), (7.0, 3.0), (9.0, 2.0)])
 KNOTS = [0.0, 0.0, 0.0, 0.0, 0.3, 0.5, 0.8, 1.0, 1.0, 1.0, 1.0]

@@ -18,8 +18,7 @@ from contourlab.components.friction.laws import Coulomb
 from contourlab.components.mechanics.core import link
 from contourlab.components.plant.mass_damper import MassDamper
 from contourlab.engine.runner import make_group
-from contourlab.engine.schedule import Late, Node, Schedule
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Late, Node, Port, Schedule, Step
 from contourlab.papers.emps.log import EmpsLog
 from contourlab.papers.emps.simulation import LIMIT, EmpsAxis, advance, percent_errors, simulate_as_published, simulate_emps
 

@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 
 from contourlab.errors import ProgramError
-from contourlab.program import Event, Program, parse_program
-from contourlab.program.moves import PLAIN
+from contourlab.program import Program, parse_program
+from contourlab.program.moves import PLAIN, Event
 
 
 def read(text: str) -> Program:

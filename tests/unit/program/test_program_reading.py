@@ -9,7 +9,8 @@ from each import each
 from refusals import refuses
 
 from contourlab.errors import ProgramError
-from contourlab.program import Dwell, Feed, Notice, Reader, Reading, parse_program
+from contourlab.program import Dwell, Feed, Reader, Reading, parse_program
+from contourlab.program.moves import Notice
 
 GRBL = Reading(dialect="grbl")
 

@@ -7,7 +7,8 @@ from dataclasses import replace
 import pytest
 import synthetic
 
-from contourlab.feed import AxisLimits, Judged, plan, route_from_path
+from contourlab.feed import AxisLimits, plan, route_from_path
+from contourlab.feed.profile import Judged
 from contourlab.geometry import Line, Path
 from contourlab.rendering.comparison import compare, comparison_text
 from contourlab.result import Status

@@ -102,5 +102,5 @@ def test_a_scheme_may_change_or_remove_a_link() -> None:
 def test_a_run_with_a_link() -> None:
     case = parse_scenario(TOP.replace("LINK", NETWORK)).cases()[0]
     reference = case.reference()
-    one, again = (cl.simulate(case.machine, case.controller, reference, seed=case.seed) for _ in range(2))
+    one, again = (cl.simulate(case.machine, case.controller, reference, seed=case.run.seed) for _ in range(2))
     assert one.status.ok and (one["position"] == again["position"]).all()

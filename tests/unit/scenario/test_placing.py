@@ -55,7 +55,7 @@ def test_a_plane_contour_holds_the_third_axis_still() -> None:
     position = case.reference().path.position(np.linspace(0.0, 0.06, 9))
     np.testing.assert_allclose(np.linalg.norm(position - (0.03, -0.04, 0.005), axis=1), 0.01, rtol=1e-12)
     assert (position[:, 2] == 0.005).all()
-    assert len(case.notes) == 1 and mentions(case.notes, "still", "z at 5 mm")
+    assert len(case.motion.notes) == 1 and mentions(case.motion.notes, "still", "z at 5 mm")
 
 
 def test_an_offset_survives_a_round_trip() -> None:

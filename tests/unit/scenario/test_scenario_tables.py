@@ -12,10 +12,11 @@ from contourlab.contours.reader import ContourOptions
 from contourlab.errors import ScenarioError
 from contourlab.loop import Axis, AxisController, AxisError, Change, Division, Limits, Machine
 from contourlab.program import Reading
-from contourlab.scenario import Contour, FeedSettings, LearningSettings, PartProgram, RunSettings
+from contourlab.scenario import PartProgram
 from contourlab.scenario.tables import keys_of, read_values, table_of
 from contourlab.scenario.toml_text import toml
 from contourlab.scenario.tree import Table, parse_tree
+from contourlab.scenario.values import Contour, FeedSettings, LearningSettings, RunSettings
 from contourlab.units import setting
 
 sys.path.append(str(Path(__file__).parents[3] / "docs"))

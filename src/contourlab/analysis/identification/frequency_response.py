@@ -24,7 +24,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from contourlab.analysis.identification.filtered_motion import require_finite
 from contourlab.analysis.identification.least_squares import coloured_deviations, lasting_window
@@ -104,13 +103,9 @@ class MeasuredResponse:
 
 def _of_velocity(run: Measured, frequency: Array, velocity: Complex, deviation: Array, coherence: Array, method: str) -> MeasuredResponse:
     """Return the response of the position from that of its difference over a sample."""
-    response, missing = velocity / difference_gain(frequency, run.period), np.full(frequency.size, np.nan)
-    return MeasuredResponse(frequency, response, deviation, coherence, method, run.period, missing)
-
-
-def difference_gain(frequency: ArrayLike, period: float) -> Complex:
-    """Return the frequency response [1/s] at frequencies [Hz] of the difference over one sample divided by the period."""
-    return np.asarray((1.0 - np.exp(-2j * np.pi * np.asarray(frequency) * period)) / period)
+    difference = (1.0 - np.exp(-2j * np.pi * frequency * run.period)) / run.period
+    missing = np.full(frequency.size, np.nan)
+    return MeasuredResponse(frequency, velocity / difference, deviation, coherence, method, run.period, missing)
 
 
 def repeating(excitation: Array) -> tuple[int, slice] | None:

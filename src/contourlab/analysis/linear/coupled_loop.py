@@ -22,7 +22,7 @@ from contourlab.analysis.linear.sampled_loop import SampledLoop, checked_frequen
 from contourlab.analysis.linear.tick_map import DelayForm, Probe, live_states, poles_of
 from contourlab.arrays import Array, Complex, Index
 from contourlab.components.contract import Component
-from contourlab.engine.schedule import Node, Schedule
+from contourlab.engine.step import Node, Schedule
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop.machine import Controller, Machine
 

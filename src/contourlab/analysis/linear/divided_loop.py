@@ -23,8 +23,7 @@ from contourlab.components.contract import Component
 from contourlab.components.estimator.local import Tangent
 from contourlab.components.ideal import IdealLink
 from contourlab.components.link.network import Network
-from contourlab.engine.schedule import Late, Schedule
-from contourlab.engine.step import Port
+from contourlab.engine.step import Late, Port, Schedule
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.geometry import Line, Path
 from contourlab.loop.axis_parts import Division

@@ -24,8 +24,7 @@ from contourlab.analysis.linear.margins import UNSTABLE, Margins, frequency_grid
 from contourlab.analysis.linear.tick_map import DelayForm, TickMap, lane_matrices, live_states, poles_of, tick_map
 from contourlab.arrays import Array, Complex, Flags
 from contourlab.components.contract import Component
-from contourlab.engine.schedule import Schedule
-from contourlab.engine.step import Port
+from contourlab.engine.step import Port, Schedule
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.geometry import Line, Path
 from contourlab.loop.batch import LANES

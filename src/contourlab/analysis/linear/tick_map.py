@@ -12,8 +12,7 @@ import numpy as np
 
 from contourlab.arrays import Array, Complex, Flags, Index
 from contourlab.engine.runner import make_group
-from contourlab.engine.schedule import Schedule
-from contourlab.engine.step import rows
+from contourlab.engine.step import Schedule, rows
 from contourlab.errors import ComponentError
 
 

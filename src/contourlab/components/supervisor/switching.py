@@ -60,6 +60,7 @@ class EstimatorBased(Supervisor):
     reasons: ClassVar[tuple[str, ...]] = ("the observer sees the gap", "the observer sees contact", "the observer is not certain enough")
     example = {"confidence": 0.3, "dwell_time": 3e-3}
     inputs = (Port("gap_state"), Port("confidence"))
+    n_controller = 2
 
     confidence: float = param(default=0.5, minimum=0.0, maximum=1.0, doc="observer confidence below which the contact controller is active")
 
@@ -68,11 +69,6 @@ class EstimatorBased(Supervisor):
         sure = inp.confidence >= par.confidence
         free = select(sure, select(fabs(inp.gap_state) < 0.5, 1.0, 0.0), 0.0)
         return settled(x.active, x.since, free, select(sure, select(free > 0.5, 1.0, 2.0), 3.0), par.dwell_time, clock.dt)
-
-    @property
-    def n_controller(self) -> int:
-        """Number of controllers to choose from."""
-        return 2
 
 
 MEASURES: dict[str, Callable[[Any], Any]] = {

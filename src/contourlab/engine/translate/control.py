@@ -9,8 +9,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from contourlab.arrays import Array
-from contourlab.engine.schedule import Schedule
-from contourlab.engine.step import rows
+from contourlab.engine.step import Schedule, rows
 from contourlab.engine.translate.c99 import HASH, Writer, literal
 from contourlab.engine.translate.graph import Op, prune
 from contourlab.engine.translate.maths import EXACT

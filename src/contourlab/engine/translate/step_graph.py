@@ -9,8 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from contourlab.engine.schedule import Node, Schedule
-from contourlab.engine.step import Bank, Port, Step, misfit, pack, record, rows, unpack
+from contourlab.engine.step import Bank, Node, Port, Schedule, Step, misfit, pack, record, rows, unpack
 from contourlab.engine.translate.evaluate import Evaluator
 from contourlab.engine.translate.graph import TABLE, Block, Graph, MismatchError, Op, fuse_products, prune
 from contourlab.engine.translate.maths import EXACT

@@ -330,7 +330,7 @@ def backlash_study(case: Case, reference: Reference, stages: Stages, quick: floa
     def run(tried: Controller, motion: Reference, extra: tuple[str, ...] = ()) -> Result:
         signals = (*SIGNALS, *extra)
         return simulate(
-            machine, tried, motion, seed=case.seed, signals=signals, progress=lambda done: stages.advance(done, motion.n_sample)
+            machine, tried, motion, seed=case.run.seed, signals=signals, progress=lambda done: stages.advance(done, motion.n_sample)
         )
 
     loose = loose_axes(machine)

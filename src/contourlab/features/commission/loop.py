@@ -22,8 +22,7 @@ import numpy as np
 
 from contourlab.arrays import Array, Complex, Flags
 from contourlab.engine.runner import Group, make_group
-from contourlab.engine.schedule import Late, Node, Schedule
-from contourlab.engine.step import Step, ports
+from contourlab.engine.step import Late, Node, Schedule, Step, ports
 from contourlab.engine.translate.tick_loop import VECTOR
 from contourlab.features.tune.drive_terms import LinuxCNCGains, linuxcnc_law
 from contourlab.primitives import clip, delayed, fabs, maximum, select

@@ -29,8 +29,7 @@ from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.components.ideal import IdealSensor
 from contourlab.engine.runner import InterpretedGroup
-from contourlab.engine.schedule import Late, Schedule
-from contourlab.engine.step import Port, rows
+from contourlab.engine.step import Late, Port, Schedule, rows
 from contourlab.engine.translate import fmi, hal, structured_text
 from contourlab.engine.translate.control import LIBRARY, Control, Field, bench_of, control_of, header_of, source_of
 from contourlab.errors import ParameterError, ScenarioError

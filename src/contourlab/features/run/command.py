@@ -137,7 +137,7 @@ class Runs(JudgedRuns):
     @property
     def notes(self) -> tuple[str, ...]:
         """On the motion: leniency of the program's reader, scaling, contours from files."""
-        return self.outcomes[0].case.notes if self.outcomes else ()
+        return self.outcomes[0].case.motion.notes if self.outcomes else ()
 
     @property
     def passed(self) -> bool | None:
@@ -218,7 +218,7 @@ class Runs(JudgedRuns):
                 name = names[outcome.name]
                 judged = judged_part(outcome.result, outcome.reference).text  # for a comparison of finished runs
                 result = replace(outcome.result, attributes={**outcome.result.attributes, "judged": judged})
-                if wanted := signals or outcome.case.signals:
+                if wanted := signals or outcome.case.run.signals:
                     # Asking for the data says clearly which signals there are, if one is not.
                     result = replace(result, signals={key: result.signals[key] for key in wanted if result[key] is not None})
                 result.save(stage / "signals" / f"{name}.nc")

@@ -190,7 +190,7 @@ class Outcome(JudgedRun):
         "machine": "case.machine.name",
         "axes": "result.axes",
         "servo_period": "result.servo_period",
-        "seed": "case.seed",
+        "seed": "case.run.seed",
         "n_sample": "result.n_sample",
         "path_digest": "path_digest",
         "status": "result.status",
@@ -303,7 +303,7 @@ def run_case(
         begin(f"learning, {case.name}")
         learned = _learned(case, reference, report_progress)
     begin(f"simulating {case.name}" + ("" if learned is None else f", trial {learned.best}"))
-    noise: dict[str, Any] = {"seed": case.seed, "moving": case.moving}
+    noise: dict[str, Any] = {"seed": case.run.seed, "moving": case.moving}
     given: dict[str, Any] = {"learned": None if learned is None else learned.table.learned, "changes": case.changes}
     given |= {"progress": report_progress} if learned is None else {"trial": learned.best}
     result = simulate(machine, controller, reference, scheme=case.name, **noise, **given)
@@ -413,7 +413,7 @@ def _learned(case: Case, reference: Reference, report_progress: Callable[[int], 
     stopping = Stopping(improvement=learning.improvement, patience=learning.patience)
     return learn(
         case.machine, case.controller, reference, learning.law,
-        trials=learning.trials, seed=case.seed, start=start, stopping=stopping, progress=report_progress,
+        trials=learning.trials, seed=case.run.seed, start=start, stopping=stopping, progress=report_progress,
     )  # fmt: skip
 
 
@@ -421,7 +421,7 @@ def limits_of(case: Case, reference: Reference) -> LimitReport | None:
     """Check the reference against the limits of the axes; None where it was not planned within them."""
     if case.route() is None:
         return None
-    limits = case.limits
+    limits = case.machine.planner_limits()
     key = (reference.digest, limits.velocity.tobytes(), limits.acceleration.tobytes(), limits.jerk.tobytes())
     if key not in _REPORTS:
         while len(_REPORTS) >= KEPT_REPORTS:

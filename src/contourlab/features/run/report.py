@@ -139,8 +139,8 @@ def report_data(title: str, outcomes: Sequence[Outcome], *, scenario: str, comma
     """Return the data of a report on outcomes (at least one) along one path; `scenario` is TOML, `command` as typed."""
     first = outcomes[0]
     again = "save the scenario below as scenario.toml, then: contourlab run scenario.toml"
-    provenance = Provenance(command, again, scenario, first.case.seed)
-    notes = [*first.case.notes]
+    provenance = Provenance(command, again, scenario, first.case.run.seed)
+    notes = [*first.case.motion.notes]
     others = [outcome.name for outcome in outcomes if outcome.reference.digest != first.reference.digest]
     if others:
         notes.append(f"The planned feed shown is that of {first.name}. {listing(others)}: planned differently.")
@@ -158,6 +158,7 @@ def _feed(outcome: Outcome) -> FeedRun | None:
     ramps = np.linspace(profile.t0, ends, per_span, endpoint=False).ravel()
     time = np.unique(np.concatenate([np.linspace(0.0, profile.duration, FEED_POINTS), ramps]))
     motion = profile.motion(time)
-    codes = limiting(route, outcome.case.limits, profile, motion.arc_length, curvature_step=outcome.case.curvature_step)
+    limits, curvature_step = outcome.case.machine.planner_limits(), outcome.case.feed.curvature_step
+    codes = limiting(route, limits, profile, motion.arc_length, curvature_step=curvature_step)
     asked = route.feedrate[reference.path.curve_index(motion.arc_length)]
     return FeedRun(motion.arc_length, motion.speed, asked, time, codes, [_HELD_BY[code] for code in Binding])

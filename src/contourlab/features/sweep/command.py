@@ -580,7 +580,7 @@ def rerun(folder: str | Path, number: int, settings: Worst, session: Session) ->
 def _differences(store: Store, row: Mapping[str, Any], case: Case, values: Mapping[str, float]) -> Iterator[Finding]:
     """Run a variant again as the study did; yield the first figure that is not that of its row."""
     numbers = tuple((name, i, Distribution("values", (value,))) for i, (name, value) in enumerate(values.items()))
-    structure = Structure(case.machine, case.controller, case.reference(), case.seed, case.moving, numbers)
+    structure = Structure(case.machine, case.controller, case.reference(), case.run.seed, case.moving, numbers)
     design = Design("list", 1, 1, (1,) * len(numbers))
     (chunk,) = run_chunks(Study({(): structure}, dict.fromkeys(values, ""), design=design, figures=tuple(store.manifest.figures)), [0])
     for name, unit in store.manifest.figures.items():

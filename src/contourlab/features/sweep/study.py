@@ -403,7 +403,7 @@ def _bound(
                 if drawn.beyond > WORTH_SAYING:
                     findings.setdefault(name, finding("CL921", parameter=name, share=drawn.beyond))
     structures = {
-        combo: Structure(case.machine, case.controller, references[combo], case.seed, case.moving, tuple(numbers[combo]))
+        combo: Structure(case.machine, case.controller, references[combo], case.run.seed, case.moving, tuple(numbers[combo]))
         for combo, case in cases.items()
     }
     on_cases = {

@@ -18,8 +18,7 @@ from contourlab.components.contract import Component
 from contourlab.components.mechanics.core import friction_prefix, link
 from contourlab.components.registry import components
 from contourlab.engine.runner import InterpretedGroup
-from contourlab.engine.schedule import Node, Schedule
-from contourlab.engine.step import Step, rows
+from contourlab.engine.step import Node, Schedule, Step, rows
 from contourlab.engine.translate import c99
 from contourlab.engine.translate.step_graph import StepGraph, graph_of
 from contourlab.errors import ComponentError

@@ -15,8 +15,7 @@ from tests.helpers.structured_text import FunctionBlock
 from tests.unit.engine.translate.test_production import PERIOD, TABLE, WIDTHS, run, schedule_of
 
 from contourlab.engine.runner import CompiledGroup, InterpretedGroup
-from contourlab.engine.schedule import Node, Schedule
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Node, Port, Schedule, Step
 from contourlab.engine.translate import c99, structured_text
 from contourlab.engine.translate.control import Field, control_of
 from contourlab.engine.translate.step_graph import graph_of

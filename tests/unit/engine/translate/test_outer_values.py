@@ -20,8 +20,7 @@ import contourlab as cl
 from contourlab.components.conformance import check_component
 from contourlab.engine import fused
 from contourlab.engine.runner import make_group
-from contourlab.engine.schedule import Node, Schedule
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Node, Port, Schedule, Step
 from contourlab.engine.translate import llvm_ir, step_graph
 from contourlab.engine.translate.outer import Reads
 from contourlab.errors import ComponentError, EngineError

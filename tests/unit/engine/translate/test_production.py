@@ -20,8 +20,7 @@ from contourlab.arrays import Array
 from contourlab.components.conformance import PERIOD, subject
 from contourlab.components.registry import component
 from contourlab.engine.runner import CompiledGroup, InterpretedGroup
-from contourlab.engine.schedule import Node, Schedule
-from contourlab.engine.step import Port, Step
+from contourlab.engine.step import Node, Port, Schedule, Step
 from contourlab.engine.translate import c99
 from contourlab.engine.translate.maths import LANES, SINGLE
 from contourlab.engine.translate.step_graph import graph_of

@@ -47,7 +47,7 @@ def test_every_pairing_is_that_of_a_plain_batch(tmp_path: Path, capsys: pytest.C
     assert len(names) == 4 and all(len(set(values)) == (12 if name.startswith("axes.1.") else 10) for name, values in drawn.items())
     case = load_scenario(tmp_path / "scenario.toml").case("all of it")
     columns = {name: np.array(values) for name, values in drawn.items()}
-    batch = simulate_batch(case.machine, case.controller, case.reference(), columns, part=True, moving=case.moving, seed=case.seed)
+    batch = simulate_batch(case.machine, case.controller, case.reference(), columns, part=True, moving=case.moving, seed=case.run.seed)
     error = batch.figures["part_error_max"].reshape(12, 10)
     assert [row["part_error_max"] for row in rows] == error.ravel().tolist()
 
