@@ -127,9 +127,8 @@ class Answer:
         def __getattr__(self, name: str) -> Any:
             """Return what JSON has under a key that is no attribute, as ``scheme`` of ``case.name``."""
             path = vars(type(self)).get("json_form", {}).get(name, name)
-            if path == name:
-                raise AttributeError(f"{type(self).__name__} has no attribute {name!r}")
-            return attrgetter(path)(self)
+            # Asked again, so that an error inside a property of this name is raised as it is.
+            return object.__getattribute__(self, name) if path == name else attrgetter(path)(self)
 
     @property
     def text(self) -> str:

@@ -76,13 +76,13 @@ def write_charts(charts: Iterable[Picture], folder: str | Path, formats: Sequenc
     return write_figures(((chart.key, partial(drawing, chart)) for chart in charts), folder, formats)
 
 
-def write_figures(
-    drawings: Iterable[tuple[str, Callable[[], Figure]]], folder: str | Path, formats: Sequence[str] = ("png",)
-) -> tuple[Path, ...]:
+def write_figures(drawings: Iterable[tuple[str, Callable[[], Figure]]], folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
     """Write drawings, each as a file named by its key; other parameters and errors as in `write_plots`.
 
     Each is written completely or not at all; only one is in memory at a time.
     """
+    if not formats:
+        return ()
     import matplotlib
 
     from contourlab.rendering.matplotlib_view import LOOKS, TIMELESS, picture_bytes
@@ -92,7 +92,7 @@ def write_figures(
             raise ParameterError("formats", name, f"of {', '.join(TIMELESS)}")
     files = []
     with matplotlib.rc_context(fname=LOOKS):
-        for key, draw in drawings if formats else ():
+        for key, draw in drawings:
             figure = draw()
             for name in formats:
                 files.append(Path(folder) / f"{key}.{name}")

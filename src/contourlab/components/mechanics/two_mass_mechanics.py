@@ -348,18 +348,9 @@ def _bristled_stretch_of(gap: Any, physical: bool, motor: Any, load: Any, motor_
 
 @cache
 def two_mass_bristle_step(gap: Any, physical: bool, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
-    """Return the step of a two-mass plant with bristles.
+    """Return the step of a two-mass plant with bristles; parameters as of `two_mass_step`.
 
-    Parameters
-    ----------
-    gap : callable
-        ``gap(par, position)``: half of the free travel at the load's position, and its slope.
-    physical : bool
-        Which of the two models of contact.
-    motor, load : friction classes
-        The law of one or both is "bristle"; that of the other may be "smooth".
-    motor_view, load_view : callable
-        Pick the parameters of their frictions out of ``par``.
+    The law of one or both of `motor` and `load` is "bristle"; that of the other may be "smooth".
     """
     shaft, stretch = shaft_of(gap), _bristled_stretch_of(gap, physical, motor, load, motor_view, load_view)
     advance = _advance_of(gap, motor, load, motor_view, load_view)

@@ -349,6 +349,11 @@ def refine_sought(
     return _refined(problem, best, given, (len(ends), agreeing))
 
 
+def _counts(run: LogRun) -> Array:
+    """Return the size of a count of each axis' encoder [m]; 0 for none."""
+    return np.array([getattr(axis.sensor, "resolution", 0.0) for axis in run.machine.axes])
+
+
 class _Problem:
     """Weighted residuals of all runs at points (k, p)."""
 
@@ -374,15 +379,14 @@ class _Problem:
         for i, (run, part) in enumerate(zip(self.runs, left, strict=True)):
             rms = np.sqrt(np.mean(part[:, :, 0] ** 2, axis=0))
             floor = np.maximum(1e-6 * np.sqrt(np.mean(run.measured**2, axis=0)), 1e-12)
-            counts = [getattr(axis.sensor, "resolution", 0.0) for axis in run.machine.axes][: rms.size]
-            floor[: len(counts)] = np.maximum(floor[: len(counts)], np.array(counts) / math.sqrt(12.0))
+            counts = _counts(run)[: rms.size]
+            floor[: counts.size] = np.maximum(floor[: counts.size], counts / math.sqrt(12.0))
             self.sizes[i] = np.maximum(rms, floor)
 
     def grains(self) -> Array:
         """Return the size of each encoder's count relative to the residual of its channel."""
         by_run = zip(self.runs, self.sizes, strict=True)
-        pairs = (pair for run, sizes in by_run for pair in zip(run.machine.axes, sizes, strict=False))
-        return np.array([getattr(axis.sensor, "resolution", 0.0) / size for axis, size in pairs])
+        return np.array([count / size for run, sizes in by_run for count, size in zip(_counts(run), sizes, strict=False)])
 
     def settings(self, given: DescentSettings) -> DescentSettings:
         """Return the settings of a descent whose finite differences exceed the encoder counts."""

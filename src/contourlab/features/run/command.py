@@ -84,8 +84,7 @@ class JudgedRuns(Answer):
 
         write_json(stage / "summary.json", self.summary)
         write_html(self.data, stage / "report.html")
-        if plots:
-            write_plots(self.data, stage / "plots", tuple(plots))
+        write_plots(self.data, stage / "plots", tuple(plots))
 
 
 @dataclass(frozen=True, eq=False)

@@ -317,8 +317,7 @@ def write_results(study: SwapStudy, folder: Path, out: Path, plots: Sequence[str
     from contourlab.scenario.dump import dump
 
     variants, best, base = study.variants, study.recommended, study.base
-    if plots:
-        write_figures([("swap", lambda: drawing(matrices(study), study.settings.full))], folder / "plots", plots)
+    write_figures([("swap", lambda: drawing(matrices(study), study.settings.full))], folder / "plots", plots)
     lines = [f"picture: {out / 'plots' / f'swap.{name}'}" for name in plots]
     (folder / "controllers").mkdir()
 
