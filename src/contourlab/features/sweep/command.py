@@ -74,9 +74,10 @@ class InStore(Answer):
         """Return the worst variants with their parameters; with ``rerun``, the runs of one."""
         return worst(self.store, count, **options)
 
-    def report(self, **options: Any) -> SweepReport:
-        """Return what the study says."""
-        return report(self.store, **options)
+    def report(self, file: str | Path | None = None, **options: Any) -> SweepReport:
+        """Return what the study says; write its page, if a file is named."""
+        said = report(self.store, **options)
+        return said if file is None else said.save(file)
 
     def export(self, to: str | Path) -> ExportedRows:
         """Write one row per variant into a file, in SI."""

@@ -96,7 +96,6 @@ class Worst(Plugins):
 class Report(Options):
     """Answer in one page: yield, distribution, what decides it, best compromises, when to stop."""
 
-    out: Path | None = option(None, "Page; by default report.html in the store.", metavar="FILE")
     figure: str | None = option(None, "Figure to explain; by default part_error_max.")
 
 
@@ -126,6 +125,13 @@ class OfStore(Shown):
     """An argument: a store."""
 
     store: Path = argument("STORE", "Folder of a store.")
+
+
+@options
+class OfReport(OfStore):
+    """The argument, and what is saved."""
+
+    out: Path | None = option(None, "Page; by default report.html in the store.", metavar="FILE")
 
 
 @options
@@ -159,7 +165,7 @@ COMMANDS = {
             "show": Command(f"{HOME}show", Show, OfStore),
             "query": Command(f"{HOME}query", Query, OfQuery),
             "worst": Command(f"{HOME}worst", Worst, OfWorst),
-            "report": Command(f"{HOME}report", Report, OfStore),
+            "report": Command(f"{HOME}report", Report, OfReport),
             "merge": Command(f"{HOME}merge", Merge, OfStores),
             "export": Command(f"{HOME}export", Export, OfStore),
         },

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import combinations
 from pathlib import Path
 from typing import Any
@@ -420,13 +420,14 @@ class SweepReport(Answer):
 
     Attributes
     ----------
-    page : Path
+    page : Path or None
+        None before it is saved.
     answers : Answers
     judged : Rows
         What they are about.
     """
 
-    page: Path
+    page: Path | None
     answers: Answers
     judged: Rows = field(repr=False, metadata=HIDDEN)
 
@@ -445,12 +446,35 @@ class SweepReport(Answer):
         words = {name: paragraphs([text]) if text else "" for name, text in said(answers).items()}
         first = (words["sentence"], words["modules"], _module_text(answers.pairings), _subset_text(answers))
         second = (words["decides"], _effect_text(answers.effects), words["front"], words["stop"])
-        return "\n\n".join(filter(None, (*first, *second, paragraphs(map(str, answers.findings)), f"page: {self.page}")))
+        last = (paragraphs(map(str, answers.findings)), f"page: {self.page}" if self.page else "")
+        return "\n\n".join(filter(None, (*first, *second, *last)))
+
+    def save(self, file: str | Path | None = None) -> SweepReport:
+        """Write the page.
+
+        Parameters
+        ----------
+        file : str or Path, optional
+            By default ``report.html`` in the store.
+
+        Returns
+        -------
+        SweepReport
+            With the name of its page.
+
+        Raises
+        ------
+        OutputError
+            If it cannot be written.
+        """
+        page = self.judged.store.home / "report.html" if file is None else Path(file)
+        write_page(self.answers, self.judged, said(self.answers), page)
+        return replace(self, page=page)
 
 
 @question(Report)
 def report(store: str | Path, *, settings: Report, session: Session = QUIET) -> SweepReport:
-    """Answer the questions to a store in one page: yield, distribution, what decides it, best compromises, when to stop.
+    """Answer the questions to a store: yield, distribution, what decides it, best compromises, when to stop.
 
     Parameters
     ----------
@@ -467,15 +491,9 @@ def report(store: str | Path, *, settings: Report, session: Session = QUIET) -> 
         If it is no store, or damaged.
     ParameterError
         If it has no such figure, or no variant that was judged.
-    OutputError
-        If the page cannot be written.
     """
-    opened = read_store(store)
-    rows = read_rows(opened, settings.figure)
-    answers = answers_of(rows)
-    page = settings.out or opened.home / "report.html"
-    write_page(answers, rows, said(answers), page)
-    return SweepReport(page, answers, rows)
+    rows = read_rows(read_store(store), settings.figure)
+    return SweepReport(None, answers_of(rows), rows)
 
 
 def _subset_text(answers: Answers) -> str:
