@@ -13,8 +13,8 @@ from dataclasses import asdict, dataclass, field, is_dataclass
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
-from types import UnionType
-from typing import Any, TypeVar, get_args, get_origin, get_type_hints
+from types import NoneType, UnionType
+from typing import Any, TypeVar, Union, get_args, get_origin, get_type_hints
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -194,7 +194,7 @@ def _refused(word: str) -> None:
 
 
 def typed(value: Any, kind: Any, place: str = "") -> Any:
-    """Return a value of JSON as one of a type: a dataclass, a dict, a list, or plain types.
+    """Return a value of JSON as one of a type: a dataclass, a dict, a list, a tuple of any length, or plain types; an array stays.
 
     Raises
     ------
@@ -202,7 +202,8 @@ def typed(value: Any, kind: Any, place: str = "") -> Any:
         If it is not of this type; gives the key.
     """
     origin, inner = get_origin(kind), get_args(kind)
-    plain = inner if origin is UnionType else (kind,)
+    if origin in (Union, UnionType) and value is not None:
+        kind = next((each for each in inner if each is not NoneType and (each is type(value) or is_dataclass(each))), float)
     if isinstance(kind, type) and is_dataclass(kind):
         hints = get_type_hints(kind)
         if type(value) is dict:
@@ -211,13 +212,30 @@ def typed(value: Any, kind: Any, place: str = "") -> Any:
             return kind(**{name: typed(value[name], hint, f"{place}{name}: ") for name, hint in hints.items()})
     elif origin is dict and type(value) is dict:
         return {key: typed(item, inner[1], f"{place}{key}: ") for key, item in value.items()}
-    elif origin is list and type(value) is list:
-        return [typed(item, inner[0], place) for item in value]
-    elif type(value) in plain:
+    elif origin in (list, tuple) and type(value) is list:
+        return origin(typed(item, inner[0], place) for item in value)
+    elif type(value) in (kind, origin) or (value is None and NoneType in inner):
         return value
-    elif type(value) is int and float in plain:
+    elif type(value) is int and float in (kind, *inner):
         return float(value)
     raise ValueError(f"{place}is not what was written")
+
+
+def packed(record: Any) -> dict[str, NDArray[Any]]:
+    """Return a dataclass, which may hold arrays, as the arrays of a piece of a `Checkpoint`."""
+    arrays: dict[str, NDArray[Any]] = {}
+
+    def named(array: NDArray[Any]) -> dict[str, str]:
+        arrays[name := str(len(arrays))] = array
+        return {"array": name}
+
+    return {"about": np.array(json.dumps(asdict(record), default=named)), **arrays}
+
+
+def unpacked(arrays: Mapping[str, NDArray[Any]], kind: type[RecordT]) -> RecordT:
+    """Return what `packed` took; ValueError or KeyError if it is of another type."""
+    held = json.loads(str(arrays["about"]), object_hook=lambda value: arrays[value["array"]] if value.keys() == {"array"} else value)
+    return typed(held, kind)  # type: ignore[no-any-return]
 
 
 # --- interrupts ------------------------------------------------------------------------------------------------------------------------

@@ -71,15 +71,15 @@ class Estimate:
         return dict(zip(self.names, self.values.tolist(), strict=True))
 
     def __getitem__(self, name: str) -> float:
-        """Return a parameter by name; 0 if it was not fitted."""
-        return self.parameters.get(name, 0.0)
+        """Return a parameter by name; KeyError if it was not fitted."""
+        return self.parameters[name]
 
     def deviation(self, name: str) -> float:
-        """Return the robust deviation of a parameter by name; 0 if it was not fitted.
+        """Return the robust deviation of a parameter by name; KeyError if it was not fitted.
 
         The noise of a differenced position is correlated: deviations for a white residual would be many times too large.
         """
-        return float(self.robust_deviations[self.names.index(name)]) if name in self.names else 0.0
+        return dict(zip(self.names, self.robust_deviations.tolist(), strict=True))[name]  # type: ignore[no-any-return]
 
     def mean(self, name: str) -> tuple[float, float]:
         """Return a parameter and its deviation; of the mean if there is one for each direction, which alone includes an offset."""

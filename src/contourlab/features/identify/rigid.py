@@ -153,9 +153,10 @@ def identify_open_loop(records: Sequence[AxisRecord], options: Identify) -> Iden
 
     uncertainty, tables = propagate(numbers, fit, record.source), Tables()
     if fit.usable:
-        friction = friction_tables(fit["friction"] / forces.one, -(fit["offset"] / forces.one), forces.unit, uncertainty.origin)
-        held = fit["friction"] + abs(fit["offset"])
-        tables = rigid_tables(records, fit["a"], fit["b"], uncertainty.origin, held=held, delay=fit["delay"], friction=friction)
+        coulomb, offset, delay = (fit.parameters.get(name, 0.0) for name in ("friction", "offset", "delay"))  # the log may not show them
+        friction = friction_tables(coulomb / forces.one, -(offset / forces.one), forces.unit, uncertainty.origin)
+        held = coulomb + abs(offset)
+        tables = rigid_tables(records, fit["a"], fit["b"], uncertainty.origin, held=held, delay=delay, friction=friction)
     on_mass, possible = mass_findings(1.0 / fit["a"]) if unit == "N" else ([], True)
     return Identification(
         "first-order",

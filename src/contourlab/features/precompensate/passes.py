@@ -3,25 +3,21 @@
 from __future__ import annotations
 
 import hashlib
-import io
-import json
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
-import numpy as np
-
-from contourlab.errors import ParameterError, ResultError
+from contourlab.errors import ParameterError, ResultError, error_text, refuse
 from contourlab.features.precompensate.law import RESTS, Learned, Loop
 from contourlab.features.precompensate.writing import Written
 from contourlab.result.atomic import write_bytes_atomic
+from contourlab.study.checkpoint import Checkpoint, packed, unpacked
 
 HELPS = 0.02
 """Least gain of two passes over the best before them, as a share of its rms; of one pass, where the error is below `RESTS`."""
 LATE = 3
 """Passes in a row that took too long after which no further one is tried."""
 STATE = "passes.npz"
-_FORMAT = 1
+"""File of an older version."""
 
 
 @dataclass(frozen=True)
@@ -109,27 +105,10 @@ def save(passes: Passes, folder: Path) -> None:
     OutputError
         If the folder cannot be written to.
     """
-    folder.mkdir(parents=True, exist_ok=True)
     for number, written in enumerate(passes.written, 1):
         write_bytes_atomic(folder / f"pass-{number}.ngc", written.text.encode("utf-8", "replace"))
-    about: dict[str, Any] = {
-        "format": _FORMAT,
-        "digest": passes.digest,
-        "axes": passes.axes,
-        "loops": [asdict(loop) for loop in passes.loops],
-        "cutoff": passes.cutoff,
-        "figures": [asdict(one) for one in passes.figures],
-        "logs": passes.logs,
-        "texts": [[one.text, one.n_line, one.shortest] for one in passes.written],
-    }
-    arrays: dict[str, Any] = {"about": np.array(json.dumps(about))}
-    for number, written in enumerate(passes.written):
-        arrays |= {f"corrected_{number}": written.corrected_arc, f"programmed_{number}": written.programmed_arc}
-    if passes.learned is not None:
-        arrays |= {f"learned_{name}": np.asarray(value) for name, value in vars(passes.learned).items()}
-    content = io.BytesIO()
-    np.savez_compressed(content, **arrays)
-    write_bytes_atomic(folder / STATE, content.getvalue())
+    kept = _kept(folder, passes)
+    kept.store(kept.path(), packed(passes))
 
 
 def load(folder: Path, none: Passes) -> Passes:
@@ -140,26 +119,21 @@ def load(folder: Path, none: Passes) -> Passes:
     ParameterError
         If they are of another program or of other options.
     ResultError
-        If the file is damaged.
+        If they are damaged, or of an older version.
     """
-    file = folder / STATE
-    if not file.exists():
-        return none
-    try:
-        with np.load(file, allow_pickle=False) as arrays:
-            about = json.loads(str(arrays["about"]))
-            names = Learned.__dataclass_fields__
-            learned: dict[str, Any] = {name: arrays[f"learned_{name}"][()] for name in names if f"learned_{name}" in arrays}
-            written = tuple(
-                Written(text, arrays[f"corrected_{k}"], arrays[f"programmed_{k}"], n_line, shortest)
-                for k, (text, n_line, shortest) in enumerate(about["texts"])
-            )
-        fast = ("velocity", "acceleration")
-        figures = tuple(PassFigures(**{**one, **{name: tuple(one[name]) for name in fast}}) for one in about["figures"])
-        loops, known = tuple(Loop(**loop) for loop in about["loops"]), Learned(**learned) if learned else None
-        passes = Passes(about["digest"], tuple(about["axes"]), loops, about["cutoff"], figures, known, written, tuple(about["logs"]))
-    except (OSError, ValueError, KeyError, TypeError, EOFError) as error:
-        raise ResultError(f"{file}: is damaged: use a new folder with --passes") from error
-    if passes.digest != none.digest:
-        raise ParameterError("--passes", repr(str(folder)), "a new folder: this one holds passes of another program, or of other options")
-    return passes
+    kept, older = _kept(folder, none), folder / STATE
+    arrays, cure = kept.load(kept.path()), "use a new folder with --passes"
+    if arrays is not None:
+        try:
+            return unpacked(arrays, Passes)
+        except (KeyError, ValueError) as error:
+            raise ResultError(f"{kept.home}: {error_text(error)}: {cure}") from error
+    refuse(older.exists(), ResultError, f"{older}: is of an older version, which wrote no digest: {cure}")
+    refuse(kept.damaged, ResultError, f"{kept.home}: is damaged: {cure}")
+    other = "a new folder: this one holds passes of another program, or of other options"
+    refuse(kept.others, ParameterError, "--passes", repr(str(folder)), other)
+    return none
+
+
+def _kept(folder: Path, passes: Passes) -> Checkpoint:
+    return Checkpoint(folder, f"contourlab-passes/2 {passes.digest}")

@@ -1,8 +1,15 @@
-"""When passes stop."""
+"""When passes stop, and what a folder keeps of them."""
 
+from dataclasses import asdict, replace
+from pathlib import Path
+
+import numpy as np
 import pytest
 
-from contourlab.features.precompensate.passes import Passes, PassFigures
+from contourlab.errors import ParameterError, ResultError
+from contourlab.features.precompensate.law import Learned, Loop
+from contourlab.features.precompensate.passes import Passes, PassFigures, load, save
+from contourlab.features.precompensate.writing import Written
 
 
 def figures(number: int, rms: float, in_time: bool) -> PassFigures:
@@ -26,3 +33,28 @@ def test_passes_stop_when_they_no_longer_help(rms: tuple[float, ...], in_time: s
     passes = Passes("", figures=tuple(figures(k, one, sign == "y") for k, (one, sign) in enumerate(zip(rms, in_time, strict=True))))
     assert passes.helps == helps
     assert passes.best == best
+
+
+def test_a_folder_gives_back_what_was_saved_and_refuses_anything_else(tmp_path: Path) -> None:
+    rows, one = np.random.default_rng(0).normal(size=(5, 2)), np.array([0.0, np.nan, np.inf, -1.0, 1e-300])
+    learned = Learned(rows, -rows, one, one, rows, one, 1e-6, 30.0)
+    ran = PassFigures(0, 1e-5, 2e-5, 1.0, (0.1, 0.2), (1.0, 2.0), True)
+    passes = Passes("mine", ("x", "y"), (Loop(), Loop(1e-3, bandwidth=40.0)), 30.0, (ran,), learned, (Written("G1 X1", one, one, 3, 0.1),), ("a",))
+    assert load(tmp_path / "none", passes) is passes
+    for kept in (passes, replace(passes, cutoff=20.0, learned=None)):  # the second replaces the first
+        save(kept, tmp_path)
+        again = load(tmp_path, Passes("mine"))
+        np.testing.assert_equal(asdict(again), asdict(kept))
+    assert (tmp_path / "pass-1.ngc").read_text(encoding="utf-8") == "G1 X1"
+    with pytest.raises(ParameterError):
+        load(tmp_path, Passes("of another program"))
+    (part,) = tmp_path.glob("*/part-*.npz")
+    data = bytearray(part.read_bytes())
+    data[len(data) // 2] ^= 1
+    part.write_bytes(data)
+    with pytest.raises(ResultError):
+        load(tmp_path, Passes("mine"))
+    part.unlink()
+    (tmp_path / "passes.npz").touch()
+    with pytest.raises(ResultError, match="older"):
+        load(tmp_path, Passes("mine"))
