@@ -23,7 +23,7 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -53,6 +53,12 @@ def refuse(fault: object, error: Callable[..., Exception], *words: Any) -> None:
     """
     if fault:
         raise error(*words)
+
+
+def check_known(name: str, value: object, known: Collection[str]) -> None:
+    """Raise ParameterError if the value of `name` is not one of those known."""
+    if value not in known:
+        raise ParameterError(name, repr(value), f"one of {', '.join(known)}")
 
 
 def error_text(error: BaseException) -> str:

@@ -18,7 +18,7 @@ from pathlib import Path
 from types import NoneType
 from typing import Any, ClassVar, TypeVar, dataclass_transform, get_args, get_origin, get_type_hints
 
-from contourlab.errors import ParameterError, UnitError
+from contourlab.errors import ParameterError, UnitError, refuse
 
 REQUIRED: Any = dataclasses.MISSING
 """Default of an option without one."""
@@ -266,6 +266,5 @@ def positive(option: str, text: str, unit: str, wanted: str) -> float:
         value = to_si(text, unit)
     except UnitError as error:
         raise ParameterError(option, repr(text), wanted) from error
-    if not value > 0.0:
-        raise ParameterError(option, text, "> 0")
+    refuse(not value > 0.0, ParameterError, option, text, "> 0")
     return value

@@ -18,7 +18,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path, PurePosixPath
 from typing import BinaryIO
 
-from contourlab.errors import OutputError, ParameterError
+from contourlab.errors import OutputError, ParameterError, refuse
 from contourlab.figures import grouped
 
 SAFETY = "contourlab is no safety function: test on the machine with its own limits active."
@@ -68,8 +68,7 @@ def check_file(file: str | Path, inputs: Iterable[str | os.PathLike[str]] = (), 
         If it is a folder, or cannot be created or replaced.
     """
     target = Path(file)
-    if target.is_dir():
-        raise OutputError(f"{target}: is a folder; name a file with {option}")
+    refuse(target.is_dir(), OutputError, f"{target}: is a folder; name a file with {option}")
     spared(target, inputs, option)
     with _temporary(target.parent, option):
         pass
@@ -86,8 +85,7 @@ def spared(file: str | Path, inputs: Iterable[str | os.PathLike[str]], option: s
         If it is one of `inputs`.
     """
     for given in inputs:
-        if _is_same(file, given):
-            raise ParameterError(option, repr(str(file)), f"a different file: the command reads {given}")
+        refuse(_is_same(file, given), ParameterError, option, repr(str(file)), f"a different file: the command reads {given}")
 
 
 def _is_same(one: str | os.PathLike[str], other: str | os.PathLike[str]) -> bool:

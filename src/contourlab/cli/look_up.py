@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from contourlab.app.options import Options, argument, option, options
 from contourlab.app.session import Answer, Asked, Command, Session
 from contourlab.app.shared_options import Shown
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, check_known, refuse
 
 if TYPE_CHECKING:
     from contourlab.features.machines.command import Shipped
@@ -97,8 +97,7 @@ def machines(name: str | None, settings: Machines, session: Session) -> Entry:
     from contourlab.features.machines.command import copy_shipped, shipped, shipped_one
 
     if name is None:
-        if settings.copy is not None:
-            raise ParameterError("--copy", repr(str(settings.copy)), "given with the name of the file to copy")
+        refuse(settings.copy is not None, ParameterError, "--copy", repr(str(settings.copy)), "given with the name of the file to copy")
         files = shipped()
         return Entry(files, _list(files), ("machines", "demo-part"))
     if settings.copy is not None:
@@ -159,8 +158,7 @@ def explain(code: str | None, settings: Explain, session: Session) -> Entry:
         table = Table(columns, rows=((entry.code, entry.severity, entry.name, entry.outline) for entry in entries.values()))
         return Entry(list(entries.values()), table.text(), ("explain", next(iter(entries))))
     code = f"CL{code}" if code.isdigit() else code.upper()
-    if code not in entries:
-        raise ParameterError("CODE", repr(code), "a code that `contourlab explain` lists")
+    refuse(code not in entries, ParameterError, "CODE", repr(code), "a code that `contourlab explain` lists")
     entry = entries[code]
     texts = [f"{entry.code} {entry.name} ({entry.severity})", entry.outline, entry.meaning, f"What to do: {entry.remedy}"]
     return Entry([entry], "\n\n".join(paragraphs([text], page_width(), indent="") for text in texts))
@@ -186,8 +184,7 @@ def schema(command: str, settings: Schema, session: Session) -> Entry:
     from contourlab.cli.results import results
 
     known = results()
-    if command not in known:
-        raise ParameterError("COMMAND", repr(command), f"one of {', '.join(known)}")
+    check_known("COMMAND", command, known)
     value = json_schema(known[command], f"contourlab {command} --json")
     return Entry(value, json.dumps(value, indent=2))
 

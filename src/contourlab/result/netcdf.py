@@ -17,7 +17,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
-from contourlab.errors import OutputError, ResultError
+from contourlab.errors import OutputError, ResultError, refuse
 from contourlab.result.atomic import replacing
 from contourlab.result.signals import Signal, Status
 
@@ -171,8 +171,7 @@ class ResultWriter:
             self._stack.__exit__(kind, error, trace)
             return
         with self._stack:
-            if self.n_sample and self._length < self.n_sample:
-                raise ResultError(f"{self._length} samples for a file of {self.n_sample}")
+            refuse(self.n_sample and self._length < self.n_sample, ResultError, f"{self._length} samples for a file of {self.n_sample}")
             for name, value in self.header.items():
                 self._note(name, value)
             self._data.close()

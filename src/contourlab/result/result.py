@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.errors import ResultError, hint
+from contourlab.errors import ResultError, hint, refuse
 from contourlab.feed import Reference
 from contourlab.notebook import Figure, Frame, Panel, curves, facts_line, facts_table, frame, svg
 from contourlab.result.netcdf import FORMAT, ResultWriter, read_netcdf
@@ -59,8 +59,7 @@ class Result:
 
     def __post_init__(self) -> None:
         lengths = {len(signal.data) for signal in self.signals.values()}
-        if len(lengths) > 1:
-            raise ResultError(f"the signals have different lengths: {sorted(lengths)}")
+        refuse(len(lengths) > 1, ResultError, f"the signals have different lengths: {sorted(lengths)}")
         for name, signal in self.signals.items():
             if signal.data.ndim == 2 and signal.data.shape[1] != len(self.axes):
                 raise ResultError(f"signal {name} has {signal.data.shape[1]} columns for {len(self.axes)} axes")

@@ -13,7 +13,7 @@ from contourlab.components.contract import Component, Parameter
 from contourlab.components.origin import Origin
 from contourlab.components.plant.plant import Plant
 from contourlab.components.registry import component, components
-from contourlab.errors import ComponentError, UnitError, hint
+from contourlab.errors import ComponentError, UnitError, hint, refuse
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Division, Limits, Machine
 from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS, NAMED_SLOTS
 from contourlab.scenario.files import EVERY
@@ -120,13 +120,11 @@ def _refuse_missing(what: str, declared: Mapping[str, Parameter], values: Mappin
 
 def _value(parameter: Parameter, given: Any) -> Any:
     if parameter.choices:
-        if not isinstance(given, str) or given not in parameter.choices:
-            raise UnitError(f"{given!r}: must be {parameter.bound}")
+        refuse(not isinstance(given, str) or given not in parameter.choices, UnitError, f"{given!r}: must be {parameter.bound}")
         return given
     if parameter.vector:
         numbers = read_list(given, parameter.unit, parameter.display)
-        if not numbers:
-            raise UnitError("the list is empty: write at least one value")
+        refuse(not numbers, UnitError, "the list is empty: write at least one value")
         scalar = replace(parameter, vector=False)
         return tuple(in_range(number, scalar, f"item {i + 1}") for i, number in enumerate(numbers))
     return in_range(read_number(given, parameter.unit, parameter.display), parameter, repr(given))
@@ -184,8 +182,7 @@ def _error(table: Table) -> AxisError:
     position, lead_error = (np.array(plain.pop(name, ())) for name in ("position", "lead_error"))
     if lead_error.size != position.size:
         raise table.error(f"{lead_error.size} values for {position.size} positions: write one for each", "lead_error")
-    if np.any(np.diff(position) <= 0.0):
-        raise table.error("the positions must increase", "position")
+    refuse(np.any(np.diff(position) <= 0.0), table.error, "the positions must increase", "position")
     with located(table):
         return AxisError(position, lead_error, **plain)
 
@@ -213,8 +210,7 @@ def build_machine(part: Table) -> Machine:
     for axis in built:
         if axis.mounted_on and axis.mounted_on not in names:
             raise axes.table(axis.name).error(f"no axis {axis.mounted_on!r}: {hint(axis.mounted_on, names)}", "mounted_on")
-        if axis.mounted_on == axis.name:
-            raise axes.table(axis.name).error("an axis cannot be mounted on itself", "mounted_on")
+        refuse(axis.mounted_on == axis.name, axes.table(axis.name).error, "an axis cannot be mounted on itself", "mounted_on")
     angles, origins = without_origins(table.table("squareness"))
     plain["origins"] |= {f"squareness.{pair}": origin for pair, origin in origins.items()}
     with located(table):
@@ -228,16 +224,14 @@ def build_machine(part: Table) -> Machine:
 def _axis_names(table: Table) -> list[str]:
     with located(table, "axes"):
         names = read_value(table.entries["axes"].plain(), (tuple[str, ...],), Setting(check=_axis_name))
-    if not 0 < len(names) <= 64:
-        raise table.error(f"{len(names)} names: must not be empty, and have at most 64", "axes")
+    refuse(not 0 < len(names) <= 64, table.error, f"{len(names)} names: must not be empty, and have at most 64", "axes")
     if twice := [name for name in names if names.count(name) > 1]:
         raise table.error(f"axis {twice[0]!r} is listed twice: delete one", "axes")
     return list(names)
 
 
 def _axis_name(text: str) -> str:
-    if not re.fullmatch(r"[A-Za-z0-9_]{1,32}", text):
-        raise ValueError(f"{text!r:.80}: write a name of letters, digits and _")
+    refuse(not re.fullmatch(r"[A-Za-z0-9_]{1,32}", text), ValueError, f"{text!r:.80}: write a name of letters, digits and _")
     return text
 
 
@@ -301,8 +295,7 @@ def _axis_controller(table: Table, machine: Machine, name: str) -> AxisControlle
             part.block(machine.servo_period)
     if "feedforward" in table.entries:
         parts["feedforward"] = _feedforward(table, units, parts, machine, axis)
-    if "controller" in others.entries:
-        raise others.error("write another name: controller is the name of the first one", "controller")
+    refuse("controller" in others.entries, others.error, "write another name: controller is the name of the first one", "controller")
     parts["others"] = _named(others, lambda node: _position(node, units, model))
     _check_local(plain.get("local", ()), parts, table)
     link = _link(table.entries["link"], units) if "link" in table.entries else None
@@ -325,8 +318,7 @@ def _link(node: Node, units: tuple[str, str]) -> Division | None:
 def _named(table: Table, read: Callable[[Node], Component | None]) -> tuple[tuple[str, Component], ...]:
     """Return parts by name; ``NAME = "none"`` leaves one out."""
     for name in table.entries:
-        if not name.isidentifier():
-            raise table.error("write a name of letters, digits and _", name)
+        refuse(not name.isidentifier(), table.error, "write a name of letters, digits and _", name)
     parts = {name: read(node) for name, node in table.entries.items()}
     return tuple((name, part) for name, part in parts.items() if part is not None)
 
@@ -372,8 +364,7 @@ def _position(node: Node, units: tuple[str, str], model: tuple[float, float]) ->
     if isinstance(node, Leaf) or "gains" not in node.entries:
         return read_component(node, "controller", units)
     kind = find_kind(node, "controller")
-    if not kind.wishes:
-        raise node.error(f"{kind.kind} cannot compute its gains: write the gains themselves", "gains")
+    refuse(not kind.wishes, node.error, f"{kind.kind} cannot compute its gains: write the gains themselves", "gains")
     gains = node.table("gains")
     if both := [name for name in DESIGNED if name in node.entries and same_table(node.entries[name], gains)]:
         raise node.error("gains = {...} computes this value: delete one of the two", both[0])

@@ -10,7 +10,7 @@ from typing import Any
 
 from contourlab.components.contract import Component
 from contourlab.contours.reader import ContourOptions
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS, NAMED_SLOTS
 from contourlab.result.atomic import write_text_atomic
@@ -79,8 +79,7 @@ def save(value: Machine | Controller | Axis | Scenario, file: str | File, machin
     OutputError
         If the file cannot be written.
     """
-    if File(file).suffix.lower() != ".toml":
-        raise ParameterError("file", repr(str(file)), "a file that ends in .toml")
+    refuse(File(file).suffix.lower() != ".toml", ParameterError, "file", repr(str(file)), "a file that ends in .toml")
     try:
         text = dump(value, machine)
     except TypeError as error:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 
-from contourlab.errors import ScenarioError, hint
+from contourlab.errors import ScenarioError, hint, refuse
 from contourlab.scenario.tree import DEFAULT, Leaf, Node, Table, located, merge, read_tree
 
 BUILTIN = "builtin:"
@@ -147,8 +147,7 @@ class Reader:
     def axis_file(self, content: Table) -> Table:
         """Check the content of an axis file: plant, friction, drive ... are top-level keys."""
         for name in ("machine", "axes"):
-            if name in content.entries:
-                raise content.error("not an axis file: write plant, friction, drive ... as top-level keys", name)
+            refuse(name in content.entries, content.error, "not an axis file: write plant, friction, drive ... as top-level keys", name)
         return content
 
     def machine(self, content: Table) -> Table:

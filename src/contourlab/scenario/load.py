@@ -10,7 +10,7 @@ from typing import Any
 from contourlab.components.registry import load_plugin
 from contourlab.contours import SUFFIXES, unit_size
 from contourlab.contours.reader import ContourOptions
-from contourlab.errors import ProgramError, ScenarioError, hint
+from contourlab.errors import ProgramError, ScenarioError, hint, refuse
 from contourlab.file_kinds import kind_of
 from contourlab.geometry import contour_names, contour_parameters
 from contourlab.loop import Axis, Change, Controller, Machine
@@ -34,8 +34,7 @@ _Rules = list[tuple[str, bool, str]]
 def _refuse(table: Table, rules: _Rules) -> None:
     """Raise the first error of a list."""
     for key, wrong, message in rules:
-        if wrong:
-            raise table.error(message, key)
+        refuse(wrong, table.error, message, key)
 
 
 def read_feed(table: Table, motion: Motion) -> FeedSettings:

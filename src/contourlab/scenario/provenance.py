@@ -14,7 +14,7 @@ import numpy as np
 
 from contourlab.components.contract import Component, Parameter
 from contourlab.components.origin import SOURCES, Origin
-from contourlab.errors import ParameterError, UnitError, hint
+from contourlab.errors import ParameterError, UnitError, hint, refuse
 from contourlab.scenario.quantities import read_number
 from contourlab.scenario.toml_text import Noted
 from contourlab.scenario.tree import STATED, Leaf, Node, Table, located
@@ -37,8 +37,7 @@ def bare(node: Node) -> Node:
         if name not in _KEYS:
             raise node.error(f"unknown key of a number: {hint(name, _KEYS)}", name)
     for name in (STATED, "source"):
-        if name not in node.entries:
-            raise node.error(f"key {name} is missing: write for example {_EXAMPLE}")
+        refuse(name not in node.entries, node.error, f"key {name} is missing: write for example {_EXAMPLE}")
     return node.entries[STATED]
 
 
@@ -60,8 +59,7 @@ def read_origins(declared: Mapping[str, Parameter], table: Table, values: Mappin
     for name, node in table.entries.items():
         if isinstance(node, Table) and bare(node) is not node:
             parameter = declared[name]
-            if parameter.choices:
-                raise node.error("is a choice, not a number: delete its source")
+            refuse(parameter.choices, node.error, "is a choice, not a number: delete its source")
             exact = "a list" if parameter.vector else "a whole number" if parameter.whole else ""
             exact = exact or ("part of the model's structure" if parameter.structural else "")
             origins[name] = _origin(node, None if exact else (parameter, float(values[name])), exact)
@@ -115,8 +113,7 @@ def _deviation(given: Any, parameter: Parameter, value: float) -> float:
         deviation = share * abs(value)
     else:
         deviation = read_number(given, parameter.unit, parameter.display)
-    if not 0.0 < deviation < math.inf:
-        raise ParameterError("deviation", repr(given), "> 0")
+    refuse(not 0.0 < deviation < math.inf, ParameterError, "deviation", repr(given), "> 0")
     return deviation
 
 
@@ -170,8 +167,7 @@ def read_correlations(
             raise node.error(f"item {i + 1}: {fault}")
         if all((origin := origins.get(name)) and origin.deviation is not None for name in item[:2]):
             kept.append((item[0], item[1], float(item[2])))
-    if len({frozenset(item[:2]) for item in kept}) < len(kept):
-        raise node.error("a pair is listed twice: delete one")
+    refuse(len({frozenset(item[:2]) for item in kept}) < len(kept), node.error, "a pair is listed twice: delete one")
     pairs = (*(within or ()), *kept)
     names = sorted({name for item in pairs for name in item[:2]})
     matrix = np.eye(len(names))

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from contourlab.components.contract import Parameter
-from contourlab.errors import UnitError
+from contourlab.errors import UnitError, refuse
 from contourlab.units import Setting, from_si, plain, split, to_si
 
 _UNIT = re.compile(r"[A-Za-z%0-9_ */^().+-]{0,60}\Z")
@@ -63,8 +63,7 @@ def read_number(value: Any, unit: str, display: str = "") -> float:
         raise UnitError(f'{value!r} has no unit: write "{value.strip()} {shown}", or the same value in another unit')
     _check_turns(value, given, unit)
     number = to_si(value, unit)
-    if not math.isfinite(number):
-        raise UnitError(f"{value!r} is not a finite number")
+    refuse(not math.isfinite(number), UnitError, f"{value!r} is not a finite number")
     return number
 
 
@@ -75,8 +74,7 @@ def _bare(value: float, unit: str, shown: str) -> float:
         number = math.inf
     if not math.isfinite(number):
         raise UnitError(f"{value if isinstance(value, float) else 'the number'} is not a finite number")
-    if unit:
-        raise UnitError(f'{value!r} has no unit: write "{value!r} {shown}", or the same value in another unit')
+    refuse(unit, UnitError, f'{value!r} has no unit: write "{value!r} {shown}", or the same value in another unit')
     return number
 
 

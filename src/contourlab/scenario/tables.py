@@ -16,7 +16,7 @@ from typing import Any, Literal, NamedTuple, Union, get_args, get_origin, get_ty
 import numpy as np
 
 from contourlab.components.contract import Parameter
-from contourlab.errors import UnitError, hint
+from contourlab.errors import UnitError, hint, refuse
 from contourlab.scenario.files import named_in
 from contourlab.scenario.provenance import with_origins, without_origins
 from contourlab.scenario.quantities import in_range, quantity, read_list, read_number
@@ -114,17 +114,14 @@ def _refused(value: Any, cure: str) -> UnitError:
 
 
 def _of_type(value: Any, kind: type, cure: str) -> Any:
-    if type(value) is not kind:
-        raise _refused(value, cure)
+    refuse(type(value) is not kind, _refused, value, cure)
     return value
 
 
 def _whole(value: Any, about: Setting) -> int:
     number: int = _of_type(value, int, "write a whole number")
-    if number < about.minimum:
-        raise _refused(number, f"must be greater than or equal to {about.minimum}")
-    if number > about.maximum:
-        raise _refused(number, f"must be less than or equal to {about.maximum}")
+    refuse(number < about.minimum, _refused, number, f"must be greater than or equal to {about.minimum}")
+    refuse(number > about.maximum, _refused, number, f"must be less than or equal to {about.maximum}")
     return number
 
 

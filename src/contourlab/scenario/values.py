@@ -14,7 +14,7 @@ import numpy as np
 from contourlab.components.learning.law import LearningLaw
 from contourlab.components.registry import component
 from contourlab.contours import ContourReading, study_contour
-from contourlab.errors import FeedError, ParameterError, ProgramError, ScenarioError, hint
+from contourlab.errors import FeedError, ParameterError, ProgramError, ScenarioError, hint, refuse
 from contourlab.feed import AxisLimits, Reference, Route, blended, plan, route_from_path, route_from_program, uniform
 from contourlab.feed.profile import WHOLE, Judged
 from contourlab.feed.route import PathControl, controlled
@@ -355,8 +355,7 @@ class Case:
         curves = (reference.source_lines >= first) & (reference.source_lines <= last)
         if reference.rapid is not None:
             curves &= ~reference.rapid
-        if not curves.any():
-            raise self._fault(f'judge = "{choice}": no cutting move is on these lines; write other lines, or "all"', 0)
+        refuse(not curves.any(), self._fault, f'judge = "{choice}": no cutting move is on these lines; write other lines, or "all"', 0)
         return Judged(reference.of_curves(curves), f"cutting moves of {choice}")
 
     @property

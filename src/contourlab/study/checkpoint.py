@@ -19,7 +19,7 @@ from typing import Any, TypeVar, Union, get_args, get_origin, get_type_hints
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.errors import ResultError, error_text
+from contourlab.errors import ResultError, error_text, refuse
 from contourlab.findings import Finding, finding
 from contourlab.result.atomic import write_bytes_atomic, write_text_atomic
 
@@ -182,8 +182,7 @@ def read_record(file: Path, kind: type[RecordT], cure: str, older: str = "") -> 
         fields = json.loads(file.read_bytes(), parse_constant=_refused)
         seal = fields.pop("digest", None) if isinstance(fields, dict) else None
         record: RecordT = typed(fields, kind)
-        if fields["schema"] != older and seal != digest(covered(fields)):
-            raise ValueError("was edited or is damaged")
+        refuse(fields["schema"] != older and seal != digest(covered(fields)), ValueError, "was edited or is damaged")
     except (OSError, ValueError, ArithmeticError, RecursionError) as error:
         raise ResultError(f"{file}: {error_text(error)}: {cure}") from error
     return record

@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from contourlab.engine.gpu import gpu_of_process
-from contourlab.errors import EngineError, ParameterError
+from contourlab.errors import EngineError, ParameterError, refuse
 from contourlab.extras import extra_module
 from contourlab.rendering.stages import INTERVAL, wait_for
 from contourlab.study.checkpoint import program_text
@@ -58,8 +58,7 @@ class Executor:
     def __post_init__(self) -> None:
         if self.kind not in EXECUTORS and not re.fullmatch(r"dask://[^/]+:\d+", self.kind):
             raise ParameterError("--executor", repr(self.kind), f"one of {', '.join(EXECUTORS)}, or dask://HOST:PORT")
-        if self.workers is not None and self.workers < 1:
-            raise ParameterError("--workers", f"{self.workers}", "1 or more")
+        refuse(self.workers is not None and self.workers < 1, ParameterError, "--workers", f"{self.workers}", "1 or more")
         if self.kind not in (*HERE, "processes"):
             extra_module("distributed")
         if self.kind in ("dask-local", "slurm"):
@@ -359,8 +358,7 @@ def _deaf() -> Iterator[None]:
 
 def _slurm(jobs: int, keys: Any) -> Any:
     """Return a cluster of Slurm jobs, as the user's ``jobqueue.yaml`` describes them; they read `keys` from files for this user alone."""
-    if shutil.which("sbatch") is None:
-        raise EngineError("no sbatch on this machine: type the command where you submit Slurm jobs")
+    refuse(shutil.which("sbatch") is None, EngineError, "no sbatch on this machine: type the command where you submit Slurm jobs")
     folder = extra_module("dask").config.get("jobqueue.slurm.shared-temp-directory", None) or str(Path.cwd())
     try:
         cluster = extra_module("dask_jobqueue").SLURMCluster(scheduler_options=NO_DASHBOARD, security=keys, shared_temp_directory=folder)

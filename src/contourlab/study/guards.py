@@ -23,7 +23,7 @@ from contourlab.analysis.linear.sampled_loop import (
 )
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
-from contourlab.errors import ComponentError, ParameterError
+from contourlab.errors import ComponentError, ParameterError, refuse
 from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.loop.parameters import with_values
 from contourlab.study.space import ROUNDING
@@ -56,8 +56,7 @@ class Bounds:
         for name, high, unit in (("gain_margin", 60.0, "dB"), ("phase_margin", 90.0, "deg"), ("limited", 1.0, "")):
             if not 0.0 <= getattr(self, name) <= high:
                 raise ParameterError(name, f"{getattr(self, name):g}", f"0 to {high:g}", unit)
-        if not self.command > 0.0:
-            raise ParameterError("command", f"{self.command:g}", "> 0, as a part of the drive's limit")
+        refuse(not self.command > 0.0, ParameterError, "command", f"{self.command:g}", "> 0, as a part of the drive's limit")
 
     @property
     def margin_words(self) -> str:
@@ -221,8 +220,7 @@ def fastest_speed(machine: Machine, axis: Axis, slots: AxisController, bounds: B
         raise ParameterError("start", "placed", f"scenario: the loop of axis {axis.name} has no linear model: {error}") from error
     missing = [bounds.missing(rough_margins(loop), SLACK) for loop in loops]
     least = min(missing)
-    if math.isinf(least):
-        raise ParameterError("start", "placed", f"scenario: axis {axis.name} is unstable at every pole speed")
+    refuse(math.isinf(least), ParameterError, "start", "placed", f"scenario: axis {axis.name} is unstable at every pole speed")
     # If the observer alone breaks the margins, take the nearest poles; another parameter restores the margins.
     return max(speed for (speed, _), short in zip(designs, missing, strict=True) if short <= least)
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 
 Objective = Callable[[Array], Array]
 SPREAD = 0.2
@@ -132,8 +132,7 @@ def search(
             raise
         interrupted = True
     at = int(np.argmin(values))
-    if not np.isfinite(values[at]):
-        raise ParameterError("search", "no run that went well", "bounds within which the loop holds")
+    refuse(not np.isfinite(values[at]), ParameterError, "search", "no run that went well", "bounds within which the loop holds")
     return Found(points[at], float(values[at]), values, points, runs, np.array(course), interrupted)
 
 

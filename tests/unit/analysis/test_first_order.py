@@ -85,7 +85,7 @@ def test_a_fractional_delay_interpolates_its_neighbours() -> None:
 def test_an_axis_is_identified(u: Array) -> None:
     fit = identify_first_order(TIME, u, measured(u, count=0.125e-6))
     assert (fit["a"], fit["b"], fit["friction"]) == pytest.approx((A, B, FRICTION), rel=2e-3)
-    assert fit["offset"] == pytest.approx(0.0, abs=1e-4) and fit["delay"] == 0.0
+    assert fit["offset"] == pytest.approx(0.0, abs=1e-4) and "delay" not in fit.names
     assert fit.usable and fit.fit > 99.0
 
 

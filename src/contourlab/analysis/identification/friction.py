@@ -437,7 +437,7 @@ class FrictionCurve(Estimate):
         """Return the command that holds a speed [m/s]."""
         v = np.atleast_1d(np.asarray(speed, dtype=float))
         linear = [i for i, name in enumerate(self.names) if name != "vs"]
-        _, columns = _columns(self.model, v, self["vs"], "offset" in self.names)
+        _, columns = _columns(self.model, v, self.parameters.get("vs", 0.0), "offset" in self.names)
         return np.asarray(columns @ self.values[linear])
 
 

@@ -32,7 +32,7 @@ from contourlab.engine.runner import InterpretedGroup
 from contourlab.engine.step import Late, Port, Schedule, rows
 from contourlab.engine.translate import fmi, hal, structured_text
 from contourlab.engine.translate.control import LIBRARY, Control, Field, bench_of, control_of, header_of, source_of
-from contourlab.errors import ParameterError, ScenarioError
+from contourlab.errors import ParameterError, ScenarioError, refuse
 from contourlab.features.export.options import Export
 from contourlab.file_kinds import kind_of
 from contourlab.findings import Finding, finding
@@ -212,8 +212,7 @@ def _read(
     from contourlab.scenario.load import named_file
 
     if machine is not None:
-        if scheme is not None:
-            raise ParameterError("--scheme", scheme, "left out with --machine: only a scenario has schemes")
+        refuse(scheme is not None, ParameterError, "--scheme", scheme, "left out with --machine: only a scenario has schemes")
         stated = named_file(machine)
         loaded = load_machine(stated, plugins)
         steered = load_controller(named_file(file, "controller"), loaded, plugins)

@@ -17,7 +17,7 @@ from contourlab.arrays import Array
 from contourlab.components.feedforward.inverse_dynamics import InverseDynamics
 from contourlab.components.learning.basis import BasisFunctions
 from contourlab.components.learning.law import LearningLaw, LearningProblem
-from contourlab.errors import ParameterError, ResultError
+from contourlab.errors import ParameterError, ResultError, refuse
 from contourlab.features.learn.split import Growth, Memory, Split, growth_of
 from contourlab.features.learn.table import LearnedTable
 from contourlab.features.learn.trial import TrialFigures, figures_of, learning_problem, part_error, record_of
@@ -339,8 +339,7 @@ def learn(
     ComponentError
         If the law needs a linear model and there is none.
     """
-    if trials < 0:
-        raise ParameterError("trials", f"{trials}", "0 or more")
+    refuse(trials < 0, ParameterError, "trials", f"{trials}", "0 or more")
     if start is not None:
         start.check(machine, controller, reference)
         if start.target != law.target:

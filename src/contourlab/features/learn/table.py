@@ -13,7 +13,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.components.learning.law import LearningLaw
-from contourlab.errors import ResultError
+from contourlab.errors import ResultError, refuse
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Learned, Machine
 from contourlab.result.atomic import replacing
@@ -158,8 +158,7 @@ class LearnedTable:
         try:
             with h5py.File(file, "r") as data:
                 form = _text(data["format"][()]) if "format" in data else None
-                if form != FORMAT:
-                    raise ResultError(f"{file}: not a contourlab learned table (format = {form!r})")
+                refuse(form != FORMAT, ResultError, f"{file}: not a contourlab learned table (format = {form!r})")
                 texts = {name: _text(data[name][()]) for name in _TEXTS}
                 axes = tuple(_text(name) for name in data["axis"][:])
                 period, values = float(data["servo_period"][()]), np.array(data["values"][...])

@@ -10,7 +10,7 @@ import numpy as np
 from contourlab.analysis.linear.coupled_loop import axis_link, impulse_responses
 from contourlab.arrays import Array
 from contourlab.components.learning.law import LearningProblem, TrialRecord
-from contourlab.errors import ComponentError
+from contourlab.errors import ComponentError, refuse
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine
 from contourlab.loop.trials import Trial, Trials
@@ -147,6 +147,5 @@ def input_response(machine: Machine, controller: Controller, target: str, n_samp
     # The learned signal enters after the feedforward.
     axes = [axis_link(machine, controller, name) for name in machine.axis_names]
     for name, axis in zip(machine.axis_names, axes, strict=True):
-        if not axis.loop.stable:
-            raise ComponentError(f"axis {name}: the loop is unstable, so the law has no response to learn with")
+        refuse(not axis.loop.stable, ComponentError, f"axis {name}: the loop is unstable, so the law has no response to learn with")
     return impulse_responses(axes, n_sample, target)

@@ -10,7 +10,7 @@ from typing import Any
 
 from contourlab.components.ideal import IdealLink
 from contourlab.components.link.network import Network
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, check_known, refuse
 from contourlab.features.link.options import SEEDS
 from contourlab.features.link.sweep import QUANTITIES, LinkSetting, LinkSweep, swept
 from contourlab.feed import Reference
@@ -54,8 +54,7 @@ def divided(
     ParameterError
         If division, ways or an axis is unknown.
     """
-    if ways not in WAYS:
-        raise ParameterError("ways", repr(ways), "one of " + ", ".join(WAYS))
+    check_known("ways", ways, WAYS)
     chosen = tuple(controller.axes if axes is None else axes)
     unknown = [name for name in chosen if name not in controller.axes]
     if unknown:
@@ -94,11 +93,9 @@ def allowed_error(whole: float, within: float, allowed: float | None = None, flo
         If `within` or `allowed` is out of range.
     """
     if allowed is None:
-        if not (within >= 0.0 and math.isfinite(within)):
-            raise ParameterError("within", f"{within:g}", ">= 0 and finite")
+        refuse(not (within >= 0.0 and math.isfinite(within)), ParameterError, "within", f"{within:g}", ">= 0 and finite")
         return (1.0 + within) * whole if whole >= floor else whole + within * floor
-    if not (allowed > 0.0 and math.isfinite(allowed)):
-        raise ParameterError("allowed", f"{allowed:g}", "> 0 and finite")
+    refuse(not (allowed > 0.0 and math.isfinite(allowed)), ParameterError, "allowed", f"{allowed:g}", "> 0 and finite")
     return allowed
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from contourlab.app.options import Options, option, options
 from contourlab.app.session import Command
 from contourlab.app.shared_options import Drawn, OfScenario, Schemes
-from contourlab.errors import ParameterError, UnitError
+from contourlab.errors import ParameterError, UnitError, refuse
 
 if TYPE_CHECKING:
     from contourlab.components.link import network
@@ -40,8 +40,7 @@ class Network(Options):
         for name, part in self.PARTS.items():
             names = getattr(self, name)
             twice = next((item for item in names if names.count(item) > 1), None) if part.option.listed else None
-            if twice is not None:
-                raise ParameterError(part.typed, repr(",".join(names)), f"different names: {twice} is given twice")
+            refuse(twice is not None, ParameterError, part.typed, repr(",".join(names)), f"different names: {twice} is given twice")
         _ = self.share, self.span, self.network  # refuse what is wrong before any work
 
     @property
@@ -68,8 +67,7 @@ class Network(Options):
         """The longest time to test [s]."""
         text = "100 ms" if self.longest is None else self.longest
         longest = quantity("--longest", text, "s", '"100 ms"', positive=True)
-        if longest > LONGEST:
-            raise ParameterError("--longest", text, f"up to {LONGEST:g} s, the limit of a link")
+        refuse(longest > LONGEST, ParameterError, "--longest", text, f"up to {LONGEST:g} s, the limit of a link")
         return longest
 
     @property
@@ -135,10 +133,8 @@ def quantity(option: str, text: str, unit: str, example: str, positive: bool = F
         value = to_si(float(text) if not unit and re.fullmatch(r"[\d.eE+-]+", text.strip()) else text, unit)
     except (UnitError, ValueError) as error:
         raise ParameterError(option, repr(text), f"a quantity, such as {example}") from error
-    if not (value >= 0.0 and math.isfinite(value)):
-        raise ParameterError(option, text, ">= 0 and finite")
-    if positive and not value > 0.0:
-        raise ParameterError(option, text, "> 0")
+    refuse(not (value >= 0.0 and math.isfinite(value)), ParameterError, option, text, ">= 0 and finite")
+    refuse(positive and not value > 0.0, ParameterError, option, text, "> 0")
     return value
 
 

@@ -14,7 +14,7 @@ from contourlab.analysis.linear.divided_loop import DividedLoop, divided_loop, t
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array, Flags, Index
 from contourlab.components.link.network import Network
-from contourlab.errors import ComponentError, ParameterError
+from contourlab.errors import ComponentError, ParameterError, check_known, refuse
 from contourlab.features.link.options import SEEDS
 from contourlab.features.run.causes import perfect_sensing, undisturbed, unlimited, without_friction
 from contourlab.feed.profile import Judged
@@ -50,8 +50,7 @@ def times(quantity: str, period: float, longest: float, few: int = 0) -> Array:
     ParameterError
         If the longest time is shorter than a servo period.
     """
-    if not longest >= period:
-        raise ParameterError("longest", f"{longest:g}", f">= the servo period, {period:g}", "s")
+    refuse(not longest >= period, ParameterError, "longest", f"{longest:g}", f">= the servo period, {period:g}", "s")
     ticks = _multiples(*((few, few) if few else (EACH, FARTHER)), math.floor(longest / period + 1e-9)).astype(float)
     return np.asarray(period * (ticks[1:] if quantity == "message_period" else ticks))
 
@@ -351,8 +350,7 @@ def swept(setting: LinkSetting, quantity: str, longest: float) -> LinkSweep:
     ParameterError
         If the quantity is unknown or the longest time is shorter than a servo period.
     """
-    if quantity not in QUANTITIES:
-        raise ParameterError("quantity", repr(quantity), "one of " + ", ".join(QUANTITIES))
+    check_known("quantity", quantity, QUANTITIES)
     values, coarse = setting.values(quantity, longest), setting.few > 0
     size = max(CHUNK // setting.runs(quantity), 1) if coarse else CHUNK
     table = np.empty((len(COLUMNS), 0))

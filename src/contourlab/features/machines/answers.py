@@ -14,7 +14,7 @@ from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
-from contourlab.errors import ParameterError, ScenarioError, UnitError
+from contourlab.errors import ScenarioError, UnitError, check_known, refuse
 from contourlab.features.machines.sizing import KV_RATIO, SizedAxis, rounded
 from contourlab.scenario.quantities import read_number
 from contourlab.scenario.tree import Table, read_tree
@@ -195,13 +195,11 @@ def read_value(question: Question, key: str, text: str, axis: SizedAxis) -> Any:
         return None
     if question.key == "drive":
         drives = [drive for drive, words in _DRIVES.items() if text.lower() in words]
-        if not drives:
-            raise fault(key, f"{text!r} is not a drive: write screw or linear")
+        refuse(not drives, fault, key, f"{text!r} is not a drive: write screw or linear")
         return drives[0]
     if not question.unit:
         return text
-    if question.unit == "Hz" and "mm" in text:
-        raise fault(key, f"{text!r} is a Kv: write a frequency, such as 30 Hz")
+    refuse(question.unit == "Hz" and "mm" in text, fault, key, f"{text!r} is a Kv: write a frequency, such as 30 Hz")
     try:
         number = _number(question.key, text, question.unit, axis)
     except UnitError as error:
@@ -221,8 +219,7 @@ def _number(key: str, text: str, unit: str, axis: SizedAxis) -> float:
         if axis.linear:
             raise UnitError(f'{text!r} is per turn, which a linear motor has not: write the travel per count, or for example "20 um / 400"')
         counts = 2 ** min(int(turn["bits"] or 0), 64) * int(turn["lines"] or 1) * int(turn["steps"] or turn["counts"] or 1)
-        if counts == 0:
-            raise UnitError(f"{text!r} gives no count")
+        refuse(counts == 0, UnitError, f"{text!r} gives no count")
         return float(axis.lead / counts)
     if key == "encoder_resolution" and (grating := _PERIOD.fullmatch(text)):
         return _number("", grating["period"], "um", axis) / int(grating["steps"])
@@ -252,14 +249,11 @@ def axis_names(answers: Mapping[str, str]) -> tuple[str, ...]:
     ('x', 'y')
     """
     names = tuple((answers.get("axes") or MACHINE[1].guess()).replace(",", " ").split())
-    if not 1 <= len(names) <= MOST_AXES:
-        raise fault("axes", f"{len(names)} axes: give 1 to {MOST_AXES}, as in x, y, z")
+    refuse(not 1 <= len(names) <= MOST_AXES, fault, "axes", f"{len(names)} axes: give 1 to {MOST_AXES}, as in x, y, z")
     for name in names:
-        if not NAME.match(name):
-            raise fault("axes", f"{name!r} is not a valid axis name: use letters, digits and _")
+        refuse(not NAME.match(name), fault, "axes", f"{name!r} is not a valid axis name: use letters, digits and _")
         # The axis files must differ also on file systems that ignore case.
-        if [other.lower() for other in names].count(name.lower()) > 1:
-            raise fault("axes", f"axis {name!r} is given twice")
+        refuse([other.lower() for other in names].count(name.lower()) > 1, fault, "axes", f"axis {name!r} is given twice")
     return names
 
 
@@ -289,8 +283,7 @@ def mounting(answers: Mapping[str, str]) -> dict[str, str]:
         trail = [name]
         while trail[-1] in below:
             trail.append(below[trail[-1]][1])
-            if trail[-1] in trail[:-1]:
-                raise fault(key, "the axes are mounted on each other in a circle")
+            refuse(trail[-1] in trail[:-1], fault, key, "the axes are mounted on each other in a circle")
     return {name: under for name, (_, under) in below.items()}
 
 
@@ -304,8 +297,7 @@ def travels(answers: Mapping[str, str]) -> dict[str, str]:
     """
     names, text = axis_names(answers), answers.get("travel", "")
     parts = [part.strip() for part in text.split(",")] if text else [""] * len(names)
-    if len(parts) != len(names):
-        raise fault("travel", f"{len(parts)} for the axes {', '.join(names)}: write one for each, with commas")
+    refuse(len(parts) != len(names), fault, "travel", f"{len(parts)} for the axes {', '.join(names)}: write one for each, with commas")
     for part in parts:
         read_value(QUESTIONS["travel"], "travel", part, SizedAxis("", 0.0))
     return dict(zip(names, parts, strict=True))
@@ -327,15 +319,13 @@ def same_as(answers: Mapping[str, str], name: str) -> tuple[str, tuple[str, ...]
         raise fault(key, f"{text!r}: write one of {', '.join(names)}, then except and what differs")
     kept = tuple(filter(None, re.split(r"[,\s]+|\band\b", match["keys"] or "")))
     for word in kept:
-        if word not in KEYS:
-            raise _unknown(key, word, KEYS)
+        refuse(word not in KEYS, _unknown, key, word, KEYS)
     return match["axis"], kept
 
 
 def answers_of(answers: Mapping[str, str], name: str, trail: tuple[str, ...] = ()) -> dict[str, str]:
     """Return the answers about an axis, with those that it repeats from another."""
-    if name in trail:
-        raise fault(f"{name}.{SAME.key}", "the axes repeat each other in a circle")
+    refuse(name in trail, fault, f"{name}.{SAME.key}", "the axes repeat each other in a circle")
     other, kept = same_as(answers, name)
     repeated = answers_of(answers, other, (*trail, name)) if other else {}
     own = {"travel": travels(answers)[name]} | {key: answers[f"{name}.{key}"] for key in KEYS if f"{name}.{key}" in answers}
@@ -367,12 +357,9 @@ def check_keys(answers: Mapping[str, str]) -> None:
     names, general = axis_names(answers), [question.key for question in MACHINE]
     for key in answers:
         name, dot, inner = key.partition(".")
-        if not dot and key not in general:
-            raise _unknown(key, key, (*general, *names))
-        if dot and name not in names:
-            raise fault(key, f"{name!r} is not an axis: axes names {', '.join(names)}")
-        if dot and inner not in (SAME.key, *KEYS):
-            raise _unknown(key, inner, (SAME.key, *KEYS))
+        refuse(not dot and key not in general, _unknown, key, key, (*general, *names))
+        refuse(dot and name not in names, fault, key, f"{name!r} is not an axis: axes names {', '.join(names)}")
+        refuse(dot and inner not in (SAME.key, *KEYS), _unknown, key, inner, (SAME.key, *KEYS))
 
 
 def _unknown(key: str, word: str, known: tuple[str, ...]) -> ScenarioError:
@@ -478,8 +465,7 @@ def read_answers(file: str | Path) -> dict[str, str]:
 
 def preset_file(name: str) -> Path:
     """Return the file of answers of a class of machines: one of `PRESETS`."""
-    if name not in PRESETS:
-        raise ParameterError("--preset", repr(name), f"one of {', '.join(PRESETS)}")
+    check_known("--preset", name, PRESETS)
     return Path(str(files("contourlab.features.machines"))) / "presets" / f"{name}.toml"
 
 

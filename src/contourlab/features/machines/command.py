@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from contourlab.app.json_values import HIDDEN
-from contourlab.errors import OutputError
+from contourlab.errors import OutputError, refuse
 from contourlab.features.run.trust import numbers_of_axis, numbers_of_machine, stated
 from contourlab.rendering.judgement import NOT_STATED, Number
 from contourlab.result import write_bytes_atomic
@@ -164,8 +164,7 @@ def copy_shipped(name: str, folder: str | Path, *, force: bool = False) -> list[
 def refuse_existing(targets: Iterable[Path], folder: str | Path, force: bool) -> None:
     """Raise OutputError if a target exists, unless `force` is set."""
     existing = [target.name for target in targets if target.exists()]
-    if existing and not force:
-        raise OutputError(f"{folder}: already contains {', '.join(existing)}. Choose another folder, or use --force")
+    refuse(existing and not force, OutputError, f"{folder}: already contains {', '.join(existing)}. Choose another folder, or use --force")
 
 
 def _with_parts(file: Path) -> Iterator[Path]:

@@ -13,7 +13,7 @@ from typing import Any
 
 from contourlab.app.results import proposed, spared
 from contourlab.components.origin import Origin
-from contourlab.errors import OutputError, ParameterError
+from contourlab.errors import OutputError, ParameterError, refuse
 from contourlab.features.machines.answers import QUESTIONS, answers_text, axis_names, check_keys, fault, machine_values, mounting, sized
 from contourlab.features.machines.command import refuse_existing
 from contourlab.features.machines.sizing import DAMPING, FASTEST, SizedAxis, rounded
@@ -251,8 +251,7 @@ def _check(axis: SizedAxis, names: Sequence[str]) -> None:
         ("acceleration", axis.wanted_force > axis.peak, needs),
         ("resonance", not axis.below_half, f"{resonance} is not below half of the servo frequency, {most}: leave it out"),
     ):
-        if wrong:
-            raise fault(f"{axis.name}.{key}", message)
+        refuse(wrong, fault, f"{axis.name}.{key}", message)
     try:
         stable = axis.margins().stable
     except ParameterError as error:
@@ -290,8 +289,7 @@ def _about(axis: SizedAxis) -> list[str]:
 
 def check_folder(folder: str | Path, *, force: bool = False) -> None:
     """Raise OutputError if a machine cannot be written into a folder, or would replace one; before any question."""
-    if Path(folder).suffix == ".toml":
-        raise OutputError(f"{folder}: --out names a folder for several files: write a name without .toml")
+    refuse(Path(folder).suffix == ".toml", OutputError, f"{folder}: --out names a folder for several files: write a name without .toml")
     refuse_existing([Path(folder) / "machine.toml"], folder, force)
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from contourlab.app.json_values import HIDDEN
 from contourlab.app.results import spared
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
-from contourlab.errors import ParameterError, UnitError
+from contourlab.errors import ParameterError, UnitError, refuse
 from contourlab.features.measure.log_choice import LogChoice, distinct_names, open_log
 from contourlab.features.measure.plausibility import motion_findings, same_column_findings
 from contourlab.features.refine.log_run import Agreement, LogRun, log_run
@@ -247,8 +247,7 @@ def _windows(texts: Sequence[str], count: int) -> list[Window | None]:
             start, stop = (to_si(end, "s") for end in ends)
         except (UnitError, ValueError) as error:
             raise ParameterError("--window", repr(text), 'two times, as "0.8 s..1.6 s"') from error
-        if not start < stop:
-            raise ParameterError("--window", repr(text), 'two times, the earlier one first, as "0.8 s..1.6 s"')
+        refuse(not start < stop, ParameterError, "--window", repr(text), 'two times, the earlier one first, as "0.8 s..1.6 s"')
         spans.append((start, stop))
     return spans * count if len(spans) == 1 else spans
 

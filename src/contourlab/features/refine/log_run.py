@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags
-from contourlab.errors import ResultError
+from contourlab.errors import ResultError, refuse
 from contourlab.features.measure.measured_path import moving
 from contourlab.features.measure.study import Measured, measure
 from contourlab.feed import Reference
@@ -145,8 +145,7 @@ class LogRun:
         plant = self.machine.axis(name).plant
         parameter = plant.numeric()[0]
         signals = self.simulated({f"axes.{name}.plant.{parameter}": [plant.values()[parameter]]})[:, :, 0]
-        if not np.isfinite(signals).all():
-            raise ResultError(f"{self.label}: the simulated run diverges along the log's reference")
+        refuse(not np.isfinite(signals).all(), ResultError, f"{self.label}: the simulated run diverges along the log's reference")
         return signals
 
     def agreement(self, simulated: Array, rows: slice | Flags | None = None) -> tuple[Agreement, ...]:
@@ -216,8 +215,7 @@ def log_run(machine: Machine, controller: Controller, result: Result, label: str
     for name in ("reference", "position"):
         if name not in result:
             raise ResultError(f"no {name} in {label}: name its column, such as --column '{name}.{machine.axis_names[0]}=NAME [mm]'")
-        if not np.isfinite(result[name][:, columns]).all():
-            raise ResultError(f"{name} in {label} is not finite for every axis and sample")
+        refuse(not np.isfinite(result[name][:, columns]).all(), ResultError, f"{name} in {label} is not finite for every axis and sample")
     judged = measure(result, axes=machine.axis_names)
     wanted, along = result["reference"][:, columns], judged.result["arc_length"]
     first, last = moving(wanted)

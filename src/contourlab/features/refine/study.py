@@ -12,7 +12,7 @@ import numpy as np
 from contourlab.analysis.identification.least_squares import Descent, DescentSettings, FitCovariance, descend, fit_covariance, spread_starts
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array, Flags
-from contourlab.errors import ParameterError, ResultError
+from contourlab.errors import ParameterError, ResultError, refuse
 from contourlab.features.refine.log_run import Agreement, LogRun
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
@@ -102,8 +102,7 @@ def seek(runs: Sequence[LogRun], wanted: Iterable[str]) -> tuple[Sought, ...]:
             if any(name == other and set(held) & set(places) for other, places in sought):
                 raise ParameterError("--parameter", name, "given once")
             sought[name, held] = _sought(runs, [chosen[i][name] for i in held], held, label)
-    if not sought:
-        raise ParameterError("--parameter", "none", "one or more, such as axes.x.plant.damping")
+    refuse(not sought, ParameterError, "--parameter", "none", "one or more, such as axes.x.plant.damping")
     return tuple(sought.values())
 
 
@@ -242,8 +241,7 @@ class RefineSettings:
     descent: DescentSettings = field(default_factory=DescentSettings)
 
     def __post_init__(self) -> None:
-        if not 1 <= self.starts <= 32:
-            raise ParameterError("settings", f"{self}", "starts from 1 to 32")
+        refuse(not 1 <= self.starts <= 32, ParameterError, "settings", f"{self}", "starts from 1 to 32")
 
 
 USUAL = RefineSettings()

@@ -7,7 +7,7 @@ from pathlib import Path
 from contourlab.app.options import Options, argument, option, options
 from contourlab.app.session import Command
 from contourlab.app.shared_options import Drawn, Judged, Motion, OfScenario, Saved, Schemes
-from contourlab.errors import ParameterError
+from contourlab.errors import check_known
 
 
 @options
@@ -63,8 +63,7 @@ class Reported(Drawn):
 
             known = (*UNITS, *JUDGED)
             for name in self.signals:
-                if name not in known:
-                    raise ParameterError("signals", repr(name), f"one of {', '.join(known)}")
+                check_known("signals", name, known)
 
 
 @options

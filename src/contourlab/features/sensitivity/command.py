@@ -14,7 +14,7 @@ from contourlab.app.json_values import HIDDEN
 from contourlab.app.quick import affordable
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array, Flags
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.features.run.source import Source, case_asked
 from contourlab.features.sensitivity.curves import CHANGE, Curve, Interval, Local
 from contourlab.features.sensitivity.options import PARTS, Plan, SensitivityOptions
@@ -329,8 +329,7 @@ def sensitivity(*source: Source, settings: SensitivityOptions, session: Session 
     scenario, case = case_asked(source, settings)
     if settings.servo_period is not None:
         case = replace(case, machine=replace(case.machine, servo_period=settings.si("servo_period")))
-    if case.changes:
-        raise ParameterError("scenario", "one that changes its controller", "a scheme with the same controller throughout")
+    refuse(case.changes, ParameterError, "scenario", "one that changes its controller", "a scheme with the same controller throughout")
     space = Space.chosen(case.machine, case.controller, settings.parameter, settings.width)
     drawn = distributions(space, settings.distribution, settings.deviation)
     settings.work(len(drawn))

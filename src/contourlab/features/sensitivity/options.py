@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, ClassVar, Self
 from contourlab.app.options import option, options
 from contourlab.app.session import Command
 from contourlab.app.shared_options import Drawn, Judged, OfScenario, Seeded, Varied, Workers
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, check_known, refuse
 
 if TYPE_CHECKING:
     from contourlab.metrics.run_figures import RunFigure
@@ -49,11 +49,9 @@ class Plan(Seeded):
     def __post_init__(self) -> None:
         super().__post_init__()
         for part in self.parts:
-            if part not in PARTS:
-                raise ParameterError("--parts", repr(part), f"one of {', '.join(PARTS)}")
+            check_known("--parts", part, PARTS)
         _ = self.judged
-        if self.transform not in TRANSFORMS:
-            raise ParameterError("--transform", repr(self.transform), " or ".join(TRANSFORMS))
+        refuse(self.transform not in TRANSFORMS, ParameterError, "--transform", repr(self.transform), " or ".join(TRANSFORMS))
         for name, least, part in (("values", 5, "curves"), ("trajectories", 4, "morris"), ("seed", 0, "")):
             if getattr(self, name) < least and (not part or part in self.chosen):
                 raise ParameterError(f"--{name}", f"{getattr(self, name)}", f"{least} or more")

@@ -12,7 +12,7 @@ import numpy as np
 
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array, Flags
-from contourlab.errors import ParameterError, UnitError
+from contourlab.errors import ParameterError, UnitError, check_known, refuse
 from contourlab.features.sensitivity.curves import CHANGE, Curve, Local, curves, local
 from contourlab.features.sensitivity.options import STAGES, Plan
 from contourlab.figures import figure, grouped, listing
@@ -50,8 +50,7 @@ class Drawn:
 
     def __post_init__(self) -> None:
         variable = self.variable
-        if self.kind not in KINDS:
-            raise ParameterError("--distribution", repr(self.kind), f"one of {', '.join(KINDS)}")
+        check_known("--distribution", self.kind, KINDS)
         if self.kind == LOG_UNIFORM and variable.low <= 0.0:
             raise ParameterError(variable.name, f"bounds {variable.low:g} to {variable.high:g}", "above 0 for a log-uniform distribution")
         if self.kind == NORMAL and not 0.0 < self.deviation < math.inf:
@@ -244,8 +243,7 @@ def sensitivity_study(
 
     stage("present values")
     present = float(judge(present_values(space))[0])
-    if math.isnan(present):
-        raise ParameterError("run at the present values", "failed", "successful: start from other values")
+    refuse(math.isnan(present), ParameterError, "run at the present values", "failed", "successful: start from other values")
     study = Study(plan, space, tuple(drawn), present)
     if begins("curves"):
         study = replace(study, curves=curves(space, judge, plan.values))

@@ -11,7 +11,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.components.link.network import Network
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.features.link.cost import WAYS, allowed_error, divided, division_cost, undivided_error
 from contourlab.features.link.sweep import LinkSetting, LinkSweep
 from contourlab.features.swap.search import Design
@@ -254,14 +254,12 @@ def coverage(
         If a parameter of the region does not belong to the machine, or `places` is not a power of 2.
     """
     for name in region.names:
-        if not name.startswith("axes."):
-            raise ParameterError("region", name, "a parameter of the machine, such as axes.x.plant.gain")
+        refuse(not name.startswith("axes."), ParameterError, "region", name, "a parameter of the machine, such as axes.x.plant.gain")
     from scipy.stats import qmc
 
     searched = tolerance is None
     size = places if searched else SAMPLES
-    if size < 1 or size & (size - 1):
-        raise ParameterError("places", f"{size}", "a power of 2")
+    refuse(size < 1 or size & (size - 1), ParameterError, "places", f"{size}", "a power of 2")
     points = np.asarray(qmc.Sobol(len(region.names), seed=variants.setting.seed).random(size))
     values, best = np.empty(size), np.empty(size if searched else 0)
     for k, plant in enumerate(points):

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from contourlab.app.quick import affordable, too_slow
 from contourlab.app.session import QUIET, Session, question
-from contourlab.errors import ParameterError, ScenarioError
+from contourlab.errors import ParameterError, ScenarioError, refuse
 from contourlab.features.link.options import quantity
 from contourlab.features.link.sweep import FEW
 from contourlab.features.run.source import Source, case_asked
@@ -210,8 +210,7 @@ def _modules(machine: Machine, options: Swap) -> tuple[dict[str, list[tuple[str,
     findings = []
     for name, others in options.swaps:
         for file in others:
-            if not file.strip():
-                raise ParameterError("--with", repr(file), "names of axis files, separated by commas")
+            refuse(not file.strip(), ParameterError, "--with", repr(file), "names of axis files, separated by commas")
             module, left_out = load_module(file, machine.axis(name), options.plugin)
             called = Path(file.rpartition(":")[2]).stem
             modules.setdefault(name, []).append((called, module))
@@ -295,8 +294,7 @@ def _values(variants: Variants, variant: Variant, file: str, controller: Control
     """Return the values of the searched parameters; a written value may lie beyond a bound by rounding."""
     there, numbers = parameters_of(variant.machine, controller), variants.space.numbers
     missing = [number.short for number in numbers if number.name not in there]
-    if missing:
-        raise ParameterError("--from", file, f"a controller with all searched parameters; it has no {', '.join(missing)}")
+    refuse(missing, ParameterError, "--from", file, f"a controller with all searched parameters; it has no {', '.join(missing)}")
     values = {number.name: float(getattr(*there[number.name])) for number in numbers}
     faults, ratios = [], []
     for number in numbers:

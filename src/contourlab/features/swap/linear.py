@@ -20,7 +20,7 @@ from contourlab.analysis.linear.modular_design import (
 )
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.arrays import Array
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.features.swap.variants import Variant
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller
@@ -101,8 +101,7 @@ def first_order(variant: Variant, controller: Controller, name: str, observer: b
     s = 1j * w
     matrix = np.stack([s, np.ones_like(s)], axis=1) * response[:, None]
     inverse, slope = np.linalg.lstsq(np.vstack([matrix.real, matrix.imag]), np.append(np.ones(w.size), np.zeros(w.size)), rcond=None)[0]
-    if not inverse > 0.0:
-        raise ParameterError(name, "a response without mass", "close to a/(s (s + b)) for a linear design")
+    refuse(not inverse > 0.0, ParameterError, name, "a response without mass", "close to a/(s (s + b)) for a linear design")
     return LinearAxis(1e3 / inverse, slope / inverse)
 
 

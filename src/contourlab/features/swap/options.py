@@ -5,7 +5,7 @@ from __future__ import annotations
 from contourlab.app.options import REQUIRED, option, options
 from contourlab.app.session import Command
 from contourlab.app.shared_options import PICTURES, Drawn, Margins, OfScenario, Plugins, Seeded, Varied, Workers
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.features.link.options import Network
 
 
@@ -51,8 +51,7 @@ class Swap(Network, Workers, Seeded, Varied, Margins, Plugins):
             (places is not None and self.tolerance, "places", places, "left out with --tolerance, which needs no J*"),
         ]
         for wrong, name, value, wanted in faults:
-            if wrong:
-                raise ParameterError(name, str(value), wanted)
+            refuse(wrong, ParameterError, name, str(value), wanted)
 
     @property
     def swaps(self) -> list[tuple[str, list[str]]]:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.loop import Axis, Controller, Machine
 from contourlab.loop.machine import AXIS_SLOTS
 from contourlab.loop.parameters import with_values
@@ -271,8 +271,7 @@ def variants_of(machine: Machine, swaps: Mapping[str, Sequence[tuple[str, Axis]]
         If the machine has no such axis, no module differs from that axis, two modules are identical or have the same name, or a module
         does not fit: another command unit, or a motor side where the axis has none (or the reverse).
     """
-    if not swaps:
-        raise ParameterError("axis", "none", f"at least one axis to swap, of {', '.join(machine.axis_names)}")
+    refuse(not swaps, ParameterError, "axis", "none", f"at least one axis to swap, of {', '.join(machine.axis_names)}")
     variants = []
     for picked in product(*(_choices(machine, name, others) for name, others in swaps.items())):
         made = machine
@@ -287,8 +286,7 @@ def _choices(machine: Machine, name: str, others: Sequence[tuple[str, Axis]]) ->
     """Return the choices for an axis, first the axis itself; a module that is a copy of it provides its name."""
     if name not in machine.axis_names:
         raise ParameterError("axis", repr(name), f"one of {', '.join(machine.axis_names)}, the axes of {machine.name}")
-    if not others:
-        raise ParameterError("with", "nothing", f"at least one module for axis {name}")
+    refuse(not others, ParameterError, "with", "nothing", f"at least one module for axis {name}")
     own = machine.axis(name)
     for (first, one), (second, other) in combinations(others, 2):
         if _alike(one, other):
@@ -299,8 +297,7 @@ def _choices(machine: Machine, name: str, others: Sequence[tuple[str, Axis]]) ->
         raise ParameterError("with", ", ".join(called for called, _ in others), wanted)
     itself = copies[0][0] if copies else "as it is"
     names = [itself, *(called for called, _ in modules)]
-    if len(set(names)) != len(names):
-        raise ParameterError("with", ", ".join(names), "modules with different names")
+    refuse(len(set(names)) != len(names), ParameterError, "with", ", ".join(names), "modules with different names")
     unit, sides = own.plant.command_unit, ("without a separate motor side", "with a motor and a load side")
     for called, other in modules:
         if other.plant.command_unit != unit:

@@ -22,7 +22,7 @@ from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.app.shared_options import Plugins
 from contourlab.arrays import Array
 from contourlab.engine.gpu import LANES as GPU_LANES
-from contourlab.errors import DivergenceError, ParameterError, ResultError
+from contourlab.errors import DivergenceError, ParameterError, ResultError, refuse
 from contourlab.extras import extra_module
 from contourlab.features.run.command import Runs, run_schemes
 from contourlab.features.sweep.chunk import Chunk, agree, chunk_elsewhere, cost_of, joined, run_chunks
@@ -238,8 +238,7 @@ def _space(study: Study, options: Optimise) -> tuple[Study, list[Array]]:
     for name in options.minimise:
         if name not in study.figures:
             raise ParameterError("--minimise", repr(name), f"one of the figures of the study: {', '.join(study.figures)}")
-    if study.design.kind == "list":
-        raise ParameterError("design", "'list'", "a design whose entries vary independently")
+    refuse(study.design.kind == "list", ParameterError, "design", "'list'", "a design whose entries vary independently")
     weights: dict[int, Sequence[float]] = {choice.dimension: choice.weights for choice in study.choices}
     weights |= {i: drawn.weights for one in study.structures.values() for _, i, drawn in one.numbers}
     levels = []

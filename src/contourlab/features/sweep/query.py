@@ -18,7 +18,7 @@ import numpy as np
 
 from contourlab.app.session import Answer
 from contourlab.arrays import Array, Flags, Index
-from contourlab.errors import ParameterError, UnitError, error_text
+from contourlab.errors import ParameterError, UnitError, check_known, error_text, refuse
 from contourlab.extras import extra_module
 from contourlab.features.sweep.store import SCHEMA, Store
 from contourlab.features.sweep.vary import belongs, heads_of
@@ -142,8 +142,7 @@ def _limit(option: str, text: str, unit: str, example: str) -> float:
         value = to_si(text, unit) if text else math.inf
     except UnitError:
         value = 0.0
-    if not value > 0.0:
-        raise ParameterError(option, repr(text), f"more than 0, such as {example!r}")
+    refuse(not value > 0.0, ParameterError, option, repr(text), f"more than 0, such as {example!r}")
     return value
 
 
@@ -178,8 +177,7 @@ def yield_of(store: Store) -> Yield | None:
 
 def check_figure(store: Store, figure: str) -> None:
     """Raise `ParameterError` if a store has no such figure."""
-    if figure not in store.manifest.figures:
-        raise ParameterError("--figure", repr(figure), f"one of {', '.join(store.manifest.figures)}")
+    check_known("--figure", figure, store.manifest.figures)
 
 
 def worst(store: Store, count: int, figure: str) -> list[dict[str, Any]]:
@@ -248,8 +246,7 @@ def export(store: Store, file: Path) -> Export:
     """
     parquet, csv, arrow = (extra_module(name) for name in ("pyarrow.parquet", "pyarrow.csv", "pyarrow"))
     suffix = file.suffix.lower()
-    if suffix not in (".csv", ".parquet"):
-        raise ParameterError("--to", repr(str(file)), "a file that ends in .csv or .parquet")
+    refuse(suffix not in (".csv", ".parquet"), ParameterError, "--to", repr(str(file)), "a file that ends in .csv or .parquet")
     schema, is_csv = store.schema, suffix == ".csv"
     if is_csv:
         schema = arrow.schema([field.with_name(head) for field, head in zip(schema, heads_of(schema), strict=True)])
@@ -356,8 +353,7 @@ def read_rows(store: Store, figure: str | None = None) -> Rows:
     check_figure(store, chosen)
     about = store.manifest
     rows = _judged(store, chosen, ["variant", *about.modules, *about.columns, *dict.fromkeys([chosen, *objectives(store)])])
-    if not rows.table.num_rows:
-        raise ParameterError("STORE", str(store.home), "a store with variants that were judged")
+    refuse(not rows.table.num_rows, ParameterError, "STORE", str(store.home), "a store with variants that were judged")
     return rows
 
 

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.app.results import lock
-from contourlab.errors import OutputError, ResultError
+from contourlab.errors import OutputError, ResultError, refuse
 from contourlab.extras import extra_module
 from contourlab.features.sweep.chunk import STATUSES, Chunk
 from contourlab.features.sweep.study import MOST, UNITS, Study
@@ -95,8 +95,7 @@ class Manifest(Chunked):
         wrong += [] if self.identity.keys() == DIFFERENT.keys() else ["identity"]
         wrong += [] if self.schema in (SCHEMA, OLDER) else ["schema"]
         wrong += [] if self.design in (*DRAWN, *FIXED, "search") else ["design"]
-        if wrong:
-            raise ValueError(f"{', '.join(wrong)}: is not what was written")
+        refuse(wrong, ValueError, f"{', '.join(wrong)}: is not what was written")
 
 
 def read_manifest(folder: Path) -> Manifest:
@@ -108,8 +107,7 @@ def read_manifest(folder: Path) -> Manifest:
         If there is none, or it is damaged or edited; gives file and key.
     """
     file = folder / MANIFEST
-    if not file.is_file():
-        raise ResultError(f"{folder}: not a store of contourlab sweep: {MANIFEST} cannot be read")
+    refuse(not file.is_file(), ResultError, f"{folder}: not a store of contourlab sweep: {MANIFEST} cannot be read")
     return read_record(file, Manifest, "restore the file, or run the study into another folder", OLDER)
 
 
@@ -329,8 +327,7 @@ def writing(folder: str | Path, study: Study, *, resume: bool) -> Iterator[Store
 def check_folder(folder: str | Path, *, resume: bool) -> None:
     """Raise `OutputError` or `ResultError` if a folder cannot be that of a new store, or with `resume` of one to continue."""
     path = Path(folder)
-    if path.exists() and not path.is_dir():
-        raise OutputError(f"{path}: is a file; name a folder with --out")
+    refuse(path.exists() and not path.is_dir(), OutputError, f"{path}: is a file; name a folder with --out")
     names = sorted(other.name for other in path.iterdir()) if path.is_dir() else []
     if MANIFEST not in names:
         if others := [name for name in names if name != TIMES and not name.startswith(".")]:
@@ -360,8 +357,7 @@ def manifest_of(study: Study) -> Manifest:
 def same_study(mine: Mapping[str, str], other: Mapping[str, str], what: str, cure: str) -> None:
     """Raise `ResultError` if two identities differ; say in what."""
     for key, words in DIFFERENT.items():
-        if mine.get(key) != other.get(key):
-            raise ResultError(f"{what}: {words}. {cure}")
+        refuse(mine.get(key) != other.get(key), ResultError, f"{what}: {words}. {cure}")
 
 
 @contextmanager
@@ -412,8 +408,7 @@ def merge(folders: Iterable[str | Path], out: str | Path) -> Store:
             if store.parts[number].name != first.parts[number].name:
                 raise ResultError(f"{store.parts[number]}: differs from {first.parts[number]}: one of them is wrong")
         first.parts = {**store.parts, **first.parts}
-    if path.exists() and (not path.is_dir() or any(path.iterdir())):
-        raise OutputError(f"{path}: is not empty: name a new folder with --out")
+    refuse(path.exists() and (not path.is_dir() or any(path.iterdir())), OutputError, f"{path}: is not empty: name a new folder with --out")
     with locked(path):
         for number, file in first.parts.items():
             for source in (*file.parent.glob(f"signals-{number:06d}-*.nc"), file):

@@ -17,7 +17,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from contourlab.errors import ContourlabError, ParameterError, ScenarioError, UnitError, hint
+from contourlab.errors import ContourlabError, ParameterError, ScenarioError, UnitError, hint, refuse
 from contourlab.features.sweep.vary import HEADS, Variation, belongs, distribution, module_entries, read_list, read_variations
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
@@ -221,8 +221,7 @@ def load_study(
             columns, remarks = read_list(leaf, path.parent, modules)
             variations += columns
             findings += remarks
-    if not variations:
-        raise content.table("vary").error('write what varies, such as "axes.x.plant.mass" = { normal = ["80 kg", "4 kg"] }')
+    refuse(not variations, content.table("vary").error, 'write what varies, such as "axes.x.plant.mass" = { normal = ["80 kg", "4 kg"] }')
     name = plain.scenario if plain.scenario.startswith(BUILTIN) else str(path.parent / plain.scenario)
     if not name.startswith(BUILTIN) and not Path(name).exists():
         raise content.error(f"no file {plain.scenario!r} in {path.parent.as_posix()}{shipped_hint(plain.scenario)}", "scenario")
@@ -257,8 +256,7 @@ def _known(content: Table, key: str, names: Sequence[str], known: Mapping[str, s
     for name in names:
         if name not in known:
             raise content.error(f"no {key.removesuffix('s')} {name!r}: {hint(name, known)}", key)
-    if len(set(names)) < len(names) or (key in content.entries and not names):
-        raise content.error("write one or more names, each once", key)
+    refuse(len(set(names)) < len(names) or (key in content.entries and not names), content.error, "write one or more names, each once", key)
     return tuple(names)
 
 
@@ -453,8 +451,7 @@ def _design(plain: StudyTable, content: Table, varied: Varied, modules: tuple[Mo
                 raise content.error(f"{names[0]}: {other} values = [...]{steps}", "vary")
         if plain.design == "list" and len(set(levels)) > 1:
             raise content.error(f"lists of {sorted(set(levels))} values: a list needs as many of each", "vary")
-        if variants is not None:
-            raise content.error(f"a {fixed} has as many variants as its values give: leave this out", "variants")
+        refuse(variants is not None, content.error, f"a {fixed} has as many variants as its values give: leave this out", "variants")
         variants = levels[0] if plain.design == "list" else math.prod([*(one.count for one in modules), *filter(None, levels)])
         if variants > MOST:
             raise content.error(f"{variants} variants: {MOST} are the most", "modules" if modules else "vary")
@@ -484,8 +481,7 @@ def _factor(content: Table, varied: Varied, design: str, modules: tuple[Modules,
     node = content.get("correlations")
     if node is None:
         return ()
-    if design not in INDEPENDENT:
-        raise refused(f"a {design} has none: leave this out")
+    refuse(design not in INDEPENDENT, refused, f"a {design} has none: leave this out")
     dimension = {name: i for i, (names, _) in enumerate(varied.dimensions) for name in names}
     kind = {i: one.name for one in modules for i in one.dimensions if i not in one.listed}
     matrix, items = np.eye(len(varied.dimensions)), node.plain()
@@ -501,8 +497,7 @@ def _factor(content: Table, varied: Varied, design: str, modules: tuple[Modules,
         except ParameterError as error:
             raise refused(f"{error.value}: must be {error.bound}") from error
         for i, j in product(*pairs):
-            if i == j:
-                raise refused(f"{item!r:.80}: both are one draw: name two")
+            refuse(i == j, refused, f"{item!r:.80}: both are one draw: name two")
             if modules and (i not in kind or kind[i] != kind.get(j)):
                 raise refused(f"{item!r:.80}: only what is drawn for the same module can be correlated")
             matrix[i, j] = matrix[j, i] = item[2]

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Parameter
-from contourlab.errors import ScenarioError, UnitError, error_text
+from contourlab.errors import ScenarioError, UnitError, error_text, refuse
 from contourlab.extras import extra_module
 from contourlab.findings import Finding, finding
 from contourlab.scenario.load import SCHEME_KEYS
@@ -108,8 +108,7 @@ def _variation(key: str, table: Node) -> Variation:
         if name not in (*FORMS, "within", *keys_of(Variation)) and isinstance(node, Leaf) and not isinstance(node.value, list):
             raise _no_distribution(node)
     options = read_values(table, Variation, parts=(*FORMS, "within"))
-    if len(kinds) != 1:
-        raise table.error(f"{len(kinds)} distributions: write one of {', '.join(FORMS)}")
+    refuse(len(kinds) != 1, table.error, f"{len(kinds)} distributions: write one of {', '.join(FORMS)}")
     kind = kinds[0]
     items, count = _list(table, kind), {"values": 0, "triangular": 3}.get(kind, 2)
     if not items or (count and len(items) != count):
@@ -180,8 +179,7 @@ def _number(item: Any, parameter: Parameter, present: float, bare: bool = False)
 def _check(kind: str, numbers: Sequence[float]) -> None:
     """Refuse numbers that make no distribution."""
     first, last = numbers[0], numbers[-1]
-    if kind in ("normal", "lognormal") and not last > 0.0:
-        raise UnitError("write a standard deviation above 0")
+    refuse(kind in ("normal", "lognormal") and not last > 0.0, UnitError, "write a standard deviation above 0")
     if kind in ("lognormal", "log-uniform") and not first > 0.0:
         raise UnitError(f"write values above 0, or the distribution {kind.removeprefix('log-').removeprefix('log')}")
     if kind in ("uniform", "log-uniform", "triangular") and not (first < last and list(numbers) == sorted(numbers)):
@@ -194,8 +192,7 @@ def _bounds(table: Table, parameter: Parameter, present: float) -> tuple[float, 
         return low, parameter.maximum
     with located(table, "within"):
         ends = [_number(item, parameter, present) for item in _list(table, "within")]
-    if len(ends) != 2 or not ends[0] < ends[1]:
-        raise table.error('write the lowest and the highest value: ["70 kg", "90 kg"]', "within")
+    refuse(len(ends) != 2 or not ends[0] < ends[1], table.error, 'write the lowest and the highest value: ["70 kg", "90 kg"]', "within")
     return max(low, ends[0]), min(parameter.maximum, ends[1])
 
 
@@ -236,8 +233,7 @@ def read_list(leaf: Leaf, folder: Path, modules: str = "") -> tuple[tuple[Variat
             raise at.error(f"is no part of the modules {modules}: its name must begin with {modules}.")
         items = column.to_pylist()
         for row, item in enumerate(items, 1):
-            if item is None or item != item or item == "":
-                raise at.error(f"row {row} is empty: write a value, or delete the row")
+            refuse(item is None or item != item or item == "", at.error, f"row {row} is empty: write a value, or delete the row")
         if unit and not any(isinstance(item, str) for item in items):
             items = [f"{item!r} {unit}" for item in items]
         found.append(Variation(name, at, "values", tuple(items)))
@@ -252,8 +248,7 @@ def _table(leaf: Leaf, folder: Path) -> Any:
     if not isinstance(leaf.value, str) or Path(leaf.value).suffix.lower() not in (".csv", ".parquet"):
         raise leaf.error(f"{leaf.value!r:.60}: write the name of a .csv or .parquet file")
     file = folder / leaf.value
-    if not file.exists():
-        raise leaf.error(f"no file {leaf.value!r} in {folder.as_posix()}")
+    refuse(not file.exists(), leaf.error, f"no file {leaf.value!r} in {folder.as_posix()}")
     try:
         if file.suffix.lower() == ".csv":
             return _csv(file)
@@ -304,6 +299,5 @@ def module_entries(content: Table) -> dict[str, Leaf]:
         value = leaf.value
         if isinstance(value, bool) or not (isinstance(value, str) or (isinstance(value, int) and 2 <= value <= MOST)):
             raise leaf.error(f"{value!r:.60}: write the number of modules, 2 to {MOST}, or a .csv or .parquet file with a row for each")
-        if any(belongs(name, other) for other in leaves if other != name):
-            raise leaf.error("belongs to other modules as well: delete one")
+        refuse(any(belongs(name, other) for other in leaves if other != name), leaf.error, "belongs to other modules as well: delete one")
     return leaves

@@ -11,7 +11,7 @@ import numpy as np
 from contourlab.analysis.linear.margins import Margins
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
-from contourlab.errors import DivergenceError, ParameterError
+from contourlab.errors import DivergenceError, ParameterError, refuse
 from contourlab.metrics import judge
 from contourlab.metrics.figures import judged_part
 from contourlab.metrics.judge import check_follows
@@ -39,8 +39,7 @@ class Goal:
     def __post_init__(self) -> None:
         names, given = self.names, ",".join(name for name, _ in self.weights)
         for name, weight in self.weights:
-            if not (weight > 0.0 and math.isfinite(weight)):
-                raise ParameterError("objective", f"{name}={weight:g}", "a weight > 0")
+            refuse(not (weight > 0.0 and math.isfinite(weight)), ParameterError, "objective", f"{name}={weight:g}", "a weight > 0")
         if not 0 < len(names) == len(self.weights):
             raise ParameterError("objective", given or "none", "at least one figure, none of them twice")
 

@@ -12,7 +12,7 @@ import numpy as np
 from contourlab.analysis.linear.sampled_loop import SampledLoop
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.features.tune.objective import Goal, Objective, Problem
 from contourlab.loop import Controller, Machine, parameters_of
 from contourlab.study import DesignVariable, Found, Runner, search
@@ -43,8 +43,7 @@ def placed_start(runner: Runner, goal: Goal, bounds: Bounds) -> Controller:
     machine, controller = setting.machine, setting.controller
     speeds = {axis.name: fastest_speed(machine, axis, controller.axes[axis.name], bounds) for axis in machine.axes}
     candidates = [made for fraction in FRACTIONS.tolist() if (made := _placed(machine, controller, speeds, fraction)) is not None]
-    if not candidates:
-        raise ParameterError("start", "placed", "scenario: no common fraction of the fastest poles gives gains on every axis")
+    refuse(not candidates, ParameterError, "start", "placed", "scenario: no common fraction of the fastest poles gives gains on every axis")
     parameters = [parameters_of(machine, candidate) for candidate in candidates]
     names = [name for name in parameters[-1] if ".controller." in name]
     gains = {name: np.array([getattr(*known[name]) for known in parameters], dtype=float) for name in names}

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
 from contourlab.app.json_values import HIDDEN
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.features.tune.drive_terms import DriveTerms, drive_terms, linuxcnc_findings
 from contourlab.features.tune.objective import Evaluation, Goal, Problem, evaluate
 from contourlab.features.tune.options import Tune
@@ -53,12 +53,9 @@ class TuneSettings(Tune):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if not 1.0 < self.width <= 1000.0:
-            raise ParameterError("width", f"{self.width:g}", "> 1 and <= 1000")
-        if not 0 <= self.seed < 2**63:
-            raise ParameterError("seed", f"{self.seed}", f"0 to {2**63 - 1}")
-        if not self.within < 1.0:
-            raise ParameterError("within", f"{self.within:g}", ">= 0 and < 1")
+        refuse(not 1.0 < self.width <= 1000.0, ParameterError, "width", f"{self.width:g}", "> 1 and <= 1000")
+        refuse(not 0 <= self.seed < 2**63, ParameterError, "seed", f"{self.seed}", f"0 to {2**63 - 1}")
+        refuse(not self.within < 1.0, ParameterError, "within", f"{self.within:g}", ">= 0 and < 1")
         _ = self.goal, self.bounds  # refuse what is wrong before any work
 
     @property
