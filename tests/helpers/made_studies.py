@@ -14,7 +14,7 @@ from typed_commands import SCHEMES
 
 from contourlab.cli.main import main
 from contourlab.features.sweep.store import MANIFEST, read_manifest
-from contourlab.study.checkpoint import write_record
+from contourlab.result.record import write_record
 
 SCENARIO = (
     """\

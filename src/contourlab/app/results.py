@@ -15,16 +15,20 @@ import sys
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
+from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import BinaryIO
 
-from contourlab.errors import OutputError, ParameterError, refuse
+from contourlab.errors import OutputError, ParameterError, ResultError, refuse
 from contourlab.figures import grouped
+from contourlab.result.record import read_record, write_record
 
 SAFETY = "contourlab is no safety function: test on the machine with its own limits active."
 """What all proposed gains and exported controllers say."""
 LIST = ".contourlab.json"
 """File name of the list."""
+SCHEMA, OLDER = "contourlab-files/2", "contourlab-files/1"
+"""Form of the list, and the one before, which had no digest."""
 _STAGE = ".contourlab-"
 """Prefix of temporary folders."""
 _HELD = "held"
@@ -152,21 +156,26 @@ def _check(folder: Path, summary: str, names: Iterable[str], inputs: Iterable[st
             raise OutputError(f"{folder / name}: would be replaced, but contourlab did not write it: {cure}")
 
 
+@dataclass(frozen=True)
+class FileList:
+    """The files that contourlab wrote into a folder, by their summary."""
+
+    schema: str
+    files: dict[str, list[str]]
+
+
 def _listed(folder: Path) -> dict[str, str]:
-    """Return the existing files that contourlab wrote, each with its summary; none if the list is missing or damaged."""
+    """Return the existing files that contourlab wrote, each with its summary; none if the list is missing, damaged or edited."""
     try:
-        sets = json.loads((folder / LIST).read_text(encoding="utf-8"))["files"]
-        listed = {name: str(summary) for summary, names in sets.items() for name in names}
-    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        sets = read_record(folder / LIST, FileList, "none of its files is replaced", OLDER).files
+    except ResultError:
         return {}
     there = {path.relative_to(folder).as_posix() for pattern in _RESULTS for path in folder.glob(pattern)}
-    return {name: summary for name, summary in listed.items() if name in there}
+    return {name: summary for summary, names in sets.items() for name in names if name in there}
 
 
-def _save_list(listed: Mapping[str, str], stage: Path, folder: Path) -> None:
-    sets = grouped((summary, name) for name, summary in sorted(listed.items()))
-    (stage / LIST).write_text(json.dumps({"schema": "contourlab-files/1", "files": sets}, indent=2) + "\n", encoding="utf-8")
-    (stage / LIST).replace(folder / LIST)
+def _save_list(listed: Mapping[str, str], folder: Path) -> None:
+    write_record(folder / LIST, FileList(SCHEMA, grouped((summary, name) for name, summary in sorted(listed.items()))))
 
 
 def _written_with(summary: str, listed: Mapping[str, str]) -> list[str]:
@@ -182,11 +191,11 @@ def _exchange(stage: Path, folder: Path, summary: str, new: Iterable[str]) -> No
     listed = (folder / LIST).read_text(encoding="utf-8") if (folder / LIST).exists() else None
     (stage / _JOURNAL).write_text(json.dumps({"away": away, "new": new, "list": listed}), encoding="utf-8")
     try:
-        _save_list({**before, **added}, stage, folder)
+        _save_list({**before, **added}, folder)
         for path, target in _moves(stage, folder, away, new):
             target.parent.mkdir(exist_ok=True)
             path.replace(target)
-        _save_list({name: its for name, its in before.items() if name not in previous} | added, stage, folder)
+        _save_list({name: its for name, its in before.items() if name not in previous} | added, folder)
         (stage / _JOURNAL).unlink()
     except BaseException as error:
         _undo(stage, folder)

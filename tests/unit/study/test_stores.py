@@ -13,7 +13,8 @@ import pytest
 from contourlab.errors import OutputError
 from contourlab.features.sweep.chunk import Chunk
 from contourlab.features.sweep.store import SCHEMA, Manifest, SavedStructure, Store, read_store
-from contourlab.study.checkpoint import Checkpoint, Parts, write_record
+from contourlab.result.record import write_record
+from contourlab.study.checkpoint import Checkpoint, Parts
 
 KEYS = (0, 1, 2)
 SIZE = 8

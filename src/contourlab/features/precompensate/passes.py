@@ -10,7 +10,8 @@ from contourlab.errors import ParameterError, ResultError, error_text, refuse
 from contourlab.features.precompensate.law import RESTS, Learned, Loop
 from contourlab.features.precompensate.writing import Written
 from contourlab.result.atomic import write_bytes_atomic
-from contourlab.study.checkpoint import Checkpoint, packed, unpacked
+from contourlab.result.record import packed, unpacked
+from contourlab.study.checkpoint import Checkpoint
 
 HELPS = 0.02
 """Least gain of two passes over the best before them, as a share of its rms; of one pass, where the error is below `RESTS`."""

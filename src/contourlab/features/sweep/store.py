@@ -24,7 +24,8 @@ from contourlab.extras import extra_module
 from contourlab.features.sweep.chunk import STATUSES, Chunk
 from contourlab.features.sweep.study import MOST, UNITS, Study
 from contourlab.result.atomic import write_bytes_atomic
-from contourlab.study.checkpoint import Parts, covered, digest, noted, read_record, write_record
+from contourlab.result.record import covered, digest, read_record, write_record
+from contourlab.study.checkpoint import Parts, noted
 from contourlab.study.design import DRAWN, FIXED, Chunked
 from contourlab.threads import in_threads
 

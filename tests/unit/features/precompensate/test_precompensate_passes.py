@@ -39,7 +39,9 @@ def test_a_folder_gives_back_what_was_saved_and_refuses_anything_else(tmp_path: 
     rows, one = np.random.default_rng(0).normal(size=(5, 2)), np.array([0.0, np.nan, np.inf, -1.0, 1e-300])
     learned = Learned(rows, -rows, one, one, rows, one, 1e-6, 30.0)
     ran = PassFigures(0, 1e-5, 2e-5, 1.0, (0.1, 0.2), (1.0, 2.0), True)
-    passes = Passes("mine", ("x", "y"), (Loop(), Loop(1e-3, bandwidth=40.0)), 30.0, (ran,), learned, (Written("G1 X1", one, one, 3, 0.1),), ("a",))
+    passes = Passes(
+        "mine", ("x", "y"), (Loop(), Loop(1e-3, bandwidth=40.0)), 30.0, (ran,), learned, (Written("G1 X1", one, one, 3, 0.1),), ("a",)
+    )
     assert load(tmp_path / "none", passes) is passes
     for kept in (passes, replace(passes, cutoff=20.0, learned=None)):  # the second replaces the first
         save(kept, tmp_path)
