@@ -245,8 +245,8 @@ class Options:
         return [word for name, part in self.PARTS.items() if name not in but for word in part.words(getattr(self, name))]
 
 
-def positive(option: str, text: str, unit: str, wanted: str) -> float:
-    """Read the value of an option, > 0, in SI.
+def positive(option: str, text: str, unit: str, wanted: str, *, zero: bool = False) -> float:
+    """Read the value of an option, > 0, in SI; one without a unit may be a bare number.
 
     Parameters
     ----------
@@ -254,6 +254,8 @@ def positive(option: str, text: str, unit: str, wanted: str) -> float:
         SI unit of the expected dimension.
     wanted : str
         Expected form, for the message.
+    zero : bool
+        Whether 0 is allowed, too.
 
     Raises
     ------
@@ -263,8 +265,8 @@ def positive(option: str, text: str, unit: str, wanted: str) -> float:
     from contourlab.units import to_si  # the help does without
 
     try:
-        value = to_si(text, unit)
-    except UnitError as error:
+        value = to_si(float(text) if not unit and re.fullmatch(r"[\d.eE+-]+", text.strip()) else text, unit)
+    except (UnitError, ValueError) as error:
         raise ParameterError(option, repr(text), wanted) from error
-    refuse(not value > 0.0, ParameterError, option, text, "> 0")
+    refuse(not value > 0.0 and (value != 0.0 or not zero), ParameterError, option, text, f">{'=' * zero} 0")
     return value

@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from contourlab.app.command_line import as_typed
-from contourlab.app.options import REQUIRED, Options, Part
+from contourlab.app.options import REQUIRED, Options, Part, options
 
 if TYPE_CHECKING:
     import matplotlib.axes
@@ -287,7 +287,6 @@ def documented(text: str, settings: type[Options]) -> str:
     return f"{head}\n" + "\n".join(lines) + mark + rest
 
 
-@dataclass(frozen=True)
 class Command:
     """A question on the command line.
 
@@ -298,12 +297,12 @@ class Command:
     settings : type of Options
         Its options; the docstring is the help.
     files : type of Options
-        Its arguments, and where and how it is saved.
+        Its arguments, and where and how it is saved; several are one.
     """
 
-    ask: str
-    settings: type[Options]
-    files: type[Options]
+    def __init__(self, ask: str, settings: type[Options], *files: type[Options]) -> None:
+        self.ask, self.settings = ask, settings
+        self.files: type[Options] = options(type("Files", files, {}))
 
     @property
     def help(self) -> str:

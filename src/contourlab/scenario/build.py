@@ -286,7 +286,7 @@ def _axis_controller(table: Table, machine: Machine, name: str) -> AxisControlle
     if isinstance(supervisor, Table) and "kind" not in supervisor.entries:
         table = table.having(supervisor=supervisor.having(kind=Leaf(SUPERVISOR, supervisor.file, supervisor.at("kind"))))
     parts = _parts(table, ("predictor", "velocity", *_OPTIONAL), units, ("predictor", *_OPTIONAL))
-    model = _model(machine, axis, parts.get("observer"))
+    model = model_of(machine, axis, parts.get("observer"))
     parts["controller"] = _position(table.entries["controller"], units, model)
     filters, others = table.table("filters"), table.table("others")
     parts["filters"] = _named(filters, lambda node: read_component(node, "filter", units, optional=True))
@@ -351,8 +351,8 @@ def _check_local(names: Sequence[str], parts: Mapping[str, Any], table: Table) -
             raise table.error(f"no parameter {name!r} in this axis' controller: {hint(name, known)}", "local")
 
 
-def _model(machine: Machine, axis: Axis, observer: Component | None) -> tuple[float, float]:
-    """Return gain and damping of the model for pole placement: the observer's, else those of the plant with its carried mass."""
+def model_of(machine: Machine, axis: Axis, observer: Component | None) -> tuple[float, float]:
+    """Return gain and damping of the plant in the position loop, for pole placement: of the observer's model, else of the loaded plant."""
     values = {} if observer is None else observer.values()
     if {"model_gain", "model_damping"} <= set(values):
         return values["model_gain"], values["model_damping"]

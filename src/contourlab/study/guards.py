@@ -26,6 +26,7 @@ from contourlab.components.contract import Component
 from contourlab.errors import ComponentError, ParameterError, refuse
 from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.loop.parameters import with_values
+from contourlab.scenario.build import model_of
 from contourlab.study.space import ROUNDING
 
 SLACK = (0.02, 0.05)
@@ -200,7 +201,7 @@ FIXED = {"damping": 0.7, "phase_margin": math.radians(60.0)}
 
 def fastest_speed(machine: Machine, axis: Axis, slots: AxisController, bounds: Bounds) -> float:
     """Return the largest speed [rad/s] of placed poles that keeps the margins, or comes nearest to keeping them."""
-    model = model_of(machine, axis, slots)
+    model = model_of(machine, axis, slots.observer)
     speeds = np.geomspace(1e-4, 0.5, SPEEDS) * math.pi / machine.servo_period
     designs: list[tuple[float, dict[str, float]]] = []
     for speed in speeds.tolist():
@@ -223,15 +224,6 @@ def fastest_speed(machine: Machine, axis: Axis, slots: AxisController, bounds: B
     refuse(math.isinf(least), ParameterError, "start", "placed", f"scenario: axis {axis.name} is unstable at every pole speed")
     # If the observer alone breaks the margins, take the nearest poles; another parameter restores the margins.
     return max(speed for (speed, _), short in zip(designs, missing, strict=True) if short <= least)
-
-
-def model_of(machine: Machine, axis: Axis, slots: AxisController) -> tuple[float, float]:
-    """Return gain and damping of the plant in the position loop: the observer's model if there is one, else the loaded plant's."""
-    observer = slots.observer
-    if observer is not None and {"model_gain", "model_damping"} <= set(observer.parameters):
-        values = observer.values()
-        return float(values["model_gain"]), float(values["model_damping"])
-    return machine.loaded_plant(axis.name).rigid_model()
 
 
 def designed(part: Component, speed: float, model: tuple[float, float], axis: str) -> dict[str, float]:

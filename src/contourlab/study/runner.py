@@ -123,7 +123,7 @@ class Runner:
     gpu: bool = False
     pool: Workers | None = None
     store: Checkpoint | None = None
-    progress: Callable[[int, int], None] | None = None
+    progress: Callable[[int, int], None] = lambda done, total: None
     runs: int = 0
     reused: int = 0
     _seen: set[Path] = field(init=False, repr=False, default_factory=set)
@@ -152,8 +152,7 @@ class Runner:
         parts = []
         for first in range(0, n, size):
             parts.append(self._chunk(_cut(columns, first, size), threads or self.threads))
-            if self.progress is not None:
-                self.progress(min(first + size, n), n)
+            self.progress(min(first + size, n), n)
         return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 
     def _chunk(self, columns: Columns, threads: int | None) -> dict[str, Array]:

@@ -64,7 +64,7 @@ def search(
     spread: float = SPREAD,
     tolerance: float = 1e-3,
     target: float = -math.inf,
-    progress: Callable[[int], None] | None = None,
+    progress: Callable[[int], None] = lambda tried: None,
     stoppable: bool = False,
 ) -> Found:
     """Minimise an objective in the box from 0 to 1.
@@ -125,8 +125,7 @@ def search(
             with np.errstate(invalid="ignore"):  # a start without a finite value is not settled
                 settled = past - values <= tolerance * np.abs(values)
             running = [i for i in running if not settled[i] and not strategies[i].stop()]
-            if progress is not None:
-                progress(runs)
+            progress(runs)
     except KeyboardInterrupt:
         if not stoppable:
             raise

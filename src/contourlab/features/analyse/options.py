@@ -14,9 +14,4 @@ class Analyse(Schemes):
     whole: bool = option(False, "Also analyse whole laps and trials on the exact path; takes up to minutes.")
 
 
-@options
-class Files(OfScenario, Drawn):
-    """The argument, and what is saved."""
-
-
-COMMANDS = {"analyse": Command("contourlab.features.analyse.command:analyse", Analyse, Files)}
+COMMANDS = {"analyse": Command("contourlab.features.analyse.command:analyse", Analyse, OfScenario, Drawn)}

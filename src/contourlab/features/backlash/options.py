@@ -14,9 +14,4 @@ class Backlash(Schemes):
     quick: bool = option(False, "Answer within a minute, from the beginning of a long motion.")
 
 
-@options
-class Files(OfScenario, Shown):
-    """The argument, and how it is shown."""
-
-
-COMMANDS = {"backlash": Command("contourlab.features.backlash.command:backlash", Backlash, Files)}
+COMMANDS = {"backlash": Command("contourlab.features.backlash.command:backlash", Backlash, OfScenario, Shown)}

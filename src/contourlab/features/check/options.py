@@ -24,12 +24,7 @@ class Canon(Dialect):
     """Print the moves of a part program: tool tip in mm in machine coordinates, feed in mm/min."""
 
 
-@options
-class Files(OfPart, Shown):
-    """The argument, and how it is shown."""
-
-
 COMMANDS = {
-    "check": Command("contourlab.features.check.program_check:check", Check, Files),
-    "canon": Command("contourlab.features.check.canon:canon", Canon, Files),
+    "check": Command("contourlab.features.check.program_check:check", Check, OfPart, Shown),
+    "canon": Command("contourlab.features.check.canon:canon", Canon, OfPart, Shown),
 }

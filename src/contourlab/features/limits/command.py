@@ -13,10 +13,11 @@ from typing import Any
 import numpy as np
 
 from contourlab.app.json_values import HIDDEN, json_values
+from contourlab.app.options import positive
 from contourlab.app.results import check_file
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array, Flags, Index
-from contourlab.errors import LogError, ParameterError, ProgramError, ResultError, UnitError
+from contourlab.errors import LogError, ParameterError, ProgramError, ResultError, refuse
 from contourlab.features.check.canon import Listed
 from contourlab.features.check.program_check import DEFAULT_MACHINE
 from contourlab.features.check.reading import reading_of, refuse_drawing
@@ -42,7 +43,6 @@ from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_bytes_atomic
 from contourlab.scenario.load import machine_of
 from contourlab.scenario.values import program_motion, program_route
-from contourlab.units import to_si
 
 _UNITS = {"velocity": ("m/s", "200 mm/s"), "acceleration": ("m/s^2", "2 m/s^2"), "jerk": ("m/s^3", "50 m/s^3")}
 """Unit of each kind of limits, and an example."""
@@ -73,12 +73,9 @@ def limits(file: str | Path | Log, *, settings: Limits, session: Session = QUIET
         If an option is out of range, or has no effect.
     """
     choice, reading = LogChoice.of(file, settings), reading_of(settings.program or Path("log"), settings)
-    try:
-        tolerance = HELD if settings.tolerance is None else to_si(settings.tolerance, "")
-    except UnitError as error:
-        raise ParameterError("--tolerance", repr(settings.tolerance), 'a share such as "1 %"') from error
-    if not 0.0 <= tolerance < 1.0:
-        raise ParameterError("--tolerance", str(settings.tolerance), "between 0 and 100 %")
+    share = settings.tolerance
+    tolerance = HELD if share is None else positive("--tolerance", share, "", 'a share such as "1 %"', zero=True)
+    refuse(tolerance >= 1.0, ParameterError, "--tolerance", str(share), "between 0 and 100 %")
     is_program = Path(file).suffix.lower() in PROGRAMS and kind_of(file) != "a log"  # .nc: G-code or NetCDF
     planned = is_program and not choice.format and not choice.columns
     program = Path(file) if planned else settings.program
@@ -103,13 +100,8 @@ def _limits(options: Limits, axes: Sequence[str], machine: Machine | None) -> di
             name, quantity = (word.strip() for word in part.rpartition("=")[::2])
             if name and name not in axes:
                 raise ParameterError(option, repr(text), f"limits of {', '.join(axes)}, such as {axes[0]}={example}")
-            try:
-                value = to_si(quantity, unit)
-            except UnitError as error:
-                raise ParameterError(option, repr(text), f'a limit with its unit, such as "{example}" or "{axes[0]}={example}"') from error
-            if not value > 0.0:
-                raise ParameterError(option, text, "> 0")
-            known |= dict.fromkeys([name] if name else axes, value)
+            wanted = f'a limit with its unit, such as "{example}" or "{axes[0]}={example}"'
+            known |= dict.fromkeys([name] if name else axes, positive(option, quantity, unit, wanted))
         limits[kind] = [known.get(axis, math.inf) for axis in axes]
     return limits
 

@@ -263,7 +263,7 @@ def division_cost(
     setting: LinkSetting,
     quantities: Sequence[str] = QUANTITIES,
     longest: float = 0.1,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> DivisionCost:
     """Sweep the links of a divided controller, one quantity at a time, the others as given.
 
@@ -288,8 +288,7 @@ def division_cost(
 
     def sweep(quantity: str) -> LinkSweep:
         found = swept(setting, quantity, longest)
-        if progress is not None:
-            progress(next(done), len(quantities))
+        progress(next(done), len(quantities))
         return found
 
     sweeps = dict(zip(quantities, in_threads(sweep, quantities), strict=True))

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-import math
 import re
 from typing import TYPE_CHECKING, Any
 
-from contourlab.app.options import Options, option, options
+from contourlab.app.options import Options, option, options, positive
 from contourlab.app.session import Command
 from contourlab.app.shared_options import Drawn, OfScenario, Schemes
-from contourlab.errors import ParameterError, UnitError, refuse
+from contourlab.errors import ParameterError, refuse
 
 if TYPE_CHECKING:
     from contourlab.components.link import network
 
 LONGEST = 10.0
 """Longest message period and delay of a network [s]."""
+SHARE = 'a quantity, such as "10 %" or 0.1'
 SEEDS, MOST_SEEDS = 8, 256
 """Runs with jitter or loss: the worst counts. A batch runs all seeds of 32 values at once."""
 
@@ -57,7 +57,7 @@ class Network(Options):
     def share(self) -> float:
         """Allowed error above that of the undivided loop, as a share; a number of 1 or more needs a unit: it may be percent or a factor."""
         text = "10 %" if self.within is None else self.within
-        part = quantity("--within", text, "", '"10 %" or 0.1')
+        part = positive("--within", text, "", SHARE, zero=True)
         if part >= 1.0 and not re.search("%|percent", text):
             raise ParameterError("--within", text, f'below 1, or in %: "{part:g} %" or "{100.0 * part:g} %"')
         return part
@@ -66,7 +66,7 @@ class Network(Options):
     def span(self) -> float:
         """The longest time to test [s]."""
         text = "100 ms" if self.longest is None else self.longest
-        longest = quantity("--longest", text, "s", '"100 ms"', positive=True)
+        longest = positive("--longest", text, "s", 'a quantity, such as "100 ms"')
         refuse(longest > LONGEST, ParameterError, "--longest", text, f"up to {LONGEST:g} s, the limit of a link")
         return longest
 
@@ -80,8 +80,8 @@ class Network(Options):
         """The network in each direction."""
         from contourlab.components.link.network import Network
 
-        forms = {name: ("", '"10 %" or 0.1') if name == "loss" else ("s", '"2 ms"') for name in self.given}
-        values = {name: quantity(self.PARTS[name].typed, text, *forms[name]) for name, text in self.given.items()}
+        forms = {name: ("", SHARE) if name == "loss" else ("s", 'a quantity, such as "2 ms"') for name in self.given}
+        values = {name: positive(self.PARTS[name].typed, text, *forms[name], zero=True) for name, text in self.given.items()}
         return Network(**values, between="extrapolate" if getattr(self, "extrapolate", False) else "hold")
 
 
@@ -119,28 +119,4 @@ class Link(Network, Schemes):
         return tuple(name.replace("-", "_") for name in self.vary or self.PARTS["vary"].option.choices)
 
 
-def quantity(option: str, text: str, unit: str, example: str, positive: bool = False) -> float:
-    """Read a quantity [SI] of 0 or more, or above 0; one without a unit may be a bare number.
-
-    Raises
-    ------
-    ParameterError
-        If the text is not a quantity, or out of range.
-    """
-    from contourlab.units import to_si
-
-    try:
-        value = to_si(float(text) if not unit and re.fullmatch(r"[\d.eE+-]+", text.strip()) else text, unit)
-    except (UnitError, ValueError) as error:
-        raise ParameterError(option, repr(text), f"a quantity, such as {example}") from error
-    refuse(not (value >= 0.0 and math.isfinite(value)), ParameterError, option, text, ">= 0 and finite")
-    refuse(positive and not value > 0.0, ParameterError, option, text, "> 0")
-    return value
-
-
-@options
-class Files(OfScenario, Drawn):
-    """The argument, and what is saved."""
-
-
-COMMANDS = {"link": Command("contourlab.features.link.command:link", Link, Files)}
+COMMANDS = {"link": Command("contourlab.features.link.command:link", Link, OfScenario, Drawn)}

@@ -15,9 +15,4 @@ class Notch(Margins, Plugins):
     axes: tuple[str, ...] = option((), "Axes, with commas; by default those whose margins are too small.", listed=True)
 
 
-@options
-class Files(OfScenario, WrittenController, Shown):
-    """The argument, and what is saved."""
-
-
-COMMANDS = {"notch": Command("contourlab.features.notch.command:notch", Notch, Files)}
+COMMANDS = {"notch": Command("contourlab.features.notch.command:notch", Notch, OfScenario, WrittenController, Shown)}

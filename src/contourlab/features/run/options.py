@@ -74,11 +74,6 @@ class RunFiles(Reported):
 
 
 @options
-class LearnFiles(OfScenario, Reported):
-    """The argument, and what is saved."""
-
-
-@options
 class CompareFiles(OfScenario, Reported):
     """The arguments, and what is saved."""
 
@@ -97,6 +92,6 @@ class DemoFiles(Saved):
 COMMANDS = {
     "run": Command("contourlab.features.run.command:run", Run, RunFiles),
     "compare": Command("contourlab.features.measure.command:compare", Compare, CompareFiles),
-    "learn": Command("contourlab.features.run.command:learn_schemes", Learn, LearnFiles),
+    "learn": Command("contourlab.features.run.command:learn_schemes", Learn, OfScenario, Reported),
     "demo": Command("contourlab.features.run.demo:demo", Demo, DemoFiles),
 }

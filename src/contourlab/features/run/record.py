@@ -34,7 +34,7 @@ def simulate_to_file(
     scheme: str = "base",
     seed: int = 0,
     block: int = 1 << 15,
-    progress: Callable[[int], None] | None = None,
+    progress: Callable[[int], None] = lambda done: None,
     changes: Sequence[Change] = (),
     switches: str | Path | None = None,
 ) -> Status:
@@ -91,8 +91,7 @@ def simulate_to_file(
             if listed is not None:
                 listed(log.add(part))
             start += part.n_sample
-            if progress is not None:
-                progress(start)
+            progress(start)
     return Status()
 
 

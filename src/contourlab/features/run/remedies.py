@@ -19,7 +19,8 @@ from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.errors import ContourlabError
 from contourlab.loop import Axis, AxisController, Controller, Machine
-from contourlab.study.guards import Bounds, Guards, designed, fastest_speed, model_of
+from contourlab.scenario.build import model_of
+from contourlab.study.guards import Bounds, Guards, designed, fastest_speed
 
 SHARPEST = 3.0
 """Bandwidth of a velocity filter, times the servo period, that costs a servo loop little phase."""
@@ -61,7 +62,7 @@ def _faster(factor: float, machine: Machine, name: str, part: AxisController) ->
     own = part.controller.values()
     if not {"position_gain", "velocity_gain"} <= set(own):
         return part
-    gain, damping = model_of(machine, machine.axis(name), part)
+    gain, damping = model_of(machine, machine.axis(name), part.observer)
     changed = {"velocity_gain": max((factor * (damping + gain * own["velocity_gain"]) - damping) / gain, 0.0)}
     if isinstance(part.controller, Cascade):
         changed |= {"position_gain": factor * own["position_gain"], "integral_time": own["integral_time"] / factor}
@@ -82,12 +83,12 @@ def _cascaded(machine: Machine, name: str, part: AxisController) -> AxisControll
         velocity = velocity.replace(bandwidth=max(velocity.bandwidth, SHARPEST / machine.servo_period))
         law = law.replace(balance_bandwidth=velocity.bandwidth)
     trial = replace(part, observer=None, velocity=velocity, controller=law)
-    gains = designed(trial.controller, fastest_speed(machine, axis, trial, Bounds()), model_of(machine, axis, trial), name)
+    gains = designed(trial.controller, fastest_speed(machine, axis, trial, Bounds()), model_of(machine, axis, trial.observer), name)
     return replace(trial, controller=trial.controller.replace(**gains))
 
 
 def _own_model(machine: Machine, name: str, part: AxisController) -> AxisController:
-    gain, damping = model_of(machine, machine.axis(name), part)
+    gain, damping = model_of(machine, machine.axis(name), part.observer)
     if isinstance(part.controller, Cascade):
         return replace(part, controller=part.controller.replace(velocity_feedforward=1.0, acceleration_feedforward=1.0 / gain))
     if "model_gain" not in part.controller.parameters:

@@ -152,9 +152,4 @@ class SensitivityOptions(Plan, Workers, Varied, Judged):
         return {"kind": self.executor, "workers": self.workers}
 
 
-@options
-class Files(OfScenario, Drawn):
-    """The argument, and what is saved."""
-
-
-COMMANDS = {"sensitivity": Command("contourlab.features.sensitivity.command:sensitivity", SensitivityOptions, Files)}
+COMMANDS = {"sensitivity": Command("contourlab.features.sensitivity.command:sensitivity", SensitivityOptions, OfScenario, Drawn)}

@@ -140,7 +140,7 @@ def network_cost(
     within: float = 0.1,
     longest: float = 0.1,
     few: int = 0,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> NetworkCost:
     """Run a design over a network; the controllers of all axes have the same division.
 
@@ -171,8 +171,7 @@ def network_cost(
         over = replace(setting, controller=divided(setting.controller, division, ways, link))
         cost = division_cost(LinkSetting(over, variants.objective, allowed, few=few), (PERIOD,), longest)
         costs.append(VariantCost(variant.name, whole, allowed, cost.error, cost.unstable, cost.sweeps[PERIOD]))
-        if progress is not None:
-            progress(len(costs), len(variants))
+        progress(len(costs), len(variants))
     in_base = tuple(sorted(name for name in design.local if not stays_in_axis(name, division)))
     return NetworkCost(division, ways, in_base, variants.floor, tuple(costs))
 
@@ -264,7 +263,7 @@ def coverage(
     values, best = np.empty(size), np.empty(size if searched else 0)
     for k, plant in enumerate(points):
         machine, _ = with_values(variants.members[0].machine, variants.setting.controller, region.values(plant))
-        there = replace(variants, members=(Variant("", machine),), progress=None)
+        there = replace(variants, members=(Variant("", machine),), progress=lambda tried: None)
         values[k] = there.kept(point[None, None])[0, 0]
         if searched:
             restarted(there.objective_of(0), np.vstack([point, variants.space.start]), budget, variants.setting.seed)

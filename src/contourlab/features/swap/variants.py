@@ -98,7 +98,7 @@ class Variants:
     bounds: Bounds = field(default_factory=Bounds)
     threads: int | None = None
     gpu: bool = False
-    progress: Callable[[int], None] | None = None
+    progress: Callable[[int], None] = lambda tried: None
     best: Array = field(init=False)
     best_points: Array = field(init=False)
     tried: int = field(init=False, default=0)
@@ -196,8 +196,7 @@ class Variants:
         judged = [self._judged(*args) for args in zip(which, points, excess, run, self._figures(which, chosen), strict=True)]
         with self._lock:
             self.tried += sum(map(len, points))
-        if self.progress is not None:
-            self.progress(self.tried)
+        self.progress(self.tried)
         return np.array([values for values, _ in judged]), np.array([broken for _, broken in judged])
 
     def _figures(self, which: Sequence[int], columns: Sequence[dict[str, Array]]) -> list[dict[str, Array]]:

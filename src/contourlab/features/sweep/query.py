@@ -16,9 +16,10 @@ from typing import Any
 
 import numpy as np
 
+from contourlab.app.options import positive
 from contourlab.app.session import Answer
 from contourlab.arrays import Array, Flags, Index
-from contourlab.errors import ParameterError, UnitError, check_known, error_text, refuse
+from contourlab.errors import ParameterError, check_known, error_text, refuse
 from contourlab.extras import extra_module
 from contourlab.features.sweep.store import SCHEMA, Store
 from contourlab.features.sweep.vary import belongs, heads_of
@@ -28,7 +29,6 @@ from contourlab.metrics.run_figures import FORMS
 from contourlab.rendering.table import Column, Table
 from contourlab.result.atomic import replacing
 from contourlab.study.statistics import share_of, wilson
-from contourlab.units import to_si
 
 QUANTILES = {"minimum": 0.0, "p5": 0.05, "median": 0.5, "p95": 0.95, "p99": 0.99, "maximum": 1.0}
 PIECE = 4096
@@ -138,12 +138,7 @@ def rows(store: Store, sql: str, memory: str = "", time: str = "") -> tuple[list
 
 
 def _limit(option: str, text: str, unit: str, example: str) -> float:
-    try:
-        value = to_si(text, unit) if text else math.inf
-    except UnitError:
-        value = 0.0
-    refuse(not value > 0.0, ParameterError, option, repr(text), f"more than 0, such as {example!r}")
-    return value
+    return positive(option, text, unit, f"more than 0, such as {example!r}") if text else math.inf
 
 
 def spreads(store: Store) -> dict[str, Spread]:

@@ -26,7 +26,7 @@ from contourlab.figures import listing
 from contourlab.findings import Finding, finding
 from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.result import Result
-from contourlab.study.guards import model_of
+from contourlab.scenario.build import model_of
 
 GRID = 2000
 """Frequencies at which the velocity loop is evaluated."""
@@ -117,7 +117,7 @@ def _kv(machine: Machine, axis: Axis, slots: AxisController, gains: LinuxCNCGain
         return float(slots.controller.values()["position_gain"])
     if gains is None:
         return math.nan
-    gain, damping = model_of(machine, axis, slots)
+    gain, damping = model_of(machine, axis, slots.observer)
     below = gains.d + damping / gain
     return gains.p / below if below > 0.0 else math.inf
 

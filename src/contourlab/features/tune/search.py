@@ -15,11 +15,14 @@ from contourlab.arrays import Array
 from contourlab.errors import ParameterError, refuse
 from contourlab.features.tune.objective import Goal, Objective, Problem
 from contourlab.loop import Controller, Machine, parameters_of
+from contourlab.scenario.build import model_of
 from contourlab.study import DesignVariable, Found, Runner, search
-from contourlab.study.guards import Bounds, Guards, designed, fastest_speed, model_of
+from contourlab.study.guards import Bounds, Guards, designed, fastest_speed
 from contourlab.study.search import drawn_starts
 from contourlab.study.values import axes_of
 
+Progress = Callable[[int, int], None]
+"""Called with the amount that is done, and the whole."""
 FRACTIONS = np.geomspace(0.1, 1.0, 32)
 """Fractions of the fastest poles, tried for all axes together."""
 
@@ -63,7 +66,7 @@ def _placed(machine: Machine, controller: Controller, speeds: Mapping[str, float
     try:
         for axis in machine.axes:
             slots = axes[axis.name]
-            gains = designed(slots.controller, fraction * speeds[axis.name], model_of(machine, axis, slots), axis.name)
+            gains = designed(slots.controller, fraction * speeds[axis.name], model_of(machine, axis, slots.observer), axis.name)
             axes[axis.name] = replace(slots, controller=slots.controller.replace(**gains))
     except ParameterError:
         return None
@@ -138,7 +141,7 @@ def sequential(
     rule: LineRule,
     *,
     passes: int = 1,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress = lambda done, total: None,
 ) -> SearchPath:
     """Calibrate the parameters of a space one at a time, in its order, innermost loop first; Ctrl-C ends with the steps so far.
 
@@ -168,8 +171,7 @@ def sequential(
                 return SearchPath(now, tuple(steps), interrupted=True)
             now[variable.name] = step.after
             steps.append(step)
-            if progress is not None:
-                progress(len(steps), passes * len(problem.space.numbers))
+            progress(len(steps), passes * len(problem.space.numbers))
         if steps[-1].objective_after > begun * (1.0 - SETTLED):
             break
     return SearchPath(now, tuple(steps))
@@ -348,7 +350,7 @@ def global_search(
     starts: int = 5,
     budget: int = 6000,
     seed: int = 0,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress = lambda done, total: None,
 ) -> GlobalResult:
     """Search all parameters at once.
 
@@ -378,7 +380,7 @@ def global_search(
         budget=budget,
         seed=seed,
         population=POPULATION,
-        progress=None if progress is None else lambda done: progress(done, budget),
+        progress=lambda done: progress(done, budget),
         stoppable=True,
     )
     for i in np.argsort(found.per_start, kind="stable"):

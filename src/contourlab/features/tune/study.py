@@ -18,6 +18,7 @@ from contourlab.features.tune.search import (
     SETTLED,
     GlobalResult,
     LineRule,
+    Progress,
     SearchPath,
     global_search,
     placed_start,
@@ -37,8 +38,6 @@ Candidate = tuple[float, str, Mapping[str, float]]
 """Objective, method, and values [SI]."""
 Begin = Callable[[str], None]
 """Called with the name of each stage."""
-Progress = Callable[[int, int], None] | None
-"""Called with the amount of the stage that is done, and the whole."""
 
 
 class TuneSettings(Tune):
@@ -126,7 +125,7 @@ def tune(
     *,
     pool: Workers | None = None,
     begin: Begin = lambda stage: None,
-    progress: Progress = None,
+    progress: Progress = lambda done, total: None,
 ) -> Tuned:
     """Calibrate a controller.
 
