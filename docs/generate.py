@@ -16,9 +16,9 @@ from markup import plain
 from ports import ports_page
 
 from contourlab.app.json_schema import json_schema
+from contourlab.cli.look_up import results
 from contourlab.cli.main import root
 from contourlab.cli.parse import PANEL_OF
-from contourlab.cli.results import results
 from contourlab.components.contract import Component
 from contourlab.components.registry import components
 from contourlab.features.components.description import describe, parameter_cells

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Index
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 
 KEPT = 4
 """Samples kept of an interval: first, lowest, highest, last."""
@@ -50,8 +50,7 @@ def keep_extremes(values: ArrayLike, budget: int) -> Index:
     columns = np.asarray(values, dtype=np.float64)
     columns = columns[:, np.newaxis] if columns.ndim == 1 else columns
     n_sample, n_column = columns.shape
-    if budget < KEPT * n_column:
-        raise ParameterError("budget", budget, f"at least {KEPT} per column, {KEPT * n_column} here", "points")
+    refuse(budget < KEPT * n_column, ParameterError, "budget", budget, f"at least {KEPT} per column, {KEPT * n_column} here", "points")
     if n_sample <= budget:
         return np.arange(n_sample, dtype=np.int64)
     # All columns share the first and last sample; each has its own lowest and highest.

@@ -11,7 +11,7 @@ from jsonschema import Draft202012Validator
 import contourlab.cli.main as main
 from contourlab.app.json_schema import json_schema
 from contourlab.app.json_values import json_text, json_values
-from contourlab.cli.results import results
+from contourlab.cli.look_up import results
 
 
 @cache

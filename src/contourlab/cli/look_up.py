@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import reduce
+from importlib import import_module
+from operator import or_
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, get_type_hints
 
 from contourlab.app.options import Options, argument, option, options
 from contourlab.app.session import Answer, Asked, Command, Session
@@ -181,12 +185,44 @@ def schema(command: str, settings: Schema, session: Session) -> Entry:
     import json
 
     from contourlab.app.json_schema import json_schema
-    from contourlab.cli.results import results
 
     known = results()
     check_known("COMMAND", command, known)
     value = json_schema(known[command], f"contourlab {command} --json")
     return Entry(value, json.dumps(value, indent=2))
+
+
+def results() -> dict[str, Any]:
+    """Return the type of the result of each command that has ``--json``."""
+    from contourlab.cli.parse import PANEL_OF, home_of
+    from contourlab.features.check.canon import Canon
+    from contourlab.features.components.description import ComponentDescription
+    from contourlab.features.machines.command import Shipped
+    from contourlab.findings import Entry as Explained
+
+    of_lists = {
+        "canon": Canon,
+        "components": tuple[ComponentDescription, ...],
+        "explain": tuple[Explained, ...],
+        "machines": Shipped | tuple[Shipped, ...] | tuple[Path, ...],
+    }
+    types = {name: of_lists.get(name) or _printed(import_module(home_of(name)).COMMANDS[name]) for name in PANEL_OF if name != "schema"}
+    return {name: kind for name, kind in sorted(types.items()) if kind is not None}
+
+
+def _printed(command: Any) -> Any:
+    """Return the type that a command or group prints; None without ``--json``."""
+    members = [command] if isinstance(command, Command) else command.members.values()
+    kinds: list[Any] = []
+    for member in members:
+        if issubclass(member.files, Shown):
+            module, _, function = member.ask.partition(":")
+            home = import_module(module)
+            ask = inspect.unwrap(getattr(home, function))
+            ask = getattr(ask, "func", ask)  # the question of one paper is part of another
+            kinds += [getattr(home, word) for word in ask.__annotations__["return"].split(" | ")]
+    own = [get_type_hints(kind.json.fget)["return"] if "json" in vars(kind) else kind for kind in kinds]
+    return reduce(or_, dict.fromkeys(own)) if own else None
 
 
 COMMANDS = {

@@ -555,8 +555,7 @@ def strand_of(shapes: Iterable[Shape], file: File, what: str, layer: str = "") -
     try:
         shapes = list(shapes)
         reach = max((float(np.abs(bound).max()) for shape in shapes for bound in shape.extent()), default=0.0)
-        if not reach <= OUTERMOST:
-            raise GeometryError(f"reaches {reach:.3g} m from the origin, more than {OUTERMOST:g} m: check the unit")
+        refuse(not reach <= OUTERMOST, GeometryError, f"reaches {reach:.3g} m from the origin, more than {OUTERMOST:g} m: check the unit")
         return Strand(tuple(curve for shape in shapes for curve in shape.curves()), what, layer)
     except GeometryError as error:
         raise GeometryError(f"{file}: {what}{f' on layer {layer}' if layer else ''}: {error}") from error

@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.errors import LogError, ParameterError, UnitError
+from contourlab.errors import LogError, ParameterError, UnitError, refuse
 from contourlab.file_kinds import mistaken
 from contourlab.findings import Finding, finding
 from contourlab.units import same_dimension
@@ -193,8 +193,7 @@ def factor() -> float:
         value = float(text)
     except ValueError:
         value = math.nan
-    if not 0.0 < value < math.inf:
-        raise ParameterError(SETTING, repr(text), "a factor > 0, such as 4")
+    refuse(not 0.0 < value < math.inf, ParameterError, SETTING, repr(text), "a factor > 0, such as 4")
     return value
 
 

@@ -41,7 +41,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.errors import ParameterError, ResultError
+from contourlab.errors import ParameterError, ResultError, refuse
 from contourlab.feed import Reference
 from contourlab.geometry import Arc
 from contourlab.metrics.figures import judged_part
@@ -165,8 +165,7 @@ def circle_figures(points: Array, centre: Array, radius: float, clockwise: bool,
     ResultError
         If there are fewer than 8 points.
     """
-    if len(points) < 8:
-        raise ResultError(f"{name}: a circle of {len(points)} samples: give at least 8")
+    refuse(len(points) < 8, ResultError, f"{name}: a circle of {len(points)} samples: give at least 8")
     out = points - centre
     deviation = np.linalg.norm(out, axis=1) - radius
     around = np.linalg.norm(points - least_squares_centre(points), axis=1)
@@ -443,12 +442,9 @@ def _run(position: ArrayLike, centre: ArrayLike, radius: float) -> CircleFigures
     points, middle = np.asarray(position, dtype=float), np.asarray(centre, dtype=float)
     if points.ndim != 2 or points.shape[1] != 2 or middle.shape != (2,):
         raise ResultError(f"points of shape {points.shape} around a centre of shape {middle.shape}: must be (n, 2) and (2,)")
-    if not 0.0 < radius < math.inf:
-        raise ParameterError("radius", radius, "finite and > 0", "m")
-    if len(points) < LEAST_SAMPLES:
-        raise ResultError(f"a circle of {len(points)} samples: give at least {LEAST_SAMPLES}")
-    if not (np.isfinite(points).all() and np.isfinite(middle).all()):
-        raise ResultError("points or centre hold values that are not finite")
+    refuse(not 0.0 < radius < math.inf, ParameterError, "radius", radius, "finite and > 0", "m")
+    refuse(len(points) < LEAST_SAMPLES, ResultError, f"a circle of {len(points)} samples: give at least {LEAST_SAMPLES}")
+    refuse(not (np.isfinite(points).all() and np.isfinite(middle).all()), ResultError, "points or centre hold values that are not finite")
     out = points - middle
     distance = np.linalg.norm(out, axis=1)
     if np.abs(distance - radius).max() > 0.2 * radius:

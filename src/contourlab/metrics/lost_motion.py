@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Index
-from contourlab.errors import ParameterError, ResultError
+from contourlab.errors import ParameterError, ResultError, refuse
 
 MARGIN = 1.2
 """Travel since the last turn that ensures contact, as a multiple of the range of motor less load."""
@@ -119,8 +119,7 @@ def lost_motion_from_pair(
     """
     no_force = np.zeros(np.shape(motor_position))
     motor, load, push = _records(motor=motor_position, load=load_position, force=no_force if force is None else force)
-    if bins != int(bins) or bins < 1:
-        raise ParameterError("bins", bins, "a whole number, 1 or more")
+    refuse(bins != int(bins) or bins < 1, ParameterError, "bins", bins, "a whole number, 1 or more")
     if stiffness is not None:
         _check_positive("stiffness", stiffness, "N/m")
     if friction is not None:
@@ -183,8 +182,7 @@ def _cells(motor: Array, apart: Array, force: Array, bins: int) -> tuple[_Cells,
     forward = len(np.unique(kept[of_side > 0.0] // bins))
     cells = _Cells(of_apart, np.sign(of_side), kept % bins, of_force)
     both = np.isin(cells.bin, np.intersect1d(cells.bin[cells.side == 1.0], cells.bin[cells.side == -1.0]))
-    if not both.any():
-        raise ResultError("no place is passed in both directions: go both ways over one place, or use fewer bins")
+    refuse(not both.any(), ResultError, "no place is passed in both directions: go both ways over one place, or use fewer bins")
     cells = _Cells(cells.apart[both], cells.side[both], cells.bin[both], cells.force[both])
     return cells, middle, (forward, len(np.unique(kept // bins)) - forward)
 
@@ -194,8 +192,7 @@ def _steps(motor: Array, width: float, values: tuple[Array, ...]) -> tuple[Array
 
     The noise in the travel, which is the weight of a step, does not correlate with that in its middle.
     """
-    if len(motor) < 2 or not np.ptp(motor) > 0.0:
-        raise ResultError("the motor does not move: record it going back and forth")
+    refuse(len(motor) < 2 or not np.ptp(motor) > 0.0, ResultError, "the motor does not move: record it going back and forth")
     step = np.diff(motor)
     side = np.sign(step)
     if width > 0.0:
@@ -217,8 +214,7 @@ def _common(place: Array, side: Array, width: float) -> tuple[float, float]:
             "use longer strokes both ways, or a load scale that agrees with the motor's"
         )
     low, high = max(float(forward.min()), float(backward.min())), min(float(forward.max()), float(backward.max()))
-    if not high > low:
-        raise ResultError("the motor goes forwards and backwards over different places: go both ways over one place")
+    refuse(not high > low, ResultError, "the motor goes forwards and backwards over different places: go both ways over one place")
     return low, high
 
 
@@ -265,10 +261,8 @@ def _records(**values: ArrayLike) -> list[Array]:
     if arrays[0].ndim != 1 or len({array.shape for array in arrays}) > 1:
         shapes = " and ".join(str(array.shape) for array in arrays)
         raise ResultError(f"{names} have shapes {shapes}: give one number per sample, the same number of samples")
-    if not arrays[0].size:
-        raise ResultError(f"{names} hold no samples")
-    if not all(np.isfinite(array).all() for array in arrays):
-        raise ResultError(f"{names} hold values that are not finite")
+    refuse(not arrays[0].size, ResultError, f"{names} hold no samples")
+    refuse(not all(np.isfinite(array).all() for array in arrays), ResultError, f"{names} hold values that are not finite")
     return arrays
 
 

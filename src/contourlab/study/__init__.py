@@ -2,7 +2,6 @@
 
 from contourlab.study.runner import Runner, Setting
 from contourlab.study.search import Found, search
-from contourlab.study.space import DesignVariable, Space
-from contourlab.study.values import calibration_order
+from contourlab.study.space import DesignVariable, Space, calibration_order
 
 __all__ = ["DesignVariable", "Found", "Runner", "Setting", "Space", "calibration_order", "search"]

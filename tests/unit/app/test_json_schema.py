@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from contourlab.app.json_schema import json_schema
 from contourlab.app.json_values import json_values
+from contourlab.cli.look_up import results
 from contourlab.cli.main import main, root
-from contourlab.cli.results import results
 from contourlab.findings import Finding, finding
 
 

@@ -23,7 +23,7 @@ import numpy as np
 from contourlab.analysis.identification.frequency_response import MeasuredResponse
 from contourlab.analysis.identification.least_squares import Free, OutputFit, deviation_findings, fit_findings, fit_output, fit_percent
 from contourlab.arrays import Array, Complex
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.findings import Finding, finding
 
 Parameters = Mapping[str, float]
@@ -219,8 +219,7 @@ def _rigid_start(points: _Points) -> dict[str, Free]:
         solution, *_ = np.linalg.lstsq(columns, wanted, rcond=None)
         trials.append((float(np.sum((columns @ solution - wanted) ** 2)), *solution.tolist(), delay))
     _, mass, damping, delay = min((trial for trial in trials if trial[1] > 0.0), default=(0.0, 0.0, 0.0, 0.0))
-    if mass <= 0.0:
-        raise ParameterError("M", "below zero", "> 0: the axis goes against its command; reverse the sign of one of the two")
+    refuse(mass <= 0.0, ParameterError, "M", "below zero", "> 0: the axis goes against its command; reverse the sign of one of the two")
     damping = max(damping, 1e-3 * mass)
     top = 2.0 * math.pi * float(points.frequency.max())
     return {

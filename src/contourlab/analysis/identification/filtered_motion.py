@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 
 ANTI_ALIAS_ORDER, ANTI_ALIAS_RIPPLE, ANTI_ALIAS_BAND = 8, 0.05, 0.8
 """Chebyshev filter before decimation: order, ripple [dB], and edge as a share of the new Nyquist frequency."""
@@ -144,13 +144,10 @@ def even_record(time: ArrayLike, signals: Mapping[str, ArrayLike], shortest: int
     """
     arrays = {name: np.asarray(values, dtype=float) for name, values in {"time": time, **signals}.items()}
     t = arrays["time"]
-    if t.ndim != 1:
-        raise ParameterError("time", f"shape {t.shape}", "one record, (n,)")
-    if t.size < shortest:
-        raise ParameterError("time", f"{t.size} samples", f"a record of at least {shortest}")
+    refuse(t.ndim != 1, ParameterError, "time", f"shape {t.shape}", "one record, (n,)")
+    refuse(t.size < shortest, ParameterError, "time", f"{t.size} samples", f"a record of at least {shortest}")
     for name, array in arrays.items():
-        if array.shape != t.shape:
-            raise ParameterError(name, f"shape {array.shape}", f"as long as time, {t.shape}")
+        refuse(array.shape != t.shape, ParameterError, name, f"shape {array.shape}", f"as long as time, {t.shape}")
         require_finite(name, array)
     period = float(t[-1] - t[0]) / (t.size - 1)
     if not (period > 0.0 and np.all(np.abs(np.diff(t) - period) <= JITTER * period)):

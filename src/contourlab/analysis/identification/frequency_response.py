@@ -28,7 +28,7 @@ import numpy as np
 from contourlab.analysis.identification.filtered_motion import require_finite
 from contourlab.analysis.identification.least_squares import coloured_deviations, lasting_window
 from contourlab.arrays import Array, Complex, true_spans
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.findings import Finding, finding
 
 SEGMENTS = 8
@@ -147,8 +147,7 @@ def periodic_response(run: Measured, period: int) -> MeasuredResponse:
         If the run is too short.
     """
     count = run.position.size // period - 1
-    if count < 2:
-        raise ParameterError("record", f"{run.position.size} samples", f"three periods of {period} or more")
+    refuse(count < 2, ParameterError, "record", f"{run.position.size} samples", f"three periods of {period} or more")
     start = run.position.size - count * period
     v = np.diff(run.position) / run.period
 
@@ -259,8 +258,7 @@ def swept_response(run: Measured) -> MeasuredResponse:
         If the run is too short.
     """
     n = run.position.size - 1
-    if n < 40 * FEWEST_LINES:
-        raise ParameterError("record", f"{n + 1} samples", f"at least {40 * FEWEST_LINES + 1} for a sweep")
+    refuse(n < 40 * FEWEST_LINES, ParameterError, "record", f"{n + 1} samples", f"at least {40 * FEWEST_LINES + 1} for a sweep")
     signals = {"y": np.diff(run.position) / run.period, "u": run.command[1:]}
     signals["x"] = signals["u"] if run.outside is None else run.outside[1:]
     spectra = {name: np.fft.rfft(values - values.mean()) for name, values in signals.items()}
@@ -274,8 +272,7 @@ def swept_response(run: Measured) -> MeasuredResponse:
             rows += [] if row is None else [row]
             centres += [] if row is None else [at]
         at += max(FEWEST_LINES // 2, half)
-    if not rows:
-        raise ParameterError("record", "a sweep", "slower: leakage from the ends of the record covers all of it")
+    refuse(not rows, ParameterError, "record", "a sweep", "slower: leakage from the ends of the record covers all of it")
     method = f"sweep of {n * run.period:.4g} s, local polynomials" + ("" if run.outside is None else ", reference to position over command")
     response, deviation, coherence = (np.array(column) for column in zip(*rows, strict=True))
     return _of_velocity(run, np.array(centres) / (n * run.period), response, deviation, coherence, method)

@@ -29,7 +29,7 @@ from numpy.typing import ArrayLike
 from contourlab.analysis.identification.filtered_motion import even_record, require_finite
 from contourlab.analysis.identification.least_squares import Estimate, deviation_findings, fit_findings, fit_percent
 from contourlab.arrays import Array, Index, true_spans
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.findings import Finding, finding
 
 BATCHES = 8
@@ -255,8 +255,7 @@ def breakaways(time: ArrayLike, command: ArrayLike, position: ArrayLike) -> tupl
     """
     period, (_, u, p) = even_record(time, {"command": command, "position": position})
     spans = _ramps(u)
-    if not spans:
-        raise ParameterError("command", "a record", "one with slow ramps from about zero: up, back to zero, down, back to zero")
+    refuse(not spans, ParameterError, "command", "a record", "one with slow ramps from about zero: up, back to zero, down, back to zero")
     levels, findings = [], []
     for start, stop in spans:
         result = _breakaway(period, u[start : stop + 1], p[start : stop + 1], period * start)

@@ -33,7 +33,7 @@ from contourlab.analysis.identification.least_squares import (
     usual_lags,
 )
 from contourlab.arrays import Array
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.findings import Finding, finding
 
 EXCITED = 100.0
@@ -92,8 +92,7 @@ class InverseDynamicsSettings:
     def __post_init__(self) -> None:
         if not (isinstance(self.decimation, int) and self.decimation >= 1):
             raise ParameterError("decimation", self.decimation, "a whole number of 1 or more")
-        if not (math.isfinite(self.slowest) and self.slowest >= 0.0):
-            raise ParameterError("slowest", f"{self.slowest:g}", ">= 0", "m/s")
+        refuse(not (math.isfinite(self.slowest) and self.slowest >= 0.0), ParameterError, "slowest", f"{self.slowest:g}", ">= 0", "m/s")
 
 
 class _Rows(NamedTuple):
@@ -295,8 +294,7 @@ def _columns(acceleration: Array, velocity: Array, friction: str) -> Array:
 def _check_excitation(rows: _Rows, names: tuple[str, ...]) -> None:
     """Raise `ParameterError` for a record without both directions, or with linearly dependent columns."""
     fastest = float(np.abs(rows.velocity).max())
-    if fastest == 0.0:
-        raise ParameterError("position", "one place throughout", "a record in which the axis moves")
+    refuse(fastest == 0.0, ParameterError, "position", "one place throughout", "a record in which the axis moves")
     for way, word in ((1.0, "forwards"), (-1.0, "backwards")):
         if np.count_nonzero(way * rows.velocity > 0.01 * fastest) < FEWEST_ROWS // 4:
             bound = "a record that moves both ways: one direction cannot separate friction and offset"

@@ -24,7 +24,7 @@ from contourlab.analysis.linear.coupled_loop import CoupledLoop, TrialMap, coupl
 from contourlab.analysis.linear.margins import HullMargin, doubling, edge_margins, frequency_grid, hull_modulus, nearest_approach
 from contourlab.analysis.linear.tick_map import poles_of
 from contourlab.arrays import Array, Complex
-from contourlab.errors import ComponentError, ParameterError
+from contourlab.errors import ComponentError, ParameterError, refuse
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.loop.machine import Controller, Machine
@@ -193,8 +193,7 @@ def contour_transfer(machine: Machine, controller: Controller, *, strength: floa
     """
     if controller.coupling is None:
         raise ComponentError("the controller has no coupling, so there is no contour error transfer function: add one")
-    if not (strength > 0.0 and math.isfinite(strength)):
-        raise ParameterError("strength", f"{strength:g}", "> 0 and finite")
+    refuse(not (strength > 0.0 and math.isfinite(strength)), ParameterError, "strength", f"{strength:g}", "> 0 and finite")
     return ContourTransfer(coupled_loop(machine, controller), strength)
 
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array, Flags
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.extras import extra_module
 
 GAINS = ("integral", "position", "velocity")
@@ -29,10 +29,8 @@ class LinearAxis:
     damping: float
 
     def __post_init__(self) -> None:
-        if not (self.gain > 0.0 and math.isfinite(self.gain)):
-            raise ParameterError("gain", f"{self.gain:g}", "> 0 and finite")
-        if not math.isfinite(self.damping):
-            raise ParameterError("damping", f"{self.damping:g}", "finite")
+        refuse(not (self.gain > 0.0 and math.isfinite(self.gain)), ParameterError, "gain", f"{self.gain:g}", "> 0 and finite")
+        refuse(not math.isfinite(self.damping), ParameterError, "damping", f"{self.damping:g}", "finite")
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 
 from contourlab.arrays import Array, Flags, true_spans
-from contourlab.errors import LogError, ParameterError, ResultError
+from contourlab.errors import LogError, ParameterError, ResultError, refuse
 from contourlab.logs.reading import Channel, Record, name_and_unit
 from contourlab.metrics.circles import LEAST_SAMPLES
 from contourlab.units import to_si
@@ -100,8 +100,7 @@ def find_circle(points: Array) -> Circle:
     (Fischler & Bolles, "Random sample consensus", Comm. ACM 24(6), 1981); least squares through these points gives the circle.
     """
     moving = points[np.append(True, np.any(np.diff(points, axis=0) != 0.0, axis=1))]
-    if len(moving) < LEAST_SAMPLES:
-        raise ResultError(f"{len(moving)} samples in motion: a circle needs at least {LEAST_SAMPLES}")
+    refuse(len(moving) < LEAST_SAMPLES, ResultError, f"{len(moving)} samples in motion: a circle needs at least {LEAST_SAMPLES}")
     few = moving[np.linspace(0, len(moving) - 1, min(len(moving), 2000)).astype(int)]
     random, size = np.random.default_rng(0), float(np.ptp(few, axis=0).max())
     best, most = None, 0
@@ -188,8 +187,7 @@ def runs_of(name: str, position: Array, period: float, circle: Circle, reference
         deviation = np.linalg.norm(place, axis=1) - circle.radius
         run = CircleRun(name, usual < 0.0, circle.radius, turned, deviation, abs(usual) * circle.radius)
         runs.append(run if reference is None else replace(run, lag=reference[kept] - position[kept]))
-    if not runs:
-        raise ResultError(f"no run of a whole turn around the circle of radius {1e3 * circle.radius:.6g} mm")
+    refuse(not runs, ResultError, f"no run of a whole turn around the circle of radius {1e3 * circle.radius:.6g} mm")
     return tuple(runs)
 
 

@@ -15,7 +15,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from contourlab.arrays import Array
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.features.commission.identification import IdentifiedAxis
 from contourlab.figures import figure
 from contourlab.rendering.table import Column, Table
@@ -127,8 +127,7 @@ class Term:
 
 def check_control(control: str) -> None:
     """Raise ParameterError for an unknown control."""
-    if control not in CONTROLS:
-        raise ParameterError("--for", control, f"one of {', '.join(CONTROLS)}")
+    refuse(control not in CONTROLS, ParameterError, "--for", control, f"one of {', '.join(CONTROLS)}")
 
 
 def terms_of(control: str, cascades: Mapping[str, Cascade]) -> tuple[Term, ...]:

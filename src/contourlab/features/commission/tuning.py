@@ -10,7 +10,7 @@ from typing import TypeAlias
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.features.commission.loop import GAINS, ROBUST, AxisModel, Law, keep_margins, run_lanes
 from contourlab.study import search
 from contourlab.study.search import drawn_starts
@@ -212,8 +212,7 @@ def _placed(objective: Callable[[Array], Array]) -> tuple[Array, float]:
     points = np.vstack([points, points * [1.0, 1.2, 1.0, 1.0, 1.0]])
     values = objective(points)
     best = int(np.argmin(values))
-    if not math.isfinite(values[best]):
-        raise ParameterError("margins", "no gains found", "smaller margins: a delayed axis cannot keep them")
+    refuse(not math.isfinite(values[best]), ParameterError, "margins", "no gains found", "smaller margins: a delayed axis cannot keep them")
     return points[best], float(values[best])
 
 

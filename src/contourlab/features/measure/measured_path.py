@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from contourlab.arrays import Array, Index
-from contourlab.errors import ResultError
+from contourlab.errors import ResultError, refuse
 from contourlab.geometry import Line, Path
 from contourlab.geometry.thinning import polygon_corners
 
@@ -163,8 +163,7 @@ def moving(reference: Array) -> tuple[int, int]:
         If the positions never change.
     """
     changes = np.flatnonzero((np.diff(reference, axis=0) != 0.0).any(axis=1))
-    if not changes.size:
-        raise ResultError("the reference does not move: it is the same at all samples")
+    refuse(not changes.size, ResultError, "the reference does not move: it is the same at all samples")
     return int(changes[0]), int(changes[-1]) + 1
 
 

@@ -19,7 +19,7 @@ from contourlab.scenario.build import model_of
 from contourlab.study import DesignVariable, Found, Runner, search
 from contourlab.study.guards import Bounds, Guards, designed, fastest_speed
 from contourlab.study.search import drawn_starts
-from contourlab.study.values import axes_of
+from contourlab.study.space import axes_of
 
 Progress = Callable[[int, int], None]
 """Called with the amount that is done, and the whole."""

@@ -32,7 +32,7 @@ from contourlab.metrics.run_figures import FIGURES
 from contourlab.study import Runner, Setting, Space, calibration_order
 from contourlab.study.executors import Executor, Workers
 from contourlab.study.guards import Bounds, Guards
-from contourlab.study.values import axes_of
+from contourlab.study.space import axes_of
 
 Candidate = tuple[float, str, Mapping[str, float]]
 """Objective, method, and values [SI]."""
