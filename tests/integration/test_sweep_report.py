@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from made_studies import asked, made_study
 
+import contourlab as cl
 from contourlab.cli.main import main
 from contourlab.study.statistics import wilson
 
@@ -60,6 +61,12 @@ def test_the_answers_are_those_of_the_rows(folder: Path, capsys: pytest.CaptureF
     assert "Which of them follow the circle?" in page and not re.search(r"(src|href)=.?http", page)
     assert main(["sweep", "report", "store", "--out", "again.html"]) == 0
     assert Path("again.html").read_text(encoding="utf-8") == page
+    Path("store/report.html").unlink()
+    answer = cl.sweep.report("store")
+    assert answer.page is None and answer.answers.judged == 300 and not Path("store/report.html").exists()  # a function writes nothing
+    assert cl.sweep.show("store").report(folder / "named.html").page == folder / "named.html"
+    answer.save()
+    assert {Path(name).read_text(encoding="utf-8") for name in ("store/report.html", "named.html")} == {page}
     assert asked(capsys, "show", "store")["done"] == 300  # the page in the store disturbs nobody
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, true_spans
-from contourlab.errors import FeedError, GeometryError, LogError, ParameterError, ResultError, UnitError, refuse
+from contourlab.errors import FeedError, GeometryError, LogError, ParameterError, ResultError, UnitError
 from contourlab.findings import Finding, finding
 from contourlab.logs.clock import (
     EVEN,
@@ -161,7 +161,8 @@ def load_log(
     >>> log.result["position"].tolist()
     [[0.0], [0.001], [0.002]]
     """
-    refuse(period is not None and not (0.0 < period < 1e3), ParameterError, "period", f"{period:g}", "> 0 and < 1000", "s")
+    if period is not None and not (0.0 < period < 1e3):
+        raise ParameterError("period", f"{period:g}", "> 0 and < 1000", "s")
     record = read_record(file, format) if isinstance(file, str | os.PathLike) else record_of(file, name)
     texts = [column for column in columns if isinstance(column, str)]
     given = (*(column for column in columns if isinstance(column, Column)), *parse_columns(texts, "columns"))

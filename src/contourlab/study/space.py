@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Index
 from contourlab.components.contract import Component
-from contourlab.errors import ParameterError, UnitError, refuse
+from contourlab.errors import ParameterError, UnitError
 from contourlab.loop import Controller, Machine, parameters_of
 from contourlab.loop.parameters import declared, matching
 from contourlab.scenario.quantities import read_number
@@ -63,11 +63,13 @@ class DesignVariable:
     most: float = math.inf
 
     def __post_init__(self) -> None:
-        refuse(not (math.isfinite(self.low) and math.isfinite(self.high)), ParameterError, self.name, self.bounds, "finite")
+        if not (math.isfinite(self.low) and math.isfinite(self.high)):
+            raise ParameterError(self.name, self.bounds, "finite")
         if not self.low < self.high:
             wanted = "two that differ: leave out a number that is to stay" if self.low == self.high else "in order, the lower one first"
             raise ParameterError(self.name, self.bounds, wanted)
-        refuse(self.logarithmic and self.low <= 0.0, ParameterError, self.name, self.bounds, "above 0 for equal factors")
+        if self.logarithmic and self.low <= 0.0:
+            raise ParameterError(self.name, self.bounds, "above 0 for equal factors")
 
     @property
     def short(self) -> str:

@@ -40,7 +40,8 @@ class Network(Options):
         for name, part in self.PARTS.items():
             names = getattr(self, name)
             twice = next((item for item in names if names.count(item) > 1), None) if part.option.listed else None
-            refuse(twice is not None, ParameterError, part.typed, repr(",".join(names)), f"different names: {twice} is given twice")
+            if twice is not None:
+                raise ParameterError(part.typed, repr(",".join(names)), f"different names: {twice} is given twice")
         _ = self.share, self.span, self.network  # refuse what is wrong before any work
 
     @property

@@ -233,7 +233,8 @@ def read_list(leaf: Leaf, folder: Path, modules: str = "") -> tuple[tuple[Variat
             raise at.error(f"is no part of the modules {modules}: its name must begin with {modules}.")
         items = column.to_pylist()
         for row, item in enumerate(items, 1):
-            refuse(item is None or item != item or item == "", at.error, f"row {row} is empty: write a value, or delete the row")
+            if item is None or item != item or item == "":
+                raise at.error(f"row {row} is empty: write a value, or delete the row")
         if unit and not any(isinstance(item, str) for item in items):
             items = [f"{item!r} {unit}" for item in items]
         found.append(Variation(name, at, "values", tuple(items)))
