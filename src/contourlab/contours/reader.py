@@ -269,7 +269,8 @@ def _factor(name: str, own: str | None, unit: str | None, path: File, line: int)
     stated = own or unit
     if own and unit and own != unit:
         raise GeometryError(f"{path}:{line}: the header says {own}, but unit = {unit!r} is given: delete one of them")
-    refuse(not stated, GeometryError, f'{path}:{line}: has no unit: write unit = "mm", or a header such as x [mm],y [mm]')
+    if not stated:
+        raise GeometryError(f'{path}:{line}: has no unit: write unit = "mm", or a header such as x [mm],y [mm]')
     try:
         return unit_size(stated)
     except UnitError as error:
