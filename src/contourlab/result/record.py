@@ -72,6 +72,8 @@ def typed(value: Any, kind: Any, place: str = "") -> Any:
         If it is not of this type; gives the key.
     """
     origin, inner = get_origin(kind), get_args(kind)
+    if hasattr(origin, "__value__"):  # an alias, which NumPy's arrays are from 2.5 on
+        origin = get_origin(origin.__value__)
     if origin in (Union, UnionType) and value is not None:
         kind = next((each for each in inner if each is not NoneType and (each is type(value) or is_dataclass(each))), float)
     if isinstance(kind, type) and is_dataclass(kind):
