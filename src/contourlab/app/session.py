@@ -302,7 +302,7 @@ class Command:
 
     def __init__(self, ask: str, settings: type[Options], *files: type[Options]) -> None:
         self.ask, self.settings = ask, settings
-        self.files: type[Options] = options(type("Files", files, {}))
+        self.files: type[Options] = files[0] if len(files) == 1 else options(type("Files", files, {}))
 
     @property
     def help(self) -> str:
