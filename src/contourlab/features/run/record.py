@@ -34,7 +34,7 @@ def simulate_to_file(
     scheme: str = "base",
     seed: int = 0,
     block: int = 1 << 15,
-    progress: Callable[[int], None] = lambda done: None,
+    progress: Callable[[int], None] | None = None,
     changes: Sequence[Change] = (),
     switches: str | Path | None = None,
 ) -> Status:
@@ -91,7 +91,8 @@ def simulate_to_file(
             if listed is not None:
                 listed(log.add(part))
             start += part.n_sample
-            progress(start)
+            if progress is not None:
+                progress(start)
     return Status()
 
 
