@@ -14,8 +14,7 @@ from contourlab.app.session import Answer, Asked
 from contourlab.features.precompensate.passes import PassFigures
 from contourlab.figures import figure
 from contourlab.findings import Finding
-from contourlab.rendering.charts import Chart, Curve, Panel
-from contourlab.rendering.style import scheme_style
+from contourlab.rendering.charts import Chart, traces_chart
 from contourlab.rendering.table import Column, Table, paragraphs
 
 
@@ -95,9 +94,8 @@ class Precompensated(Answer):
 
     def _charts(self) -> Iterator[Chart]:
         numbers = np.array([each.number for each in self.passes], dtype=float)
-        figures = {"largest": [each.largest for each in self.passes], "rms": [each.rms for each in self.passes]}
-        curves = tuple(Curve(numbers, 1e6 * np.array(y), name, scheme_style(i, 2)[0]) for i, (name, y) in enumerate(figures.items()))
-        yield Chart("passes", self.program, "", (Panel("pass", "contour error [um]", curves),))
+        figures = {name: (numbers, 1e6 * np.array([getattr(each, name) for each in self.passes])) for name in ("largest", "rms")}
+        yield traces_chart("passes", self.program, ("pass", "contour error [um]"), figures, level=None)
 
     def save(self, folder: str | Path = "corrected.ngc") -> Precompensated:
         """Write the program of the next pass, if it helps, and what was learned.
