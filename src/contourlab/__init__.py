@@ -56,16 +56,18 @@ _HOMES = {
         "with_values",
     ),
     "contourlab.components.plant.reflected": ("reflected_inertia", "reflected_mass"),
-    "contourlab.metrics": (
-        "Metrics",
+    "contourlab.metrics.circles": (
         "backlash_from_circle",
         "backlash_of_runs",
         "circles_of",
-        "judge",
-        "lost_motion_from_pair",
-        "reversal_spikes",
+    ),
+    "contourlab.metrics.figures": (
+        "Metrics",
         "summarise",
     ),
+    "contourlab.metrics.judge": ("judge",),
+    "contourlab.metrics.lost_motion": ("lost_motion_from_pair",),
+    "contourlab.metrics.reversals": ("reversal_spikes",),
     "contourlab.program": ("Program", "Reading", "parse_program", "read_program"),
     "contourlab.result": ("Result", "Signal", "Status"),
     "contourlab.scenario": ("Scenario", "load_scenario", "save"),

@@ -18,7 +18,7 @@ from pathlib import Path
 from types import NoneType
 from typing import Any, ClassVar, TypeVar, dataclass_transform, get_args, get_origin, get_type_hints
 
-from contourlab.errors import ParameterError, UnitError
+from contourlab.errors import ParameterError, refused
 
 REQUIRED: Any = dataclasses.MISSING
 """Default of an option without one."""
@@ -245,8 +245,8 @@ class Options:
         return [word for name, part in self.PARTS.items() if name not in but for word in part.words(getattr(self, name))]
 
 
-def positive(option: str, text: str, unit: str, wanted: str) -> float:
-    """Read the value of an option, > 0, in SI.
+def positive(option: str, text: str, unit: str, wanted: str, or_zero: bool = False) -> float:
+    """Read the value of an option, > 0 or perhaps 0, in SI.
 
     Parameters
     ----------
@@ -262,10 +262,8 @@ def positive(option: str, text: str, unit: str, wanted: str) -> float:
     """
     from contourlab.units import to_si  # the help does without
 
-    try:
+    with refused(option, text, wanted):
         value = to_si(text, unit)
-    except UnitError as error:
-        raise ParameterError(option, repr(text), wanted) from error
-    if not value > 0.0:
-        raise ParameterError(option, text, "> 0")
+    if not (value > 0.0 or (or_zero and value == 0.0)):
+        raise ParameterError(option, text, ">= 0 and finite" if or_zero else "> 0")
     return value

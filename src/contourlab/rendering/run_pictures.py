@@ -9,7 +9,7 @@ import numpy as np
 
 from contourlab.arrays import Array, Index
 from contourlab.figures import figure, number, shown_unit
-from contourlab.metrics import CircleFigures
+from contourlab.metrics.circles import CircleFigures
 from contourlab.rendering.charts import Chart, Curve, Level, Panel, PolarChart, Tick
 from contourlab.rendering.data import FeedRun, JudgedRun, ReportData
 from contourlab.rendering.samples import axis_column, largest_magnitude, signal, times

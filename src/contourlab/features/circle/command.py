@@ -26,14 +26,14 @@ from contourlab.errors import ParameterError, ResultError
 from contourlab.features.circle.fit import CircleFit, ReversalSpike, Term, fit_circle
 from contourlab.features.circle.options import Circle
 from contourlab.features.circle.runs import CircleRun, find_circle, is_polar, own_columns, polar_runs, runs_of
-from contourlab.features.measure.log_choice import LogChoice, open_log
+from contourlab.features.measure.log_choice import open_log
 from contourlab.features.measure.plausibility import columns_of, known_signal
 from contourlab.features.measure.study import ACTUAL
 from contourlab.figures import figure, number
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log, read_record
 from contourlab.logs.load import about
-from contourlab.metrics import Bidirectional, CircleFigures, bidirectional, circle_figures
+from contourlab.metrics.circles import Bidirectional, CircleFigures, bidirectional, circle_figures
 from contourlab.rendering.charts import Chart, traces_chart
 from contourlab.rendering.html import page_template, template_file
 from contourlab.rendering.style import scheme_style
@@ -448,7 +448,7 @@ def circle(*logs: str | Path | Log, settings: Circle, session: Session = QUIET) 
         If an option is out of range.
     """
     session.will_write(logs, "summary.json", "report.html")
-    runs, axes, findings = _read([LogChoice.of(log, settings) for log in logs], settings)
+    runs, axes, findings = _read(logs, settings)
     with about(*logs):
         fit = fit_circle(runs, axes, settings.si("pitch"))
         name = " and ".join(Path(log).name for log in logs)
@@ -456,21 +456,21 @@ def circle(*logs: str | Path | Log, settings: Circle, session: Session = QUIET) 
     return replace(test, findings=(*test.findings, *findings), inputs=tuple(logs))
 
 
-def _read(choices: Sequence[LogChoice], settings: Circle) -> tuple[list[CircleRun], tuple[str, str], list[Finding]]:
+def _read(logs: Sequence[str | Path | Log], settings: Circle) -> tuple[list[CircleRun], tuple[str, str], list[Finding]]:
     """Return the runs of all files, around one nominal radius; the axes; and findings on the files."""
     radius, feed = settings.si("radius"), settings.si("feed")
     runs, findings, pair, is_known = list[CircleRun](), list[Finding](), ("x", "y"), radius is not None
-    for choice in choices:
-        named, columns = own_columns(choice.columns)
-        record = read_record(choice.file, choice.format)
+    for file in logs:
+        named, columns = own_columns(settings.column)
+        record = read_record(file, settings.format)
         if named or is_polar(record, named):
-            axes = tuple(choice.axes) or ("x", "y")
-            with about(choice.file, options=("radius",)):
+            axes = settings.axes or ("x", "y")
+            with about(file, options=("radius",)):
                 runs += polar_runs(record, named, radius, math.nan if feed is None else feed)
         else:
-            log = open_log(replace(choice, columns=columns))
-            axes = tuple(choice.axes) or log.result.axes[:2]
-            with about(choice.file):
+            log = open_log(file, replace(settings, column=columns))
+            axes = settings.axes or log.result.axes[:2]
+            with about(file):
                 own, has_reference = _log_runs(log, axes, radius)
             runs += own
             findings += [*log.findings, *([] if "tool_position" in log.result else [finding("CL491")])]

@@ -11,7 +11,7 @@ import numpy as np
 from contourlab.analysis.identification.first_order import FirstOrderFit, identify_closed_loop, identify_first_order
 from contourlab.analysis.identification.inverse_dynamics import InverseDynamicsSettings, cross_validate, identify_inverse_dynamics
 from contourlab.analysis.identification.least_squares import mass_findings
-from contourlab.errors import ParameterError, ResultError, UnitError
+from contourlab.errors import ParameterError, ResultError, refused
 from contourlab.features.identify.axis_tables import forces_of, friction_tables, plant_numbers, rigid_tables
 from contourlab.features.identify.options import Identify
 from contourlab.features.identify.records import AxisRecord, command_label, newton_option, samples_digest
@@ -226,14 +226,12 @@ def _loop_gains(options: Identify) -> tuple[float, float, str] | None:
     if position is None or velocity is None:
         option = "--position-gain" if position is None else "--velocity-gain"
         raise ParameterError(option, "missing", "given with the other one: eq 18 needs both K_P and K_V")
-    option, text, wanted = "--position-gain", position, 'command per length, such as "4 full_scale/mm"'
-    try:
+    with refused("--position-gain", position, 'command per length, such as "4 full_scale/mm"'):
         unit = split(position)[1].partition("/")[0].strip()
         proportional = to_si(position, f"{unit}/m")
-        option, text, wanted = "--velocity-gain", velocity, f'command per speed, such as "0.1 {unit}*s/mm"'
-        return proportional, to_si(velocity, f"{unit}*s/m"), unit
-    except UnitError as error:
-        raise ParameterError(option, repr(text), wanted) from error
+    with refused("--velocity-gain", velocity, f'command per speed, such as "0.1 {unit}*s/mm"'):
+        derivative = to_si(velocity, f"{unit}*s/m")
+    return proportional, derivative, unit
 
 
 def _charts(fit: FirstOrderFit, record: AxisRecord, output: str, command: str) -> tuple[Chart, ...]:

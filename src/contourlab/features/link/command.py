@@ -7,11 +7,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from contourlab.app.options import positive
 from contourlab.app.quick import affordable, too_slow
 from contourlab.app.session import QUIET, Session, question
 from contourlab.errors import DivergenceError, ParameterError
 from contourlab.features.link.cost import WAYS, DivisionCost, allowed_error, divided, division_cost, undivided_error
-from contourlab.features.link.options import SEEDS, Link, quantity
+from contourlab.features.link.options import SEEDS, Link
 from contourlab.features.link.result import LinkResult, SchemeCost
 from contourlab.features.link.sweep import FEW, LinkSetting
 from contourlab.features.run.source import Source, scenario_asked
@@ -51,7 +52,7 @@ def link(*source: Source, settings: Link, session: Session = QUIET) -> LinkResul
     judged = goal_named(settings.figure, "--figure")
     allowed = None
     if settings.tolerance is not None:
-        allowed = quantity("--tolerance", settings.tolerance, judged.quantity, f'"{judged.example(15)}"', positive=True)
+        allowed = positive("--tolerance", settings.tolerance, judged.quantity, f'a quantity, such as "{judged.example(15)}"')
     scenario = scenario_asked(source, settings)
     cases = scenario.cases()
     _refuse_idle(settings, cases)

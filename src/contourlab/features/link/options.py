@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
 import re
 from typing import TYPE_CHECKING, Any
 
-from contourlab.app.options import Options, option, options
+from contourlab.app.options import Options, option, options, positive
 from contourlab.app.session import Command
 from contourlab.app.shared_options import Drawn, OfScenario, Schemes
-from contourlab.errors import ParameterError, UnitError
+from contourlab.errors import ParameterError
 
 if TYPE_CHECKING:
     from contourlab.components.link import network
@@ -58,7 +57,7 @@ class Network(Options):
     def share(self) -> float:
         """Allowed error above that of the undivided loop, as a share; a number of 1 or more needs a unit: it may be percent or a factor."""
         text = "10 %" if self.within is None else self.within
-        part = quantity("--within", text, "", '"10 %" or 0.1')
+        part = positive("--within", text, "", 'a quantity, such as "10 %" or 0.1', or_zero=True)
         if part >= 1.0 and not re.search("%|percent", text):
             raise ParameterError("--within", text, f'below 1, or in %: "{part:g} %" or "{100.0 * part:g} %"')
         return part
@@ -67,7 +66,7 @@ class Network(Options):
     def span(self) -> float:
         """The longest time to test [s]."""
         text = "100 ms" if self.longest is None else self.longest
-        longest = quantity("--longest", text, "s", '"100 ms"', positive=True)
+        longest = positive("--longest", text, "s", 'a quantity, such as "100 ms"')
         if longest > LONGEST:
             raise ParameterError("--longest", text, f"up to {LONGEST:g} s, the limit of a link")
         return longest
@@ -83,7 +82,8 @@ class Network(Options):
         from contourlab.components.link.network import Network
 
         forms = {name: ("", '"10 %" or 0.1') if name == "loss" else ("s", '"2 ms"') for name in self.given}
-        values = {name: quantity(self.PARTS[name].typed, text, *forms[name]) for name, text in self.given.items()}
+        forms = {name: (unit, f"a quantity, such as {example}") for name, (unit, example) in forms.items()}
+        values = {name: positive(self.PARTS[name].typed, text, *forms[name], or_zero=True) for name, text in self.given.items()}
         return Network(**values, between="extrapolate" if getattr(self, "extrapolate", False) else "hold")
 
 
@@ -119,27 +119,6 @@ class Link(Network, Schemes):
     def quantities(self) -> tuple[str, ...]:
         """The quantities to vary, by default all."""
         return tuple(name.replace("-", "_") for name in self.vary or self.PARTS["vary"].option.choices)
-
-
-def quantity(option: str, text: str, unit: str, example: str, positive: bool = False) -> float:
-    """Read a quantity [SI] of 0 or more, or above 0; one without a unit may be a bare number.
-
-    Raises
-    ------
-    ParameterError
-        If the text is not a quantity, or out of range.
-    """
-    from contourlab.units import to_si
-
-    try:
-        value = to_si(float(text) if not unit and re.fullmatch(r"[\d.eE+-]+", text.strip()) else text, unit)
-    except (UnitError, ValueError) as error:
-        raise ParameterError(option, repr(text), f"a quantity, such as {example}") from error
-    if not (value >= 0.0 and math.isfinite(value)):
-        raise ParameterError(option, text, ">= 0 and finite")
-    if positive and not value > 0.0:
-        raise ParameterError(option, text, "> 0")
-    return value
 
 
 @options

@@ -9,10 +9,10 @@ from itertools import chain, product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from contourlab.app.options import positive
 from contourlab.app.quick import affordable, too_slow
 from contourlab.app.session import QUIET, Session, question
 from contourlab.errors import ParameterError, ScenarioError
-from contourlab.features.link.options import quantity
 from contourlab.features.link.sweep import FEW
 from contourlab.features.run.source import Source, case_asked
 from contourlab.features.swap.beyond import NetworkCost, coverage, least_division, network_cost
@@ -179,7 +179,7 @@ def _variants(case: Case, options: Swap) -> tuple[Variants, float | None, list[F
     modules, left_out = _modules(machine, options)
     objective = goal_named(options.objective, "--objective")
     floor, tolerance = (
-        None if text is None else quantity(option, text, objective.quantity, f'"{objective.example(2)}"', positive=True)
+        None if text is None else positive(option, text, objective.quantity, f'a quantity, such as "{objective.example(2)}"')
         for option, text in (("--floor", options.floor), ("--tolerance", options.tolerance))
     )
     variants = Variants(
