@@ -56,15 +56,8 @@ _HOMES = {
         "with_values",
     ),
     "contourlab.components.plant.reflected": ("reflected_inertia", "reflected_mass"),
-    "contourlab.metrics.circles": (
-        "backlash_from_circle",
-        "backlash_of_runs",
-        "circles_of",
-    ),
-    "contourlab.metrics.figures": (
-        "Metrics",
-        "summarise",
-    ),
+    "contourlab.metrics.circles": ("backlash_from_circle", "backlash_of_runs", "circles_of"),
+    "contourlab.metrics.figures": ("Metrics", "summarise"),
     "contourlab.metrics.judge": ("judge",),
     "contourlab.metrics.lost_motion": ("lost_motion_from_pair",),
     "contourlab.metrics.reversals": ("reversal_spikes",),

@@ -14,12 +14,13 @@ import shutil
 import sys
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path, PurePosixPath
 from typing import BinaryIO
 
 from contourlab.errors import OutputError, ParameterError
 from contourlab.figures import grouped
+from contourlab.result.atomic import replacing
 
 SAFETY = "contourlab is no safety function: test on the machine with its own limits active."
 """What all proposed gains and exported controllers say."""
@@ -73,6 +74,15 @@ def check_file(file: str | Path, inputs: Iterable[str | os.PathLike[str]] = (), 
     spared(target, inputs, option)
     with _temporary(target.parent, option):
         pass
+
+
+def write_together(files: Mapping[Path, str | bytes], inputs: Iterable[str | os.PathLike[str]] = (), option: str = "--out") -> None:
+    """Write files, all or none; parameters and errors as in `check_file`."""
+    with ExitStack() as stack:
+        for file, content in files.items():
+            check_file(file, inputs, option)
+            data = content if isinstance(content, bytes) else content.encode("utf-8", "replace")
+            stack.enter_context(replacing(file)).write_bytes(data)
 
 
 def spared(file: str | Path, inputs: Iterable[str | os.PathLike[str]], option: str = "--out") -> None:

@@ -172,7 +172,7 @@ class Answer:
         return pandas.json_normalize(list(self.rows))
 
     def _charts(self) -> Iterator[Any]:
-        yield from ()
+        yield from getattr(self, "charts", ())
 
     def plot(self, ax: matplotlib.axes.Axes | None = None, *, key: str = "") -> matplotlib.axes.Axes:
         """Draw a picture of the answer.

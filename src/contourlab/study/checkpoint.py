@@ -211,8 +211,8 @@ def typed(value: Any, kind: Any, place: str = "") -> Any:
             return kind(**{name: typed(value[name], hint, f"{place}{name}: ") for name, hint in hints.items()})
     elif origin is dict and type(value) is dict:
         return {key: typed(item, inner[1], f"{place}{key}: ") for key, item in value.items()}
-    elif origin is list and type(value) is list:
-        return [typed(item, inner[0], place) for item in value]
+    elif origin in (list, tuple) and type(value) is list:
+        return origin(typed(item, inner[0], place) for item in value)
     elif type(value) in plain:
         return value
     elif type(value) is int and float in plain:

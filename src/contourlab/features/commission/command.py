@@ -7,7 +7,6 @@ import difflib
 import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from itertools import chain
 from pathlib import Path
@@ -16,7 +15,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from contourlab.app.json_values import HIDDEN, json_values
-from contourlab.app.results import SAFETY, check_file
+from contourlab.app.results import SAFETY, check_file, write_together
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
@@ -34,7 +33,6 @@ from contourlab.rendering.charts import Curve, PolarChart
 from contourlab.rendering.matplotlib_view import drawing_of, picture_bytes
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
-from contourlab.result.atomic import replacing
 from contourlab.threads import in_threads
 
 FIRST, SECOND = ("excite.ngc", "sampler.hal", "steps.md"), ("report.html", "gains.diff", "safe.diff", "circle.png")
@@ -98,9 +96,6 @@ class Commissioned(Answer):
         """What each axis is, and its proposed gains, one axis a row."""
         return [{"axis": axis, **json_values(kind), **self.pid.get(axis, {})} for axis, kind in self.axes.items()]
 
-    def _charts(self) -> Iterator[PolarChart]:
-        yield from self.charts
-
     def save(self, folder: str | Path = "commissioning") -> Commissioned:
         """Write excitation, sampler and steps; or report, diffs and picture; all or none.
 
@@ -119,11 +114,7 @@ class Commissioned(Answer):
             If a file cannot be written, or would replace an input.
         """
         files = {Path(folder) / name: content for name, content in self.contents.items()}
-        with ExitStack() as stack:
-            for file, content in files.items():
-                data = content if isinstance(content, bytes) else content.encode("utf-8", "replace")
-                check_file(file, self.inputs, "--out")
-                stack.enter_context(replacing(file)).write_bytes(data)
+        write_together(files, self.inputs)
         for name in SECOND[1:3] if SECOND[0] in self.contents else ():
             if name not in self.contents:
                 (Path(folder) / name).unlink(missing_ok=True)  # of an earlier answer

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 from pathlib import Path
@@ -134,9 +134,6 @@ class Identification(Answer):
     def rows(self) -> list[dict[str, Any]]:
         """The parameters, one a row."""
         return [{"parameter": name, **json_values(parameter)} for name, parameter in self.parameters.items()]
-
-    def _charts(self) -> Iterator[Chart]:
-        yield from self.charts
 
     def save(self, folder: str | Path = "results", *, write: str | Path | None = None, plots: Sequence[str] = ()) -> Identification:
         """Write an axis file, if the parameters are usable, and pictures.

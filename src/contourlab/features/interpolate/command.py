@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
@@ -25,7 +24,7 @@ from contourlab.analysis.encoder import (
     track_ellipse,
 )
 from contourlab.app.json_values import HIDDEN, json_text
-from contourlab.app.results import spared
+from contourlab.app.results import spared, write_together
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array
 from contourlab.errors import LogError, ParameterError, ResultError, UnitError
@@ -134,16 +133,11 @@ class Interpolated(Answer):
         OutputError
             If a result cannot be written; then nothing is written.
         """
-        from contourlab.result.atomic import replacing
-
         if folder is None:
             return self
         saved = replace(self, files={key: str(Path(folder) / name) for key, name in FILES.items()})
-        contents = {"counts": _table(self), "picture": _picture(self), "summary": (json_text(saved) + "\n").encode()}
-        # Put the files in place only after all of them are written.
-        with ExitStack() as stack:
-            for key, content in contents.items():
-                stack.enter_context(replacing(saved.files[key])).write_bytes(content)
+        contents: dict[str, str | bytes] = {"counts": _table(self), "picture": _picture(self), "summary": json_text(saved) + "\n"}
+        write_together({Path(saved.files[key]): content for key, content in contents.items()})
         return saved
 
     def _next(self, asked: Asked) -> Sequence[object]:
@@ -250,7 +244,7 @@ def _rows(r: Interpolated) -> Iterator[tuple[str, str]]:
         yield "", paragraphs(map(str, r.findings))
 
 
-def _table(r: Interpolated) -> bytes:
+def _table(r: Interpolated) -> str:
     """Return the table of counts and positions, with pitch and constants in its head."""
     counts, time = r.interpolation.counted.counts, r.interpolation.record.time
     constants = ", ".join(f"{name} {value!r}" for name, value in r.constants.items() if name != "unit")
@@ -259,7 +253,7 @@ def _table(r: Interpolated) -> bytes:
     rows = [f"{n},{x:.12g}" for n, x in zip(counts.tolist(), (r.resolution * counts).tolist(), strict=True)]
     if time is not None:
         rows = [f"{t:.12g},{row}" for t, row in zip(time.tolist(), rows, strict=True)]
-    return ("\n".join([*head, "count,position [m]" if time is None else "t [s],count,position [m]", *rows]) + "\n").encode()
+    return "\n".join([*head, "count,position [m]" if time is None else "t [s],count,position [m]", *rows]) + "\n"
 
 
 def _labels(r: Interpolated) -> list[str]:

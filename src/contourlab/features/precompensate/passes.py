@@ -15,6 +15,7 @@ from contourlab.errors import ParameterError, ResultError
 from contourlab.features.precompensate.law import RESTS, Learned, Loop
 from contourlab.features.precompensate.writing import Written
 from contourlab.result.atomic import write_bytes_atomic
+from contourlab.study.checkpoint import typed
 
 HELPS = 0.02
 """Least gain of two passes over the best before them, as a share of its rms; of one pass, where the error is below `RESTS`."""
@@ -154,10 +155,9 @@ def load(folder: Path, none: Passes) -> Passes:
                 Written(text, arrays[f"corrected_{k}"], arrays[f"programmed_{k}"], n_line, shortest)
                 for k, (text, n_line, shortest) in enumerate(about["texts"])
             )
-        fast = ("velocity", "acceleration")
-        figures = tuple(PassFigures(**{**one, **{name: tuple(one[name]) for name in fast}}) for one in about["figures"])
-        loops, known = tuple(Loop(**loop) for loop in about["loops"]), Learned(**learned) if learned else None
-        passes = Passes(about["digest"], tuple(about["axes"]), loops, about["cutoff"], figures, known, written, tuple(about["logs"]))
+        kinds = {"axes": tuple[str, ...], "loops": tuple[Loop, ...], "figures": tuple[PassFigures, ...], "logs": tuple[str, ...]}
+        read = {name: typed(about[name], kind) for name, kind in ({"digest": str, "cutoff": float} | kinds).items()}
+        passes = Passes(**read, learned=Learned(**learned) if learned else None, written=written)
     except (OSError, ValueError, KeyError, TypeError, EOFError) as error:
         raise ResultError(f"{file}: is damaged: use a new folder with --passes") from error
     if passes.digest != none.digest:

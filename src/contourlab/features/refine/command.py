@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.app.json_values import HIDDEN
-from contourlab.app.results import spared
+from contourlab.app.results import spared, write_together
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.errors import ParameterError, refused
 from contourlab.features.measure.log_choice import distinct_names, open_log
@@ -27,7 +27,6 @@ from contourlab.logs.load import about
 from contourlab.loop import Axis, Machine
 from contourlab.rendering.charts import Chart, traces_chart
 from contourlab.rendering.table import Column, Table, paragraphs
-from contourlab.result import write_text_atomic
 from contourlab.scenario import Scenario, load_scenario
 from contourlab.scenario.dump import controller_table, machine_tables
 from contourlab.scenario.toml_text import Noted, toml
@@ -261,8 +260,7 @@ def _write(result: Refined, sources: Sequence[str], out: Path) -> tuple[Path, ..
     for i, run in enumerate(result.runs):
         if any(parameter.sought.name.startswith("controller.") and i in parameter.sought.runs for parameter in result.parameters):
             files[_beside(out, run)] = controller_text(result, i, sources)
-    for file, text in files.items():
-        write_text_atomic(file, text)
+    write_together(files, option="--write")
     return tuple(files)[1:]
 
 
