@@ -18,7 +18,7 @@ import numpy as np
 
 from contourlab.analysis.identification.least_squares import fit_covariance
 from contourlab.app.command_line import as_typed
-from contourlab.app.json_values import HIDDEN, json_values, write_json
+from contourlab.app.json_values import HIDDEN, write_json
 from contourlab.app.results import staged
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array
@@ -171,6 +171,8 @@ class CircleTest(Answer):
         Whether the circular deviation is within the tolerance.
     """
 
+    ROWS = "causes"
+
     name: str
     command: str
     axes: tuple[str, str]
@@ -206,11 +208,6 @@ class CircleTest(Answer):
         report = f"report: {self.report}" if self.report else ""
         parts = (paragraphs([self.sentence]), self._causes().text(), paragraphs(self._about()), paragraphs(map(str, self.findings)), report)
         return "\n\n".join(filter(None, parts))
-
-    @property
-    def rows(self) -> list[dict[str, Any]]:
-        """The causes, one a row."""
-        return [json_values(cause) for cause in self.causes]
 
     def _charts(self) -> Iterator[Chart]:
         assert self.fit is not None

@@ -8,11 +8,10 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-from contourlab.app.json_values import HIDDEN, json_values
+from contourlab.app.json_values import HIDDEN
 from contourlab.app.results import check_file
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array, Flags, Index
@@ -302,6 +301,8 @@ class LimitTest(Answer):
         Program written with comments; empty for none.
     """
 
+    ROWS = "peaks"
+
     name: str
     source: str
     axes: tuple[str, ...]
@@ -318,11 +319,6 @@ class LimitTest(Answer):
     annotated: str = ""
     program: Path | None = field(default=None, metadata=HIDDEN)
     reading: Reading | None = field(default=None, metadata=HIDDEN, repr=False)
-
-    @property
-    def rows(self) -> list[dict[str, Any]]:
-        """The largest values, one a row [SI]."""
-        return [json_values(peak) for peak in self.peaks]
 
     def _charts(self) -> Iterator[Bars]:
         limited = [peak for peak in self.peaks if peak.use is not None]

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
-from contourlab.app.json_values import HIDDEN, json_values
+from contourlab.app.json_values import HIDDEN
 from contourlab.app.session import Answer, Asked
 from contourlab.features.precompensate.passes import PassFigures
 from contourlab.figures import figure
@@ -67,6 +67,7 @@ class Precompensated(Answer):
     findings : tuple of Finding
     """
 
+    ROWS = "passes"
     json_derived: ClassVar = ("gain",)
 
     program: str
@@ -86,11 +87,6 @@ class Precompensated(Answer):
     left: tuple[LeftMove, ...]
     findings: tuple[Finding, ...]
     writer: Callable[[Precompensated], None] | None = field(default=None, metadata=HIDDEN, repr=False)
-
-    @property
-    def rows(self) -> list[dict[str, Any]]:
-        """The passes, one a row [SI]."""
-        return [json_values(one) for one in self.passes]
 
     def _charts(self) -> Iterator[Chart]:
         numbers = np.array([each.number for each in self.passes], dtype=float)
