@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import base64
-import hashlib
 import json
 import math
 import os
@@ -35,7 +33,7 @@ from contourlab.logs import Log, read_record
 from contourlab.logs.load import about
 from contourlab.metrics.circles import Bidirectional, CircleFigures, bidirectional, circle_figures
 from contourlab.rendering.charts import Chart, traces_chart
-from contourlab.rendering.html import page_template, template_file
+from contourlab.rendering.html import page_template, script_hash, template_file
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
@@ -383,7 +381,7 @@ def _write_page(test: CircleTest, fit: CircleFit, file: str | Path) -> None:
         data=json.dumps(_data(test, fit), separators=(",", ":")).replace("</", "<\\/"),
         style=template_file("report.css"),
         script=script,
-        hash="sha256-" + base64.b64encode(hashlib.sha256(script.encode()).digest()).decode("ascii"),
+        hash=script_hash(script),
         colours=[scheme_style(k, len(fit.runs))[0] for k in range(len(fit.runs))],
     )
     write_text_atomic(Path(file), str(text))
