@@ -485,7 +485,7 @@ def circle_charts(errors: Curves) -> Iterator[PolarChart]:
     """Yield a ball-bar plot for each of some curves of angle [rad] and radial error [m], by name."""
     for i, (name, (angle, error)) in enumerate(errors.items()):
         title = f"{name}: at most {figure(float(np.abs(error).max()), 'um')}"
-        curve = Curve(np.degrees(angle), 1e6 * error, name, scheme_style(i, 2)[0])
+        curve = Curve(np.degrees(np.unwrap(angle)), 1e6 * error, name, scheme_style(i, 2)[0])
         yield PolarChart(f"circle-{name}", title, f"Radius {figure(CIRCLE, 'mm')}.", (curve,), CIRCLE)
 
 
