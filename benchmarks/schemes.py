@@ -21,7 +21,8 @@ from contourlab.features.run.outcome import tick_cost
 from contourlab.feed import Reference, uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine, simulate
-from contourlab.metrics import judge, summarise
+from contourlab.metrics.figures import summarise
+from contourlab.metrics.judge import judge
 
 PERIOD, DELAY, LAG, KAPPA, TRIALS = 1e-3, 3e-3, 15e-3, 0.4, 10
 MOTOR = {"resistance": 2.0, "inductance": 2e-3, "back_emf": 20.0, "force_constant": 20.0, "viscous_friction": 10.0, "amplifier_gain": 5.0}

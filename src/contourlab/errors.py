@@ -23,7 +23,8 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -83,6 +84,15 @@ def hint(name: object, known: Iterable[str], other: Mapping[str, str] | None = N
     if near:
         return f"did you mean {near[0]!r}?"
     return "use one of " + ", ".join(names) if names else "none is allowed here"
+
+
+@contextmanager
+def refused(option: str, text: object, wanted: str) -> Iterator[None]:
+    """Raise ParameterError, with the wanted form, for the text of an option that cannot be read as a quantity."""
+    try:
+        yield
+    except (UnitError, ValueError) as error:
+        raise ParameterError(option, repr(text), wanted) from error
 
 
 class ContourlabError(Exception):

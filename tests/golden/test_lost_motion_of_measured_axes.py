@@ -10,7 +10,8 @@ import pytest
 from reference_data import reference_file
 from scipy.io import loadmat
 
-from contourlab.metrics import backlash_from_circle, lost_motion_from_pair
+from contourlab.metrics.circles import backlash_from_circle
+from contourlab.metrics.lost_motion import lost_motion_from_pair
 
 
 def test_a_position_controller_is_a_spring_without_a_gap() -> None:

@@ -15,7 +15,10 @@ from contourlab.findings import finding
 from contourlab.geometry import Path, contour
 from contourlab.loop import Axis, Machine
 from contourlab.loop.axis_parts import Limits
-from contourlab.metrics import circles_of, judge, reversal_spikes, summarise
+from contourlab.metrics.circles import circles_of
+from contourlab.metrics.figures import summarise
+from contourlab.metrics.judge import judge
+from contourlab.metrics.reversals import reversal_spikes
 from contourlab.rendering.data import ClosedLoop, JudgedRun, Provenance, ReportData
 from contourlab.rendering.judgement import Cause, Verdict, Worst
 from contourlab.result import Result, Signal

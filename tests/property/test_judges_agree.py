@@ -14,8 +14,7 @@ from made_runs import Array, made_run, samples_on
 from streamed_judge import streamed
 
 from contourlab.geometry import Arc, Line, Path
-from contourlab.metrics import judge
-from contourlab.metrics.judge import furthest, reach
+from contourlab.metrics.judge import furthest, judge, reach
 
 N = 600
 """Samples of a run."""

@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 
 from contourlab.feed import Reference
 from contourlab.geometry import Arc, Line, Path
-from contourlab.metrics import circle_figures, judge, summarise
-from contourlab.metrics.circles import minimum_zone
-from contourlab.metrics.figures import Metrics
+from contourlab.metrics.circles import circle_figures, minimum_zone
+from contourlab.metrics.figures import Metrics, summarise
+from contourlab.metrics.judge import judge
 from contourlab.result import Result, Signal
 
 Array = NDArray[np.float64]

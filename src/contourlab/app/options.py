@@ -18,7 +18,7 @@ from pathlib import Path
 from types import NoneType
 from typing import Any, ClassVar, TypeVar, dataclass_transform, get_args, get_origin, get_type_hints
 
-from contourlab.errors import ParameterError, UnitError, refuse
+from contourlab.errors import ParameterError, refuse, refused
 
 REQUIRED: Any = dataclasses.MISSING
 """Default of an option without one."""
@@ -264,9 +264,7 @@ def positive(option: str, text: str, unit: str, wanted: str, *, zero: bool = Fal
     """
     from contourlab.units import to_si  # the help does without
 
-    try:
+    with refused(option, text, wanted):
         value = to_si(float(text) if not unit and re.fullmatch(r"[\d.eE+-]+", text.strip()) else text, unit)
-    except (UnitError, ValueError) as error:
-        raise ParameterError(option, repr(text), wanted) from error
     refuse(not value > 0.0 and (value != 0.0 or not zero), ParameterError, option, text, f">{'=' * zero} 0")
     return value

@@ -14,13 +14,14 @@ import shutil
 import sys
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import BinaryIO
 
 from contourlab.errors import OutputError, ParameterError, ResultError, refuse
 from contourlab.figures import grouped
+from contourlab.result.atomic import replacing
 from contourlab.result.record import read_record, write_record
 
 SAFETY = "contourlab is no safety function: test on the machine with its own limits active."
@@ -76,6 +77,15 @@ def check_file(file: str | Path, inputs: Iterable[str | os.PathLike[str]] = (), 
     spared(target, inputs, option)
     with _temporary(target.parent, option):
         pass
+
+
+def write_together(files: Mapping[Path, str | bytes], inputs: Iterable[str | os.PathLike[str]] = (), option: str = "--out") -> None:
+    """Write files, all or none; parameters and errors as in `check_file`."""
+    with ExitStack() as stack:
+        for file, content in files.items():
+            check_file(file, inputs, option)
+            data = content if isinstance(content, bytes) else content.encode("utf-8", "replace")
+            stack.enter_context(replacing(file)).write_bytes(data)
 
 
 def spared(file: str | Path, inputs: Iterable[str | os.PathLike[str]], option: str = "--out") -> None:

@@ -158,12 +158,15 @@ class Answer:
         """What the command prints as JSON."""
         return self
 
+    ROWS: ClassVar[str] = ""
+    """The field whose items are the rows of its table; by default the answer is a single row."""
+
     @property
     def rows(self) -> Sequence[dict[str, Any]]:
-        """The answer as rows of a table."""
+        """The answer as rows of a table, in SI."""
         from contourlab.app.json_values import json_values
 
-        return [json_values(self)]
+        return list(map(json_values, getattr(self, self.ROWS) if self.ROWS else [self]))
 
     def to_pandas(self) -> pandas.DataFrame:
         """Return the answer as a table, in SI."""
@@ -172,7 +175,7 @@ class Answer:
         return pandas.json_normalize(list(self.rows))
 
     def _charts(self) -> Iterator[Any]:
-        yield from ()
+        yield from getattr(self, "charts", ())
 
     def plot(self, ax: matplotlib.axes.Axes | None = None, *, key: str = "") -> matplotlib.axes.Axes:
         """Draw a picture of the answer.

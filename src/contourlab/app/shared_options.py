@@ -152,6 +152,10 @@ class LogColumns(Options):
     format: str | None = option(None, "Format of the file, if it is not recognised.")
     period: str | None = option(None, 'Time between samples, e.g. "1 ms", if the log has no times.', unit="s")
 
+    def files(self, *logs: Any) -> tuple[Any, ...]:
+        """Return logs and the file of columns: what is read."""
+        return logs if self.columns is None else (*logs, self.columns)
+
 
 @options
 class LogAxes(LogColumns):

@@ -36,7 +36,12 @@ def read(file: Path) -> Record:
     with file.open("rb") as stream:
         # Version 7.3 has MATLAB's own text before the HDF5 signature.
         head = stream.read(520)
-    tree = _HdfTree(file).read() if HDF in (head[:8], head[512:520]) else _tree(file)
+    if HDF in (head[:8], head[512:520]):
+        tree = _HdfTree(file).read()
+    else:
+        from scipy.io import loadmat
+
+        tree = {name: _plain(value) for name, value in loadmat(file, squeeze_me=True, struct_as_record=False).items()}
     tree = {name: value for name, value in tree.items() if not name.startswith(("__", "#"))}
     while len(tree) == 1 and isinstance(inner := next(iter(tree.values())), Mapping):
         tree = dict(inner)
@@ -58,12 +63,6 @@ def read(file: Path) -> Record:
     if not channels:
         raise LogError("contains no columns of numbers", file=file)
     return Record(file, "matlab", tuple(channels), period, constants)
-
-
-def _tree(file: Path) -> dict[str, Any]:
-    from scipy.io import loadmat
-
-    return {name: _plain(value) for name, value in loadmat(file, squeeze_me=True, struct_as_record=False).items()}
 
 
 def _plain(value: Any) -> Any:

@@ -9,7 +9,6 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from contourlab.app.json_values import json_values
 from contourlab.app.options import Options
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.errors import ParameterError
@@ -46,6 +45,8 @@ class Reproduction(Answer):
         Whether the text has every row, not only the computed figures.
     """
 
+    ROWS = "figures"
+
     paper: str
     figures: tuple[Row, ...]
     draw: Callable[[Path, tuple[str, ...]], Any] = field(repr=False)
@@ -60,11 +61,6 @@ class Reproduction(Answer):
     def json(self) -> tuple[Row, ...]:
         """The rows."""
         return self.figures
-
-    @property
-    def rows(self) -> list[dict[str, Any]]:
-        """The figures, one a row."""
-        return [json_values(row) for row in self.figures]
 
     @property
     def text(self) -> str:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
+from contourlab.rendering.samples import largest_magnitude
 from contourlab.rendering.style import BAND, LIMIT, round_down, scheme_style
 
 MARKS = {
@@ -143,21 +145,35 @@ class Chart(Picture):
     loops: bool = False
 
 
+Traces = Mapping[str, tuple[Array, ...]]
+"""Curves (x, y) by name; with a third array: points, and half the heights of their error bars."""
+
+
 def traces_chart(
     key: str,
     title: str,
     labels: tuple[str, str],
-    traces: Mapping[str, tuple[Array, Array]],
+    traces: Traces,
     *,
     caption: str = "",
-    level: float | None = 0.0,
-    level_label: str = "",
+    level: Level | None = Level(0.0, ""),
+    below: Mapping[str, Traces] | None = None,
+    panel_height: int = 0,
+    log_y: bool = False,
     **panel: Any,
 ) -> Chart:
-    """Return curves (x, y) by name in one panel, in the units of its labels; `panel` are parameters of `Panel`."""
-    curves = tuple(Curve(x, y, name, *scheme_style(i, len(traces))) for i, (name, (x, y)) in enumerate(traces.items()))
-    levels = () if level is None else (Level(level, level_label),)
-    return Chart(key, title, caption, (Panel(*labels, curves, levels, **panel),))
+    """Return curves in one panel, in the units of its labels, and further panels with a linear y axis below it, by their y labels.
+
+    A name looks the same in all panels: they share the legend. `panel` are parameters of every `Panel`.
+    """
+    parts = {labels[1]: traces, **(below or {})}
+    names = list(dict.fromkeys(name for some in parts.values() for name in some))
+    looks = {name: scheme_style(i, len(names)) for i, name in enumerate(names)}
+    levels, panels = () if level is None else (level,), []
+    for label, some in parts.items():
+        curves = (Curve(x, y, name, *looks[name], half=half[0] if half else None) for name, (x, y, *half) in some.items())
+        panels.append(Panel(labels[0], label, tuple(curves), levels, log_y=log_y and some is traces, **panel))
+    return Chart(key, title, caption, tuple(panels), panel_height)
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,35 +184,36 @@ class PolarChart(Picture):
     ----------
     curves : tuple of Curve
         x is the angle [deg], y the deviation [um].
-    division : float [um]
-        Distance between two rings.
-    reach : (low, high) [um]
-        Deviation at the centre and at the rim.
     radius : float [m]
     marks : tuple of Curve
         Marked points: reversal spikes.
     """
 
     curves: tuple[Curve, ...]
-    division: float
-    reach: tuple[float, float]
     radius: float
     marks: tuple[Curve, ...] = ()
 
+    @cached_property
+    def spacing(self) -> tuple[float, float]:
+        """Distance between two rings, and deviation at the rim [um]: the curves fill the outer part of the chart."""
+        largest = max(largest_magnitude(curve.y) for curve in self.curves)
+        if largest <= 0.0:
+            return 1.0, 3.0
+        division = round_down(largest / 2.0)
+        return division, division * float(np.ceil(1.05 * largest / division))
+
+    @property
+    def reach(self) -> tuple[float, float]:
+        """Deviation at the centre and at the rim [um]."""
+        return -2.0 * self.spacing[1], self.spacing[1]
+
     def rings(self) -> list[tuple[float, str]]:
         """Return each ring [um] with its text; every second one has a number, those in the middle have none."""
-        count = round(self.reach[1] / self.division)
-        texts = {k: f"{k * self.division:+g}" for k in range(-count, count - 1) if k % 2 == 0}
-        texts |= {0: "0", count: f"{self.reach[1]:+g} um"}
-        return [(k * self.division, texts.get(k, "")) for k in range(-2 * count, count + 1)]
-
-
-def ring_spacing(largest: float) -> tuple[float, float]:
-    """Return ring spacing and rim [um] such that deviations up to `largest` fill the outer part of a polar chart."""
-    if largest <= 0.0:
-        return 1.0, 3.0
-    division = round_down(largest / 2.0)
-    return division, division * float(np.ceil(1.05 * largest / division))
+        division, rim = self.spacing
+        count = round(rim / division)
+        texts = {k: f"{k * division:+g}" for k in range(-count, count - 1) if k % 2 == 0}
+        texts |= {0: "0", count: f"{rim:+g} um"}
+        return [(k * division, texts.get(k, "")) for k in range(-2 * count, count + 1)]
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from contourlab.figures import NONE, figure, grouped, listing, number
-from contourlab.metrics import ErrorFigures
+from contourlab.metrics.figures import ErrorFigures
 from contourlab.metrics.run_figures import FIGURES, PART, figures_of_run
 from contourlab.rendering.data import JudgedRun, ReportData
 from contourlab.rendering.table import Column, Table, paragraphs

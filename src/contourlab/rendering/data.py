@@ -20,7 +20,9 @@ from contourlab.findings import Finding
 from contourlab.geometry import Path
 from contourlab.loop import Machine
 from contourlab.loop.switches import Switches
-from contourlab.metrics import CircleFigures, Metrics, ReversalFigures, Spike, reversal_figures
+from contourlab.metrics.circles import CircleFigures
+from contourlab.metrics.figures import Metrics
+from contourlab.metrics.reversals import ReversalFigures, Spike, reversal_figures
 from contourlab.rendering.judgement import Trust, Verdict
 from contourlab.rendering.margin_words import gain_words, phase_words
 from contourlab.rendering.style import scheme_style

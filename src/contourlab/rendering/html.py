@@ -96,7 +96,7 @@ def embedded(groups: Mapping[str, Iterable[dict[str, Any]]]) -> dict[str, Any]:
         "library": library,
         "script": template_file("report.js"),
         "style": template_file("report.css"),
-        "hashes": [digest, _digest(template_file("report.js"))],
+        "hashes": [digest, script_hash(template_file("report.js"))],
     }
 
 
@@ -172,10 +172,10 @@ def _plotly() -> tuple[str, str]:
     from plotly.offline import get_plotlyjs
 
     text = str(get_plotlyjs())
-    return _compressed(text), _digest(text)
+    return _compressed(text), script_hash(text)
 
 
-def _digest(script: str) -> str:
+def script_hash(script: str) -> str:
     """Return the hash of a script, with which the page permits it and no other."""
     return "sha256-" + base64.b64encode(hashlib.sha256(script.encode()).digest()).decode("ascii")
 

@@ -95,4 +95,4 @@ def singular_value_chart(values: Mapping[str, np.ndarray]) -> Chart:
     traces = {name: (np.arange(1.0, len(each) + 1.0), np.sort(np.asarray(each, dtype=float))[::-1]) for name, each in values.items()}
     caption = "Factor by which one trial multiplies each error pattern. If all are below 1, every trial is better than the last."
     title, labels = "Singular values from trial to trial", ("number", "singular value")
-    return traces_chart("learning-singular-values", title, labels, traces, caption=caption, level=1.0, level_label="1: no change")
+    return traces_chart("learning-singular-values", title, labels, traces, caption=caption, level=Level(1.0, "1: no change"))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from textwrap import fill
 from typing import TYPE_CHECKING, Any, cast
@@ -66,6 +66,16 @@ def new_figure(height: float) -> Figure:
     return Figure(figsize=(WIDTH, height), layout="constrained")
 
 
+def drawing_of(charts: Sequence[Picture], height: float) -> Figure:
+    """Draw charts side by side on a figure of a height [in]."""
+    figure = new_figure(height)
+    grid = figure.add_gridspec(1, len(charts))
+    for column, chart in enumerate(charts):
+        _VIEWS[type(chart)][0](figure.add_subplot(grid[0, column]), chart)
+    legend(figure, 2)
+    return figure
+
+
 def legend(figure: Figure, columns: int) -> None:
     """Add a legend with one entry for each name of all panels."""
     entries: dict[str, Any] = {}
@@ -76,11 +86,17 @@ def legend(figure: Figure, columns: int) -> None:
         figure.legend(list(entries.values()), list(entries), loc="outside lower left", ncols=min(len(entries), columns))
 
 
-def picture_bytes(figure: Figure, form: str) -> bytes:
-    """Return a figure as a file: png, svg or pdf."""
-    buffer = io.BytesIO()
-    figure.savefig(buffer, format=form, metadata=TIMELESS[form])
-    return buffer.getvalue()
+def picture_bytes(draw: Callable[[], Figure], *forms: str) -> list[bytes]:
+    """Return a figure, drawn with the looks of print, as files: png, svg or pdf. The same data give the same bytes."""
+    import matplotlib
+
+    with matplotlib.rc_context(fname=LOOKS):
+        figure, files = draw(), []
+        for form in forms:
+            buffer = io.BytesIO()
+            figure.savefig(buffer, format=form, metadata=TIMELESS[form])
+            files.append(buffer.getvalue())
+    return files
 
 
 def draw_chart(charts: Iterable[Picture], key: str = "", place: Axes | None = None) -> Axes:
@@ -173,6 +189,7 @@ def _decades(panel: Panel) -> float:
 def _draw_first(place: Axes, chart: Chart) -> Axes:
     """Draw the first panel of a chart."""
     draw_panel(place, chart.panels[0])
+    place.set_xlabel(chart.panels[0].x_label)
     return place
 
 
@@ -202,7 +219,7 @@ def _draw_polar(given: Axes, chart: PolarChart) -> Axes:
     rings, texts = zip(*chart.rings()[1:], strict=True)
     place.set_rgrids(list(rings), list(texts), angle=67.5, size=7)
     place.set_title(escaped(chart.title), pad=14)
-    place.annotate(f"ring spacing {number(chart.division, 6)} um", (0, 0), xycoords="axes fraction", size=7.5, color=MUTED)
+    place.annotate(f"ring spacing {number(chart.spacing[0], 6)} um", (0, 0), xycoords="axes fraction", size=7.5, color=MUTED)
     return cast("Axes", place)
 
 

@@ -13,7 +13,7 @@ from contourlab.rendering.charts import PathChart
 from contourlab.rendering.data import ReportData
 from contourlab.rendering.html import page_template, template_file
 from contourlab.rendering.lead import sentence
-from contourlab.rendering.matplotlib_view import LOOKS, draw_panel, draw_path, escaped, picture_bytes
+from contourlab.rendering.matplotlib_view import draw_chart, draw_path, escaped, picture_bytes
 from contourlab.rendering.path_picture import path_charts
 from contourlab.rendering.plots import POINTS
 from contourlab.rendering.run_pictures import error_charts
@@ -22,6 +22,7 @@ from contourlab.result import write_bytes_atomic, write_text_atomic
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 A4 = (8.27, 11.69)
 """Size of the page [in]."""
@@ -31,27 +32,28 @@ LETTERS, MOST_RUNS = 92, 12
 
 def write_page(data: ReportData, file: str | Path) -> Path:
     """Write the report as a PDF of one page; parameters and errors as in `contourlab.rendering.html.write_html`."""
-    import matplotlib
+    write_bytes_atomic(Path(file), *picture_bytes(lambda: _page(data), "pdf"))
+    return Path(file)
+
+
+def _page(data: ReportData) -> Figure:
+    """Draw words, path and error over time, one below the other."""
     from matplotlib.figure import Figure
 
-    runs = min(len(data.schemes), MOST_RUNS)
-    with matplotlib.rc_context(fname=LOOKS):
-        page = Figure(figsize=A4, layout="constrained")
-        page.get_layout_engine().set(rect=(0.06, 0.04, 0.88, 0.92))  # type: ignore[union-attr,call-arg]
-        text, picture, course = page.subplots(3, 1, height_ratios=(1.0 + 0.16 * runs, 4.4, 1.7))
-        _words(text, data)
-        chart = next((chart for chart in path_charts(data, POINTS) if isinstance(chart, PathChart)), None)
-        if chart is None:
-            picture.set_visible(False)
-        else:
-            draw_path(picture, chart)
-            longest = max(map(len, picture.get_legend_handles_labels()[1]))
-            picture.legend(loc="upper left", bbox_to_anchor=(0.0, -0.09), ncols=3 if longest < LETTERS // 3 else 2, fontsize=7)
-        errors = error_charts(data, POINTS)[0]
-        draw_panel(course, errors.panels[0])
-        course.set_xlabel(errors.panels[0].x_label)
-        write_bytes_atomic(Path(file), picture_bytes(page, "pdf"))
-    return Path(file)
+    page = Figure(figsize=A4, layout="constrained")
+    page.get_layout_engine().set(rect=(0.06, 0.04, 0.88, 0.92))  # type: ignore[union-attr,call-arg]
+    heights = (1.0 + 0.16 * min(len(data.schemes), MOST_RUNS), 4.4, 1.7)
+    text, picture, course = page.subplots(3, 1, height_ratios=heights)
+    _words(text, data)
+    chart = next((chart for chart in path_charts(data, POINTS) if isinstance(chart, PathChart)), None)
+    if chart is None:
+        picture.set_visible(False)
+    else:
+        draw_path(picture, chart)
+        longest = max(map(len, picture.get_legend_handles_labels()[1]))
+        picture.legend(loc="upper left", bbox_to_anchor=(0.0, -0.09), ncols=3 if longest < LETTERS // 3 else 2, fontsize=7)
+    draw_chart(error_charts(data, POINTS), place=course)
+    return page
 
 
 def _words(place: Axes, data: ReportData) -> None:
@@ -121,10 +123,11 @@ def _part(address: str, data: ReportData) -> dict[str, Any]:
 
 def _picture(chart: PathChart) -> str:
     """Return a view of the path as SVG in base64, so small that a phone can show it; the badges are its legend."""
-    import matplotlib
     from matplotlib.figure import Figure
 
-    with matplotlib.rc_context(fname=LOOKS):
+    def drawn() -> Figure:
         figure = Figure(figsize=SIZE, layout="constrained")
         draw_path(figure.add_subplot(), chart).set_title("")
-        return base64.b64encode(picture_bytes(figure, "svg")).decode("ascii")
+        return figure
+
+    return base64.b64encode(*picture_bytes(drawn, "svg")).decode("ascii")

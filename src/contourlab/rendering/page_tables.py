@@ -11,8 +11,8 @@ import numpy as np
 
 from contourlab.feed.verify import LimitReport, Worst
 from contourlab.figures import NONE, figure, number, shown_unit
-from contourlab.metrics import ReversalFigures, reversal_figures
 from contourlab.metrics.circles import pairs
+from contourlab.metrics.reversals import ReversalFigures, reversal_figures
 from contourlab.rendering.data import ReportData
 from contourlab.rendering.judgement import Number
 from contourlab.rendering.table import Column, Table

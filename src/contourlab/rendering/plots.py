@@ -83,18 +83,14 @@ def write_figures(drawings: Iterable[tuple[str, Callable[[], Figure]]], folder: 
     """
     if not formats:
         return ()
-    import matplotlib
-
-    from contourlab.rendering.matplotlib_view import LOOKS, TIMELESS, picture_bytes
+    from contourlab.rendering.matplotlib_view import TIMELESS, picture_bytes
 
     for name in formats:
         if name not in TIMELESS:
             raise ParameterError("formats", name, f"of {', '.join(TIMELESS)}")
     files = []
-    with matplotlib.rc_context(fname=LOOKS):
-        for key, draw in drawings:
-            figure = draw()
-            for name in formats:
-                files.append(Path(folder) / f"{key}.{name}")
-                write_bytes_atomic(files[-1], picture_bytes(figure, name))
+    for key, draw in drawings:
+        for name, content in zip(formats, picture_bytes(draw, *formats), strict=True):
+            files.append(Path(folder) / f"{key}.{name}")
+            write_bytes_atomic(files[-1], content)
     return tuple(files)

@@ -9,8 +9,8 @@ import numpy as np
 
 from contourlab.arrays import Array, Index
 from contourlab.figures import figure, number, shown_unit
-from contourlab.metrics import CircleFigures
-from contourlab.rendering.charts import Chart, Curve, Level, Panel, PolarChart, Tick, ring_spacing
+from contourlab.metrics.circles import CircleFigures
+from contourlab.rendering.charts import Chart, Curve, Level, Panel, PolarChart, Tick
 from contourlab.rendering.data import FeedRun, JudgedRun, ReportData
 from contourlab.rendering.samples import axis_column, largest_magnitude, signal, times
 from contourlab.rendering.style import LIMIT, REFERENCE
@@ -103,7 +103,7 @@ def polar_charts(data: ReportData, points: int) -> tuple[PolarChart, ...]:
 
 def _polar(data: ReportData, name: str, index: int, points: int) -> PolarChart:
     """Return the plot of one circle: all schemes, both directions."""
-    curves, marks, radius, top = [], [], 0.0, 0.0
+    curves, marks, radius = [], [], 0.0
     for scheme in data.schemes:
         colour = data.looks[scheme.name][1]
         for circle in (circle for circle in scheme.circles if circle.name == name):
@@ -114,14 +114,15 @@ def _polar(data: ReportData, name: str, index: int, points: int) -> PolarChart:
             at = _peaks(scheme, circle)
             if at.size:
                 marks.append(Curve(np.degrees(circle.angle[at]), circle.deviation[at] * UM, f"{scheme.name}, {way}", colour))
-            radius, top = circle.radius, max(top, largest_magnitude(circle.deviation) * UM)
-    division, span = ring_spacing(top)
+            radius = circle.radius
+    chart = PolarChart(f"circle-{index}", name, "", tuple(curves), radius, tuple(marks))
+    division, span = chart.spacing
     caption = (
         f"Nominal radius {figure(radius, 'mm', 6)}. Ring spacing {number(division, 6)} um of radial deviation, "
         f"magnified {number(radius * 1e6 / (2.0 * span))} times. Solid: counter-clockwise; dashed: clockwise."
         + (" Small circles mark the peaks of reversal spikes." if marks else "")
     )
-    return PolarChart(f"circle-{index}", name, caption, tuple(curves), division, (-2.0 * span, span), radius, tuple(marks))
+    return replace(chart, caption=caption)
 
 
 def _peaks(scheme: JudgedRun, circle: CircleFigures) -> Index:

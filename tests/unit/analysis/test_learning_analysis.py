@@ -11,15 +11,13 @@ import pytest
 from coupled_axes import circle, stages, unlike
 from numpy.typing import NDArray
 
+from contourlab.analysis.learning.factors import averaging, frequency_learning, law_kernels
 from contourlab.analysis.learning.learning_analysis import (
     LiftedLearning,
     TrialOperator,
-    averaging,
     design_zero_phase,
     first_zero,
-    frequency_learning,
     largest_gain,
-    law_kernels,
     learning_analysis,
     lifted_learning,
     quarter_turn,

@@ -12,7 +12,9 @@ from scipy.signal import lti
 
 import contourlab as cl
 from contourlab.components.controller.cascade import Cascade
-from contourlab.metrics import backlash_from_circle, lost_motion_from_pair, reversal_spikes
+from contourlab.metrics.circles import backlash_from_circle
+from contourlab.metrics.lost_motion import lost_motion_from_pair
+from contourlab.metrics.reversals import reversal_spikes
 
 GAP, LEAD, STIFFNESS, RUB = 20e-6, 0.016, 950.0, 250.0
 TURN = 2.0 * math.pi / LEAD

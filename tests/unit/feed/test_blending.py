@@ -19,7 +19,7 @@ from contourlab.feed.route import Correspondence
 from contourlab.geometry import Arc, Curve, Line, Path, contour
 from contourlab.geometry.blend import Blend, blends, quintic_bezier
 from contourlab.geometry.curve import CurveBatch
-from contourlab.metrics import judge
+from contourlab.metrics.judge import judge
 from contourlab.result import Result, Signal
 
 Array = NDArray[np.float64]

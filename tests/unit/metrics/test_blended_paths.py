@@ -11,9 +11,9 @@ from test_streaming_judge import streamed
 
 from contourlab.feed import Reference, Route, blended
 from contourlab.geometry import Arc, Line, Path
-from contourlab.metrics import judge
 from contourlab.metrics.circles import circles_of
 from contourlab.metrics.figures import left_out
+from contourlab.metrics.judge import judge
 
 
 def rounded(curves: list[Any], tolerance: float, closed: bool = False) -> Route:

@@ -12,8 +12,7 @@ import contourlab as cl
 from contourlab.errors import ResultError
 from contourlab.feed import Reference
 from contourlab.geometry import Arc, Line, Path
-from contourlab.metrics import CircleFigures, bidirectional, circle_figures, circles_of
-from contourlab.metrics.circles import least_squares_centre, minimum_zone, pairs
+from contourlab.metrics.circles import CircleFigures, bidirectional, circle_figures, circles_of, least_squares_centre, minimum_zone, pairs
 
 R = 0.05
 ORIGIN = np.zeros(2)

@@ -13,8 +13,8 @@ import contourlab as cl
 from contourlab.components.registry import component
 from contourlab.feed import Reference
 from contourlab.geometry import Line, Path
-from contourlab.metrics import judge, summarise
-from contourlab.metrics.figures import left_out
+from contourlab.metrics.figures import left_out, summarise
+from contourlab.metrics.judge import judge
 from contourlab.result import Result
 
 LAP = 2.0 * math.pi * 0.02

@@ -14,7 +14,8 @@ from contourlab.errors import ResultError
 from contourlab.feed import Reference, uniform
 from contourlab.feed.profile import Judged
 from contourlab.geometry import Line, Path, contour
-from contourlab.metrics import ErrorFigures, judge, summarise
+from contourlab.metrics.figures import ErrorFigures, summarise
+from contourlab.metrics.judge import judge
 from contourlab.result import Result, Signal
 
 N = 4000

@@ -11,8 +11,8 @@ from made_runs import circle_laps, made_run, samples_on
 
 from contourlab.errors import ResultError
 from contourlab.geometry import Arc, Line, Path, contour
-from contourlab.metrics import judge, summarise
-from contourlab.metrics.judge import furthest, reach
+from contourlab.metrics.figures import summarise
+from contourlab.metrics.judge import furthest, judge, reach
 
 ROUND = 1e-15  # positions of some 0.1 m have a last digit of 1.4e-17 m
 

@@ -11,7 +11,8 @@ from made_runs import PERIOD, Array, circle_laps, made_run, samples_on, with_err
 
 from contourlab.feed import Reference, uniform
 from contourlab.geometry import Arc, Line, Path, contour
-from contourlab.metrics import Spike, judge, reversal_figures, reversal_spikes
+from contourlab.metrics.judge import judge
+from contourlab.metrics.reversals import Spike, reversal_figures, reversal_spikes
 from contourlab.result import Result
 
 N = 2000

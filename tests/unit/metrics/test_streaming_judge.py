@@ -11,7 +11,7 @@ from made_runs import Array, made_run, samples_on
 from streamed_judge import TABLE, streamed
 
 from contourlab.geometry import Arc, Line, Path, contour
-from contourlab.metrics import judge
+from contourlab.metrics.judge import judge
 
 
 def wobble(n: int, size: float) -> Array:

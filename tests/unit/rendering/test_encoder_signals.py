@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from contourlab.features.interpolate.command import lissajous_png
+from contourlab.features.interpolate.command import error_chart, lissajous_png
 
 
 def picture(gap: bool = False) -> bytes:
@@ -13,7 +13,8 @@ def picture(gap: bool = False) -> bytes:
     phase = np.arange(0.5, 360.0)
     error = 100.0 * np.sin(np.radians(phase))
     before = np.where(phase < 90.0, np.nan, error) if gap else error
-    return lissajous_png("$1_a$.csv", (0.9 * circle + 0.1, circle), phase, (before, 0.01 * error), ("a", "b"))
+    errors = error_chart("$1_a$.csv", phase, {"a": before, "b": 0.01 * error})
+    return lissajous_png("$1_a$.csv", (0.9 * circle + 0.1, circle), errors)
 
 
 def test_the_same_data_give_the_same_bytes() -> None:

@@ -11,7 +11,7 @@ import pytest
 
 from contourlab.analysis.linear.margins import Margins
 from contourlab.loop.switches import Switches, SwitchKind
-from contourlab.metrics import Spike
+from contourlab.metrics.reversals import Spike
 from contourlab.rendering.comparison import compare
 from contourlab.rendering.data import ReportData
 from contourlab.rendering.html import render_html

@@ -28,7 +28,10 @@ from contourlab.figures import NONE, figure, number
 from contourlab.findings import Finding, finding
 from contourlab.loop import Axis, Controller, Machine, simulate
 from contourlab.loop.builder import SURE
-from contourlab.metrics import CircleBacklash, LostMotion, backlash_of_runs, circles_of, judge, lost_motion_from_pair, summarise
+from contourlab.metrics.circles import CircleBacklash, backlash_of_runs, circles_of
+from contourlab.metrics.figures import summarise
+from contourlab.metrics.judge import judge
+from contourlab.metrics.lost_motion import LostMotion, lost_motion_from_pair
 from contourlab.rendering.stages import Stages
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import Result

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import base64
-import hashlib
 import json
 import math
 import os
@@ -18,7 +16,7 @@ import numpy as np
 
 from contourlab.analysis.identification.least_squares import fit_covariance
 from contourlab.app.command_line import as_typed
-from contourlab.app.json_values import HIDDEN, json_values, write_json
+from contourlab.app.json_values import HIDDEN, write_json
 from contourlab.app.results import staged
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array
@@ -26,16 +24,16 @@ from contourlab.errors import ParameterError, ResultError
 from contourlab.features.circle.fit import CircleFit, ReversalSpike, Term, fit_circle
 from contourlab.features.circle.options import Circle
 from contourlab.features.circle.runs import CircleRun, find_circle, is_polar, own_columns, polar_runs, runs_of
-from contourlab.features.measure.log_choice import LogChoice, open_log
+from contourlab.features.measure.log_choice import open_log
 from contourlab.features.measure.plausibility import columns_of, known_signal
 from contourlab.features.measure.study import ACTUAL
 from contourlab.figures import figure, number
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log, read_record
 from contourlab.logs.load import about
-from contourlab.metrics import Bidirectional, CircleFigures, bidirectional, circle_figures
+from contourlab.metrics.circles import Bidirectional, CircleFigures, bidirectional, circle_figures
 from contourlab.rendering.charts import Chart, traces_chart
-from contourlab.rendering.html import page_template, template_file
+from contourlab.rendering.html import page_template, script_hash, template_file
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
@@ -171,6 +169,8 @@ class CircleTest(Answer):
         Whether the circular deviation is within the tolerance.
     """
 
+    ROWS = "causes"
+
     name: str
     command: str
     axes: tuple[str, str]
@@ -206,11 +206,6 @@ class CircleTest(Answer):
         report = f"report: {self.report}" if self.report else ""
         parts = (paragraphs([self.sentence]), self._causes().text(), paragraphs(self._about()), paragraphs(map(str, self.findings)), report)
         return "\n\n".join(filter(None, parts))
-
-    @property
-    def rows(self) -> list[dict[str, Any]]:
-        """The causes, one a row."""
-        return [json_values(cause) for cause in self.causes]
 
     def _charts(self) -> Iterator[Chart]:
         assert self.fit is not None
@@ -386,7 +381,7 @@ def _write_page(test: CircleTest, fit: CircleFit, file: str | Path) -> None:
         data=json.dumps(_data(test, fit), separators=(",", ":")).replace("</", "<\\/"),
         style=template_file("report.css"),
         script=script,
-        hash="sha256-" + base64.b64encode(hashlib.sha256(script.encode()).digest()).decode("ascii"),
+        hash=script_hash(script),
         colours=[scheme_style(k, len(fit.runs))[0] for k in range(len(fit.runs))],
     )
     write_text_atomic(Path(file), str(text))
@@ -448,7 +443,7 @@ def circle(*logs: str | Path | Log, settings: Circle, session: Session = QUIET) 
         If an option is out of range.
     """
     session.will_write(logs, "summary.json", "report.html")
-    runs, axes, findings = _read([LogChoice.of(log, settings) for log in logs], settings)
+    runs, axes, findings = _read(logs, settings)
     with about(*logs):
         fit = fit_circle(runs, axes, settings.si("pitch"))
         name = " and ".join(Path(log).name for log in logs)
@@ -456,21 +451,21 @@ def circle(*logs: str | Path | Log, settings: Circle, session: Session = QUIET) 
     return replace(test, findings=(*test.findings, *findings), inputs=tuple(logs))
 
 
-def _read(choices: Sequence[LogChoice], settings: Circle) -> tuple[list[CircleRun], tuple[str, str], list[Finding]]:
+def _read(logs: Sequence[str | Path | Log], settings: Circle) -> tuple[list[CircleRun], tuple[str, str], list[Finding]]:
     """Return the runs of all files, around one nominal radius; the axes; and findings on the files."""
     radius, feed = settings.si("radius"), settings.si("feed")
     runs, findings, pair, is_known = list[CircleRun](), list[Finding](), ("x", "y"), radius is not None
-    for choice in choices:
-        named, columns = own_columns(choice.columns)
-        record = read_record(choice.file, choice.format)
+    for file in logs:
+        named, columns = own_columns(settings.column)
+        record = read_record(file, settings.format)
         if named or is_polar(record, named):
-            axes = tuple(choice.axes) or ("x", "y")
-            with about(choice.file, options=("radius",)):
+            axes = settings.axes or ("x", "y")
+            with about(file, options=("radius",)):
                 runs += polar_runs(record, named, radius, math.nan if feed is None else feed)
         else:
-            log = open_log(replace(choice, columns=columns))
-            axes = tuple(choice.axes) or log.result.axes[:2]
-            with about(choice.file):
+            log = open_log(file, replace(settings, column=columns))
+            axes = settings.axes or log.result.axes[:2]
+            with about(file):
                 own, has_reference = _log_runs(log, axes, radius)
             runs += own
             findings += [*log.findings, *([] if "tool_position" in log.result else [finding("CL491")])]

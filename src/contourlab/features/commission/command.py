@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import base64
 import difflib
-import io
 import math
 import re
-from collections.abc import Mapping, Sequence
-from contextlib import ExitStack
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import chain
 from pathlib import Path
@@ -17,7 +15,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from contourlab.app.json_values import HIDDEN, json_values
-from contourlab.app.results import SAFETY, check_file
+from contourlab.app.results import SAFETY, check_file, write_together
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
@@ -31,9 +29,10 @@ from contourlab.features.commission.records import AxisLog, decided, doubts, law
 from contourlab.features.commission.tuning import AxisTask, Moves, TunedAxis, largest_error, shared_delay, tune_axis
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
+from contourlab.rendering.charts import Curve, PolarChart
+from contourlab.rendering.matplotlib_view import drawing_of, picture_bytes
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
-from contourlab.result.atomic import replacing
 from contourlab.threads import in_threads
 
 FIRST, SECOND = ("excite.ngc", "sampler.hal", "steps.md"), ("report.html", "gains.diff", "safe.diff", "circle.png")
@@ -88,6 +87,7 @@ class Commissioned(Answer):
     terms: tuple[Term, ...] = ()
     answer: tuple[str, ...] = ()
     tables: tuple[Table, ...] = field(default=(), metadata=HIDDEN)
+    charts: tuple[PolarChart, ...] = field(default=(), metadata=HIDDEN, repr=False)
     contents: Mapping[str, str | bytes] = field(default_factory=dict, metadata=HIDDEN, repr=False)
     inputs: tuple[str | Path, ...] = field(default=(), metadata=HIDDEN, repr=False)
 
@@ -114,11 +114,7 @@ class Commissioned(Answer):
             If a file cannot be written, or would replace an input.
         """
         files = {Path(folder) / name: content for name, content in self.contents.items()}
-        with ExitStack() as stack:
-            for file, content in files.items():
-                data = content if isinstance(content, bytes) else content.encode("utf-8", "replace")
-                check_file(file, self.inputs, "--out")
-                stack.enter_context(replacing(file)).write_bytes(data)
+        write_together(files, self.inputs)
         for name in SECOND[1:3] if SECOND[0] in self.contents else ():
             if name not in self.contents:
                 (Path(folder) / name).unlink(missing_ok=True)  # of an earlier answer
@@ -352,12 +348,13 @@ def _answered(work: _Work, findings: Sequence[Finding], inputs: tuple[str | Path
         terms = terms_of(control, {name: cascade_of(row, known[name]) for name, row in rows.items()})
         tables |= {f"The proposed gains in other terms: {control}": term_table(terms)} if terms else {}
     tables = {head: table for head, table in tables.items() if table.rows}
-    diff, picture = "" if silent else changes(setup, gains), _circle(work, rows)
+    diff, charts = "" if silent else changes(setup, gains), tuple(_circle(work, rows))
+    picture = picture_bytes(lambda: drawing_of(charts, 4.2), "png") if charts else []
     report, gain_diff, safe_diff, image = SECOND
     title = f"Commissioning of {setup.ini.file.name}" + ("" if program is None else f" for {program.name}")
     contents: dict[str, str | bytes] = {report: page(title, answer, tables, diff, picture, findings)}
     contents |= {} if silent else {gain_diff: diff, safe_diff: changes(setup, safe)}
-    contents |= {} if picture is None else {image: picture}
+    contents |= dict(zip([image], picture, strict=False))
     return Commissioned(
         {name: axis.loop for name, axis in work.axes.items()},
         gains,
@@ -368,6 +365,7 @@ def _answered(work: _Work, findings: Sequence[Finding], inputs: tuple[str | Path
         terms=terms,
         answer=answer,
         tables=tuple(tables.values()),
+        charts=charts,
         contents=contents,
         inputs=inputs,
     )
@@ -407,14 +405,14 @@ def _limits(setup: Setup, letter: str) -> tuple[float, float] | None:
     return None if None in values else (float(values[0] or 0.0), float(values[1] or 0.0))
 
 
-def _circle(work: _Work, after: Mapping[str, Array]) -> bytes | None:
-    """Return the picture of a circle with the gains in use and with others, if both x and y are known."""
+def _circle(work: _Work, after: Mapping[str, Array]) -> Iterator[PolarChart]:
+    """Yield the pictures of a circle with the gains in use and with others, if both x and y are known."""
     known = {name: (axis.task, axis.identified) for name, axis in work.axes.items() if name in ("x", "y") and axis.task and axis.identified}
     if len(known) < 2:
-        return None
+        return
     strongest = min(work.axes[name].setup.limits["acceleration"] for name in known) * work.setup.unit
     rows = {"before": {name: work.axes[name].present for name in known}, "after": after}
-    return circle_png(circle_errors(known, rows, strongest))
+    yield from circle_charts(circle_errors(known, rows, strongest))
 
 
 # --- what a person gets: the changes as a diff, the circle before and after, and a page --------------------------------------------
@@ -483,35 +481,12 @@ def circle_errors(axes: Mapping[str, tuple[AxisTask, IdentifiedAxis]], gains: Ma
     return curves
 
 
-def circle_png(errors: Curves) -> bytes:
-    """Return the picture of a circle, its radial errors magnified.
-
-    Parameters
-    ----------
-    errors : mapping of str to (angle, error)
-        Angle [rad] and radial error [m] of each curve, by name. Each has its own scale, which the legend states.
-    """
-    import matplotlib
-    from matplotlib.figure import Figure
-
-    from contourlab.rendering.matplotlib_view import LOOKS, WIDTH
-
-    with matplotlib.rc_context(fname=LOOKS):
-        canvas = Figure(figsize=(WIDTH, 4.4), layout="constrained")
-        places = canvas.subplots(1, len(errors), squeeze=False)[0]
-        turn = np.linspace(0.0, 2.0 * np.pi, 361)
-        for i, (place, (name, (angle, error))) in enumerate(zip(places, errors.items(), strict=True)):
-            largest = float(np.abs(error).max(initial=1e-9))
-            drawn = 1.0 + 0.25 * error / largest
-            place.plot(np.cos(turn), np.sin(turn), color="#8a949e", linewidth=0.8)
-            place.plot(drawn * np.cos(angle), drawn * np.sin(angle), color=scheme_style(i, 2)[0], linewidth=1.1)
-            place.set_aspect("equal")
-            place.spines[:].set_visible(False)
-            place.set(xticks=[], yticks=[], title=f"{name}: at most {figure(largest, 'um')}", xlim=(-1.35, 1.35), ylim=(-1.35, 1.35))
-            place.set_xlabel(f"radius {figure(CIRCLE, 'mm')}, errors x {figure(0.25 * CIRCLE / largest)}")
-        buffer = io.BytesIO()
-        canvas.savefig(buffer, format="png")
-    return buffer.getvalue()
+def circle_charts(errors: Curves) -> Iterator[PolarChart]:
+    """Yield a ball-bar plot for each of some curves of angle [rad] and radial error [m], by name."""
+    for i, (name, (angle, error)) in enumerate(errors.items()):
+        title = f"{name}: at most {figure(float(np.abs(error).max()), 'um')}"
+        curve = Curve(np.degrees(np.unwrap(angle)), 1e6 * error, name, scheme_style(i, 2)[0])
+        yield PolarChart(f"circle-{name}", title, f"Radius {figure(CIRCLE, 'mm')}.", (curve,), CIRCLE)
 
 
 def gain_table(axes: tuple[AxisSetup, ...], columns: Mapping[str, Mapping[str, Mapping[str, float]]]) -> Table:
@@ -523,12 +498,12 @@ def gain_table(axes: tuple[AxisSetup, ...], columns: Mapping[str, Mapping[str, M
 
 
 def page(
-    title: str, answer: Sequence[str], tables: Mapping[str, Table], diff: str, picture: bytes | None, findings: Sequence[Finding]
+    title: str, answer: Sequence[str], tables: Mapping[str, Table], diff: str, picture: Sequence[bytes], findings: Sequence[Finding]
 ) -> str:
     """Return the report as one HTML page."""
     from contourlab.rendering.html import page_template
 
-    image = "" if picture is None else base64.b64encode(picture).decode()
+    image = "".join(base64.b64encode(content).decode() for content in picture)
     worst_first = sorted(findings, key=lambda doubt: ("error", "warning", "info").index(doubt.entry.severity))
     template = page_template("commission.html.j2")
     return str(template.render(title=title, answer=answer, tables=tables, diff=diff, picture=image, findings=worst_first))

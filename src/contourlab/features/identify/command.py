@@ -84,7 +84,7 @@ def identify(*logs: str | Path | Log, settings: Identify, session: Session = QUI
         value = getattr(settings, option)
         if owners and option not in model.options and value != part.default:
             raise ParameterError(part.typed, value, f"omitted: it applies to {', '.join(owners)}, and the model is {name}")
-    inputs = (*logs, *([] if settings.columns is None else [settings.columns]), *request.files[len(logs) :])
+    inputs = settings.files(*request.files)
     session.will_write(inputs, pictures_only=True)
     with about(*request.names.values(), options=list(Identify.PARTS)):
         if model.single and len(logs) > 1:

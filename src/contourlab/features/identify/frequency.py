@@ -19,10 +19,10 @@ from contourlab.errors import ParameterError
 from contourlab.features.identify.axis_tables import forces_of, plant_numbers, rigid_tables, two_inertia_numbers, two_inertia_tables
 from contourlab.features.identify.options import Identify
 from contourlab.features.identify.records import TRAVEL, AxisRecord, common_unit, log_names, newton_option, reference_name
-from contourlab.features.identify.result import Identification, Propagated, Tables, assumed, chart, figures, propagate
+from contourlab.features.identify.result import Identification, Propagated, Tables, assumed, figures, propagate
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
-from contourlab.rendering.charts import Chart
+from contourlab.rendering.charts import Chart, traces_chart
 from contourlab.rendering.table import Column, Table
 
 PRINTED = 24
@@ -301,10 +301,10 @@ def _bode(title: str, response: MeasuredResponse, unit: str, model: tuple[Array,
         turn = np.degrees(np.unwrap(np.angle(model[1])))
         turn += 360.0 * round((float(np.interp(f[0], model[0], turn)) - phase[0]) / -360.0)
         gains["model"], phases["model"] = (model[0], 1e3 * np.abs(model[1])), (model[0], turn)
-    label = f"velocity [mm/s/{unit or 'command'}]"
-    coherence = {"coherence": points(response.coherence, np.zeros(f.size))}
-    panels = {label: gains, "phase [deg]": phases, "coherence": coherence}
-    return chart("bode", title, "frequency [Hz]", panels, response.method, log_y=label)
+    labels = "frequency [Hz]", f"velocity [mm/s/{unit or 'command'}]"
+    below = {"phase [deg]": phases, "coherence": {"coherence": points(response.coherence, np.zeros(f.size))}}
+    more: dict[str, Any] = {"caption": response.method, "level": None, "log_x": True, "log_y": True}
+    return traces_chart("bode", title, labels, gains, below=below, **more)
 
 
 def _charts(title: str, response: MeasuredResponse, fit: DriveFit, unit: str) -> tuple[Chart, ...]:
@@ -312,10 +312,10 @@ def _charts(title: str, response: MeasuredResponse, fit: DriveFit, unit: str) ->
     velocity = 2j * np.pi * f * drive_fit.held_response(fit.transfer, f, response.period)
     ratio, of = fit.measured / fit.predicted, fit.frequency
     points = (np.zeros(of.size),) if of.size <= FEW else ()
-    left = {"magnitude [%]": 100.0 * (np.abs(ratio) - 1.0), "phase [deg]": np.degrees(np.angle(ratio))}
-    panels = {label: {label.partition(" ")[0]: (of, values, *points)} for label, values in left.items()}
-    caption = "Size: measured over model, minus one. Phase: measured minus model."
+    size, phase = {"magnitude": (of, 100.0 * (np.abs(ratio) - 1.0), *points)}, {"phase": (of, np.degrees(np.angle(ratio)), *points)}
+    caption, labels = "Size: measured over model, minus one. Phase: measured minus model.", ("frequency [Hz]", "magnitude [%]")
+    more: dict[str, Any] = {"caption": caption, "level": None, "log_x": True}
     return (
         _bode(title, response, unit, (f, velocity)),
-        chart("residual", "Residual of the response", "frequency [Hz]", panels, caption, log_y=""),
+        traces_chart("residual", "Residual of the response", labels, size, below={"phase [deg]": phase}, **more),
     )

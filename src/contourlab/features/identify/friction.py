@@ -20,11 +20,11 @@ from contourlab.analysis.identification.friction import (
 from contourlab.errors import ParameterError
 from contourlab.features.identify.options import Identify
 from contourlab.features.identify.records import AxisRecord, command_label, common_unit, log_names, reference_name, unit_findings
-from contourlab.features.identify.result import Figure, Identification, Propagated, Tables, assumed, chart, figures, fitted, propagate
+from contourlab.features.identify.result import Figure, Identification, Propagated, Tables, assumed, figures, fitted, propagate
 from contourlab.features.identify.rigid import direction_findings
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
-from contourlab.rendering.charts import Chart
+from contourlab.rendering.charts import Chart, traces_chart
 from contourlab.rendering.table import Column, Table
 
 DIP, RISE = "stribeck_velocity", "rise_velocity"
@@ -152,10 +152,10 @@ def _curve_charts(curve: FrictionCurve, stretches: Sequence[Stretch], unit: str,
     line = np.concatenate([part for way in ways for part in (way * np.linspace(0.2 * lowest, top, 200), [np.nan])])
     model = np.where(np.isnan(line), np.nan, curve.at(np.where(np.isnan(line), top, line)))
     curves = {"measured ± 2 deviations": (1e3 * v, u, 2.0 * s), curve.name: (1e3 * line, model)}
-    rest = {command_label(unit, "residual"): {"residual ± 2 deviations": (1e3 * v, u - curve.predicted, 2.0 * s)}}
+    rest, residual = {"residual ± 2 deviations": (1e3 * v, u - curve.predicted, 2.0 * s)}, command_label(unit, "residual")
     return (
-        chart("friction", f"Friction of axis {axis} at constant speed", "velocity [mm/s]", {label: curves}),
-        chart("residual", "Residual of the friction curve", "velocity [mm/s]", rest),
+        traces_chart("friction", f"Friction of axis {axis} at constant speed", ("velocity [mm/s]", label), curves),
+        traces_chart("residual", "Residual of the friction curve", ("velocity [mm/s]", residual), rest),
     )
 
 
@@ -265,10 +265,9 @@ def _stiction_charts(ways: Mapping[str, Sequence[Breakaway]], unit: str, first: 
         name: (np.array([ramp.time for ramp in ramps]), _levels(ramps), np.array([2.0 * ramp.deviation for ramp in ramps]))
         for name, ramps in ways.items()
     }
-    ramp = {"command": (first.time, first.driven())}
-    moved = {"position": (first.time, 1e3 * (first.position - first.position[0]))}
-    level = {command_label(unit, "breakaway"): points}
+    level, ramp = command_label(unit, "breakaway"), {"command": (first.time, first.driven())}
+    moved = {"position [mm]": {"position": (first.time, 1e3 * (first.position - first.position[0]))}}
     return (
-        chart("breakaway", f"Breakaway of axis {first.axis}, ± 2 deviations", "time [s]", level),
-        chart("ramps", f"Ramps of {first.source}", "time [s]", {command_label(unit): ramp, "position [mm]": moved}),
+        traces_chart("breakaway", f"Breakaway of axis {first.axis}, ± 2 deviations", ("time [s]", level), points),
+        traces_chart("ramps", f"Ramps of {first.source}", ("time [s]", command_label(unit)), ramp, below=moved),
     )

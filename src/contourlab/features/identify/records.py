@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.errors import ParameterError, ResultError, UnitError
+from contourlab.errors import ParameterError, ResultError, UnitError, refused
 from contourlab.features.identify.options import Identify
-from contourlab.features.measure.log_choice import LogChoice, distinct_names, open_log
+from contourlab.features.measure.log_choice import distinct_names, open_log
 from contourlab.features.measure.plausibility import motion_findings, period_findings, same_column_findings
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log
@@ -312,7 +312,7 @@ class Request:
     def read(self, file: str | Path | Log, pieces: bool = False) -> list[AxisRecord]:
         """Return the signals of the axis in a log."""
         options, name = self.options, self.names[Path(file)]
-        log = open_log(LogChoice.of(file, options))
+        log = open_log(file, options)
         self._check_unit(log)
         records = axis_pieces(log, name, options.axis, self._gain(), self._full_scale(), options.si("lead"))
         self._check_lead(records[0])
@@ -343,12 +343,10 @@ class Request:
         text = self.options.gain
         if text is None:
             return None
-        try:
+        with refused("--gain", text, 'a force per command, such as "35.15 N/V"'):
             number, unit = split(text)
             force, _, below = unit.partition("/")
             value = number * to_si(f"1 {force.strip()}", "N") / to_si(f"1 {below.strip()}", below.strip())
-        except UnitError as error:
-            raise ParameterError("--gain", repr(text), 'a force per command, such as "35.15 N/V"') from error
         if not 0.0 < abs(value) < 1e12:
             raise ParameterError("--gain", text, "other than 0, and below 1e12 in magnitude")
         return value
@@ -357,11 +355,9 @@ class Request:
         text = self.options.full_scale
         if text is None:
             return None
-        try:
+        with refused("--full-scale", text, 'a command, such as "10 V"'):
             number, unit = split(text)
             value = number * to_si(f"1 {unit}", unit)
-        except UnitError as error:
-            raise ParameterError("--full-scale", repr(text), 'a command, such as "10 V"') from error
         if not 0.0 < value < 1e12:
             raise ParameterError("--full-scale", text, "> 0")
         return value

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 from pathlib import Path
@@ -15,12 +15,10 @@ import numpy as np
 from contourlab.analysis.identification.least_squares import Estimate
 from contourlab.app.json_values import HIDDEN, json_values
 from contourlab.app.session import Answer, Asked
-from contourlab.arrays import Array
 from contourlab.components.origin import Origin
 from contourlab.findings import Finding
 from contourlab.logs.reading import join_names
-from contourlab.rendering.charts import Chart, Curve, Level, Panel
-from contourlab.rendering.style import scheme_style
+from contourlab.rendering.charts import Chart
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.scenario.provenance import origin_table
@@ -31,8 +29,6 @@ Row = tuple[float | str, str, Origin | None]
 """A value in SI, its unit, and its origin (None for a word)."""
 Tables = dict[str, dict[str, Row]]
 """Rows of an axis file, by table and key."""
-Traces = Mapping[str, tuple[Array, ...]]
-"""Lines through (x, y) by name; with a third array: points, and half the heights of their error bars."""
 AT_BOUND = "at the bound of the search: the log does not determine it"
 SHOWN = {"m": "um", "m/s": "m/min"}
 
@@ -138,9 +134,6 @@ class Identification(Answer):
     def rows(self) -> list[dict[str, Any]]:
         """The parameters, one a row."""
         return [{"parameter": name, **json_values(parameter)} for name, parameter in self.parameters.items()]
-
-    def _charts(self) -> Iterator[Chart]:
-        yield from self.charts
 
     def save(self, folder: str | Path = "results", *, write: str | Path | None = None, plots: Sequence[str] = ()) -> Identification:
         """Write an axis file, if the parameters are usable, and pictures.
@@ -264,18 +257,3 @@ def fitted(log: str, deviation: float, note: str = "") -> Origin:
 def assumed(note: str) -> Origin:
     """Return the origin of a parameter that the log does not give."""
     return Origin("assumed", note=note)
-
-
-def chart(key: str, title: str, x_label: str, panels: Mapping[str, Traces], caption: str = "", *, log_y: str | None = None) -> Chart:
-    """Return curves, or points with error bars, by y label and name, in the units of the labels.
-
-    With `log_y`, the label of the panel with a logarithmic y axis, or "", the common x axis is logarithmic. A name looks the same in all
-    panels: they share the legend.
-    """
-    names = list(dict.fromkeys(name for traces in panels.values() for name in traces))
-    looks = {name: scheme_style(i, max(len(names), 2)) for i, name in enumerate(names)}
-    levels, drawn = (Level(0.0, ""),) if log_y is None else (), []
-    for label, traces in panels.items():
-        curves = (Curve(x, y, name, *looks[name], half=half[0] if half else None) for name, (x, y, *half) in traces.items())
-        drawn.append(Panel(x_label, label, tuple(curves), levels, log_x=log_y is not None, log_y=label == log_y))
-    return Chart(key, title, caption, tuple(drawn))

@@ -11,14 +11,14 @@ import numpy as np
 from contourlab.analysis.identification.first_order import FirstOrderFit, identify_closed_loop, identify_first_order
 from contourlab.analysis.identification.inverse_dynamics import InverseDynamicsSettings, cross_validate, identify_inverse_dynamics
 from contourlab.analysis.identification.least_squares import mass_findings
-from contourlab.errors import ParameterError, ResultError, UnitError
+from contourlab.errors import ParameterError, ResultError, refused
 from contourlab.features.identify.axis_tables import forces_of, friction_tables, plant_numbers, rigid_tables
 from contourlab.features.identify.options import Identify
 from contourlab.features.identify.records import AxisRecord, command_label, newton_option, samples_digest
-from contourlab.features.identify.result import Identification, Tables, chart, figures, propagate
+from contourlab.features.identify.result import Identification, Tables, figures, propagate
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
-from contourlab.rendering.charts import Chart
+from contourlab.rendering.charts import Chart, traces_chart
 from contourlab.units import split, to_si
 
 UNITS = {"M": "kg", "Fv": "N*s/m", "Fc": "N", "offset": "N"}
@@ -75,7 +75,8 @@ def identify_rigid(records: Sequence[AxisRecord], options: Identify) -> Identifi
         own, held = friction_tables(coulomb, force, "N", uncertainty.origin), coulomb + abs(force)
         tables = rigid_tables([record], 1.0 / mass, damping / mass, uncertainty.origin, held=held, friction=own)
     rest = fit.force - fit.predicted
-    measured = {"measured": (fit.time, fit.force), "model": (fit.time, fit.predicted)}
+    measured, over_time = {"measured": (fit.time, fit.force), "model": (fit.time, fit.predicted)}, ("time [s]", "force [N]")
+    over_velocity = {"residual": (1e3 * fit.velocity, rest)}
     return Identification(
         options.model,
         record.axis,
@@ -89,11 +90,9 @@ def identify_rigid(records: Sequence[AxisRecord], options: Identify) -> Identifi
         tables=tables,
         correlations=uncertainty.correlations if fit.usable else (),
         charts=(
-            chart("force", f"Force of axis {record.axis}, {record.source}", "time [s]", {"force [N]": measured}),
-            chart("residual", "Force residual", "time [s]", {"force [N]": {"residual": (fit.time, rest)}}),
-            chart(
-                "residual-speed", "Force residual over velocity", "velocity [mm/s]", {"force [N]": {"residual": (1e3 * fit.velocity, rest)}}
-            ),
+            traces_chart("force", f"Force of axis {record.axis}, {record.source}", over_time, measured),
+            traces_chart("residual", "Force residual", over_time, {"residual": (fit.time, rest)}),
+            traces_chart("residual-speed", "Force residual over velocity", ("velocity [mm/s]", "force [N]"), over_velocity),
         ),
     )
 
@@ -228,14 +227,12 @@ def _loop_gains(options: Identify) -> tuple[float, float, str] | None:
     if position is None or velocity is None:
         option = "--position-gain" if position is None else "--velocity-gain"
         raise ParameterError(option, "missing", "given with the other one: eq 18 needs both K_P and K_V")
-    option, text, wanted = "--position-gain", position, 'command per length, such as "4 full_scale/mm"'
-    try:
+    with refused("--position-gain", position, 'command per length, such as "4 full_scale/mm"'):
         unit = split(position)[1].partition("/")[0].strip()
         proportional = to_si(position, f"{unit}/m")
-        option, text, wanted = "--velocity-gain", velocity, f'command per speed, such as "0.1 {unit}*s/mm"'
-        return proportional, to_si(velocity, f"{unit}*s/m"), unit
-    except UnitError as error:
-        raise ParameterError(option, repr(text), wanted) from error
+    with refused("--velocity-gain", velocity, f'command per speed, such as "0.1 {unit}*s/mm"'):
+        derivative = to_si(velocity, f"{unit}*s/m")
+    return proportional, derivative, unit
 
 
 def _charts(fit: FirstOrderFit, record: AxisRecord, output: str, command: str) -> tuple[Chart, ...]:
@@ -243,8 +240,8 @@ def _charts(fit: FirstOrderFit, record: AxisRecord, output: str, command: str) -
     time, measured, model = fit.time, 1e3 * fit.measured, 1e3 * fit.predicted
     given = 1e3 * fit.command if command.endswith("[mm]") else fit.command
     key, _, unit = output.partition(" ")
-    panels = {output: {"measured": (time, measured), "model": (time, model)}, command: {"given": (time, given)}}
+    both, title = {"measured": (time, measured), "model": (time, model)}, f"{key.capitalize()} of axis {record.axis}, {record.source}"
     return (
-        chart(key, f"{key.capitalize()} of axis {record.axis}, {record.source}", "time [s]", panels),
-        chart("residual", f"Residual of {key}", "time [s]", {f"residual {unit}": {"residual": (time, measured - model)}}),
+        traces_chart(key, title, ("time [s]", output), both, below={command: {"given": (time, given)}}),
+        traces_chart("residual", f"Residual of {key}", ("time [s]", f"residual {unit}"), {"residual": (time, measured - model)}),
     )

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import io
 import math
-from collections.abc import Iterator, Sequence
-from contextlib import ExitStack
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -26,7 +24,7 @@ from contourlab.analysis.encoder import (
     track_ellipse,
 )
 from contourlab.app.json_values import HIDDEN, json_text
-from contourlab.app.results import spared
+from contourlab.app.results import spared, write_together
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array
 from contourlab.errors import LogError, ParameterError, ResultError, UnitError
@@ -35,10 +33,13 @@ from contourlab.findings import Finding, finding
 from contourlab.logs import Channel, Record, read_record
 from contourlab.logs.load import about
 from contourlab.logs.reading import CUT, lines_in, text_of
-from contourlab.rendering.charts import Chart, Curve, Panel
+from contourlab.rendering.charts import Chart, traces_chart
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import paragraphs
 from contourlab.units import to_si
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 FILES = {"counts": "interpolated.csv", "picture": "interpolation.png", "summary": "interpolation.json"}
 """Files written into the folder."""
@@ -112,9 +113,7 @@ class Interpolated(Answer):
 
     def _charts(self) -> Iterator[Chart]:
         phase, *errors = self.interpolation.over_phase()
-        drawn = enumerate(zip(errors, _labels(self), strict=True))
-        curves = tuple(Curve(phase, error, label, scheme_style(i, 2)[0]) for i, (error, label) in drawn)
-        yield Chart("error", self.file, "", (Panel("phase [deg]", "error within a pitch [nm]", curves),))
+        yield error_chart(self.file, phase, dict(zip(_labels(self), errors, strict=True)))
 
     def save(self, folder: str | Path | None = "interpolated") -> Interpolated:
         """Write interpolated.csv, interpolation.json and interpolation.png into a folder; all or none.
@@ -134,16 +133,11 @@ class Interpolated(Answer):
         OutputError
             If a result cannot be written; then nothing is written.
         """
-        from contourlab.result.atomic import replacing
-
         if folder is None:
             return self
         saved = replace(self, files={key: str(Path(folder) / name) for key, name in FILES.items()})
-        contents = {"counts": _table(self), "picture": _picture(self), "summary": (json_text(saved) + "\n").encode()}
-        # Put the files in place only after all of them are written.
-        with ExitStack() as stack:
-            for key, content in contents.items():
-                stack.enter_context(replacing(saved.files[key])).write_bytes(content)
+        contents: dict[str, str | bytes] = {"counts": _table(self), "picture": _picture(self), "summary": json_text(saved) + "\n"}
+        write_together({Path(saved.files[key]): content for key, content in contents.items()})
         return saved
 
     def _next(self, asked: Asked) -> Sequence[object]:
@@ -250,7 +244,7 @@ def _rows(r: Interpolated) -> Iterator[tuple[str, str]]:
         yield "", paragraphs(map(str, r.findings))
 
 
-def _table(r: Interpolated) -> bytes:
+def _table(r: Interpolated) -> str:
     """Return the table of counts and positions, with pitch and constants in its head."""
     counts, time = r.interpolation.counted.counts, r.interpolation.record.time
     constants = ", ".join(f"{name} {value!r}" for name, value in r.constants.items() if name != "unit")
@@ -259,7 +253,7 @@ def _table(r: Interpolated) -> bytes:
     rows = [f"{n},{x:.12g}" for n, x in zip(counts.tolist(), (r.resolution * counts).tolist(), strict=True)]
     if time is not None:
         rows = [f"{t:.12g},{row}" for t, row in zip(time.tolist(), rows, strict=True)]
-    return ("\n".join([*head, "count,position [m]" if time is None else "t [s],count,position [m]", *rows]) + "\n").encode()
+    return "\n".join([*head, "count,position [m]" if time is None else "t [s],count,position [m]", *rows]) + "\n"
 
 
 def _labels(r: Interpolated) -> list[str]:
@@ -275,12 +269,17 @@ def _labels(r: Interpolated) -> list[str]:
 def _picture(r: Interpolated) -> bytes:
     """Return the signals against each other before and after correction, and the error over a period."""
     interpolation = r.interpolation
-    phase, *errors = interpolation.over_phase()
     signals = interpolation.before.T, interpolation.after[:, interpolation.settled :].T
-    return lissajous_png(interpolation.record.source.file.name, signals, phase, errors, _labels(r))
+    return lissajous_png(interpolation.record.source.file.name, signals, *r._charts())
 
 
-def lissajous_png(title: str, signals: Sequence[Array], phase: Array, errors: Sequence[Array], names: Sequence[str]) -> bytes:
+def error_chart(title: str, phase: Array, errors: Mapping[str, Array]) -> Chart:
+    """Return errors (m,) [nm] by name, over the phase (m,) [deg]."""
+    curves = {name: (phase, error) for name, error in errors.items()}
+    return traces_chart("error", title, ("phase [deg]", "error within a pitch [nm]"), curves, level=None)
+
+
+def lissajous_png(title: str, signals: Sequence[Array], errors: Chart) -> bytes:
     """Return the picture as a PNG of 200 dpi; equal data give equal bytes.
 
     Parameters
@@ -288,17 +287,12 @@ def lissajous_png(title: str, signals: Sequence[Array], phase: Array, errors: Se
     title : str
     signals : sequence of ndarray (n, 2)
         As measured, and corrected; both divided by the amplitude.
-    phase : ndarray (m,) [deg]
-    errors : sequence of ndarray (m,) [nm]
+    errors : Chart
         Over the phase, before and after correction.
-    names : sequence of str
-        Of the two errors, for the legend.
     """
-    import matplotlib
+    from contourlab.rendering.matplotlib_view import draw_chart, escaped, legend, new_figure, picture_bytes
 
-    from contourlab.rendering.matplotlib_view import LOOKS, legend, new_figure
-
-    with matplotlib.rc_context(fname=LOOKS):
+    def drawn() -> Figure:
         figure = new_figure(3.6)
         left, right = figure.subplots(1, 2, width_ratios=(1.0, 1.25))
         every = max(1, len(signals[0]) // POINTS)
@@ -308,14 +302,12 @@ def lissajous_png(title: str, signals: Sequence[Array], phase: Array, errors: Se
             style = {"linestyle": "none", "marker": ".", "markersize": 1.6, "color": scheme_style(i, 2)[0]}
             left.plot(points[::every, 0], points[::every, 1], **style)
         left.set_aspect("equal", adjustable="datalim")
-        left.set(xlabel="u1 / amplitude", ylabel="u2 / amplitude", title=title.replace("$", "\\$"))
-        for i, (name, error) in enumerate(zip(names, errors, strict=True)):
-            right.plot(phase, error, color=scheme_style(i, 2)[0], linewidth=1.1, label=name)
-        right.set(xlabel="phase [deg]", ylabel="error within a pitch [nm]", xlim=(0.0, 360.0), xticks=range(0, 361, 90))
+        left.set(xlabel="u1 / amplitude", ylabel="u2 / amplitude", title=escaped(title))
+        draw_chart([errors], place=right).set(xlim=(0.0, 360.0), xticks=range(0, 361, 90))
         legend(figure, 2)
-        buffer = io.BytesIO()
-        figure.savefig(buffer, format="png")
-    return buffer.getvalue()
+        return figure
+
+    return picture_bytes(drawn, "png")[0]
 
 
 # --- the signals of a file, their correction and their errors ---

@@ -8,11 +8,10 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-from contourlab.app.json_values import HIDDEN, json_values
+from contourlab.app.json_values import HIDDEN
 from contourlab.app.options import positive
 from contourlab.app.results import check_file
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
@@ -23,7 +22,7 @@ from contourlab.features.check.program_check import DEFAULT_MACHINE
 from contourlab.features.check.reading import reading_of, refuse_drawing
 from contourlab.features.limits.log_limits import KINDS, AxisPeak, control_samples, course, moving_part
 from contourlab.features.limits.options import Limits
-from contourlab.features.measure.log_choice import PROGRAMS, LogChoice, open_log
+from contourlab.features.measure.log_choice import PROGRAMS, open_log
 from contourlab.features.measure.measured_path import progress_along
 from contourlab.features.measure.plausibility import known_signal
 from contourlab.features.measure.study import ACTUAL
@@ -72,12 +71,12 @@ def limits(file: str | Path | Log, *, settings: Limits, session: Session = QUIET
     ParameterError
         If an option is out of range, or has no effect.
     """
-    choice, reading = LogChoice.of(file, settings), reading_of(settings.program or Path("log"), settings)
+    reading = reading_of(settings.program or Path("log"), settings)
     share = settings.tolerance
     tolerance = HELD if share is None else positive("--tolerance", share, "", 'a share such as "1 %"', zero=True)
     refuse(tolerance >= 1.0, ParameterError, "--tolerance", str(share), "between 0 and 100 %")
     is_program = Path(file).suffix.lower() in PROGRAMS and kind_of(file) != "a log"  # .nc: G-code or NetCDF
-    planned = is_program and not choice.format and not choice.columns
+    planned = is_program and not settings.format and not settings.column
     program = Path(file) if planned else settings.program
     if planned and (settings.program or settings.line_column):
         raise ParameterError("--program", str(settings.program or settings.line_column), "left out: the file is itself a program")
@@ -86,7 +85,7 @@ def limits(file: str | Path | Log, *, settings: Limits, session: Session = QUIET
         if program is None:
             raise ParameterError("--annotate", repr(str(annotate)), "with the program of the log: add --program PART.ngc")
         check_file(annotate, [Path(file), program], "--annotate")
-    test = _planned(Path(file), settings, tolerance, reading) if planned else _logged(choice, settings, tolerance, reading)
+    test = _planned(Path(file), settings, tolerance, reading) if planned else _logged(file, settings, tolerance, reading)
     return replace(test, program=program, reading=reading)
 
 
@@ -150,11 +149,11 @@ def _rows(lines: Index, period: float, use: LineUse, axes: Sequence[str], errors
     return tuple(rows)
 
 
-def _logged(choice: LogChoice, options: Limits, tolerance: float, reading: Reading) -> LimitTest:
+def _logged(file: str | Path | Log, options: Limits, tolerance: float, reading: Reading) -> LimitTest:
     """Check what a log holds: its reference, or without one its position."""
-    log = open_log(choice)
-    result, axes = log.result, tuple(choice.axes) or log.result.axes
-    with about(choice.file):
+    log = open_log(file, options)
+    result, axes = log.result, options.axes or log.result.axes
+    with about(file):
         known = known_signal(result, axes, ("reference", *ACTUAL, "motor_position"))
         if known is None:
             raise ResultError(f"no reference or position of {', '.join(axes)} in {result.source}: name the columns with --column")
@@ -166,7 +165,7 @@ def _logged(choice: LogChoice, options: Limits, tolerance: float, reading: Readi
     if machine is not None and (unlike := [axis for axis in axes if axis not in machine.axis_names]):
         raise ParameterError("--axes", ", ".join(unlike), f"axes of {machine.name}: {', '.join(machine.axis_names)}")
     limits = _limits(options, axes, machine)
-    lines, errors = _lines_of(log, choice, options, axes, position, reading)
+    lines, errors = _lines_of(log, options, axes, position, reading)
     use = LineUse(int(lines.max(initial=0)) + 1)
     first, commanded = control_samples(position, result.servo_period)
     peaks, findings = _log_peaks(position[first], commanded, axes, limits, lines[first], moves[first], use)
@@ -175,20 +174,18 @@ def _logged(choice: LogChoice, options: Limits, tolerance: float, reading: Readi
     passed = max(uses) <= 1.0 + tolerance if uses else None
     source = "reference" if known[0] == "reference" else "position"
     cycle, name = float(np.count_nonzero(moves) - 1) * result.servo_period, "" if machine is None else machine.name
-    head = (Path(choice.file).name, source, axes, commanded, cycle, name, tolerance, passed)
+    head = (Path(file).name, source, axes, commanded, cycle, name, tolerance, passed)
     return LimitTest(*head, tuple(peaks), rows, (*_exceeded(peaks, tolerance), *findings, *log.findings))
 
 
-def _lines_of(
-    log: Log, choice: LogChoice, options: Limits, axes: Sequence[str], position: Array, reading: Reading
-) -> tuple[Index, Array | None]:
+def _lines_of(log: Log, options: Limits, axes: Sequence[str], position: Array, reading: Reading) -> tuple[Index, Array | None]:
     """Return the program line of each sample, 0 for none, and the distance from the program's path [m]."""
     n = len(position)
     lines = np.zeros(n, dtype=np.int64)
     errors: Array | None = None
     if options.program is not None:
         route = program_route(read_program(Path(options.program), reading=reading), tuple(axes))
-        with about(choice.file):
+        with about(log):
             along, _ = progress_along(route.path, position)
         lines = np.asarray(route.source_line[route.path.curve_index(along)], dtype=np.int64)
         if (measured := known_signal(log.result, axes, ACTUAL)) is not None:
@@ -300,6 +297,8 @@ class LimitTest(Answer):
         Program written with comments; empty for none.
     """
 
+    ROWS = "peaks"
+
     name: str
     source: str
     axes: tuple[str, ...]
@@ -316,11 +315,6 @@ class LimitTest(Answer):
     annotated: str = ""
     program: Path | None = field(default=None, metadata=HIDDEN)
     reading: Reading | None = field(default=None, metadata=HIDDEN, repr=False)
-
-    @property
-    def rows(self) -> list[dict[str, Any]]:
-        """The largest values, one a row [SI]."""
-        return [json_values(peak) for peak in self.peaks]
 
     def _charts(self) -> Iterator[Bars]:
         limited = [peak for peak in self.peaks if peak.use is not None]

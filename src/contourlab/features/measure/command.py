@@ -16,9 +16,8 @@ from contourlab.app.command_line import as_typed, chosen_options
 from contourlab.app.results import staged
 from contourlab.app.session import QUIET, Session, question
 from contourlab.arrays import Array
-from contourlab.errors import LogError, ParameterError, ResultError, UnitError
+from contourlab.errors import LogError, ParameterError, ResultError, refused
 from contourlab.features.measure.log_choice import (
-    LogChoice,
     distinct_names,
     is_program,
     open_log,
@@ -214,8 +213,7 @@ def measure(log: str | Path | Log, *, settings: Measure, session: Session = QUIE
     LogError
         If the log cannot be read or lacks a signal.
     """
-    choice = LogChoice.of(log, settings)
-    run = _judged(choice, settings.reference, settings.shift)
+    run = _judged(log, settings)
     session.will_write(run.inputs, *_outputs([run]))
     return MeasuredRuns(run.log.record.file.name, (run,), settings.si("tolerance"), session.command)
 
@@ -243,7 +241,7 @@ def compare(*files: Any, settings: Compare, session: Session = QUIET) -> Runs | 
     for name, part in Compare.PARTS.items():
         if getattr(settings, name) != part.default:
             raise ParameterError(part.typed, "given", "omitted when you compare runs from files: it applies to a scenario only")
-    judged = [_judged(LogChoice(_signals_of(file))) for file in files]
+    judged = [_judged(_signals_of(file), Measure()) for file in files]
     names = _names([Path(file) for file in files])
     runs = [replace(run, name=name) for name, run in zip(names, judged, strict=True)]
     axes, path = runs[0].result.axes, runs[0].reference.path
@@ -257,20 +255,20 @@ def compare(*files: Any, settings: Compare, session: Session = QUIET) -> Runs | 
     return MeasuredRuns(" and ".join(names), tuple(runs), None, session.command)
 
 
-def _judged(choice: LogChoice, reference: str | None = None, shift: str | None = None) -> MeasuredRun:
+def _judged(file: str | Path | Log, settings: Measure) -> MeasuredRun:
+    reference, axes = settings.reference, settings.axes
     program = reference if reference is not None and is_program(reference) else None
-    more = reference_columns(reference, choice) if reference is not None and program is None else ()
-    log = open_log(choice, more)
-    axes = tuple(choice.axes)
+    more = reference_columns(reference, settings.column, axes) if reference is not None and program is None else ()
+    log = open_log(file, settings, more)
     path = program_path(program, axes or log.result.axes) if program else None
-    with about(choice.file):
+    with about(file):
         try:
-            measured = judged_log(log.result, path, axes or None, shift=_shift(shift, axes or log.result.axes))
+            measured = judged_log(log.result, path, axes or None, shift=_shift(settings.shift, axes or log.result.axes))
         except ResultError as error:
             raise ResultError("; ".join([str(error), *(doubt.text for doubt in log.doubtful)])) from error
     findings = (*log.findings, *measured.findings, *gap_findings(log, measured, of_samples=path is None))
     given: dict[str, Any] = vars(measured) | {"name": log.result.scheme, "findings": findings}
-    return MeasuredRun(**given, log=log, inputs=(*choice.files, *([program] if program else [])))
+    return MeasuredRun(**given, log=log, inputs=settings.files(file, *([program] if program else [])))
 
 
 def _shift(text: str | None, axes: tuple[str, ...]) -> Array | Literal["fit"] | None:
@@ -280,10 +278,9 @@ def _shift(text: str | None, axes: tuple[str, ...]) -> Array | Literal["fit"] | 
     lengths = text.split(",")
     if len(lengths) != len(axes):
         raise ParameterError("--shift", repr(text), wanted)
-    try:
-        return np.array([to_si(length.strip(), "m") for length in lengths])
-    except UnitError as error:
-        raise ParameterError("--shift", repr(text), wanted) from error
+    with refused("--shift", text, wanted):
+        shift = [to_si(length.strip(), "m") for length in lengths]
+    return np.array(shift)
 
 
 def _signals_of(source: str | Path) -> str | Path:

@@ -17,7 +17,10 @@ from contourlab.findings import Finding, finding
 from contourlab.geometry import Path
 from contourlab.logs import Log
 from contourlab.logs.clock import EVEN
-from contourlab.metrics import AxisFigures, Metrics, circles_of, judge, reversal_spikes, summarise
+from contourlab.metrics.circles import circles_of
+from contourlab.metrics.figures import AxisFigures, Metrics, summarise
+from contourlab.metrics.judge import judge
+from contourlab.metrics.reversals import reversal_spikes
 from contourlab.rendering.data import JudgedRun
 from contourlab.result import Result, Signal
 from contourlab.scenario.placing import placed

@@ -17,7 +17,7 @@ from contourlab.app.results import check_file, spared
 from contourlab.app.session import QUIET, Session, question
 from contourlab.errors import ParameterError, ProgramError, ResultError
 from contourlab.features.check.reading import reading_of
-from contourlab.features.measure.log_choice import LogChoice
+from contourlab.features.measure.log_choice import content_of
 from contourlab.features.precompensate.law import CUTOFF, Run, fit_loop, learn, proposed, smoother, spread
 from contourlab.features.precompensate.options import Precompensate
 from contourlab.features.precompensate.passes import STATE, Passes, PassFigures, digest_of, load, save
@@ -288,8 +288,7 @@ def precompensate(part: str | Path, *, settings: Precompensate, session: Session
         If an option is out of range.
     """
     reading = reading_of(part, settings)
-    choices = [LogChoice.of(log, settings) for log in settings.log]
-    given = [Path(part), *(file for choice in choices for file in choice.files)]
+    given = [Path(part), *settings.files(*settings.log)]
     if session.saving:
         check_file(session.folder, given, "--out")
     if not settings.log:
@@ -297,15 +296,15 @@ def precompensate(part: str | Path, *, settings: Precompensate, session: Session
     if settings.passes is not None:
         check_file(settings.passes / STATE, given, "--passes")
     machine = None if settings.machine is None else machine_of(settings.machine, settings.plugin)
-    opened = [open_run(choice, machine) for choice in choices]
+    opened = [open_run(log, settings, machine) for log in settings.log]
     measured, axes, _ = opened[0]
     if any(other[1] != axes for other in opened):
         raise ParameterError("--log", "axes differ", f"logs of the axes {', '.join(axes)}")
     work = Work(Path(part), axes, settings, reading, machine, measured.period)
-    digests = tuple(digest_of(choice.content) for choice in choices)
+    digests = tuple(digest_of(content_of(log)) for log in settings.log)
     if settings.passes is not None:
         work.passes = load(settings.passes, work.passes)
-        if used := [log.file for log, digest in zip(choices, digests, strict=True) if digest in work.passes.logs]:
+        if used := [log for log, digest in zip(settings.log, digests, strict=True) if digest in work.passes.logs]:
             raise ParameterError("--log", str(used[0]), "the log of the last written pass: this one was used before")
     runs = [work.run(one) for one, _, _ in opened]
     rest = spread(runs)

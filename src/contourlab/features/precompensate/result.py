@@ -5,17 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
-from contourlab.app.json_values import HIDDEN, json_values
+from contourlab.app.json_values import HIDDEN
 from contourlab.app.session import Answer, Asked
 from contourlab.features.precompensate.passes import PassFigures
 from contourlab.figures import figure
 from contourlab.findings import Finding
-from contourlab.rendering.charts import Chart, Curve, Panel
-from contourlab.rendering.style import scheme_style
+from contourlab.rendering.charts import Chart, traces_chart
 from contourlab.rendering.table import Column, Table, paragraphs
 
 
@@ -68,6 +67,7 @@ class Precompensated(Answer):
     findings : tuple of Finding
     """
 
+    ROWS = "passes"
     json_derived: ClassVar = ("gain",)
 
     program: str
@@ -88,16 +88,10 @@ class Precompensated(Answer):
     findings: tuple[Finding, ...]
     writer: Callable[[Precompensated], None] | None = field(default=None, metadata=HIDDEN, repr=False)
 
-    @property
-    def rows(self) -> list[dict[str, Any]]:
-        """The passes, one a row [SI]."""
-        return [json_values(one) for one in self.passes]
-
     def _charts(self) -> Iterator[Chart]:
         numbers = np.array([each.number for each in self.passes], dtype=float)
-        figures = {"largest": [each.largest for each in self.passes], "rms": [each.rms for each in self.passes]}
-        curves = tuple(Curve(numbers, 1e6 * np.array(y), name, scheme_style(i, 2)[0]) for i, (name, y) in enumerate(figures.items()))
-        yield Chart("passes", self.program, "", (Panel("pass", "contour error [um]", curves),))
+        figures = {name: (numbers, 1e6 * np.array([getattr(each, name) for each in self.passes])) for name in ("largest", "rms")}
+        yield traces_chart("passes", self.program, ("pass", "contour error [um]"), figures, level=None)
 
     def save(self, folder: str | Path = "corrected.ngc") -> Precompensated:
         """Write the program of the next pass, if it helps, and what was learned.

@@ -11,10 +11,12 @@ from typing import Any
 
 import numpy as np
 
+from contourlab.app.shared_options import LogAxes
 from contourlab.arrays import Array
 from contourlab.errors import LogError, ResultError
-from contourlab.features.measure.log_choice import LogChoice, open_log
+from contourlab.features.measure.log_choice import open_log
 from contourlab.features.measure.measured_path import moving, progress_along
+from contourlab.features.measure.plausibility import known_signal
 from contourlab.features.precompensate.law import Run
 from contourlab.features.precompensate.writing import Contour, Written
 from contourlab.feed import LimitReport, Reference, limit_report
@@ -64,12 +66,14 @@ class Measured:
     source: str
 
 
-def open_run(choice: LogChoice, machine: Machine | None = None) -> tuple[Measured, tuple[str, ...], Log]:
+def open_run(file: Path, options: LogAxes, machine: Machine | None = None) -> tuple[Measured, tuple[str, ...], Log]:
     """Read a log with commanded and measured positions.
 
     Parameters
     ----------
-    choice : LogChoice
+    file : Path
+    options : LogAxes
+        How to read it.
     machine : Machine, optional
         Its play applies where the log has the position of the motor only.
 
@@ -84,28 +88,28 @@ def open_run(choice: LogChoice, machine: Machine | None = None) -> tuple[Measure
     LogError
         If it cannot be read, has a long gap, or an axis has no commanded or measured position.
     """
-    with about(choice.file):
-        log = open_log(choice, guess=_of_hal)
+    with about(file):
+        log = open_log(file, options, guess=_of_hal)
     result = log.result
 
     def of(axes: Sequence[str], *signals: str) -> Array | None:
-        columns = [result.axes.index(axis) for axis in axes]
-        return next((np.asarray(result[s][:, columns]) for s in signals if s in result and np.isfinite(result[s][:, columns]).all()), None)
+        known = known_signal(result, axes, signals)
+        return None if known is None else known[1]
 
-    axes = tuple(choice.axes) or tuple(axis for axis in result.axes if axis in "xyz" and of([axis], "reference") is not None)
+    axes = options.axes or tuple(axis for axis in result.axes if axis in "xyz" and of([axis], "reference") is not None)
     command, motor = of(axes, "reference"), of(axes, "motor_position", "position")
     load = of(axes, "tool_position", "axis_position") if motor is not None else of(axes, "tool_position", "axis_position", "position")
     if not axes or command is None or (motor is None and load is None):
         missing = "commanded" if not axes or command is None else "measured"
         cure = "name it, as --column 'reference.x=NAME [mm]' or 'position.x=NAME [mm]'"
-        raise LogError(f"has no {missing} position: {cure}", file=choice.file)
+        raise LogError(f"has no {missing} position: {cure}", file=file)
     if any(len(log.stretches(axis)) > 1 for axis in axes):
-        raise LogError(f"has a gap of more than {LONG_GAP} samples: record the run again", file=choice.file)
+        raise LogError(f"has a gap of more than {LONG_GAP} samples: record the run again", file=file)
     if len(axes) < 2:
-        raise LogError(f"has axis {axes[0]} only: a contour error needs two axes or more", file=choice.file)
+        raise LogError(f"has axis {axes[0]} only: a contour error needs two axes or more", file=file)
     for position in (motor, load):
         if position is not None:
-            _check_followed(axes, command, position, choice.file)
+            _check_followed(axes, command, position, file)
     if load is not None:
         return Measured(result.servo_period, command, load if motor is None else motor, load, "load"), axes, log
     assert motor is not None

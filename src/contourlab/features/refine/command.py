@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 
 from contourlab.app.json_values import HIDDEN
-from contourlab.app.results import spared
+from contourlab.app.results import spared, write_together
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
-from contourlab.errors import ParameterError, UnitError, refuse
-from contourlab.features.measure.log_choice import LogChoice, distinct_names, open_log
+from contourlab.errors import ParameterError, refuse, refused
+from contourlab.features.measure.log_choice import distinct_names, open_log
 from contourlab.features.measure.plausibility import motion_findings, same_column_findings
 from contourlab.features.refine.log_run import Agreement, LogRun, log_run
 from contourlab.features.refine.options import Refine
@@ -27,7 +27,6 @@ from contourlab.logs.load import about
 from contourlab.loop import Axis, Machine
 from contourlab.rendering.charts import Chart, traces_chart
 from contourlab.rendering.table import Column, Table, paragraphs
-from contourlab.result import write_text_atomic
 from contourlab.scenario import Scenario, load_scenario
 from contourlab.scenario.dump import controller_table, machine_tables
 from contourlab.scenario.toml_text import Noted, toml
@@ -189,19 +188,18 @@ def refine(scenario: str | Path, *, settings: Refine, session: Session = QUIET) 
     ParameterError
         If an option is out of range, or the run at the start diverges.
     """
-    scenarios, choices = (scenario, *settings.also), [LogChoice.of(log, settings) for log in settings.log]
-    if len(scenarios) not in (1, len(choices)):
-        raise ParameterError("--also", f"{len(scenarios)} scenarios for {len(choices)} logs", "one scenario, or one for each log")
+    scenarios, logs = (scenario, *settings.also), settings.log
+    if len(scenarios) not in (1, len(logs)):
+        raise ParameterError("--also", f"{len(scenarios)} scenarios for {len(logs)} logs", "one scenario, or one for each log")
     read = [load_scenario(file, plugins=settings.plugin) for file in scenarios]
     several = len(scenarios) > 1
-    labels = _labels(scenarios if several else [choice.file for choice in choices])
-    runs = [_run(read[i if several else 0], choice, label) for i, (choice, label) in enumerate(zip(choices, labels, strict=True))]
+    labels = _labels(scenarios if several else logs)
+    runs = [_run(read[i if several else 0], log, settings, label) for i, (log, label) in enumerate(zip(logs, labels, strict=True))]
     spans = _windows(settings.window, len(runs))
     # Read first, so that an unreadable log fails before the work.
-    validation = None if settings.validation is None else LogChoice.of(settings.validation, settings)
-    held_out = None if validation is None else _run(read[0], validation, *_labels([validation.file]))
-    logs = choices if validation is None else [*choices, validation]
-    inputs = (*(file for one in read for file in one.inputs), *(file for log in logs for file in log.files), *settings.plugin)
+    validation = () if settings.validation is None else (settings.validation,)
+    held_out = next((_run(read[0], log, settings, *_labels([log])) for log in validation), None)
+    inputs = (*(file for one in read for file in one.inputs), *settings.files(*logs, *validation), *settings.plugin)
     session.will_write(inputs, pictures_only=True)
     if session.saving.get("write") is not None:
         for run in runs:
@@ -216,7 +214,7 @@ def refine(scenario: str | Path, *, settings: Refine, session: Session = QUIET) 
         findings += [*held_out.findings, *unseen_findings(*validated, validation=True)]
         if any(np.array_equal(held_out.measured, run.measured) for run in runs):
             findings.append(finding("CL564", held_out.label))
-    sources = tuple(distinct_names([choice.file for choice in choices]))
+    sources = tuple(distinct_names(logs))
     result = replace(result, findings=tuple(findings))
     return Refinement(sources, result, *validated, crossed, tuple(findings), None, (), (), inputs)
 
@@ -227,9 +225,9 @@ def _labels(files: Sequence[str | Path]) -> list[str]:
     return names if len(set(names)) == len(names) else [f"{name} {i + 1}" for i, name in enumerate(names)]
 
 
-def _run(scenario: Scenario, choice: LogChoice, label: str) -> LogRun:
-    log = open_log(choice)
-    with about(choice.file):
+def _run(scenario: Scenario, file: Path, settings: Refine, label: str) -> LogRun:
+    log = open_log(file, settings)
+    with about(file):
         run = log_run(scenario.machine, scenario.controller, log.result, label)
     doubts = [replace(clock, place=": ".join(filter(None, (label, clock.place)))) for clock in log.clock_findings()]
     doubts += motion_findings(run.position, run.machine.servo_period, label)
@@ -243,10 +241,8 @@ def _windows(texts: Sequence[str], count: int) -> list[Window | None]:
     spans: list[Window | None] = []
     for text in texts:
         ends = [end.strip() for end in text.split("..", 1)]
-        try:
+        with refused("--window", text, 'two times, as "0.8 s..1.6 s"'):
             start, stop = (to_si(end, "s") for end in ends)
-        except (UnitError, ValueError) as error:
-            raise ParameterError("--window", repr(text), 'two times, as "0.8 s..1.6 s"') from error
         refuse(not start < stop, ParameterError, "--window", repr(text), 'two times, the earlier one first, as "0.8 s..1.6 s"')
         spans.append((start, stop))
     return spans * count if len(spans) == 1 else spans
@@ -263,8 +259,7 @@ def _write(result: Refined, sources: Sequence[str], out: Path) -> tuple[Path, ..
     for i, run in enumerate(result.runs):
         if any(parameter.sought.name.startswith("controller.") and i in parameter.sought.runs for parameter in result.parameters):
             files[_beside(out, run)] = controller_text(result, i, sources)
-    for file, text in files.items():
-        write_text_atomic(file, text)
+    write_together(files, option="--write")
     return tuple(files)[1:]
 
 

@@ -37,7 +37,7 @@ from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.loop.axis_parts import AxisError
 from contourlab.loop.machine import Axis, AxisController
-from contourlab.metrics import judge
+from contourlab.metrics.judge import judge
 from contourlab.rendering.judgement import Cause
 from contourlab.result import Result, Signal
 

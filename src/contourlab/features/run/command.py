@@ -25,7 +25,7 @@ from contourlab.features.run.source import Source, scenario_asked
 from contourlab.features.run.trust import numbers_of
 from contourlab.figures import figure
 from contourlab.findings import Finding
-from contourlab.metrics import judged_part
+from contourlab.metrics.figures import judged_part
 from contourlab.rendering.stages import begin_stage
 from contourlab.rendering.table import paragraphs
 from contourlab.result import Status, write_text_atomic

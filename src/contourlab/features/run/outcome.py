@@ -33,9 +33,10 @@ from contourlab.loop.feeding import Feed
 from contourlab.loop.simulate import sampler
 from contourlab.loop.switches import Switch, switches_of
 from contourlab.loop.template import build
-from contourlab.metrics import Spike, circles_of, judge, judged_part, reversal_spikes, summarise
-from contourlab.metrics.circles import Bidirectional, pairs
-from contourlab.metrics.judge import check_follows
+from contourlab.metrics.circles import Bidirectional, circles_of, pairs
+from contourlab.metrics.figures import judged_part, summarise
+from contourlab.metrics.judge import check_follows, judge
+from contourlab.metrics.reversals import Spike, reversal_spikes
 from contourlab.rendering.data import ClosedLoop, JudgedRun
 from contourlab.rendering.judgement import Trust
 from contourlab.rendering.page_tables import nearest

@@ -15,8 +15,7 @@ from contourlab.errors import DivergenceError
 from contourlab.feed import Reference
 from contourlab.loop import Change, Controller, Machine, result_of, simulate_blocks
 from contourlab.loop.switches import RECORDED, Switches, SwitchLog
-from contourlab.metrics import judge
-from contourlab.metrics.judge import furthest, planning_deviation
+from contourlab.metrics.judge import furthest, judge, planning_deviation
 from contourlab.result import ResultWriter, Status
 from contourlab.result.atomic import replacing
 

@@ -14,7 +14,9 @@ from contourlab.features.run.verdict import unexplained
 from contourlab.feed import Reference
 from contourlab.feed.planner import Binding, limiting
 from contourlab.figures import listing
-from contourlab.metrics import circles_of, judge, summarise
+from contourlab.metrics.circles import circles_of
+from contourlab.metrics.figures import summarise
+from contourlab.metrics.judge import judge
 from contourlab.program import Program
 from contourlab.rendering.data import FeedRun, JudgedRun, Provenance, ReportData
 from contourlab.rendering.html import write_html

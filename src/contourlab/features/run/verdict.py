@@ -17,8 +17,8 @@ from contourlab.features.run.remedies import remedies
 from contourlab.feed import Reference
 from contourlab.findings import finding
 from contourlab.loop import Controller, Machine, simulate
-from contourlab.metrics import judge, judged_part
-from contourlab.metrics.figures import left_out
+from contourlab.metrics.figures import judged_part, left_out
+from contourlab.metrics.judge import judge
 from contourlab.rendering.judgement import Verdict, Worst
 from contourlab.result import Result
 from contourlab.threads import in_threads

@@ -12,7 +12,7 @@ import numpy as np
 
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array, Flags
-from contourlab.errors import ParameterError, UnitError, check_known, refuse
+from contourlab.errors import ParameterError, check_known, refuse, refused
 from contourlab.features.sensitivity.curves import CHANGE, Curve, Local, curves, local
 from contourlab.features.sensitivity.options import STAGES, Plan
 from contourlab.figures import figure, grouped, listing
@@ -97,16 +97,13 @@ def distributions(space: Space, kind: str = UNIFORM, deviations: Sequence[str] =
 
 def _deviation(variable: DesignVariable, text: str) -> float:
     unit = variable.display_unit
-    try:
+    with refused("--deviation", text, f"a deviation of {variable.short} above 0, such as 5 %{f' or 2 {unit}' if unit else ''}"):
         if text.endswith("%"):
             deviation = abs(variable.value) * float(text[:-1]) / 100.0
         else:
             deviation = read_number(text if variable.unit else float(text), variable.unit, variable.display)
         if not 0.0 < deviation < math.inf:
             raise ValueError
-    except (UnitError, ValueError) as error:
-        wanted = f"a deviation of {variable.short} above 0, such as 5 %{f' or 2 {unit}' if unit else ''}"
-        raise ParameterError("--deviation", repr(text), wanted) from error
     return deviation
 
 

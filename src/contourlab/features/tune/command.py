@@ -27,7 +27,7 @@ from contourlab.figures import figure, grouped, listing
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller
 from contourlab.metrics.run_figures import FIGURES
-from contourlab.rendering.charts import Chart, Curve, Panel
+from contourlab.rendering.charts import Chart, Curve, Panel, traces_chart
 from contourlab.rendering.margin_words import decibel, degrees
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
@@ -301,50 +301,42 @@ def _drives(tuned: Tuned) -> Table:
 
 
 SMALLEST = 1e-12
-Trace = tuple[str, Array, Array]
-"""Name, x and y of a curve."""
 
 
 def tuning_charts(goal: Goal, tuned: Tuned) -> Iterator[Chart]:
     """Yield the pictures of a calibration."""
     scale = 1e6 if goal.unit.startswith("um") else 1.0
     label = f"{goal.label} [{goal.unit}]" if goal.unit else goal.label
-    steps, progress = tuned.path.steps, list[Trace]()
+    steps, progress = tuned.path.steps, dict[str, tuple[Array, ...]]()
     if steps:
         runs = np.cumsum([0, *(len(step.values) for step in steps)]).astype(float)
         reached = scale * np.array([tuned.start_objective, *(step.objective_after for step in steps)])
-        progress.append(("one parameter at a time", *_positive(runs, reached)))
+        progress["one parameter at a time"] = _positive(runs, reached)
     if tuned.global_result is not None:
         runs, best = tuned.global_result.search.course.T
-        progress.append(("all parameters at once", *_positive(runs, scale * best)))
+        progress["all parameters at once"] = _positive(runs, scale * best)
     if progress:
-        panel = Panel("runs", label, _curves(progress), log_y=True)
         caption = "Objective over runs: after each step of the sequential procedure; for the global search, the best so far."
-        yield Chart("tune-course", "Progress of the calibration", caption, (panel,), panel_height=320)
+        more: dict[str, Any] = {"caption": caption, "level": None, "panel_height": 320, "log_y": True}
+        yield traces_chart("tune-course", "Progress of the calibration", ("runs", label), progress, **more)
     varied = ((step.variable.short.partition("."), step) for step in steps if step.stage != "repair" and step.before)
     axes = grouped((axis, (name, *_positive(step.values / step.before, scale * step.objectives))) for (axis, _, name), step in varied)
     if axes:
-        around = ((axis, lines, all((x > 0.0).all() for _, x, _ in lines)) for axis, lines in axes.items())
-        panels = tuple(
-            Panel("value / previous value", f"{axis}: {label}", _curves(lines, 2), log_x=log_x, log_y=True) for axis, lines, log_x in around
-        )
+        panels = []
+        for axis, lines in axes.items():
+            curves = (Curve(x, y, name, *scheme_style(i, max(len(lines), 2))) for i, (name, x, y) in enumerate(lines))
+            log_x = all((x > 0.0).all() for _, x, _ in lines)
+            panels.append(Panel("value / previous value", f"{axis}: {label}", tuple(curves), log_x=log_x, log_y=True))
         caption = (
             "Each curve varies one parameter, with all others at their values of that step. A flat curve: the parameter hardly matters."
         )
-        yield Chart("tune-lines", "One parameter at a time", caption, panels, panel_height=320)
-    errors = list[Trace]()
-    for name, run in (("before", tuned.before.run), ("after", tuned.after.run)):
-        if run is not None:
-            half = len(run.time) // 2
-            errors.append((name, run.time[half:], 1e6 * run["contour_error"][half:]))
-    if errors:
-        panel = Panel("time [s]", "contour error [um]", _curves(errors))
-        yield Chart("tune-error", "Contour error before and after", "Second half of the run.", (panel,))
-
-
-def _curves(traces: Sequence[Trace], least: int = 1) -> tuple[Curve, ...]:
-    count = max(len(traces), least)
-    return tuple(Curve(x, y, name, *scheme_style(i, count)) for i, (name, x, y) in enumerate(traces))
+        yield Chart("tune-lines", "One parameter at a time", caption, tuple(panels), panel_height=320)
+    halves = (
+        (name, run, slice(len(run.time) // 2, None)) for name, run in (("before", tuned.before.run), ("after", tuned.after.run)) if run
+    )
+    if errors := {name: (run.time[half], 1e6 * run["contour_error"][half]) for name, run, half in halves}:
+        labels, caption = ("time [s]", "contour error [um]"), "Second half of the run."
+        yield traces_chart("tune-error", "Contour error before and after", labels, errors, caption=caption, level=None)
 
 
 def _positive(x: Array, y: Array) -> tuple[Array, Array]:

@@ -12,9 +12,8 @@ from contourlab.analysis.linear.margins import Margins
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.errors import DivergenceError, ParameterError, refuse
-from contourlab.metrics import judge
 from contourlab.metrics.figures import judged_part
-from contourlab.metrics.judge import check_follows
+from contourlab.metrics.judge import check_follows, judge
 from contourlab.metrics.run_figures import EFFORT, FIGURES, figures_from, figures_of_run, goal_named, needs
 from contourlab.result import Result
 from contourlab.study import Runner, Setting, Space

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from itertools import chain
 
-from contourlab.analysis.learning.learning_analysis import FrequencyLearning, frequency_learning
+from contourlab.analysis.learning.factors import FrequencyLearning, frequency_learning
 from contourlab.analysis.linear.coupled_loop import coupled_loop
 from contourlab.loop import Controller, Machine
 from contourlab.papers.gecer_ulu.setup import COUNTING, EXPERIMENT, KAPPA, SIMULATION, TRIALS, controller_of, course, law_of, machine_of

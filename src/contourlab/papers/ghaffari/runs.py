@@ -11,7 +11,9 @@ import numpy as np
 from contourlab.feed import Reference, uniform
 from contourlab.geometry import contour
 from contourlab.loop import simulate, simulate_batch
-from contourlab.metrics import Metrics, judge, reversal_spikes, summarise
+from contourlab.metrics.figures import Metrics, summarise
+from contourlab.metrics.judge import judge
+from contourlab.metrics.reversals import reversal_spikes
 from contourlab.papers.ghaffari.setup import FITTED, TABLE_3, Gains, Reading, circle, controller, machine
 from contourlab.papers.rows import INPUT, Row, derived, identity, ours, printed
 from contourlab.result import Result

@@ -14,7 +14,8 @@ from contourlab.features.swap.search import SwapSettings
 from contourlab.features.swap.study import NoDesignError, SwapStudy, swap_study
 from contourlab.features.swap.variants import Variants, losses, variants_of
 from contourlab.loop import parameters_of, simulate
-from contourlab.metrics import judge, summarise
+from contourlab.metrics.figures import summarise
+from contourlab.metrics.judge import judge
 from contourlab.papers.ghaffari.runs import PRINTED
 from contourlab.papers.ghaffari.setup import TABLE_3, Reading, axis, circle, controller, machine
 from contourlab.papers.rows import Row, ours, printed

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +12,7 @@ from contourlab.arrays import Array
 from contourlab.papers.shahin import setup
 from contourlab.papers.shahin.runs import third_lap
 from contourlab.papers.shahin.setup import Setting
-from contourlab.rendering.charts import Chart, Curve, PolarChart, ring_spacing, traces_chart
+from contourlab.rendering.charts import Chart, Curve, Level, PolarChart, traces_chart
 from contourlab.rendering.plots import write_charts
 from contourlab.rendering.style import scheme_style
 
@@ -39,7 +40,7 @@ def draw(folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
     for number, (name, run) in zip((11, 12, 13), schemes.items(), strict=True):
         rate = {f"scheme {name}": (run["time"], np.hypot(*run["axis_velocity"].T) * 60.0)}
         title = f"Fig {number}: overall feedrate, scheme {name}"
-        charts.append(traces_chart(f"shahin-fig-{number}", title, ("time [s]", "feedrate [m/min]"), rate, level=8.0))
+        charts.append(traces_chart(f"shahin-fig-{number}", title, ("time [s]", "feedrate [m/min]"), rate, level=Level(8.0, "")))
     return write_charts(charts, folder, formats)
 
 
@@ -50,6 +51,5 @@ def _circle(key: str, title: str, runs: Mapping[str, Mapping[str, Array]]) -> Po
         x, y = run["axis_position"].T
         deviation = (np.hypot(x, y) - setup.RADIUS) * 1e6
         curves.append(Curve(np.degrees(np.unwrap(np.arctan2(y, x))), deviation, name, *scheme_style(i, len(runs))))
-    division, span = ring_spacing(max(float(np.abs(curve.y).max()) for curve in curves))
-    caption = f"Ring spacing {division:g} um of radial deviation."
-    return PolarChart(key, title, caption, tuple(curves), division, (-2.0 * span, span), setup.RADIUS)
+    chart = PolarChart(key, title, "", tuple(curves), setup.RADIUS)
+    return replace(chart, caption=f"Ring spacing {chart.spacing[0]:g} um of radial deviation.")

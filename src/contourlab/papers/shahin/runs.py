@@ -14,7 +14,8 @@ from contourlab.arrays import Array
 from contourlab.feed import AxisLimits, Reference, plan, route_from_path
 from contourlab.geometry import Line, Path
 from contourlab.loop import Controller, Machine, simulate, simulate_blocks
-from contourlab.metrics import judge, summarise
+from contourlab.metrics.figures import summarise
+from contourlab.metrics.judge import judge
 from contourlab.papers.shahin import setup
 from contourlab.papers.shahin.setup import Setting
 from contourlab.scenario import load_scenario

@@ -14,7 +14,8 @@ from contourlab.features.measure.study import Measured, measure
 from contourlab.feed import AxisLimits, blended, plan, route_from_program, uniform
 from contourlab.feed.reference import Reference
 from contourlab.geometry import Line, Path
-from contourlab.metrics import Metrics, judge, summarise
+from contourlab.metrics.figures import Metrics, summarise
+from contourlab.metrics.judge import judge
 from contourlab.program import parse_program
 from contourlab.result import Result, Signal, Status
 

@@ -19,8 +19,8 @@ from contourlab.features.sensitivity.study import distributions, ranking, sensit
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import AxisController, Controller, Machine, simulate
-from contourlab.metrics import judge as judged
-from contourlab.metrics import summarise
+from contourlab.metrics.figures import summarise
+from contourlab.metrics.judge import judge as judged
 from contourlab.papers.ghaffari.setup import TABLE_3, Reading, controller, machine
 from contourlab.study import DesignVariable, Runner, Setting, Space
 from contourlab.study.checkpoint import Checkpoint
