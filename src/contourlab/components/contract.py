@@ -24,8 +24,9 @@ from types import FunctionType, SimpleNamespace
 from typing import Any, ClassVar, dataclass_transform
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Complex
 from contourlab.components.families import FAMILIES as FAMILIES
 from contourlab.components.families import FAMILY, size_of
 from contourlab.components.origin import Origin
@@ -262,6 +263,13 @@ class LinearModel:
     d: Array
     inputs: tuple[str, ...]
     outputs: tuple[str, ...]
+
+
+def response_of(a: Array, b: Array, c: Array, d: ArrayLike, points: ArrayLike) -> Complex:
+    """Return C (s I - A)^-1 B + D for each complex point s (n,): (n, n_output, n_input)."""
+    s = np.atleast_1d(np.asarray(points, dtype=complex))
+    inner = np.linalg.solve(s[:, None, None] * np.eye(len(a)) - a, np.broadcast_to(b.astype(complex), (s.size, *b.shape)))
+    return np.asarray(c @ inner + d)
 
 
 @dataclass_transform(field_specifiers=(param, text_param), kw_only_default=True, frozen_default=True)

@@ -28,7 +28,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Complex, Flags
-from contourlab.components.contract import Component, LinearModel
+from contourlab.components.contract import Component, LinearModel, response_of
 from contourlab.components.ideal import TrueVelocity
 from contourlab.components.mechanics.discretise import low_pass_weight
 from contourlab.components.plant.two_inertia import TwoInertia
@@ -145,9 +145,7 @@ class BacklashLoop:
         self.require_one_controller("a transfer function")
         scale, w = self.balance, np.asarray(frequency, dtype=float)
         a, b, c = self.a * scale / scale[:, None], self.b / scale, self.c * scale
-        matrix = 1j * w.reshape(-1, 1, 1) * np.eye(self.n) - a
-        response = np.linalg.solve(matrix, np.broadcast_to(b[:, None], (w.size, self.n, 1)).astype(complex))
-        return np.asarray((response[..., 0] @ c).reshape(w.shape))
+        return np.asarray(response_of(a, b[:, None], c[None, :], 0.0, 1j * w.ravel()).reshape(w.shape))
 
     def at(self, frequency: float) -> complex:
         """Return G(j w) at one frequency [rad/s]."""
