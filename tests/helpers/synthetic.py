@@ -9,12 +9,12 @@ import numpy as np
 
 from contourlab.analysis.linear.margins import Margins
 from contourlab.components.drive.saturation import Saturation
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.plant import RigidAxis
 from contourlab.feed import Reference, uniform
 from contourlab.findings import finding
 from contourlab.geometry import Path, contour
 from contourlab.loop import Axis, Machine
-from contourlab.loop.axis_parts import Limits
+from contourlab.loop.machine import Limits
 from contourlab.metrics import circles_of, judge, reversal_spikes, summarise
 from contourlab.rendering.data import ClosedLoop, JudgedRun, Provenance, ReportData
 from contourlab.rendering.judgement import Cause, Verdict, Worst

@@ -265,7 +265,7 @@ class LinearModel:
     outputs: tuple[str, ...]
 
 
-def response_of(a: Array, b: Array, c: Array, d: ArrayLike, points: ArrayLike) -> Complex:
+def response_of(a: Array, b: Array, c: Array, d: Array | float, points: ArrayLike) -> Complex:
     """Return C (s I - A)^-1 B + D for each complex point s (n,): (n, n_output, n_input)."""
     s = np.atleast_1d(np.asarray(points, dtype=complex))
     inner = np.linalg.solve(s[:, None, None] * np.eye(len(a)) - a, np.broadcast_to(b.astype(complex), (s.size, *b.shape)))

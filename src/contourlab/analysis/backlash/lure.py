@@ -30,7 +30,7 @@ from numpy.typing import ArrayLike
 from contourlab.arrays import Array, Complex, Flags
 from contourlab.components.contract import Component, LinearModel, response_of
 from contourlab.components.ideal import TrueVelocity
-from contourlab.components.mechanics.discretise import low_pass_weight
+from contourlab.components.mechanics.propagator import low_pass_weight
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.errors import ComponentError, ParameterError

@@ -28,9 +28,7 @@ from numpy.typing import ArrayLike
 from contourlab.analysis.linear.coupled_loop import CoupledLoop, TrialMap, coupled_loop, impulse_responses
 from contourlab.analysis.linear.margins import doubling
 from contourlab.arrays import Array, Complex
-from contourlab.components.learning.error_law import ZeroPhase
-from contourlab.components.learning.law import LearningLaw, LearningProblem, TrialRecord, q_response
-from contourlab.components.learning.least_squares import NormOptimal, PlantInversion
+from contourlab.components.learning.law import LearningLaw, LearningProblem, NormOptimal, PlantInversion, TrialRecord, ZeroPhase, q_response
 from contourlab.errors import ComponentError
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding

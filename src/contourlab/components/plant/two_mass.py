@@ -7,7 +7,7 @@ from typing import Any
 
 from contourlab.components.contract import param
 from contourlab.components.families import TWO_SIDED
-from contourlab.components.plant.ball_screw import BallScrew
+from contourlab.components.plant.plant import BallScrew
 from contourlab.components.plant.two_sided import TwoSided
 
 
