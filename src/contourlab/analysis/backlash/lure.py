@@ -102,10 +102,6 @@ class BacklashLoop:
         """`e`, or zeros (n, 3)."""
         return np.zeros((self.n, N_REFERENCE)) if self.e is None else self.e
 
-    def reference_input_in(self, gap: bool) -> Array:
-        """Input of the reference in the gap, or in contact (n, 3)."""
-        return self.reference_input if gap or self.contact_e is None else self.contact_e
-
     @property
     def rate(self) -> Array:
         """Row of the velocity of the motor-load difference, theta_d' = c a x (n,)."""

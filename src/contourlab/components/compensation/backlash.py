@@ -1,4 +1,7 @@
-"""Compensation at reversals: the offset of numerical controls, the inverse of backlash, and pulses against quadrant peaks."""
+"""Compensation at reversals: the offset of numerical controls, the inverse of backlash, and pulses against quadrant peaks.
+
+The pushed side, and the moves of a shift from one side of the gap to the other, serve them all.
+"""
 
 from __future__ import annotations
 
@@ -246,32 +249,6 @@ def learnt(par: Any, x: Any, apart: float, side: float, learning: float) -> tupl
     return right - beyond, left + beyond, maximum(x.known, learning)
 
 
-def slopes(par: Any) -> tuple[Any, ...]:
-    """Return the slopes of the characteristic below a_1 and from a_2 to a_3, and the start of the latter."""
-    first, second, third = (np.asarray(a, dtype=float) for a in (par.acceleration_1, par.acceleration_2, par.acceleration_3))
-    rise = np.where(first > 0.0, 1.0 / np.where(first > 0.0, first, 1.0), 0.0)
-    # An infinite a_3 gives no fall, equal a_2 and a_3 no line.
-    line = np.isfinite(third) & (third > second)
-    knee = np.where(line, second, 0.0)
-    fall = np.where(line, (par.fast_ratio - 1.0) / (np.where(line, third, 1.0) - knee), 0.0)
-    return rise, fall, knee
-
-
-def check_characteristic(part: Any) -> None:
-    """Raise unless the accelerations of a characteristic ascend.
-
-    Raises
-    ------
-    ParameterError
-        With the acceleration that is below the one before it.
-    """
-    if math.isinf(part.acceleration_2) and not math.isinf(part.acceleration_3):
-        raise ParameterError("acceleration_2", "not given", "given together with acceleration_3", "m/s^2")
-    for low, high in (("acceleration_1", "acceleration_2"), ("acceleration_2", "acceleration_3")):
-        if not getattr(part, low) <= getattr(part, high):
-            raise ParameterError(high, f"{getattr(part, high):g}", f">= {low}, {getattr(part, low):g}", "m/s^2")
-
-
 def strength(par: Any, acceleration: float) -> float:
     """Return the factor on all pulses for the acceleration at the reversal, by the characteristic."""
     a = fabs(acceleration)
@@ -288,12 +265,6 @@ def rectangle(since: float, width: float, slack: float) -> float:
 def decay(since: float, width: float, slack: float) -> float:
     """Return exp(-t/width) from 0 on, else 0; the start may be early by `slack`."""
     return select(since >= -slack, exp(-clip(since / width, 0.0, 1000.0)), 0.0)
-
-
-def pulse_states(par: Any, x: Any, side: float, acceleration: float, clock: Any) -> tuple[float, float]:
-    """Return time and pulse strength of the last reversal; the strength is 0 before the first one."""
-    turned = x.side * side < 0.0
-    return select(turned, clock.t, x.reversed_at), select(turned, strength(par, acceleration), x.strength)
 
 
 SHAPES = {"rectangle": rectangle, "decay": decay}
@@ -365,15 +336,28 @@ class QuadrantPulses(Component):
     shape: str = text_param(default="rectangle", choices=tuple(SHAPES), doc="a stage lasts its width, or decays with it")
 
     def check_values(self) -> None:
-        check_characteristic(self)
+        if math.isinf(self.acceleration_2) and not math.isinf(self.acceleration_3):
+            raise ParameterError("acceleration_2", "not given", "given together with acceleration_3", "m/s^2")
+        for low, high in (("acceleration_1", "acceleration_2"), ("acceleration_2", "acceleration_3")):
+            if not getattr(self, low) <= getattr(self, high):
+                raise ParameterError(high, f"{getattr(self, high):g}", f">= {low}, {getattr(self, low):g}", "m/s^2")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
-        return slopes(par)
+        # The slopes of the characteristic below a_1 and from a_2 to a_3, and the start of the latter.
+        first, second, third = (np.asarray(a, dtype=float) for a in (par.acceleration_1, par.acceleration_2, par.acceleration_3))
+        rise = np.where(first > 0.0, 1.0 / np.where(first > 0.0, first, 1.0), 0.0)
+        # An infinite a_3 gives no fall, equal a_2 and a_3 no line.
+        line = np.isfinite(third) & (third > second)
+        knee = np.where(line, second, 0.0)
+        fall = np.where(line, (par.fast_ratio - 1.0) / (np.where(line, third, 1.0) - knee), 0.0)
+        return rise, fall, knee
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any, *, shape: str) -> Any:
         side = pushed_side(inp.reference_velocity, par.reversal_velocity, x.side)
-        moment, size = pulse_states(par, x, side, inp.reference_acceleration, clock)
+        turned = x.side * side < 0.0
+        moment = select(turned, clock.t, x.reversed_at)
+        size = select(turned, strength(par, inp.reference_acceleration), x.strength)
         command, shift = pulses(par, side, moment, size, clock, shape)
         return (side, moment, size), (shift, command)
 

@@ -16,7 +16,7 @@ from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.plant.plant import BallScrew, MassDamper, Plant
-from contourlab.components.plant.two_mass import ElasticBallScrew, TwoMass
+from contourlab.components.plant.two_sided import ElasticBallScrew, TwoMass
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.errors import ParameterError
 from contourlab.loop import Axis, AxisController, Controller, Machine
