@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.components.contract import Component, LinearModel, response_of
+from contourlab.components.contract import Component, LinearModel, fault, file_of_class, line_in, response_of
 from contourlab.components.declaration import check_class, check_documents, form_of
 from contourlab.components.learning.law import LearningLaw, LearningProblem, TrialRecord
-from contourlab.components.place import fault, file_of_class, line_in
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.step import Node, Schedule, Step, record, rows
 from contourlab.engine.translate.step_graph import graph_of
