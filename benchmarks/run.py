@@ -23,12 +23,12 @@ import numpy as np
 
 import contourlab as cl
 from contourlab.components.controller.position import PositionController
-from contourlab.components.coupling.modified_reference import ModifiedReference
+from contourlab.components.coupling.laws import ModifiedReference
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.estimator.newton import Newton
 from contourlab.components.friction.laws import SmoothCoulomb
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.plant import RigidAxis
 from contourlab.geometry.view import view_of
 
 HERE = Path(__file__).resolve().parent

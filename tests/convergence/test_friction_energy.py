@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from contourlab.components.contract import Component
 from contourlab.components.friction.laws import Coulomb, LuGre, Rising, SmoothCoulomb
 from contourlab.components.mechanics.core import link
-from contourlab.components.plant.mass_damper import MassDamper
+from contourlab.components.plant.plant import MassDamper
 from contourlab.components.registry import components
 from contourlab.engine.step import record
 from contourlab.primitives import Clock

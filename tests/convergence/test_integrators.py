@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 
 from contourlab.components.friction.laws import Coulomb, LuGre, NoFriction
 from contourlab.components.mechanics.core import link
-from contourlab.components.plant.mass_damper import MassDamper
+from contourlab.components.plant.plant import MassDamper
 from contourlab.engine.step import record
 from contourlab.primitives import Clock
 

@@ -16,7 +16,7 @@ from two_mass_rig import DRIVE, NONE, Drive, energy, random_command
 
 from contourlab.components.friction.laws import Coulomb, LuGre, SmoothCoulomb
 from contourlab.components.mechanics.core import link
-from contourlab.components.plant.ball_screw import BallScrew
+from contourlab.components.plant.plant import BallScrew
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.errors import ComponentError
 

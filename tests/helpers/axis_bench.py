@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from contourlab.components.controller.position import PositionController
 from contourlab.engine.runner import make_group
 from contourlab.geometry import Line, Path
-from contourlab.loop.axis_parts import Limits
-from contourlab.loop.machine import Axis, AxisController, Controller, Machine
+from contourlab.loop.machine import Axis, AxisController, Controller, Limits, Machine
 from contourlab.loop.simulate import jit_enabled
 from contourlab.loop.template import build
 

@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from contourlab.components.contract import Component
+from contourlab.components.controller.pid import SpeedPID
 from contourlab.components.controller.position import PositionController
-from contourlab.components.controller.speed_pid import SpeedPID
 from contourlab.components.drive.saturation import DelayedSaturation, Saturation
 from contourlab.components.estimator.local import Tangent
 from contourlab.components.plant.lagged_mass import SecondOrderIntegrator
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.plant import RigidAxis
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 
 PERIOD = 1e-3

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, param, text_param
-from contourlab.components.coupling.modified_reference import ModifiedReference
+from contourlab.components.coupling.laws import ModifiedReference
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.friction.laws import Coulomb, SmoothCoulomb
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
-from contourlab.components.plant.mass_damper import MassDamper
+from contourlab.components.plant.plant import MassDamper
 from contourlab.engine.step import Port
 from contourlab.primitives import lookup
 

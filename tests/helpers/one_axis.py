@@ -9,7 +9,7 @@ from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.ideal import TrueVelocity
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.plant import RigidAxis
 from contourlab.loop.machine import Axis, AxisController
 
 T, A, B = 1e-3, 0.9, 1.0

@@ -9,12 +9,12 @@ import numpy as np
 
 from contourlab.analysis.linear.margins import Margins
 from contourlab.components.drive.saturation import Saturation
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.plant import RigidAxis
 from contourlab.feed import Reference, uniform
 from contourlab.findings import finding
 from contourlab.geometry import Path, contour
 from contourlab.loop import Axis, Machine
-from contourlab.loop.axis_parts import Limits
+from contourlab.loop.machine import Limits
 from contourlab.metrics.circles import circles_of
 from contourlab.metrics.figures import summarise
 from contourlab.metrics.judge import judge

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from contourlab.components.controller.position import PositionController
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.plant import RigidAxis
 from contourlab.feed import Reference, uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Machine

@@ -20,15 +20,14 @@ from contourlab.components.contract import Component
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.controller.pid import PID
 from contourlab.components.controller.position import PositionController
-from contourlab.components.coupling.modified_reference import ModifiedReference
+from contourlab.components.coupling.laws import ModifiedReference
 from contourlab.components.disturbance.loads import ForceRipple
 from contourlab.components.drive.saturation import DelayedSaturation, Saturation
 from contourlab.components.estimator.local import OsculatingCircle
 from contourlab.components.friction.laws import Coulomb
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
 from contourlab.components.plant.lagged_mass import LinearMotor
-from contourlab.components.plant.mass_damper import MassDamper
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.plant import MassDamper, RigidAxis
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.components.velocity.filtered_difference import FilteredDifference

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.components.sensor.quadrature_encoder import (
+from contourlab.components.sensor.encoder import (
     DERIVED,
     LEAST_COVARIANCE,
     STATES,

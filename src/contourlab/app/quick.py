@@ -9,8 +9,7 @@ from time import process_time
 
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference
-from contourlab.feed.profile import WHOLE, Judged
-from contourlab.feed.reference import CHUNK
+from contourlab.feed.reference import CHUNK, WHOLE, Judged
 
 PLANNED = 40.0
 """Time planned for a quick answer on two cores [s]: a minute, less a third for reading, planning, compiling and writing."""

@@ -127,7 +127,7 @@ def _in_typed_words(error: BaseException, typed: Sequence[str]) -> str:
 
 def _fault_of_plugin(error: BaseException) -> str:
     """Return place and text of an error raised by the code of a plug-in, or an empty text."""
-    place = sys.modules.get("contourlab.components.place")  # absent: no plug-in was loaded
+    place = sys.modules.get("contourlab.components.contract")  # absent: no plug-in was loaded
     return "" if place is None else str(place.raised_in_plugin(error))
 
 

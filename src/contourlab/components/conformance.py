@@ -8,11 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.arrays import Array, Complex
-from contourlab.components.contract import Component, LinearModel
+from contourlab.arrays import Array
+from contourlab.components.contract import Component, LinearModel, fault, file_of_class, line_in, response_of
 from contourlab.components.declaration import check_class, check_documents, form_of
 from contourlab.components.learning.law import LearningLaw, LearningProblem, TrialRecord
-from contourlab.components.place import fault, file_of_class, line_in
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.step import Node, Schedule, Step, record, rows
 from contourlab.engine.translate.step_graph import graph_of
@@ -388,14 +387,10 @@ def _linear_fault(model: LinearModel, step: Step, part: Component) -> str:
     sampled = _sampled(step, {**part.block(period), **tables}, period)
     chosen = np.ix_([outputs.index(name) for name in model.outputs], [inputs.index(name) for name in model.inputs])
     for w in np.geomspace(0.1 * rates.min(), rates.max(), 7):
-        expected, actual = _response(*matrices, 1j * w), _response(*sampled, np.exp(1j * w * period))[chosen]
+        expected, actual = response_of(*matrices, 1j * w)[0], response_of(*sampled, np.exp(1j * w * period))[0][chosen]
         for i, j in np.argwhere(~(np.abs(actual - expected) <= TOLERANCE * np.abs(expected))):
             return f"from {model.inputs[j]} to {model.outputs[i]} at {w:.3g} rad/s {expected[i, j]:.4g}, but the step {actual[i, j]:.4g}"
     return ""
-
-
-def _response(a: Array, b: Array, c: Array, d: Array, point: complex) -> Complex:
-    return np.asarray(c @ np.linalg.solve(point * np.eye(len(a)) - a, b.astype(complex)) + d)
 
 
 def _sampled(step: Step, values: dict[str, Any], period: float) -> tuple[Array, Array, Array, Array]:

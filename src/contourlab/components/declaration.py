@@ -8,9 +8,8 @@ import inspect
 import math
 import re
 
-from contourlab.components.contract import Component, Parameter
+from contourlab.components.contract import Component, Parameter, fault
 from contourlab.components.families import FAMILY, Form, size_of
-from contourlab.components.place import fault
 from contourlab.engine.step import Port
 from contourlab.errors import ComponentError, ContourlabError, UnitError
 from contourlab.units import in_si, same_dimension

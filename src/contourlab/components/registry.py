@@ -18,9 +18,8 @@ from pathlib import Path
 from types import CodeType, ModuleType
 from typing import Any
 
-from contourlab.components.contract import FAMILIES, Component
+from contourlab.components.contract import FAMILIES, Component, fault, file_of_class
 from contourlab.components.declaration import check_class
-from contourlab.components.place import fault, file_of_class
 from contourlab.engine.translate.outer import TYPED
 from contourlab.errors import ComponentError, ContourlabError, error_text, hint
 

@@ -128,12 +128,9 @@ _OPERATIONS: dict[str, Any] = {"fma": _fma, "rint": _rint, "select": _select, "o
 
 def _compiled(function: Any) -> Any:
     """Return a polynomial in machine code."""
-    called = {name: _compiled(value) for name, value in _functions_of(function).items() if name not in _OPERATIONS}
+    known = function.__globals__
+    called = {name: _compiled(known[name]) for name in function.__code__.co_names if name in known and name not in _OPERATIONS}
     return njit(**INLINE)(FunctionType(function.__code__, _OPERATIONS | called, function.__name__))
-
-
-def _functions_of(function: Any) -> dict[str, Any]:
-    return {name: function.__globals__[name] for name in function.__code__.co_names if name in function.__globals__}
 
 
 poly_sin, poly_cos = _compiled(polynomials.sin), _compiled(polynomials.cos)

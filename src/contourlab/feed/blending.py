@@ -84,7 +84,6 @@ def merged(route: Route) -> Route:
     return replace(
         route,
         path=planned,
-        programmed=route.programmed,
         correspondence=between if route.correspondence is None else route.correspondence.after(between),
         dwell=route.dwell[last],
         exact_stop=route.exact_stop[last],
@@ -453,7 +452,6 @@ def _assembled(route: Route, corners: Corners, reach: Array, points: Array) -> R
     return replace(
         route,
         path=planned,
-        programmed=route.programmed,
         correspondence=between if route.correspondence is None else route.correspondence.after(between),
         **{name: getattr(route, name)[side] for name in ("feedrate", "rapid", "source_line")},
         **{name: getattr(route, name)[owner] for name in ("dwell", "corner_tolerance", "merge_tolerance", "exact_stop")},

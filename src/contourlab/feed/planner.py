@@ -18,8 +18,7 @@ from contourlab.arrays import Array, Flags, Index, ranges
 from contourlab.errors import FeedError
 from contourlab.feed.bounds import N_SPAN, AxisLimits, Bounds, border_speeds, move_spans, peak_speed
 from contourlab.feed.pieces import Pieces, Segments, Survey, cut, sample_segments, split_at_stops, survey
-from contourlab.feed.profile import Profile
-from contourlab.feed.reference import Reference, lap_ranges, whole_samples
+from contourlab.feed.reference import Profile, Reference, lap_ranges, whole_samples
 from contourlab.feed.route import Route, junction_speed, junctions
 from contourlab.feed.smooth import smooth_motions
 

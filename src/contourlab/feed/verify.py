@@ -6,6 +6,7 @@ references. Differences are weighted means of the derivatives over the samples t
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from itertools import chain
 from typing import NamedTuple
@@ -218,14 +219,6 @@ class _Record:
         return tuple(entries)
 
 
-class _Records(NamedTuple):
-    velocity: _Record
-    acceleration: _Record
-    jerk: _Record
-    step: _Record
-    kink: _Record
-
-
 def limit_report(reference: Reference, limits: AxisLimits) -> LimitReport:
     """Find the largest velocity, acceleration and jerk of each axis.
 
@@ -270,13 +263,14 @@ def _report(reference: Reference, limits: AxisLimits, use: LineUse | None) -> Li
     noise = 2.0 * np.finfo(float).eps * extent * np.ones(limits.n_axis)
     eased = limits.jerk * period * (3 + 2 * wide)
     step_limit = np.where(np.isinf(limits.jerk), np.inf, limits.acceleration)
-    records = _Records(
-        _Record(limits.velocity, noise / period, 0, use),
-        _Record(limits.acceleration, 2.0 * noise / period**2, 1, use),
-        _Record(limits.jerk, 4.0 * noise / period**3, 2, use),
-        _Record(step_limit, 4.0 * noise / period**2, 3, use),
-        _Record(limits.acceleration * KINK_TIME, MOST_KINK * noise / period, 4, use),
-    )
+    kinds = {
+        "velocity": (limits.velocity, noise / period),
+        "acceleration": (limits.acceleration, 2.0 * noise / period**2),
+        "jerk": (limits.jerk, 4.0 * noise / period**3),
+        "curvature_step": (step_limit, 4.0 * noise / period**2),
+        "kink": (limits.acceleration * KINK_TIME, MOST_KINK * noise / period),
+    }
+    records = {name: _Record(*about, kind, use) for kind, (name, about) in enumerate(kinds.items())}
     path, curvature, direction = reference.path, curvature_jump(reference.path), direction_jump(reference.path)
     angle = np.linalg.norm(direction, axis=1)
     bends = _jumps(path, curvature, np.any(curvature != 0.0, axis=1))
@@ -286,13 +280,13 @@ def _report(reference: Reference, limits: AxisLimits, use: LineUse | None) -> Li
         passed, kinked = _check_block(reference, start, stop, records, bends, kinks, eased, wide)
         n_kink += kinked
         steps.append(passed)
-    velocity, acceleration, jerk, step, kink = (record.located(reference) for record in records)
     samples, sizes = (np.concatenate(column) for column in zip(*steps, strict=True))
-    return LimitReport(velocity, acceleration, jerk, step, kink, n_kink, CurvatureSteps(samples, sizes))
+    located = {name: record.located(reference) for name, record in records.items()}
+    return LimitReport(**located, n_kink=n_kink, steps=CurvatureSteps(samples, sizes))
 
 
 def _check_block(
-    reference: Reference, start: int, stop: int, records: _Records, bends: _Jumps, kinks: _Jumps, eased: Array, wide: int
+    reference: Reference, start: int, stop: int, records: Mapping[str, _Record], bends: _Jumps, kinks: _Jumps, eased: Array, wide: int
 ) -> tuple[CurvatureSteps, int]:
     """Add the samples [start, stop), and the neighbours they need, to the records; return the curvature steps and the number of kinks."""
     margin = 4 + wide
@@ -310,17 +304,17 @@ def _check_block(
         first = np.arange(index.size - order)
         return np.asarray(passed[np.clip(first - wide, 0, None)] == passed[np.clip(first + order + wide, None, index.size - 1)])
 
-    lines = None if records.velocity.use is None else reference.source_line(block.arc_length)
+    lines = None if records["velocity"].use is None else reference.source_line(block.arc_length)
 
     def of(rows: Index | Flags, first: int = 0) -> Index | None:
         """Return the program lines of some rows, the first of which is sample `low + first`."""
         return None if lines is None else lines[first:][: len(rows)][rows] if rows.dtype == bool else lines[first + rows]
 
-    records.velocity.add(np.abs(velocity), index[:-1], of(np.arange(len(velocity))))
+    records["velocity"].add(np.abs(velocity), index[:-1], of(np.arange(len(velocity))))
     smooth = clear(n_kink, 2)
-    records.acceleration.add(np.abs(acceleration[smooth]), index[1:-1][smooth], of(smooth, 1))
+    records["acceleration"].add(np.abs(acceleration[smooth]), index[1:-1][smooth], of(smooth, 1))
     smooth = clear(n_jump, 3)
-    records.jerk.add(np.abs(jerk[smooth]), index[1 : 1 + jerk.shape[0]][smooth], of(smooth, 1))
+    records["jerk"].add(np.abs(jerk[smooth]), index[1 : 1 + jerk.shape[0]][smooth], of(smooth, 1))
     around = np.linalg.norm(velocity, axis=1)
     # A step between rows i and i + 1 shows between the second differences centred at i + 2 + wide and i - 1 - wide.
     at = np.flatnonzero(np.diff(n_jump) != 0)
@@ -332,13 +326,13 @@ def _check_block(
     passed = n_bend[row], n_bend[row + 1]
     speed = _speed_at(bends.first(*passed), row, around, block.arc_length, wide)
     size[bend] = np.maximum(size[bend], bends.largest(*passed) * speed[:, None] ** 2)
-    records.step.add(size, index[at], of(at))
+    records["curvature_step"].add(size, index[at], of(at))
     # Row k spans a kink between the samples k and k + 1.
     turn = np.flatnonzero(np.diff(n_kink) != 0)
     turn = turn[(turn - 1 - wide >= 0) & (turn + 1 + wide < velocity.shape[0])]
     if turn.size:
-        slowest = np.maximum(_lowest(around, turn, wide) - 0.5 * period * float(np.max(records.acceleration.limit)), 0.0)
-        records.kink.add(kinks.largest(n_kink[turn], n_kink[turn + 1]) * slowest[:, None], index[turn], of(turn))
+        slowest = np.maximum(_lowest(around, turn, wide) - 0.5 * period * float(np.max(records["acceleration"].limit)), 0.0)
+        records["kink"].add(kinks.largest(n_kink[turn], n_kink[turn + 1]) * slowest[:, None], index[turn], of(turn))
     here = (index[row] >= start) & (index[row] < stop)
     n_turn = int(np.count_nonzero((index[turn] >= start) & (index[turn] < stop)))
     return CurvatureSteps(index[row[here]], size[bend][here]), n_turn

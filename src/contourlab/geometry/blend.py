@@ -141,51 +141,6 @@ def _inverted(c: Array) -> tuple[Array, Array, Flags]:
     return borders, np.ascontiguousarray(inverse.T).reshape(n, 4, _TERMS), np.asarray(good.reshape(n, 4).all(axis=1))
 
 
-class Blend(Curve):
-    """A quintic curve r(u) = sum of c_k u^k, u from 0 to 1, by arc length.
-
-    Parameters
-    ----------
-    coefficients : array_like (6, n_axis) [m]
-        Of the powers of u.
-
-    Raises
-    ------
-    GeometryError
-        If it has no length, or its speed is so uneven that u over arc length is not accurate to 1e-12; `blends` divides such curves.
-
-    Notes
-    -----
-    u over arc length is a Chebyshev series of 16 terms on each quarter of u.
-
-    >>> straight = Blend(quintic_bezier([[(0, 0), (1, 0), (2, 0), (3, 0), (4, 0), (5, 0)]])[0])
-    >>> round(straight.length, 12)
-    5.0
-    """
-
-    digest_parts = ("blend", "coefficients")
-
-    def __init__(self, coefficients: ArrayLike) -> None:
-        c = np.array(coefficients, dtype=float)
-        if c.ndim != 2 or c.shape[0] != 6 or c.shape[1] < 1 or not np.isfinite(c).all():
-            raise GeometryError(f"coefficients of shape {c.shape}: must be finite, (6, n_axis)")
-        borders, inverse, good = _inverted(c[None])
-        refuse(not good[0], GeometryError, "a blend without length, or too uneven for its series: use blends(), which divides it")
-        self._fill(c, borders[0], inverse[0], float(borders[0, -1]))
-
-    def _fill(self, coefficients: Array, borders: Array, inverse: Array, length: float) -> None:
-        self.coefficients, self.borders, self.inverse, self.length = coefficients, borders, inverse, length
-        self.n_axis = coefficients.shape[1]
-
-    @classmethod
-    def batch(cls, curves: Sequence[Blend]) -> Blends:
-        return Blends(curves)
-
-    def derivatives(self, s: ArrayLike, order: int = 3) -> Array:
-        along = np.atleast_1d(np.asarray(s, dtype=float))
-        return Blends([self]).derivatives(np.zeros(along.size, dtype=np.int64), along, order).transpose(0, 2, 1)
-
-
 def parameter(s: float, borders: Array, inverse: Array) -> float:
     """Return the parameter u of an arc length on one blend."""
     quarter = 3 if s >= borders[3] else 2 if s >= borders[2] else 1 if s >= borders[1] else 0
@@ -251,6 +206,44 @@ class Blends(CurveBatch):
             raw = _powers(coefficients, np.full(n, u))
             bend = np.maximum(bend, np.linalg.norm(by_arc_length(raw.transpose(0, 2, 1), 2)[2], axis=1))
         return np.asarray(np.divide(1.0, bend, out=np.full(n, np.inf), where=bend > 0.0))
+
+
+class Blend(Curve):
+    """A quintic curve r(u) = sum of c_k u^k, u from 0 to 1, by arc length.
+
+    Parameters
+    ----------
+    coefficients : array_like (6, n_axis) [m]
+        Of the powers of u.
+
+    Raises
+    ------
+    GeometryError
+        If it has no length, or its speed is so uneven that u over arc length is not accurate to 1e-12; `blends` divides such curves.
+
+    Notes
+    -----
+    u over arc length is a Chebyshev series of 16 terms on each quarter of u.
+
+    >>> straight = Blend(quintic_bezier([[(0, 0), (1, 0), (2, 0), (3, 0), (4, 0), (5, 0)]])[0])
+    >>> round(straight.length, 12)
+    5.0
+    """
+
+    digest_parts = ("blend", "coefficients")
+    batch = Blends
+
+    def __init__(self, coefficients: ArrayLike) -> None:
+        c = np.array(coefficients, dtype=float)
+        if c.ndim != 2 or c.shape[0] != 6 or c.shape[1] < 1 or not np.isfinite(c).all():
+            raise GeometryError(f"coefficients of shape {c.shape}: must be finite, (6, n_axis)")
+        borders, inverse, good = _inverted(c[None])
+        refuse(not good[0], GeometryError, "a blend without length, or too uneven for its series: use blends(), which divides it")
+        self._fill(c, borders[0], inverse[0], float(borders[0, -1]))
+
+    def _fill(self, coefficients: Array, borders: Array, inverse: Array, length: float) -> None:
+        self.coefficients, self.borders, self.inverse, self.length = coefficients, borders, inverse, length
+        self.n_axis = coefficients.shape[1]
 
 
 def blends(coefficients: ArrayLike) -> tuple[list[Blend], Index]:

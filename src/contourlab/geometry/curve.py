@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
+from abc import ABC
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import Any, ClassVar
@@ -12,58 +12,6 @@ from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Index
 from contourlab.errors import GeometryError, refuse
-
-
-class Curve(ABC):
-    """A smooth curve as a function of its arc length, from 0 to `length`.
-
-    Attributes
-    ----------
-    n_axis : int
-        Number of coordinates.
-    length : float [m], > 0
-    digest_parts : tuple of str
-        Name of the kind, and the attributes that define the curve.
-    """
-
-    n_axis: int
-    length: float
-    digest_parts: ClassVar[tuple[str, ...]]
-
-    @abstractmethod
-    def derivatives(self, s: ArrayLike, order: int = 3) -> Array:
-        """Return position and derivatives by arc length.
-
-        Parameters
-        ----------
-        s : array_like (n,) [m]
-            Within the curve.
-        order : int, 0 to 3
-            Highest derivative.
-
-        Returns
-        -------
-        ndarray (order + 1, n, n_axis)
-        """
-
-    @classmethod
-    def batch(cls, curves: Sequence[Any]) -> CurveBatch:
-        """Return an evaluator for many curves of this kind; frequent kinds have a faster one."""
-        return CurveBatch(curves)
-
-    def describe(self) -> bytes:
-        """Return the kind and all numbers that define the curve, for its digest."""
-        kind, *attributes = self.digest_parts
-        return kind.encode() + b"".join(np.asarray(getattr(self, name), dtype="<f8").tobytes() for name in attributes)
-
-    def position(self, s: ArrayLike) -> Array:
-        """Return positions (n, n_axis) [m]."""
-        return np.asarray(self.derivatives(s, 0)[0])
-
-    def smallest_radius(self) -> float:
-        """Return an estimate of the smallest radius of curvature [m], from samples; inf for a line."""
-        bend = np.linalg.norm(self.derivatives(np.linspace(0.0, self.length, 257), 2)[2], axis=1).max()
-        return float(1.0 / bend) if bend > 0.0 else float("inf")
 
 
 class CurveBatch:
@@ -123,6 +71,57 @@ class CurveBatch:
     def smallest_radii(self) -> Array:
         """Return the smallest radius of curvature (n_curve,) [m] of each curve."""
         return np.array([curve.smallest_radius() for curve in self.curves])
+
+
+class Curve(ABC):
+    """A smooth curve as a function of its arc length, from 0 to `length`.
+
+    Attributes
+    ----------
+    n_axis : int
+        Number of coordinates.
+    length : float [m], > 0
+    digest_parts : tuple of str
+        Name of the kind, and the attributes that define the curve.
+    batch : type
+        Evaluator for many curves of this kind; frequent kinds have a faster one, which evaluates a single curve too.
+    """
+
+    n_axis: int
+    length: float
+    digest_parts: ClassVar[tuple[str, ...]]
+    batch: ClassVar[type[CurveBatch]] = CurveBatch
+
+    def derivatives(self, s: ArrayLike, order: int = 3) -> Array:
+        """Return position and derivatives by arc length; unless a kind says otherwise, those of a batch of one.
+
+        Parameters
+        ----------
+        s : array_like (n,) [m]
+            Within the curve.
+        order : int, 0 to 3
+            Highest derivative.
+
+        Returns
+        -------
+        ndarray (order + 1, n, n_axis)
+        """
+        along = np.atleast_1d(np.asarray(s, dtype=float))
+        return self.batch([self]).derivatives(np.zeros(along.size, dtype=np.int64), along, order).transpose(0, 2, 1)
+
+    def describe(self) -> bytes:
+        """Return the kind and all numbers that define the curve, for its digest."""
+        kind, *attributes = self.digest_parts
+        return kind.encode() + b"".join(np.asarray(getattr(self, name), dtype="<f8").tobytes() for name in attributes)
+
+    def position(self, s: ArrayLike) -> Array:
+        """Return positions (n, n_axis) [m]."""
+        return np.asarray(self.derivatives(s, 0)[0])
+
+    def smallest_radius(self) -> float:
+        """Return an estimate of the smallest radius of curvature [m], from samples; inf for a line."""
+        bend = np.linalg.norm(self.derivatives(np.linspace(0.0, self.length, 257), 2)[2], axis=1).max()
+        return float(1.0 / bend) if bend > 0.0 else float("inf")
 
 
 def rows(curves: Sequence[Any], name: str) -> Array:

@@ -13,6 +13,34 @@ from contourlab.errors import GeometryError
 from contourlab.geometry.curve import Curve, CurveBatch, of_each, positive, rows, vector
 
 
+class Lines(CurveBatch):
+    """Many lines at once.
+
+    Parameters
+    ----------
+    curves : sequence of Line
+    """
+
+    def __init__(self, curves: Sequence[Line]) -> None:
+        super().__init__(curves)
+        self.start, self.direction = rows(curves, "start"), rows(curves, "direction")
+        self.sixth, self.direct = np.zeros(len(curves)), np.ones(len(curves), dtype=bool)
+
+    def derivatives(self, slot: Index, along: Array, order: int) -> Array:
+        result = np.zeros((order + 1, self.n_axis, along.size))
+        for j, (start, direction) in enumerate(zip(of_each(self.start, slot), of_each(self.direction, slot), strict=True)):
+            result[0, j] = start + along * direction
+            result[1:2, j] = direction
+        return result
+
+    def closest(self, slot: Index, points: Array, low: Array, high: Array, middle: Array) -> Array:
+        start, direction = self.start.T[slot], self.direction.T[slot]
+        return np.asarray(np.clip(np.einsum("ij,ij->i", points - start, direction), low, high))
+
+    def smallest_radii(self) -> Array:
+        return np.full(self.length.size, np.inf)
+
+
 class Line(Curve):
     """The straight line between two points.
 
@@ -30,6 +58,7 @@ class Line(Curve):
     """
 
     digest_parts = ("line", "start", "end")
+    batch = Lines
 
     def __init__(self, start: ArrayLike, end: ArrayLike) -> None:
         self.start, self.end = vector(start, "start"), vector(end, "end")
@@ -67,47 +96,63 @@ class Line(Curve):
             lines.append(line)
         return lines
 
-    @classmethod
-    def batch(cls, curves: Sequence[Line]) -> Lines:
-        return Lines(curves)
 
-    def derivatives(self, s: ArrayLike, order: int = 3) -> Array:
-        along = np.atleast_1d(np.asarray(s, dtype=float))
-        result = np.zeros((order + 1, along.size, self.n_axis))
-        result[0] = self.start + along[:, None] * self.direction
-        result[1:2] = self.direction
-        return result
-
-    def smallest_radius(self) -> float:
-        return float("inf")
-
-
-class Lines(CurveBatch):
-    """Many lines at once.
+class Arcs(CurveBatch):
+    """Many arcs and helices at once.
 
     Parameters
     ----------
-    curves : sequence of Line
+    curves : sequence of Arc
     """
 
-    def __init__(self, curves: Sequence[Line]) -> None:
+    def __init__(self, curves: Sequence[Arc]) -> None:
         super().__init__(curves)
-        self.start, self.direction = rows(curves, "start"), rows(curves, "direction")
-        self.sixth, self.direct = np.zeros(len(curves)), np.ones(len(curves), dtype=bool)
+        self.centre, self.u, self.v, self.rise = (rows(curves, name) for name in ("centre", "u", "v", "rise"))
+        self.radius, self.start_angle, self.rate = (
+            np.array([getattr(curve, name) for curve in curves]) for name in ("radius", "start_angle", "rate")
+        )
+        self.sixth = self.radius * np.abs(self.rate) ** 6
+        self.direct = ~np.any(self.rise != 0.0, axis=0)
 
     def derivatives(self, slot: Index, along: Array, order: int) -> Array:
-        result = np.zeros((order + 1, self.n_axis, along.size))
-        for j, (start, direction) in enumerate(zip(of_each(self.start, slot), of_each(self.direction, slot), strict=True)):
-            result[0, j] = start + along * direction
-            result[1:2, j] = direction
+        radius, angle, rate, length = (of_each(part, slot) for part in (self.radius, self.start_angle, self.rate, self.length))
+        angle = angle + rate * along
+        c, d = radius * np.cos(angle), radius * np.sin(angle)
+        result = np.empty((order + 1, self.n_axis, along.size))
+        parts = (of_each(part, slot) for part in (self.centre, self.u, self.v, self.rise))
+        for j, (centre, u, v, rise) in enumerate(zip(*parts, strict=True)):
+            spoke = c * u + d * v
+            result[0, j] = spoke + (centre + along / length * rise)
+            if order:
+                swing = rate * (c * v - d * u)
+                result[1, j] = swing + rise / length
+            if order > 1:
+                result[2, j] = -(rate**2) * spoke
+            if order > 2:
+                result[3, j] = -(rate**2) * swing
         return result
 
     def closest(self, slot: Index, points: Array, low: Array, high: Array, middle: Array) -> Array:
-        start, direction = self.start.T[slot], self.direction.T[slot]
-        return np.asarray(np.clip(np.einsum("ij,ij->i", points - start, direction), low, high))
+        """Return the arc length on the spoke through the point, in the turn nearest to the progress, or else of the nearer end."""
+        centre, u, v = self.centre.T[slot], self.u.T[slot], self.v.T[slot]
+        radius, rate = self.radius[slot], self.rate[slot]
+        out = points - centre
+        x, y = np.einsum("ij,ij->i", out, u), np.einsum("ij,ij->i", out, v)
+        turn = 2.0 * math.pi / np.abs(rate)
+        along = (np.arctan2(y, x) - self.start_angle[slot]) / rate
+        # All points of the arc are equally far from the centre.
+        along = np.where(np.hypot(x, y) <= 1e-13 * radius, middle, along)
+        along = along + turn * np.round((middle - along) / turn)
+        # The turn nearest to the progress may lie outside while a neighbour lies inside.
+        for shift in (turn, -turn):
+            other = along + shift
+            along = np.where(((along < low) | (along > high)) & (other >= low) & (other <= high), other, along)
+        inside = (along >= low) & (along <= high)
+        gaps = [((points - self.derivatives(slot, end, 0)[0].T) ** 2).sum(axis=1) for end in (low, high)]
+        return np.asarray(np.where(inside, along, np.where(gaps[0] <= gaps[1], low, high)))
 
     def smallest_radii(self) -> Array:
-        return np.full(self.length.size, np.inf)
+        return np.asarray(1.0 / (self.radius * self.rate**2))
 
 
 class Arc(Curve):
@@ -136,6 +181,7 @@ class Arc(Curve):
     """
 
     digest_parts = ("arc", "radius", "start_angle", "sweep", "centre", "u", "v", "rise")
+    batch = Arcs
 
     def __init__(
         self,
@@ -223,89 +269,9 @@ class Arc(Curve):
         height = a - (e1 * pa[0] + e2 * pa[1])
         return cls(plane + height, radius, first, exact, e1, e2, (b - a) - (e1 * chord[0] + e2 * chord[1]))
 
-    @classmethod
-    def batch(cls, curves: Sequence[Arc]) -> Arcs:
-        return Arcs(curves)
-
     def part(self, low: float, high: float) -> Arc:
         """Return the arc from arc length `low` to `high` [m] along this one, 0 <= low < high <= length."""
         share, rise = (high - low) / self.length, self.rise / self.length
         return Arc(
             self.centre + low * rise, self.radius, self.start_angle + self.rate * low, self.sweep * share, self.u, self.v, self.rise * share
         )
-
-    def derivatives(self, s: ArrayLike, order: int = 3) -> Array:
-        along = np.atleast_1d(np.asarray(s, dtype=float))
-        angle = self.start_angle + self.rate * along
-        c, d = np.cos(angle)[:, None], np.sin(angle)[:, None]
-        spoke, swing = c * self.u + d * self.v, c * self.v - d * self.u
-        result = np.empty((order + 1, along.size, self.n_axis))
-        factor = self.radius
-        for k, turn in enumerate((spoke, swing, -spoke, -swing)[: order + 1]):
-            result[k] = factor * turn
-            factor *= self.rate
-        result[0] += self.centre + (along / self.length)[:, None] * self.rise
-        if order > 0:
-            result[1] += self.rise / self.length
-        return result
-
-    def smallest_radius(self) -> float:
-        return 1.0 / (self.radius * self.rate**2)
-
-
-class Arcs(CurveBatch):
-    """Many arcs and helices at once.
-
-    Parameters
-    ----------
-    curves : sequence of Arc
-    """
-
-    def __init__(self, curves: Sequence[Arc]) -> None:
-        super().__init__(curves)
-        self.centre, self.u, self.v, self.rise = (rows(curves, name) for name in ("centre", "u", "v", "rise"))
-        self.radius, self.start_angle, self.rate = (
-            np.array([getattr(curve, name) for curve in curves]) for name in ("radius", "start_angle", "rate")
-        )
-        self.sixth = self.radius * np.abs(self.rate) ** 6
-        self.direct = ~np.any(self.rise != 0.0, axis=0)
-
-    def derivatives(self, slot: Index, along: Array, order: int) -> Array:
-        radius, angle, rate, length = (of_each(part, slot) for part in (self.radius, self.start_angle, self.rate, self.length))
-        angle = angle + rate * along
-        c, d = radius * np.cos(angle), radius * np.sin(angle)
-        result = np.empty((order + 1, self.n_axis, along.size))
-        parts = (of_each(part, slot) for part in (self.centre, self.u, self.v, self.rise))
-        for j, (centre, u, v, rise) in enumerate(zip(*parts, strict=True)):
-            spoke = c * u + d * v
-            result[0, j] = spoke + (centre + along / length * rise)
-            if order:
-                swing = rate * (c * v - d * u)
-                result[1, j] = swing + rise / length
-            if order > 1:
-                result[2, j] = -(rate**2) * spoke
-            if order > 2:
-                result[3, j] = -(rate**2) * swing
-        return result
-
-    def closest(self, slot: Index, points: Array, low: Array, high: Array, middle: Array) -> Array:
-        """Return the arc length on the spoke through the point, in the turn nearest to the progress, or else of the nearer end."""
-        centre, u, v = self.centre.T[slot], self.u.T[slot], self.v.T[slot]
-        radius, rate = self.radius[slot], self.rate[slot]
-        out = points - centre
-        x, y = np.einsum("ij,ij->i", out, u), np.einsum("ij,ij->i", out, v)
-        turn = 2.0 * math.pi / np.abs(rate)
-        along = (np.arctan2(y, x) - self.start_angle[slot]) / rate
-        # All points of the arc are equally far from the centre.
-        along = np.where(np.hypot(x, y) <= 1e-13 * radius, middle, along)
-        along = along + turn * np.round((middle - along) / turn)
-        # The turn nearest to the progress may lie outside while a neighbour lies inside.
-        for shift in (turn, -turn):
-            other = along + shift
-            along = np.where(((along < low) | (along > high)) & (other >= low) & (other <= high), other, along)
-        inside = (along >= low) & (along <= high)
-        gaps = [((points - self.derivatives(slot, end, 0)[0].T) ** 2).sum(axis=1) for end in (low, high)]
-        return np.asarray(np.where(inside, along, np.where(gaps[0] <= gaps[1], low, high)))
-
-    def smallest_radii(self) -> Array:
-        return np.asarray(1.0 / (self.radius * self.rate**2))

@@ -1,9 +1,8 @@
 """The servo loop: machines and controllers as values, and their simulation."""
 
-from contourlab.loop.axis_parts import DIVISIONS, AxisError, Division, Limits
 from contourlab.loop.batch import BatchResult, simulate_batch
 from contourlab.loop.feeding import Learned
-from contourlab.loop.machine import Axis, AxisController, Controller, Machine
+from contourlab.loop.machine import DIVISIONS, Axis, AxisController, AxisError, Controller, Division, Limits, Machine
 from contourlab.loop.parameters import parameter_names, parameters_of, with_values
 from contourlab.loop.simulate import result_of, simulate, simulate_blocks
 from contourlab.loop.switches import Change

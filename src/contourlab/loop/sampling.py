@@ -7,8 +7,7 @@ import numpy as np
 from contourlab.arrays import Array, Index
 from contourlab.engine.sampler import CURVE_FIELDS, along_curves, along_spans
 from contourlab.feed import Reference
-from contourlab.feed.profile import Profile
-from contourlab.feed.reference import along_path
+from contourlab.feed.reference import Profile, along_path
 from contourlab.geometry import Path
 
 

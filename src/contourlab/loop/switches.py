@@ -287,7 +287,7 @@ def switches_of(
         Controllers that took over during the run.
     """
     log = SwitchLog(controller, result.servo_period, reference, changes)
-    return log.add(result) if log.concerns(result) else None
+    return log.add(result) if changes or "active_controller" in result else None
 
 
 @dataclass
@@ -316,10 +316,6 @@ class SwitchLog:
     @property
     def _controllers(self) -> list[Controller]:
         return [self.controller, *(change.controller for change in self.changes)]
-
-    def concerns(self, result: Result) -> bool:
-        """Return whether a result can have switches."""
-        return bool(self.changes) or "active_controller" in result
 
     def add(self, result: Result) -> Switches:
         """Return the switches of the next block."""

@@ -13,7 +13,7 @@ import numpy as np
 from contourlab.arrays import Index
 from contourlab.errors import ResultError
 from contourlab.feed import Reference
-from contourlab.feed.profile import CUTTING, LAST_LAP, Judged
+from contourlab.feed.reference import CUTTING, LAST_LAP, Judged
 from contourlab.figures import figure
 from contourlab.metrics.judge import check_reference
 from contourlab.notebook import Figure, Frame, bars, facts_line, facts_table, frame, grid, svg

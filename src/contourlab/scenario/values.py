@@ -16,7 +16,7 @@ from contourlab.components.registry import component
 from contourlab.contours import ContourReading, study_contour
 from contourlab.errors import FeedError, ParameterError, ProgramError, ScenarioError, hint, refuse
 from contourlab.feed import AxisLimits, Reference, Route, blended, plan, route_from_path, route_from_program, uniform
-from contourlab.feed.profile import WHOLE, Judged
+from contourlab.feed.reference import WHOLE, Judged
 from contourlab.feed.route import PathControl, controlled
 from contourlab.geometry import Path, contour
 from contourlab.loop import Change, Controller, Machine

@@ -14,8 +14,7 @@ from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.components.ideal import TrueVelocity
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
-from contourlab.components.plant.plant import SingleMass
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.plant import RigidAxis, SingleMass
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.errors import ComponentError
 from contourlab.loop.machine import Axis, AxisController

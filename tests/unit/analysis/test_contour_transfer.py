@@ -11,8 +11,7 @@ from hypothesis import strategies as st
 from contourlab.analysis.linear.contour_transfer import contour_margins, contour_transfer, internal_stability
 from contourlab.analysis.linear.coupled_loop import TrialMap, coupled_loop, coupling_model, normal_basis, normal_frames
 from contourlab.analysis.linear.margins import hull_modulus
-from contourlab.components.coupling.cross_coupled import CrossCoupled, CrossCoupledFilter
-from contourlab.components.coupling.modified_reference import ModifiedError, ModifiedReference
+from contourlab.components.coupling.laws import CrossCoupled, CrossCoupledFilter, ModifiedError, ModifiedReference
 from contourlab.components.estimator.local import Tangent
 from contourlab.errors import ComponentError
 from contourlab.feed import uniform

@@ -33,7 +33,7 @@ from contourlab.analysis.identification.frequency_response import (
     swept_response,
 )
 from contourlab.components.drive.saturation import DelayedSaturation
-from contourlab.components.plant.mass_damper import MassDamper
+from contourlab.components.plant.plant import MassDamper
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.errors import ParameterError
 

@@ -24,10 +24,8 @@ from contourlab.analysis.learning.learning_analysis import (
     worst_zero_phase,
 )
 from contourlab.analysis.linear.coupled_loop import coupled_loop
-from contourlab.components.coupling.cross_coupled import CrossCoupled
-from contourlab.components.learning.error_law import CrossCoupledLearning, PType, ZeroPhase
-from contourlab.components.learning.law import LearningLaw, TrialRecord
-from contourlab.components.learning.least_squares import NormOptimal, PlantInversion
+from contourlab.components.coupling.laws import CrossCoupled
+from contourlab.components.learning.law import CrossCoupledLearning, LearningLaw, NormOptimal, PlantInversion, PType, TrialRecord, ZeroPhase
 from contourlab.errors import ComponentError
 from contourlab.feed import uniform
 from contourlab.geometry import contour

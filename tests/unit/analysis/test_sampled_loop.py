@@ -20,8 +20,7 @@ from contourlab.components.contract import Component, param
 from contourlab.components.disturbance.loads import SineLoad
 from contourlab.components.drive.saturation import DelayedSaturation, Saturation
 from contourlab.components.friction.laws import Coulomb
-from contourlab.components.plant.mass_damper import MassDamper
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.plant import MassDamper, RigidAxis
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.engine.step import Port

@@ -15,7 +15,7 @@ from contourlab.analysis.linear.sampled_loop import SampledLoop, sampled_loop
 from contourlab.components.controller.position import PositionController
 from contourlab.components.disturbance.loads import SineLoad
 from contourlab.components.drive.saturation import DelayedSaturation
-from contourlab.components.plant.mass_damper import MassDamper
+from contourlab.components.plant.plant import MassDamper
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.feed import Reference
 from contourlab.geometry import Line, Path

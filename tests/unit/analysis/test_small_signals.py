@@ -13,10 +13,7 @@ from contourlab.components.controller.position import PositionController
 from contourlab.components.friction.laws import NoFriction
 from contourlab.components.mechanics.core import link
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
-from contourlab.components.plant.ball_screw import BallScrew
-from contourlab.components.plant.mass_damper import MassDamper
-from contourlab.components.plant.plant import SingleMass
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.plant import BallScrew, MassDamper, RigidAxis, SingleMass
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.engine.step import Step, record
 from contourlab.papers.ghaffari.axis_response import transfer

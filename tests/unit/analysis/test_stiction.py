@@ -12,7 +12,7 @@ from refusals import refuses
 
 from contourlab.analysis.identification.friction import breakaways
 from contourlab.components.friction.laws import Coulomb, LuGre
-from contourlab.components.plant.mass_damper import MassDamper
+from contourlab.components.plant.plant import MassDamper
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.errors import ParameterError
 

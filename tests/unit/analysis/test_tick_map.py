@@ -8,7 +8,7 @@ from scipy.signal import cont2discrete
 
 from contourlab.analysis.linear.tick_map import spectral_radius, tick_map, tick_matrix
 from contourlab.components.controller.position import PositionController
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.plant import RigidAxis
 from contourlab.engine.step import Late, Node, Port, Schedule, Step
 from contourlab.errors import ComponentError
 from contourlab.geometry import Line, Path

@@ -19,11 +19,11 @@ from contourlab.components.controller.pid import PID
 from contourlab.components.controller.position import PositionController
 from contourlab.components.controller.state_feedback import StateFeedback
 from contourlab.components.drive.saturation import DelayedSaturation, Saturation
-from contourlab.components.feedforward.zpetc import ZPETC
+from contourlab.components.feedforward.laws import ZPETC
 from contourlab.components.ideal import TrueVelocity
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
 from contourlab.components.plant.lagged_mass import SecondOrderIntegrator
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.plant import RigidAxis
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.errors import ComponentError
 

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from refusals import refuses
 
-from contourlab.components.compensation.backlash_inverse import AdaptiveBacklashInverse
+from contourlab.components.compensation.backlash import AdaptiveBacklashInverse
 from contourlab.engine.step import record
 from contourlab.errors import ParameterError
 from contourlab.primitives import Clock

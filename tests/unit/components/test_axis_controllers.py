@@ -19,8 +19,7 @@ from contourlab.components.conformance import check_component
 from contourlab.components.contract import Component
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.controller.lead_lag import LeadLag
-from contourlab.components.controller.pid import PID
-from contourlab.components.controller.speed_pid import SpeedPID
+from contourlab.components.controller.pid import PID, SpeedPID
 from contourlab.components.controller.state_feedback import StateFeedback
 from contourlab.components.registry import components
 from contourlab.errors import ParameterError

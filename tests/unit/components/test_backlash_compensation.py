@@ -12,9 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from contourlab.components.compensation.backlash_inverse import BacklashInverse
-from contourlab.components.compensation.backlash_offset import BacklashOffset
-from contourlab.components.compensation.quadrant_pulses import CncBacklash, QuadrantPulses
+from contourlab.components.compensation.backlash import BacklashInverse, BacklashOffset, CncBacklash, QuadrantPulses
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]

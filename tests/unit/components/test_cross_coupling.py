@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from scipy.linalg import null_space
 from scipy.signal import cont2discrete, lfilter, tf2ss
 
-from contourlab.components.coupling.cross_coupled import carried, turning
+from contourlab.components.coupling.laws import carried, turning
 from contourlab.errors import ParameterError
 
 PID = {"gain": 7.0, "integral_rate": 40.0, "derivative_time": 4e-3, "derivative_filter": 1.5e-3}

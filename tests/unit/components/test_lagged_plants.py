@@ -16,9 +16,8 @@ from refusals import refuses
 
 from contourlab.components.controller.position import PositionController
 from contourlab.components.friction.laws import Coulomb, SmoothCoulomb
-from contourlab.components.plant.ball_screw import BallScrew
 from contourlab.components.plant.lagged_mass import LinearMotor, SecondOrderIntegrator
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.plant import BallScrew, RigidAxis
 from contourlab.errors import ParameterError
 from contourlab.geometry import Line, Path
 from contourlab.loop import Axis, AxisController, Controller, Machine

@@ -13,7 +13,7 @@ from component_rig import make
 import contourlab as cl
 from contourlab.components.contract import FAMILIES, Component
 from contourlab.components.controller.position import PositionController
-from contourlab.components.coupling.modified_reference import ModifiedReference
+from contourlab.components.coupling.laws import ModifiedReference
 from contourlab.components.disturbance.loads import SineLoad
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.estimator.newton import Newton
@@ -21,7 +21,7 @@ from contourlab.components.filter.biquad import Notch
 from contourlab.components.friction.laws import Coulomb, LuGre, SmoothCoulomb
 from contourlab.components.link.network import Network
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.plant import RigidAxis
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.components.supervisor.switching import EstimatorBased
 from contourlab.components.velocity.filtered_difference import FilteredDifference

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from scipy.stats import kstest
 
 from contourlab.analysis.encoder import QuadratureConstants, Subdivisional, subdivisional_error
-from contourlab.components.sensor.quadrature_encoder import arctangents, constants, ellipse, in_turns
+from contourlab.components.sensor.encoder import arctangents, constants, ellipse, in_turns
 from contourlab.errors import ParameterError
 from contourlab.feed import uniform
 from contourlab.geometry import contour

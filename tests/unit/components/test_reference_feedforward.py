@@ -14,8 +14,7 @@ import contourlab as cl
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.controller.pid import PID
-from contourlab.components.feedforward.inverse_dynamics import FrictionFeedforward, InverseDynamics
-from contourlab.components.feedforward.zpetc import ZPETC
+from contourlab.components.feedforward.laws import ZPETC, FrictionFeedforward, InverseDynamics
 from contourlab.errors import ParameterError
 from contourlab.papers.ghaffari.axis_response import axis_response
 

@@ -15,8 +15,7 @@ from scipy.signal import cont2discrete
 import contourlab as cl
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.contract import Component
-from contourlab.components.controller.pid import PID
-from contourlab.components.controller.speed_pid import SpeedPID
+from contourlab.components.controller.pid import PID, SpeedPID
 from contourlab.components.predictor.smith import SmithPredictor
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.errors import ParameterError

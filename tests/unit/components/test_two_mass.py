@@ -18,7 +18,7 @@ from two_mass_rig import NONE, Drive
 import contourlab as cl
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.friction.laws import Coulomb, LuGre
-from contourlab.components.plant.two_mass import ElasticBallScrew, TwoMass
+from contourlab.components.plant.two_sided import ElasticBallScrew, TwoMass
 from contourlab.errors import ParameterError
 
 Array = NDArray[np.float64]

@@ -8,7 +8,7 @@ from each import each
 
 from contourlab.errors import FeedError, ParameterError
 from contourlab.feed import AxisLimits
-from contourlab.feed.profile import Profile
+from contourlab.feed.reference import Profile
 
 
 def test_one_number_applies_to_all_axes():

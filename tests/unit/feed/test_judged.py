@@ -11,7 +11,7 @@ import pytest
 import contourlab as cl
 from contourlab.errors import FeedError, ParameterError, ProgramError
 from contourlab.feed import Reference
-from contourlab.feed.profile import Judged, Profile, ranges_of_curves
+from contourlab.feed.reference import Judged, Profile, ranges_of_curves
 from contourlab.scenario import Scenario, scenario_from_parts
 
 PART = "G21 G17 G90\nG0 X10 Y10 Z5\nG1 Z0 F600\nG4 P0.3\nX20 F1200\nG3 X30 Y20 I0 J10\nG0 Z5\nX10 Y10\nG4 P0.2\nG1 Z-1\nY20\nG0 Z10\nM2\n"

@@ -166,7 +166,7 @@ def test_an_estimator_based_supervisor_needs_a_gap_observer(circle: cl.Reference
 
 
 def test_a_motor_sensor_needs_a_drive_with_a_motor_side() -> None:
-    from contourlab.components.plant.rigid_axis import RigidAxis
+    from contourlab.components.plant.plant import RigidAxis
 
     axis = cl.Axis("x", RigidAxis(gain=1.0), motor_sensor=Encoder(resolution=1e-6))
     with pytest.raises(ParameterError, match="motor_sensor"):

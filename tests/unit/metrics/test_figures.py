@@ -12,7 +12,7 @@ from made_runs import PERIOD, Array, circle_laps, made_run, samples_on, with_err
 from contourlab.app.json_values import json_values
 from contourlab.errors import ResultError
 from contourlab.feed import Reference, uniform
-from contourlab.feed.profile import Judged
+from contourlab.feed.reference import Judged
 from contourlab.geometry import Line, Path, contour
 from contourlab.metrics.figures import ErrorFigures, summarise
 from contourlab.metrics.judge import judge

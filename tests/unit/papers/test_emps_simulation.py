@@ -16,7 +16,7 @@ from contourlab.analysis.identification.filtered_motion import filtered_motion
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.friction.laws import Coulomb
 from contourlab.components.mechanics.core import link
-from contourlab.components.plant.mass_damper import MassDamper
+from contourlab.components.plant.plant import MassDamper
 from contourlab.engine.runner import make_group
 from contourlab.engine.step import Late, Node, Port, Schedule, Step
 from contourlab.papers.emps.log import EmpsLog

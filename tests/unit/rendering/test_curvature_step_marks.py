@@ -10,7 +10,7 @@ import synthetic
 
 from contourlab.feed import AxisLimits, limit_report, plan, route_from_path
 from contourlab.geometry import Arc, Line, Path
-from contourlab.loop.axis_parts import Limits
+from contourlab.loop.machine import Limits
 from contourlab.rendering.charts import Panel
 from contourlab.rendering.data import ReportData
 from contourlab.rendering.html import render_html

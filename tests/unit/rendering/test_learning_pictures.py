@@ -11,10 +11,10 @@ import pytest
 from contourlab.analysis.learning.learning_analysis import learning_analysis
 from contourlab.analysis.linear.contour_transfer import contour_transfer
 from contourlab.components.controller.position import PositionController
-from contourlab.components.coupling.cross_coupled import CrossCoupled
+from contourlab.components.coupling.laws import CrossCoupled
 from contourlab.components.estimator.local import Tangent
-from contourlab.components.learning.error_law import ZeroPhase
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.learning.law import ZeroPhase
+from contourlab.components.plant.plant import RigidAxis
 from contourlab.features.analyse.command import contour_transfer_charts
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.rendering.learning_pictures import learning_charts, singular_value_chart

@@ -10,7 +10,7 @@ import synthetic
 
 from contourlab.errors import ResultError
 from contourlab.feed import uniform
-from contourlab.feed.profile import Judged
+from contourlab.feed.reference import Judged
 from contourlab.geometry import Line, Path, contour
 from contourlab.rendering.comparison import compare
 from contourlab.rendering.page_tables import circle_tables

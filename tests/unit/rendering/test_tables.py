@@ -8,7 +8,7 @@ import pytest
 import synthetic
 
 from contourlab.feed import AxisLimits, plan, route_from_path
-from contourlab.feed.profile import Judged
+from contourlab.feed.reference import Judged
 from contourlab.geometry import Line, Path
 from contourlab.rendering.comparison import compare, comparison_text
 from contourlab.result import Status

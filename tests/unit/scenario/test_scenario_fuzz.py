@@ -19,7 +19,7 @@ from texts_of_scenarios import CONTROLLER, SCENARIO
 
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.friction.laws import Coulomb
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.plant import RigidAxis
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.errors import ContourlabError
 from contourlab.loop import Axis, AxisError, Machine

@@ -13,8 +13,8 @@ from refusals import refuses
 import contourlab as cl
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.controller.cascade import Cascade
-from contourlab.components.plant.mass_damper import MassDamper
-from contourlab.components.plant.two_mass import ElasticBallScrew, TwoMass
+from contourlab.components.plant.plant import MassDamper
+from contourlab.components.plant.two_sided import ElasticBallScrew, TwoMass
 from contourlab.errors import ParameterError
 from contourlab.study.guards import Bounds
 from contourlab.study.notch import NAME, design_notch, resonance_of, with_velocity_gain

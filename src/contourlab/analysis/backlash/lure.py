@@ -28,9 +28,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Complex, Flags
-from contourlab.components.contract import Component, LinearModel
+from contourlab.components.contract import Component, LinearModel, response_of
 from contourlab.components.ideal import TrueVelocity
-from contourlab.components.mechanics.discretise import low_pass_weight
+from contourlab.components.mechanics.propagator import low_pass_weight
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.errors import ComponentError, ParameterError
@@ -102,10 +102,6 @@ class BacklashLoop:
         """`e`, or zeros (n, 3)."""
         return np.zeros((self.n, N_REFERENCE)) if self.e is None else self.e
 
-    def reference_input_in(self, gap: bool) -> Array:
-        """Input of the reference in the gap, or in contact (n, 3)."""
-        return self.reference_input if gap or self.contact_e is None else self.contact_e
-
     @property
     def rate(self) -> Array:
         """Row of the velocity of the motor-load difference, theta_d' = c a x (n,)."""
@@ -145,9 +141,7 @@ class BacklashLoop:
         self.require_one_controller("a transfer function")
         scale, w = self.balance, np.asarray(frequency, dtype=float)
         a, b, c = self.a * scale / scale[:, None], self.b / scale, self.c * scale
-        matrix = 1j * w.reshape(-1, 1, 1) * np.eye(self.n) - a
-        response = np.linalg.solve(matrix, np.broadcast_to(b[:, None], (w.size, self.n, 1)).astype(complex))
-        return np.asarray((response[..., 0] @ c).reshape(w.shape))
+        return np.asarray(response_of(a, b[:, None], c[None, :], 0.0, 1j * w.ravel()).reshape(w.shape))
 
     def at(self, frequency: float) -> complex:
         """Return G(j w) at one frequency [rad/s]."""

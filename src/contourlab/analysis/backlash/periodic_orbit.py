@@ -145,7 +145,7 @@ class Flow:
         loop, n = self.loop, self.n
         m = np.zeros((self.size, self.size))
         m[:n, :n] = loop.a if mode == GAP or loop.contact_a is None else loop.contact_a
-        m[:n, -1] = loop.reference_input_in(mode == GAP)[:, 0] * self.reference
+        m[:n, -1] = (loop.reference_input if mode == GAP or loop.contact_e is None else loop.contact_e)[:, 0] * self.reference
         m[:n] -= np.outer(loop.b, self.torque_row(mode))
         if self.twisted:
             m[n] = self.difference_rate if mode != GAP else 0.0

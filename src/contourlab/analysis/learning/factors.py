@@ -23,8 +23,7 @@ from numpy.typing import ArrayLike
 
 from contourlab.analysis.linear.coupled_loop import CoupledLoop, impulse_responses
 from contourlab.arrays import Array, Complex
-from contourlab.components.learning.law import LearningLaw, LearningProblem, TrialRecord, q_response
-from contourlab.components.learning.least_squares import NormOptimal, PlantInversion
+from contourlab.components.learning.law import LearningLaw, LearningProblem, NormOptimal, PlantInversion, TrialRecord, q_response
 from contourlab.errors import ComponentError
 
 HEARD = ("table", "tracking_error", "contour_error", "feedback_command")

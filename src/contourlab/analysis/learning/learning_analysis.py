@@ -33,8 +33,7 @@ from contourlab.analysis.learning.factors import (
 from contourlab.analysis.linear.coupled_loop import CoupledLoop, TrialMap, coupled_loop
 from contourlab.analysis.linear.margins import doubling
 from contourlab.arrays import Array, Complex
-from contourlab.components.learning.error_law import ZeroPhase
-from contourlab.components.learning.law import LearningLaw, LearningProblem
+from contourlab.components.learning.law import LearningLaw, LearningProblem, ZeroPhase
 from contourlab.errors import ComponentError
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding

@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike
 from contourlab.analysis.linear.sampled_loop import SampledLoop, checked_frequency, sampled_loop, without_limit
 from contourlab.analysis.linear.tick_map import DelayForm, Probe, live_states, poles_of
 from contourlab.arrays import Array, Complex, Index
-from contourlab.components.contract import Component
+from contourlab.components.contract import Component, response_of
 from contourlab.engine.step import Node, Schedule
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.loop.machine import Controller, Machine
@@ -89,12 +89,7 @@ class CouplingModel:
     def __call__(self, frequency: ArrayLike) -> Complex:
         """Return C_cc (n,) at frequencies (n,) [rad/s]."""
         z = np.exp(1j * np.atleast_1d(np.asarray(frequency, dtype=float)) * self.servo_period)
-        if not len(self.f):
-            return np.full(z.shape, self.d, dtype=complex)
-        inner = np.linalg.solve(
-            z[:, None, None] * np.eye(len(self.f)) - self.f, np.broadcast_to(self.g[:, None] + 0j, (z.size, len(self.g), 1))
-        )
-        return np.asarray((self.h @ inner)[:, 0] + self.d)
+        return np.asarray(response_of(self.f, self.g[:, None], self.h[None, :], self.d, z)[:, 0, 0])
 
 
 @dataclass(frozen=True, eq=False)

@@ -26,9 +26,8 @@ from contourlab.components.link.network import Network
 from contourlab.engine.step import Late, Port, Schedule
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.geometry import Line, Path
-from contourlab.loop.axis_parts import Division
 from contourlab.loop.judging import WATCH
-from contourlab.loop.machine import AxisController, Controller, Machine
+from contourlab.loop.machine import AxisController, Controller, Division, Machine
 from contourlab.loop.template import build
 
 LONGEST = 20_000

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Complex
-from contourlab.components.feedforward.zpetc import MAX_ORDER, ZPETC
+from contourlab.components.feedforward.laws import MAX_ORDER, ZPETC
 from contourlab.errors import ComponentError
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ import numpy as np
 
 from contourlab.components.contract import REFERENCE, LinearModel, param, require_positive, text_param
 from contourlab.components.controller.law import ANTI_WINDUP, RISES, TRACKING_TIME, ControlLaw, recovery_part
-from contourlab.components.mechanics.discretise import low_pass_weight
+from contourlab.components.mechanics.propagator import low_pass_weight
 from contourlab.engine.step import Port, ports
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip

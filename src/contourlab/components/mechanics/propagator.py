@@ -5,6 +5,8 @@ of X is a number times I plus a number times X (Cayley and Hamilton), so that th
 are pairs of numbers, computed by a Taylor series for X/2^n and n doublings without cancellation: a stiff lag costs no accuracy. The same
 code serves NumPy arrays over the variants of a batch and steps.
 
+The weights of sampled first-order low-passes, y += weight (u - y), stand here too.
+
 References
 ----------
 Hochbruck & Ostermann, "Exponential integrators", Acta Numerica 19 (2010), section 2; Higham, "Functions of Matrices" (2008), section 10.7.
@@ -13,6 +15,24 @@ Hochbruck & Ostermann, "Exponential integrators", Acta Numerica 19 (2010), secti
 from __future__ import annotations
 
 from typing import Any
+
+import numpy as np
+
+RULES = ("backward-euler", "pole-matched")
+"""Backward Euler keeps the derivative w (u - y) exact on a ramp; pole matching keeps the filter's own time constant."""
+
+
+def low_pass_weight(bandwidth: Any, dt: float, rule: str) -> Any:
+    """Return the weight for a bandwidth [rad/s], > 0 (a number or an array) at a period [s].
+
+    Notes
+    -----
+    With pole matching, 1 - exp(-w dt), the derivative w (u - y) of a ramp is scaled by w dt e/(1 - e), e = exp(-w dt): 0.31 at
+    w dt = 2. With backward Euler, w dt/(1 + w dt), it is exact. An infinite bandwidth has the weight 1.
+    """
+    turn = np.multiply(bandwidth, dt)
+    return -np.expm1(-turn) if rule == "pole-matched" else 1.0 / (1.0 + 1.0 / turn)
+
 
 DOUBLINGS = 12
 """Halvings of the time before the series is taken, in a step."""

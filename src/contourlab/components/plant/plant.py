@@ -1,13 +1,15 @@
-"""Base classes of plants and of single-mass plants."""
+"""Base classes of plants, and the plants with a single mass."""
 
 from __future__ import annotations
 
+import math
 from typing import Any, ClassVar
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel
+from contourlab.components.contract import Component, LinearModel, param
 from contourlab.engine.step import Port
+from contourlab.errors import ParameterError
 
 
 class Plant(Component):
@@ -108,3 +110,162 @@ class SingleMass(Plant):
         a = np.array([[0.0, 1.0], [0.0, -decay]])
         b = np.array([[0.0, 0.0], [mobility * type(self).drive_force(par, 1.0), mobility]])
         return LinearModel(a, b, np.eye(2), np.zeros((2, 2)), ("command", "load"), ("position", "velocity"))
+
+
+class RigidAxis(SingleMass):
+    """Rigid axis with a normalised drive: p' = v, v' = -b v + a (u + d).
+
+    The command u and the disturbance d, friction included, are fractions of the drive's full scale. The steady velocity per command is a/b,
+    the time constant 1/b. Valid below the first resonance of the drive train.
+
+    References
+    ----------
+    Ghaffari & Ulsoy, "Component swapping modularity for distributed precision contouring", eqs (1) and (2).
+    """
+
+    kind = "rigid-axis"
+    example = {"gain": 1.695, "damping": 10.1}
+    reference = "Ghaffari & Ulsoy, eqs 1-2"
+    command_unit = "full_scale"
+    force_unit = "full_scale"
+
+    gain: float = param(
+        unit="m/s^2/full_scale",
+        minimum=0.0,
+        exclusive=True,
+        display="mm/s^2/full_scale",
+        doc="acceleration at full command, a",
+        source="Ghaffari & Ulsoy, eq 2",
+    )
+    damping: float = param(default=0.0, unit="1/s", minimum=0.0, doc="decay rate of a free motion, b", source="Ghaffari & Ulsoy, eq 2")
+
+    @staticmethod
+    def mobility(par: Any) -> float:
+        return par.gain  # type: ignore[no-any-return]
+
+    @staticmethod
+    def decay(par: Any) -> float:
+        return par.damping  # type: ignore[no-any-return]
+
+    @staticmethod
+    def drive_force(par: Any, command: float) -> float:
+        return command
+
+
+class MassDamper(SingleMass):
+    """Mass with viscous damping, pushed by a current-controlled motor: m v' = K_f i - c v + load - friction.
+
+    `carried_mass` is the mass on the axis: a work piece, other axes. A machine adds the axes mounted on this one. All of `mass` counts as
+    linear motion when another axis carries this one; if much of it is rotary inertia, use "ball-screw", which separates the two.
+    """
+
+    kind = "mass-damper"
+    example = {"mass": 20.0, "damping": 100.0, "force_constant": 60.0}
+    reference = "Newton's second law"
+    command_unit = "A"
+    derived = ("mobility_value", "decay_value")
+
+    mass: float = param(unit="kg", minimum=0.0, exclusive=True, doc="moving mass of the axis; rotating parts as J (2 pi / lead)^2")
+    carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="additional mass on the axis")
+    damping: float = param(default=0.0, unit="N*s/m", minimum=0.0, doc="viscous damping of guides, screw and motor")
+    force_constant: float = param(unit="N/A", minimum=0.0, exclusive=True, doc="force of the drive per command")
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        mass = par.mass + par.carried_mass
+        return 1.0 / mass, par.damping / mass
+
+    @staticmethod
+    def drive_force(par: Any, command: float) -> float:
+        return par.force_constant * command  # type: ignore[no-any-return]
+
+
+class BallScrew(SingleMass):
+    """Rigid ball-screw feed drive: (m + m_c + J (2 pi/l)^2) v' = (2 pi eta / l) K_t i - c v + load - friction.
+
+    Motor current drives the screw; rotor, coupling and screw turn with it. Valid below the first torsional resonance, and without
+    backlash.
+
+    References
+    ----------
+    Altintas, "Manufacturing Automation", 2nd ed., chapter on feed drives: inertia and torque reflected over the lead.
+    """
+
+    kind = "ball-screw"
+    example = {"mass": 20.0, "inertia": 2e-4, "lead": 0.01, "torque_constant": 0.5, "damping": 100.0}
+    reference = "Altintas, Manufacturing Automation, feed drives"
+    command_unit = "A"
+    derived = ("mobility_value", "decay_value", "force_constant_value")
+
+    mass: float = param(unit="kg", minimum=0.0, exclusive=True, doc="mass of the table and everything fixed to it")
+    carried_mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="additional mass on the axis")
+    inertia: float = param(unit="kg*m^2", minimum=0.0, display="kg*cm^2", doc="inertia of rotor, coupling and screw, J")
+    lead: float = param(unit="m", minimum=0.0, exclusive=True, display="mm", doc="travel per turn of the screw, l")
+    torque_constant: float = param(unit="N*m/A", minimum=0.0, exclusive=True, doc="torque of the motor per command, K_t")
+    efficiency: float = param(default=0.95, minimum=0.0, maximum=1.0, exclusive=True, doc="of the screw, eta; ground: 0.9 to 0.95")
+    damping: float = param(default=0.0, unit="N*s/m", minimum=0.0, doc="viscous damping seen at the table, c")
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        per_metre = 2.0 * math.pi / par.lead
+        mass = par.mass + par.carried_mass + par.inertia * per_metre * per_metre
+        return 1.0 / mass, par.damping / mass, par.torque_constant * par.efficiency * per_metre
+
+    @staticmethod
+    def drive_force(par: Any, command: float) -> float:
+        return par.force_constant_value * command  # type: ignore[no-any-return]
+
+
+def reflected_inertia(mass: float, lead: float) -> float:
+    """Return the inertia of a mass reflected to a shaft, m (l/2 pi)^2.
+
+    Parameters
+    ----------
+    mass : float [kg], >= 0
+    lead : float [m], > 0
+        Travel per turn of the shaft; for a rack, the circumference of its pinion.
+
+    Returns
+    -------
+    float [kg*m^2]
+
+    Raises
+    ------
+    ParameterError
+        If a number is out of range.
+
+    >>> f"{reflected_inertia(100.0, 0.01):.4g}"  # 100 kg on a screw of 10 mm
+    '0.0002533'
+    """
+    _check("mass", mass, "kg", mass >= 0.0)
+    _check("lead", lead, "m", lead > 0.0)
+    return mass * (lead / (2.0 * math.pi)) ** 2
+
+
+def reflected_mass(inertia: float, lead: float) -> float:
+    """Return the mass of an inertia reflected to the table, J (2 pi/l)^2.
+
+    Parameters
+    ----------
+    inertia : float [kg*m^2], >= 0
+    lead : float [m], > 0
+        Travel per turn of the shaft.
+
+    Returns
+    -------
+    float [kg]
+
+    Raises
+    ------
+    ParameterError
+        If a number is out of range.
+
+    >>> round(reflected_mass(reflected_inertia(100.0, 0.01), 0.01), 9)
+    100.0
+    """
+    _check("inertia", inertia, "kg*m^2", inertia >= 0.0)
+    _check("lead", lead, "m", lead > 0.0)
+    return inertia * (2.0 * math.pi / lead) ** 2
+
+
+def _check(name: str, value: float, unit: str, within: bool) -> None:
+    if not (within and math.isfinite(value)):
+        raise ParameterError(name, f"{value:g}", "finite and > 0" if name == "lead" else "finite and >= 0", unit)

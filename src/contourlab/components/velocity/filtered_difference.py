@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, param, text_param
-from contourlab.components.mechanics.discretise import RULES, low_pass_weight
+from contourlab.components.mechanics.propagator import RULES, low_pass_weight
 from contourlab.engine.step import Port
 
 

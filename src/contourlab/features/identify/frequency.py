@@ -14,7 +14,7 @@ from contourlab.analysis.identification.filtered_motion import filtered_motion
 from contourlab.analysis.identification.frequency_response import Measured, MeasuredResponse, measured_response, response_findings
 from contourlab.analysis.identification.least_squares import mass_findings
 from contourlab.arrays import Array, Complex
-from contourlab.components.plant.two_mass import TwoMass
+from contourlab.components.plant.two_sided import TwoMass
 from contourlab.errors import ParameterError
 from contourlab.features.identify.axis_tables import forces_of, plant_numbers, rigid_tables, two_inertia_numbers, two_inertia_tables
 from contourlab.features.identify.options import Identify

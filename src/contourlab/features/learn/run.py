@@ -14,9 +14,8 @@ import numpy as np
 from contourlab.analysis.linear.margins import doubling
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
-from contourlab.components.feedforward.inverse_dynamics import InverseDynamics
-from contourlab.components.learning.basis import BasisFunctions
-from contourlab.components.learning.law import LearningLaw, LearningProblem
+from contourlab.components.feedforward.laws import InverseDynamics
+from contourlab.components.learning.law import BasisFunctions, LearningLaw, LearningProblem
 from contourlab.errors import ParameterError, ResultError, refuse
 from contourlab.features.learn.split import Growth, Memory, Split, growth_of
 from contourlab.features.learn.table import LearnedTable

@@ -17,7 +17,7 @@ from contourlab.components.link.network import Network
 from contourlab.errors import ComponentError, ParameterError, check_known, refuse
 from contourlab.features.link.options import SEEDS
 from contourlab.features.run.causes import perfect_sensing, undisturbed, unlimited, without_friction
-from contourlab.feed.profile import Judged
+from contourlab.feed.reference import Judged
 from contourlab.loop import Controller, Machine
 from contourlab.metrics.run_figures import goal_named
 from contourlab.study import Setting

@@ -15,10 +15,8 @@ import numpy as np
 from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.controller.cascade import Cascade
-from contourlab.components.plant.ball_screw import BallScrew
-from contourlab.components.plant.mass_damper import MassDamper
-from contourlab.components.plant.plant import Plant
-from contourlab.components.plant.two_mass import ElasticBallScrew, TwoMass
+from contourlab.components.plant.plant import BallScrew, MassDamper, Plant
+from contourlab.components.plant.two_sided import ElasticBallScrew, TwoMass
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.errors import ParameterError
 from contourlab.loop import Axis, AxisController, Controller, Machine

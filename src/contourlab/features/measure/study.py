@@ -12,7 +12,7 @@ from contourlab.errors import ResultError
 from contourlab.features.measure.measured_path import farthest, fitted_shift, last_lap, moving, path_of_samples, progress_along, size_of
 from contourlab.features.measure.plausibility import columns_of, motion_findings, period_findings, same_column_findings
 from contourlab.feed import Reference
-from contourlab.feed.profile import Judged
+from contourlab.feed.reference import Judged
 from contourlab.findings import Finding, finding
 from contourlab.geometry import Path
 from contourlab.logs import Log

@@ -26,17 +26,16 @@ from typing import TypeAlias
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.components.compensation.quadrant_pulses import QuadrantPulses
+from contourlab.components.compensation.backlash import QuadrantPulses
 from contourlab.components.contract import Component
-from contourlab.components.feedforward.inverse_dynamics import FrictionFeedforward
+from contourlab.components.feedforward.laws import FrictionFeedforward
 from contourlab.components.filter.biquad import Notch
 from contourlab.components.friction.laws import NoFriction
 from contourlab.components.ideal import IdealSensor
 from contourlab.components.plant.two_sided import TwoSided
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Machine, simulate
-from contourlab.loop.axis_parts import AxisError
-from contourlab.loop.machine import Axis, AxisController
+from contourlab.loop.machine import Axis, AxisController, AxisError
 from contourlab.metrics.judge import judge
 from contourlab.rendering.judgement import Cause
 from contourlab.result import Result, Signal

@@ -8,12 +8,11 @@ from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 
-from contourlab.components.compensation.backlash_inverse import BacklashInverse
-from contourlab.components.compensation.backlash_offset import BacklashOffset
+from contourlab.components.compensation.backlash import BacklashInverse, BacklashOffset
 from contourlab.components.controller.cascade import Cascade
-from contourlab.components.coupling.modified_reference import ModifiedReference
+from contourlab.components.coupling.laws import ModifiedReference
 from contourlab.components.estimator.newton import Newton
-from contourlab.components.feedforward.inverse_dynamics import FrictionFeedforward
+from contourlab.components.feedforward.laws import FrictionFeedforward
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.components.velocity.filtered_difference import FilteredDifference

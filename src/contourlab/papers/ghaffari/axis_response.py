@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from contourlab.analysis.linear.sampled_loop import AxisResponse
 from contourlab.arrays import Complex
-from contourlab.components.contract import Component, LinearModel
+from contourlab.components.contract import Component, LinearModel, response_of
 from contourlab.components.families import FAMILY
 from contourlab.components.ideal import TrueVelocity
 from contourlab.errors import ComponentError
@@ -20,12 +20,7 @@ from contourlab.loop.machine import Axis, AxisController
 
 def transfer(model: LinearModel, s: ArrayLike) -> Complex:
     """Return C (s I - A)^-1 B + D for each s: (n, n_output, n_input)."""
-    points = np.atleast_1d(np.asarray(s, dtype=complex))
-    if model.a.shape[0] == 0:
-        return np.broadcast_to(model.d.astype(complex), (points.size, *model.d.shape))
-    eye = np.eye(model.a.shape[0])
-    inner = np.linalg.solve(points[:, None, None] * eye - model.a, np.broadcast_to(model.b.astype(complex), (points.size, *model.b.shape)))
-    return np.asarray(model.c @ inner + model.d)
+    return response_of(model.a, model.b, model.c, model.d, s)
 
 
 def _model(part: Component) -> LinearModel:

@@ -17,8 +17,7 @@ from contourlab.components.friction.laws import NoFriction
 from contourlab.components.ideal import IdealSensor
 from contourlab.engine.runner import make_group
 from contourlab.geometry import Line, Path
-from contourlab.loop.axis_parts import Limits
-from contourlab.loop.machine import Axis, AxisController, Controller, Machine
+from contourlab.loop.machine import Axis, AxisController, Controller, Limits, Machine
 from contourlab.loop.simulate import jit_enabled
 from contourlab.loop.template import build
 from contourlab.papers.ghaffari.setup import AXES, TABLE_3, Gains, Reading, axis, axis_controller

@@ -15,7 +15,7 @@ import numpy as np
 from contourlab.analysis.identification.first_order import identify_closed_loop
 from contourlab.arrays import Array
 from contourlab.components.controller.position import PositionController
-from contourlab.loop.axis_parts import Limits
+from contourlab.loop.machine import Limits
 from contourlab.papers.ghaffari.bench import run_bench
 from contourlab.papers.ghaffari.setup import AXES, FITTED, TABLE_2, TABLE_3, Gains, Reading, axis, axis_controller
 from contourlab.papers.rows import COMPUTED, DERIVED, Row, ours, printed

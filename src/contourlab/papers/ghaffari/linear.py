@@ -15,7 +15,7 @@ from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.friction.laws import NoFriction
 from contourlab.components.ideal import IdealSensor
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.plant import RigidAxis
 from contourlab.geometry import Line, Path
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.loop.template import build

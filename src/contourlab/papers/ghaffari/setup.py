@@ -11,18 +11,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from contourlab.components.controller.position import PositionController
-from contourlab.components.coupling.modified_reference import ModifiedReference
+from contourlab.components.coupling.laws import ModifiedReference
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.estimator.newton import Newton
 from contourlab.components.friction.laws import Coulomb
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.plant import RigidAxis
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.feed import Reference, uniform
 from contourlab.geometry import contour
-from contourlab.loop.axis_parts import Limits
-from contourlab.loop.machine import Axis, AxisController, Controller, Machine
+from contourlab.loop.machine import Axis, AxisController, Controller, Limits, Machine
 
 
 @dataclass(frozen=True)

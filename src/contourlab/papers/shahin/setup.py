@@ -10,7 +10,7 @@ import numpy as np
 
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.controller.zone_law import ContactZone1, ContactZone2, ContactZone3, GapZone1, GapZone2, GapZone3
-from contourlab.components.coupling.cross_coupled import CrossCoupled
+from contourlab.components.coupling.laws import CrossCoupled
 from contourlab.components.estimator.local import OsculatingCircle
 from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.components.supervisor.switching import Performance

@@ -9,7 +9,7 @@ import pytest
 
 from contourlab.components.controller.lead_lag import LeadLag
 from contourlab.components.friction.laws import Coulomb
-from contourlab.components.plant.mass_damper import MassDamper
+from contourlab.components.plant.plant import MassDamper
 from contourlab.components.sensor.encoder import Encoder
 from contourlab.features.measure.measured_path import path_of_samples
 from contourlab.features.refine.log_run import LogRun, log_run

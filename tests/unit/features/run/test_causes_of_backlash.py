@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import contourlab as cl
-from contourlab.components.compensation.backlash_offset import BacklashOffset
+from contourlab.components.compensation.backlash import BacklashOffset
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.friction.laws import Coulomb
 from contourlab.components.plant.two_inertia import TwoInertia

@@ -14,7 +14,7 @@ from contourlab.components.disturbance.loads import ConstantLoad
 from contourlab.components.drive.saturation import Saturation
 from contourlab.components.friction.laws import Coulomb
 from contourlab.components.origin import Origin
-from contourlab.components.plant.mass_damper import MassDamper
+from contourlab.components.plant.plant import MassDamper
 from contourlab.features.run.trust import SAMPLES, draw, main_contributor, noticeable, numbers_of, part_interval
 from contourlab.feed import Reference
 from contourlab.geometry import Line, Path

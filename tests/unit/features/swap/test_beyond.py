@@ -9,7 +9,7 @@ import pytest
 
 from contourlab.components.controller.position import PositionController
 from contourlab.components.link.network import Network
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.plant import RigidAxis
 from contourlab.errors import ParameterError
 from contourlab.features.link.cost import message_rate
 from contourlab.features.swap.beyond import NetworkCost, least_division, network_cost

@@ -11,8 +11,7 @@ import pytest
 
 from contourlab.components.controller.position import PositionController
 from contourlab.components.friction.laws import NoFriction
-from contourlab.components.plant.mass_damper import MassDamper
-from contourlab.components.plant.rigid_axis import RigidAxis
+from contourlab.components.plant.plant import MassDamper, RigidAxis
 from contourlab.errors import ContourlabError, ParameterError
 from contourlab.features.swap import search as searches
 from contourlab.features.swap.beyond import coverage, network_cost

@@ -13,11 +13,10 @@ from tuned_axes import circle, position_control, rigid_stage
 from contourlab.components.contract import Component
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.controller.lead_lag import LeadLag
-from contourlab.components.controller.pid import PID
+from contourlab.components.controller.pid import PID, SpeedPID
 from contourlab.components.controller.position import PositionController
-from contourlab.components.controller.speed_pid import SpeedPID
 from contourlab.components.controller.state_feedback import StateFeedback
-from contourlab.components.feedforward.inverse_dynamics import InverseDynamics
+from contourlab.components.feedforward.laws import InverseDynamics
 from contourlab.features.tune.drive_terms import LinuxCNCGains, drive_terms, law_difference, linuxcnc_gains, linuxcnc_law
 from contourlab.loop import AxisController, Controller, simulate
 
