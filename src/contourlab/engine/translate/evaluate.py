@@ -11,6 +11,7 @@ import ast
 import inspect
 import operator as operators
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cache
 from types import FunctionType
 from typing import Any
 
@@ -54,9 +55,23 @@ class Frame:
         return value
 
 
-def assigned(tree: ast.AST) -> list[str]:
-    """Return the names that a tree assigns to."""
-    return sorted({node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)})
+@cache
+def _names_in(tree: ast.AST) -> tuple[frozenset[str], frozenset[str], bool]:
+    """Return the names that a tree assigns to, all its names, and whether it returns."""
+    nodes = list(ast.walk(tree))
+    names = [node for node in nodes if isinstance(node, ast.Name)]
+    stored = frozenset(node.id for node in names if isinstance(node.ctx, ast.Store))
+    return stored, frozenset(node.id for node in names), any(isinstance(node, ast.Return) for node in nodes)
+
+
+def assigned(*trees: ast.AST) -> list[str]:
+    """Return the names that trees assign to."""
+    return sorted(frozenset().union(*(_names_in(tree)[0] for tree in trees)))
+
+
+def returns(*trees: ast.AST) -> bool:
+    """Return whether trees have a return."""
+    return any(_names_in(tree)[2] for tree in trees)
 
 
 def assign(target: ast.expr, value: Any, env: Env) -> None:
@@ -80,16 +95,22 @@ def assign(target: ast.expr, value: Any, env: Env) -> None:
 
 def bound(arguments: ast.arguments, defaults: Env, args: Sequence[Any], named: Mapping[str, Any]) -> Env:
     """Return the values of a function's arguments, by name."""
-    made = inspect.Parameter
-    takes = [made(name, made.POSITIONAL_OR_KEYWORD, default=defaults.get(name, made.empty)) for name in positional(arguments)]
-    takes += [made(arguments.vararg.arg, made.VAR_POSITIONAL)] if arguments.vararg else []
-    takes += [made(a.arg, made.KEYWORD_ONLY, default=defaults.get(a.arg, made.empty)) for a in arguments.kwonlyargs]
     try:
-        found = inspect.Signature(takes).bind(*args, **named)
+        found = _signature(arguments, frozenset(defaults)).bind(*args, **named)
     except (TypeError, ValueError) as error:
         raise MismatchError(str(error)) from error
+    given = dict(found.arguments)
     found.apply_defaults()
-    return found.arguments
+    return {**found.arguments, **defaults, **given}
+
+
+@cache
+def _signature(arguments: ast.arguments, optional: frozenset[str]) -> inspect.Signature:
+    made = inspect.Parameter
+    known = [(name, made.POSITIONAL_OR_KEYWORD) for name in positional(arguments)]
+    known += [(arguments.vararg.arg, made.VAR_POSITIONAL)] if arguments.vararg else []
+    known += [(arg.arg, made.KEYWORD_ONLY) for arg in arguments.kwonlyargs]
+    return inspect.Signature([made(name, kind, default=None if name in optional else made.empty) for name, kind in known])
 
 
 def last_of(arguments: ast.arguments, values: Sequence[Any]) -> list[tuple[str, Any]]:
@@ -129,6 +150,12 @@ def shaped(shapes: Iterable[Any], leaves: Sequence[Any]) -> list[Any]:
         return type(like)(*items) if hasattr(like, "_fields") else tuple(items)
 
     return [shape(like) for like in shapes]
+
+
+@cache
+def _handler_of(kind: type[ast.expr]) -> str:
+    """Return the name of the method of `Evaluator` for a kind of expression."""
+    return f"_{kind.__name__.lower()}"
 
 
 NOTHING: Any = object()
@@ -269,7 +296,7 @@ class Evaluator:
 
     def expression(self, tree: ast.expr, frame: Frame) -> Any:
         """Return the value of an expression."""
-        handler = getattr(self, f"_{type(tree).__name__.lower()}", None)
+        handler = getattr(self, _handler_of(type(tree)), None)
         if handler is None:
             raise MismatchError(f"a step cannot use {words_of(tree)}")
         return handler(tree, frame)
@@ -439,7 +466,7 @@ class Evaluator:
         if not isinstance(test, Op):
             found = self.body(statement.body if test else statement.orelse, frame)
             return NOTHING if found is NOTHING else (found,)
-        if any(isinstance(node, ast.Return) for node in ast.walk(statement)):
+        if returns(statement):
             # The statements after it belong to the side that goes on.
             def side(part: Sequence[ast.stmt]) -> Any:
                 found = self.body([*part, *rest], frame.copy())
@@ -507,11 +534,10 @@ class Evaluator:
 
     def _repeated(self, statement: ast.For, frame: Frame, count: int) -> bool:
         """Make a loop of a ``for`` whose body does not use its index; return whether that is possible."""
-        body = ast.Module(statement.body, [])
-        used = {node.id for node in ast.walk(body) if isinstance(node, ast.Name)}
-        names, own = assigned(body), frame.copy()
+        names, own = assigned(*statement.body), frame.copy()
         known = all(is_numeric(frame.env.get(name, UNSET)) for name in names)
-        if not known or used & set(assigned(statement.target)) or any(isinstance(node, ast.Return) for node in ast.walk(body)):
+        indexed = any(_names_in(part)[1] & _names_in(statement.target)[0] for part in statement.body)
+        if not known or indexed or returns(*statement.body):
             return False
         shapes = [frame.env[name] for name in names]
 
@@ -529,7 +555,7 @@ class Evaluator:
 
     def _loop(self, statement: ast.For | ast.While, frame: Frame, test: Callable[[Frame], Any] | None, items: range | None) -> None:
         """Make a loop of a ``while``, or of a ``for`` over a range that may break."""
-        if any(isinstance(node, ast.Return) for node in ast.walk(statement)):
+        if returns(statement):
             raise MismatchError("a return inside a loop: set a name, break, and return after the loop")
         names = [name for name in assigned(statement) if is_numeric(frame.env.get(name, UNSET))]
         shapes = [frame.env[name] for name in names]
@@ -578,7 +604,7 @@ class Evaluator:
             def side(part: Sequence[ast.stmt], own: Frame, rest: Sequence[ast.stmt] = rest) -> None:
                 own.env[_ON] = self._until_break([*part, *rest], own)
 
-            self._both_sides(test, statement, side, [*assigned(ast.Module([statement, *rest], [])), _ON], frame)
+            self._both_sides(test, statement, side, [*assigned(statement, *rest), _ON], frame)
             return frame.env.pop(_ON)
         return True
 
