@@ -250,7 +250,7 @@ def collecting(a: float, b: float) -> float:
         (lambda a, b: 1.0 if (a, b) == (1.0, b) else a, 0, "eq of"),
         (lambda a, b: a + (6 & 3), 0, "bit and"),
         (with_else, 1, "else after a loop"),
-        (doubling, 1, "more than"),
+        (doubling, 2, "more than"),
     ],
 )
 def test_what_cannot_be_translated_is_refused_with_its_line(function: Any, line: int, reason: str, monkeypatch: pytest.MonkeyPatch) -> None:
