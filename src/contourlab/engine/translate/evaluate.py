@@ -107,7 +107,7 @@ def bound(arguments: ast.arguments, defaults: Env, args: Sequence[Any], named: M
 @cache
 def _signature(arguments: ast.arguments, optional: frozenset[str]) -> inspect.Signature:
     made = inspect.Parameter
-    known = [(name, made.POSITIONAL_OR_KEYWORD) for name in positional(arguments)]
+    known: list[tuple[str, Any]] = [(name, made.POSITIONAL_OR_KEYWORD) for name in positional(arguments)]
     known += [(arguments.vararg.arg, made.VAR_POSITIONAL)] if arguments.vararg else []
     known += [(arg.arg, made.KEYWORD_ONLY) for arg in arguments.kwonlyargs]
     return inspect.Signature([made(name, kind, default=None if name in optional else made.empty) for name, kind in known])
@@ -153,9 +153,9 @@ def shaped(shapes: Iterable[Any], leaves: Sequence[Any]) -> list[Any]:
 
 
 @cache
-def _handler_of(kind: type[ast.expr]) -> str:
+def _handler_of(kind: str) -> str:
     """Return the name of the method of `Evaluator` for a kind of expression."""
-    return f"_{kind.__name__.lower()}"
+    return f"_{kind.lower()}"
 
 
 NOTHING: Any = object()
@@ -296,7 +296,7 @@ class Evaluator:
 
     def expression(self, tree: ast.expr, frame: Frame) -> Any:
         """Return the value of an expression."""
-        handler = getattr(self, _handler_of(type(tree)), None)
+        handler = getattr(self, _handler_of(type(tree).__name__), None)
         if handler is None:
             raise MismatchError(f"a step cannot use {words_of(tree)}")
         return handler(tree, frame)
