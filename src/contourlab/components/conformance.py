@@ -16,7 +16,7 @@ from contourlab.components.place import fault, file_of_class, line_in
 from contourlab.engine.runner import Group, make_group
 from contourlab.engine.step import Node, Schedule, Step, record, rows
 from contourlab.engine.translate.step_graph import graph_of
-from contourlab.errors import ComponentError, ContourlabError, EngineError, error_text
+from contourlab.errors import ComponentError, ContourlabError, EngineError, error_text, refuse
 from contourlab.primitives import Clock, Table
 
 PERIOD = 1e-3
@@ -164,30 +164,28 @@ def _check_running(part: Component, scale: float, jit: bool) -> Array:
     if not np.array_equal(plain, _run(part, scale, False)):
         raise ComponentError("two runs differ: a step must depend on its arguments alone")
     _check_resume(part, scale, False, plain)
-    if jit:
-        alone, lanes = (_run(part, scale, True, width) for width in (1, 32))
-        for name, found in (("the compiled form", alone), ("the lanes", lanes)):
-            gap = _gap(found, plain)
-            if not gap <= AGREEMENT:
-                raise ComponentError(f"{name} and plain Python differ by {gap:.3g}")
-        _check_resume(part, scale, True, alone)
+    for name, width in (("the compiled form", 1), ("the lanes", 32)) if jit else ():
+        compiled = _run(part, scale, True, width)
+        gap = _gap(compiled, plain)
+        if not gap <= AGREEMENT:
+            raise ComponentError(f"{name} and plain Python differ by {gap:.3g}")
+        _check_resume(part, scale, True, compiled)
     return plain
 
 
 def _check_resume(part: Component, scale: float, jit: bool, whole: Array) -> None:
     """Check that a run in two halves, the second of them twice, is the `whole` run."""
-    group, outputs = _group(part, jit)
-    inputs, half = _excitation(group, scale), TICKS // 2
-    first = group.run(inputs[:half], outputs)
-    saved = group.snapshot()
-    rest = group.run(inputs[half:], outputs)
-    halves = np.concatenate([*(log.reshape(-1, 1) for log in (first, rest)), group.state[0]])
-    group.restore(saved)
+    group, outputs = _group(part, jit, whole.shape[1])
+    first, second = np.array_split(_excitation(group, scale), 2)
+    log = group.run(first, outputs)
+    saved, halves = group.snapshot(), []
+    for _ in range(2):
+        both = log, group.run(second, outputs)
+        halves.append(np.concatenate([*(one.reshape(-1, group.width) for one in both), group.state[0]]))
+        group.restore(saved)
     cure = "keep all memory in its states or its ring"
-    if not np.array_equal(rest, group.run(inputs[half:], outputs)):
-        raise ComponentError(f"a restored run differs from the original: {cure}")
-    if not np.array_equal(halves, whole):
-        raise ComponentError(f"a run in two halves differs from one run: {cure}")
+    refuse(not np.array_equal(halves[0], halves[1]), ComponentError, f"a restored run differs from the original: {cure}")
+    refuse(not np.array_equal(halves[0], whole), ComponentError, f"a run in two halves differs from one run: {cure}")
 
 
 def _check_numbers(kind: type[Component], part: Component) -> None:

@@ -56,22 +56,19 @@ class Frame:
 
 
 @cache
-def _names_in(tree: ast.AST) -> tuple[frozenset[str], frozenset[str], bool]:
-    """Return the names that a tree assigns to, all its names, and whether it returns."""
-    nodes = list(ast.walk(tree))
-    names = [node for node in nodes if isinstance(node, ast.Name)]
-    stored = frozenset(node.id for node in names if isinstance(node.ctx, ast.Store))
-    return stored, frozenset(node.id for node in names), any(isinstance(node, ast.Return) for node in nodes)
+def _names(tree: ast.AST, context: type[ast.expr_context] = ast.expr_context) -> frozenset[str]:
+    """Return the names of a tree: all, or those that it assigns to."""
+    return frozenset(node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, context))
 
 
 def assigned(*trees: ast.AST) -> list[str]:
     """Return the names that trees assign to."""
-    return sorted(frozenset().union(*(_names_in(tree)[0] for tree in trees)))
+    return sorted(frozenset().union(*(_names(tree, ast.Store) for tree in trees)))
 
 
-def returns(*trees: ast.AST) -> bool:
-    """Return whether trees have a return."""
-    return any(_names_in(tree)[2] for tree in trees)
+@cache
+def _returns(tree: ast.AST) -> bool:
+    return any(isinstance(node, ast.Return) for node in ast.walk(tree))
 
 
 def assign(target: ast.expr, value: Any, env: Env) -> None:
@@ -95,22 +92,16 @@ def assign(target: ast.expr, value: Any, env: Env) -> None:
 
 def bound(arguments: ast.arguments, defaults: Env, args: Sequence[Any], named: Mapping[str, Any]) -> Env:
     """Return the values of a function's arguments, by name."""
+    made = inspect.Parameter
+    takes = [made(name, made.POSITIONAL_OR_KEYWORD, default=defaults.get(name, made.empty)) for name in positional(arguments)]
+    takes += [made(arguments.vararg.arg, made.VAR_POSITIONAL)] if arguments.vararg else []
+    takes += [made(a.arg, made.KEYWORD_ONLY, default=defaults.get(a.arg, made.empty)) for a in arguments.kwonlyargs]
     try:
-        found = _signature(arguments, frozenset(defaults)).bind(*args, **named)
+        found = inspect.Signature(takes).bind(*args, **named)
     except (TypeError, ValueError) as error:
         raise MismatchError(str(error)) from error
-    given = dict(found.arguments)
     found.apply_defaults()
-    return {**found.arguments, **defaults, **given}
-
-
-@cache
-def _signature(arguments: ast.arguments, optional: frozenset[str]) -> inspect.Signature:
-    made = inspect.Parameter
-    known: list[tuple[str, Any]] = [(name, made.POSITIONAL_OR_KEYWORD) for name in positional(arguments)]
-    known += [(arguments.vararg.arg, made.VAR_POSITIONAL)] if arguments.vararg else []
-    known += [(arg.arg, made.KEYWORD_ONLY) for arg in arguments.kwonlyargs]
-    return inspect.Signature([made(name, kind, default=None if name in optional else made.empty) for name, kind in known])
+    return found.arguments
 
 
 def last_of(arguments: ast.arguments, values: Sequence[Any]) -> list[tuple[str, Any]]:
@@ -121,9 +112,8 @@ def last_of(arguments: ast.arguments, values: Sequence[Any]) -> list[tuple[str, 
 
 def is_numeric(value: Any) -> bool:
     """Return whether a value is a number, a condition, or a tuple of them."""
-    if isinstance(value, tuple):
-        return all(map(is_numeric, value))
-    return isinstance(value, (int, float)) or (isinstance(value, Op) and value.type in (NUMBER, WHOLE, CONDITION))
+    types = (NUMBER, WHOLE, CONDITION)
+    return all(isinstance(leaf, (int, float)) or (isinstance(leaf, Op) and leaf.type in types) for leaf in flat([value]))
 
 
 def has_unset(value: Any) -> bool:
@@ -133,10 +123,7 @@ def has_unset(value: Any) -> bool:
 
 def flat(values: Iterable[Any]) -> list[Any]:
     """Return the numbers and conditions within tuples, in order."""
-    leaves: list[Any] = []
-    for value in values:
-        leaves += flat(value) if isinstance(value, tuple) else [value]
-    return leaves
+    return [leaf for value in values for leaf in (flat(value) if isinstance(value, tuple) else [value])]
 
 
 def shaped(shapes: Iterable[Any], leaves: Sequence[Any]) -> list[Any]:
@@ -150,12 +137,6 @@ def shaped(shapes: Iterable[Any], leaves: Sequence[Any]) -> list[Any]:
         return type(like)(*items) if hasattr(like, "_fields") else tuple(items)
 
     return [shape(like) for like in shapes]
-
-
-@cache
-def _handler_of(kind: str) -> str:
-    """Return the name of the method of `Evaluator` for a kind of expression."""
-    return f"_{kind.lower()}"
 
 
 NOTHING: Any = object()
@@ -296,7 +277,7 @@ class Evaluator:
 
     def expression(self, tree: ast.expr, frame: Frame) -> Any:
         """Return the value of an expression."""
-        handler = getattr(self, _handler_of(type(tree).__name__), None)
+        handler = getattr(self, f"_{type(tree).__name__.lower()}", None)
         if handler is None:
             raise MismatchError(f"a step cannot use {words_of(tree)}")
         return handler(tree, frame)
@@ -466,7 +447,7 @@ class Evaluator:
         if not isinstance(test, Op):
             found = self.body(statement.body if test else statement.orelse, frame)
             return NOTHING if found is NOTHING else (found,)
-        if returns(statement):
+        if _returns(statement):
             # The statements after it belong to the side that goes on.
             def side(part: Sequence[ast.stmt]) -> Any:
                 found = self.body([*part, *rest], frame.copy())
@@ -536,8 +517,8 @@ class Evaluator:
         """Make a loop of a ``for`` whose body does not use its index; return whether that is possible."""
         names, own = assigned(*statement.body), frame.copy()
         known = all(is_numeric(frame.env.get(name, UNSET)) for name in names)
-        indexed = any(_names_in(part)[1] & _names_in(statement.target)[0] for part in statement.body)
-        if not known or indexed or returns(*statement.body):
+        indexed = any(_names(part) & _names(statement.target) for part in statement.body)
+        if not known or indexed or _returns(statement):
             return False
         shapes = [frame.env[name] for name in names]
 
@@ -555,7 +536,7 @@ class Evaluator:
 
     def _loop(self, statement: ast.For | ast.While, frame: Frame, test: Callable[[Frame], Any] | None, items: range | None) -> None:
         """Make a loop of a ``while``, or of a ``for`` over a range that may break."""
-        if returns(statement):
+        if _returns(statement):
             raise MismatchError("a return inside a loop: set a name, break, and return after the loop")
         names = [name for name in assigned(statement) if is_numeric(frame.env.get(name, UNSET))]
         shapes = [frame.env[name] for name in names]
