@@ -32,7 +32,7 @@ class HostMemory:
 class HostGpu:
     """Stands in for `contourlab.engine.gpu.Gpu`."""
 
-    code = "for the processor"
+    code = "for the processor, one thread after another"
 
     def use(self) -> None:
         pass
@@ -41,15 +41,15 @@ class HostGpu:
         return HostMemory(n)
 
     def compiled(self, source: str) -> bytes:
-        return source.encode()
-
-    def loaded(self, source: bytes) -> Any:
         """Compile IR whose number of the thread comes from an argument instead of a register of the GPU."""
-        text = re.sub(r"declare i32 @llvm.nvvm.*\n", "", source.decode())
+        text = re.sub(r"declare i32 @llvm.nvvm.*\n", "", source)
         text = re.sub(r"call i32 @llvm.nvvm.read.ptx.sreg.(\w+).x\(\)", lambda found: f"add i32 0, {_PLACE[found[1]]}", text)
         text = text.replace("ptx_kernel void", "void").replace("double %period)", "double %period, i64 %number)")
         text = text.replace("entry:", "entry:\n  %own = trunc i64 %number to i32", 1)
-        return llvm_ir.loaded(llvm_ir.object_code(text), "run", SIGNATURE)
+        return llvm_ir.object_code(text)
+
+    def loaded(self, code: bytes) -> Any:
+        return llvm_ir.loaded(code, "run", SIGNATURE)
 
     def run(self, function: Any, width: int, arguments: Sequence[Any]) -> None:
         assert width % THREADS == 0

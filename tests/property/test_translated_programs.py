@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import ctypes
 import os
 import random
 import shutil
-import subprocess
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -16,20 +14,22 @@ import numpy as np
 import pytest
 from graph_oracle import Bounded, Oracle, UnsureError
 from step_programs import TABLE, Writer, schedule_of, step_of
-from tests.helpers.translated_group import TranslatedGroup, tables_in_c
+from tests.helpers.translated_group import TranslatedGroup, in_c
 
 from contourlab.arrays import Array
 from contourlab.engine.gpu import gpu_of_process
 from contourlab.engine.runner import CompiledGroup, GpuGroup, Group, InterpretedGroup
 from contourlab.engine.step import Schedule, Step
-from contourlab.engine.translate import c99, llvm_ir, tick_loop
+from contourlab.engine.translate import llvm_ir, tick_loop
 from contourlab.engine.translate.maths import EXACT, LANES, SINGLE
-from contourlab.engine.translate.step_graph import StepGraph, TickGraph, graph_of, tick_graph
+from contourlab.engine.translate.step_graph import TickGraph, graph_of, tick_graph
 from contourlab.errors import EngineError
 
 N_LANE, TICKS, FIRST, PROGRAMS = 32, 3, 4711, 8
-MANY = int(os.environ.get("CONTOURLAB_RANDOM_PROGRAMS", "240"))
-"""Programs that the slow tests try; a block of eight takes four seconds. Each week the workflow tries 3,200."""
+MANY = int(os.environ.get("CONTOURLAB_RANDOM_PROGRAMS", "120"))
+"""Programs that the slow tests try; a block of eight takes two seconds. Each week the workflow tries 3,200."""
+IN_C = 24
+"""Programs that are compiled together as C."""
 CHECKED = (0, 7, 18, 31)
 """Lanes that are compared with the slow oracles."""
 
@@ -82,14 +82,14 @@ def cases_of(seeds: range, folder: Path) -> list[Case]:
     made = []
     for seed in seeds:
         step = step_of(folder / f"step_{seed}.py", Writer(seed).program())
-        try:
-            graph_of(step)
-        except EngineError as refusal:  # a name is a truth value before a loop and a number in it
-            assert "begin with a number" in str(refusal)
-            continue
         schedule, draw = schedule_of(step, seed, N_LANE), random.Random(seed)
         fed = np.array([[draw.choice([0.0, -0.0, 2.0, draw.gauss(0.0, 2.0)])] for _ in range(TICKS)])
         case = Case(seed, step, schedule, fed, np.empty(0))
+        try:
+            case.graph(EXACT, contract=False)
+        except EngineError as refusal:  # a name is a truth value before a loop and a number in it
+            assert "begin with a number" in str(refusal)
+            continue
         case.plain = case.run(InterpretedGroup(schedule, N_LANE, slice(0, N_LANE)))
         made.append(case)
     assert len(made) > len(seeds) // 2
@@ -161,30 +161,10 @@ def test_random_steps_have_the_bits_of_lanes_on_a_gpu(a_gpu: None, first: int, t
 
 
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
-@pytest.mark.parametrize("first", [0, *(pytest.param(n, marks=pytest.mark.slow) for n in range(48, MANY, 48))])
+@pytest.mark.parametrize("first", [0, *(pytest.param(n, marks=pytest.mark.slow) for n in range(IN_C, MANY, IN_C))])
 def test_random_steps_in_c_compute_the_bits_of_plain_python(first: int, tmp_path: Path) -> None:
-    cases = cases_of(range(first, first + 48), tmp_path)
-    source, library = tmp_path / "steps.c", tmp_path / "steps.so"
+    cases = cases_of(range(first, first + IN_C), tmp_path)
     graphs = {case.step: graph_of(case.step) for case in cases}
-    texts = [c99.source_of(graph, step.name) for step, graph in graphs.items()]
-    hashed = c99.HASH  # several steps in one file share it
-    text = "\n".join(text.replace(hashed, "") for text in texts)
-    source.write_text("#include <math.h>\n#include <stdint.h>\n" + hashed + text)
-    strict = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O1", "-ffp-contract=off", "-shared", "-fPIC")
-    done = subprocess.run(["gcc", *strict, "-o", str(library), str(source), "-lm"], capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    loaded = ctypes.CDLL(str(library))
-
-    def function_of(made: StepGraph) -> Any:
-        function = loaded[made.step.name]
-        function.restype = None
-
-        def call(par: int, tables: int, ring: int, x: int, inp: int, mask: int, k: float, t: float, dt: float, *after: int) -> None:
-            words = [ctypes.c_void_p(word) for word in (par, x, inp)] + [ctypes.c_double(word) for word in (k, t, dt)]
-            words += [*tables_in_c(tables, 1), ctypes.c_void_p(ring), ctypes.c_int64(mask)]
-            function(*words, *map(ctypes.c_void_p, after))
-
-        return call
-
+    make = in_c([*graphs.values()], tmp_path, "-O1")
     for case in cases:
-        assert_bits(case.run(TranslatedGroup(case.schedule, function_of, graphs.__getitem__))[:, 0], case.plain[:, 0])
+        assert_bits(case.run(TranslatedGroup(case.schedule, make, graphs.__getitem__))[:, 0], case.plain[:, 0])

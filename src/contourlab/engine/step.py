@@ -151,10 +151,7 @@ def unpack(ports: Iterable[Port], values: list[float]) -> list[Any]:
 
 def pack(ports: Iterable[Port], values: Iterable[Any]) -> list[float]:
     """Flatten one value per port into a list of numbers."""
-    flat: list[float] = []
-    for port, value in zip(ports, values, strict=True):
-        flat += value if port.size else (value,)
-    return flat
+    return [number for port, value in zip(ports, values, strict=True) for number in (value if port.size else (value,))]
 
 
 def misfit(step: Step, returned: Any) -> str:

@@ -64,17 +64,13 @@ CONTROLLERS = {"modified reference": control, "cross-coupled": crossed, "predict
 INSTANT = [Network(), Network(message_period=PERIOD), Network(between="extrapolate"), IdealLink()]
 
 
+PAIRS = [*((name, INSTANT[0]) for name in CONTROLLERS), *(("modified reference", link) for link in INSTANT[1:])]
+"""Each controller with a network, and each link with one controller."""
+MORE = [pytest.param("filters", link, marks=pytest.mark.slow) for link in INSTANT[1:]]
+
+
 @pytest.mark.parametrize("division", DIVISIONS)
-@pytest.mark.parametrize(
-    ("name", "link"),
-    [
-        pytest.param(
-            name, link, marks=[] if name == "modified reference" or link == INSTANT[0] else [pytest.mark.slow], id=f"{name}-{link}"
-        )
-        for name in CONTROLLERS
-        for link in INSTANT
-    ],
-)
+@pytest.mark.parametrize(("name", "link"), [*PAIRS, *MORE], ids=str)
 def test_an_instant_link_changes_no_bit(division: str, name: str, link: Any, circle: cl.Reference) -> None:
     """With sticking friction, noise, counts and late commands."""
     controller = CONTROLLERS[name]()

@@ -11,6 +11,7 @@ import ast
 import inspect
 import operator as operators
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cache
 from types import FunctionType
 from typing import Any
 
@@ -54,9 +55,20 @@ class Frame:
         return value
 
 
-def assigned(tree: ast.AST) -> list[str]:
-    """Return the names that a tree assigns to."""
-    return sorted({node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)})
+@cache
+def _names(tree: ast.AST, context: type[ast.expr_context] = ast.expr_context) -> frozenset[str]:
+    """Return the names of a tree: all, or those that it assigns to."""
+    return frozenset(node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, context))
+
+
+def assigned(*trees: ast.AST) -> list[str]:
+    """Return the names that trees assign to."""
+    return sorted(frozenset().union(*(_names(tree, ast.Store) for tree in trees)))
+
+
+@cache
+def _returns(tree: ast.AST) -> bool:
+    return any(isinstance(node, ast.Return) for node in ast.walk(tree))
 
 
 def assign(target: ast.expr, value: Any, env: Env) -> None:
@@ -100,9 +112,8 @@ def last_of(arguments: ast.arguments, values: Sequence[Any]) -> list[tuple[str, 
 
 def is_numeric(value: Any) -> bool:
     """Return whether a value is a number, a condition, or a tuple of them."""
-    if isinstance(value, tuple):
-        return all(map(is_numeric, value))
-    return isinstance(value, (int, float)) or (isinstance(value, Op) and value.type in (NUMBER, WHOLE, CONDITION))
+    types = (NUMBER, WHOLE, CONDITION)
+    return all(isinstance(leaf, (int, float)) or (isinstance(leaf, Op) and leaf.type in types) for leaf in flat([value]))
 
 
 def has_unset(value: Any) -> bool:
@@ -112,10 +123,7 @@ def has_unset(value: Any) -> bool:
 
 def flat(values: Iterable[Any]) -> list[Any]:
     """Return the numbers and conditions within tuples, in order."""
-    leaves: list[Any] = []
-    for value in values:
-        leaves += flat(value) if isinstance(value, tuple) else [value]
-    return leaves
+    return [leaf for value in values for leaf in (flat(value) if isinstance(value, tuple) else [value])]
 
 
 def shaped(shapes: Iterable[Any], leaves: Sequence[Any]) -> list[Any]:
@@ -439,7 +447,7 @@ class Evaluator:
         if not isinstance(test, Op):
             found = self.body(statement.body if test else statement.orelse, frame)
             return NOTHING if found is NOTHING else (found,)
-        if any(isinstance(node, ast.Return) for node in ast.walk(statement)):
+        if _returns(statement):
             # The statements after it belong to the side that goes on.
             def side(part: Sequence[ast.stmt]) -> Any:
                 found = self.body([*part, *rest], frame.copy())
@@ -507,11 +515,10 @@ class Evaluator:
 
     def _repeated(self, statement: ast.For, frame: Frame, count: int) -> bool:
         """Make a loop of a ``for`` whose body does not use its index; return whether that is possible."""
-        body = ast.Module(statement.body, [])
-        used = {node.id for node in ast.walk(body) if isinstance(node, ast.Name)}
-        names, own = assigned(body), frame.copy()
+        names, own = assigned(*statement.body), frame.copy()
         known = all(is_numeric(frame.env.get(name, UNSET)) for name in names)
-        if not known or used & set(assigned(statement.target)) or any(isinstance(node, ast.Return) for node in ast.walk(body)):
+        indexed = any(_names(part) & _names(statement.target) for part in statement.body)
+        if not known or indexed or _returns(statement):
             return False
         shapes = [frame.env[name] for name in names]
 
@@ -529,7 +536,7 @@ class Evaluator:
 
     def _loop(self, statement: ast.For | ast.While, frame: Frame, test: Callable[[Frame], Any] | None, items: range | None) -> None:
         """Make a loop of a ``while``, or of a ``for`` over a range that may break."""
-        if any(isinstance(node, ast.Return) for node in ast.walk(statement)):
+        if _returns(statement):
             raise MismatchError("a return inside a loop: set a name, break, and return after the loop")
         names = [name for name in assigned(statement) if is_numeric(frame.env.get(name, UNSET))]
         shapes = [frame.env[name] for name in names]
@@ -578,7 +585,7 @@ class Evaluator:
             def side(part: Sequence[ast.stmt], own: Frame, rest: Sequence[ast.stmt] = rest) -> None:
                 own.env[_ON] = self._until_break([*part, *rest], own)
 
-            self._both_sides(test, statement, side, [*assigned(ast.Module([statement, *rest], [])), _ON], frame)
+            self._both_sides(test, statement, side, [*assigned(statement, *rest), _ON], frame)
             return frame.env.pop(_ON)
         return True
 

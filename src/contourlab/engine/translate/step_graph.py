@@ -264,12 +264,11 @@ def tick_graph(
     """
     builder = _Builder(schedule, places, primitives, contract, reads)
     made = builder.made
-    for i, node in enumerate(schedule.nodes):
+    for i in range(len(schedule.nodes) + 1):
         if i == schedule.record_point:
             made.log = [builder.signal(row) for row in log_rows]
-        builder.node(i, node)
-    if schedule.record_point >= len(schedule.nodes):
-        made.log = [builder.signal(row) for row in log_rows]
+        if i < len(schedule.nodes):
+            builder.node(i, schedule.nodes[i])
     made.carried += [(op, row, builder.now.get(row, op)) for row, op in builder.late.items()]
     fed = {row: made.graph.op("external", extra=row) for row in range(builder.n_external)}
     made.signals = [(row, op) for row, op in (fed | builder.now).items() if row not in builder.late]

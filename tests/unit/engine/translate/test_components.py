@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import ctypes
 import shutil
-import subprocess
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from each import each
-from tests.helpers.translated_group import Maker, TranslatedGroup, in_machine_code, tables_in_c
+from tests.helpers.translated_group import Maker, TranslatedGroup, in_c, in_machine_code
 
 from contourlab.components.conformance import PERIOD, subject
 from contourlab.components.contract import Component
@@ -19,7 +19,6 @@ from contourlab.components.mechanics.core import friction_prefix, link
 from contourlab.components.registry import components
 from contourlab.engine.runner import InterpretedGroup
 from contourlab.engine.step import Node, Schedule, Step, rows
-from contourlab.engine.translate import c99
 from contourlab.engine.translate.step_graph import StepGraph, graph_of
 from contourlab.errors import ComponentError
 
@@ -43,21 +42,25 @@ def excitation(schedule: Schedule, scale: float) -> np.ndarray:
     return waves
 
 
-def assert_same_bits(schedule: Schedule, scale: float, make: Maker = in_machine_code) -> None:
-    plain, translated = InterpretedGroup(schedule, 1, slice(0, 1)), TranslatedGroup(schedule, make)
-    fed = excitation(schedule, scale)
-    logged = list(range(schedule.n_row))
-    np.testing.assert_array_equal(translated.run(fed, logged), plain.run(fed, logged))
-    for one, other in zip(translated.state, plain.state, strict=True):
-        np.testing.assert_array_equal(one, other)
+def assert_same_bits(
+    schedule: Schedule, *scales: float, make: Maker = in_machine_code, graph: Callable[[Step], StepGraph] = graph_of
+) -> None:
+    """Check that a schedule computes the same bits in both forms; its steps are translated once."""
+    graph_once = cache(graph)
+    for scale in scales:
+        plain, translated = InterpretedGroup(schedule, 1, slice(0, 1)), TranslatedGroup(schedule, make, graph_once)
+        fed = excitation(schedule, scale)
+        logged = list(range(schedule.n_row))
+        np.testing.assert_array_equal(translated.run(fed, logged), plain.run(fed, logged), err_msg=f"at {scale}")
+        for one, other in zip(translated.state, plain.state, strict=True):
+            np.testing.assert_array_equal(one, other, err_msg=f"at {scale}")
 
 
 @pytest.mark.parametrize("kind", KINDS, ids=named)
-@each("scale", [0.01, 1.0, 100.0])
-def test_a_component_is_translated_bit_for_bit(kind: type[Component], scale: float) -> None:
+def test_a_component_is_translated_bit_for_bit(kind: type[Component]) -> None:
     part = kind(**kind.example)
     step, values, tables = subject(part)
-    assert_same_bits(alone(step, values, tables, part.ring_length(PERIOD), 3 if kind.family == "plant" else 1), scale)
+    assert_same_bits(alone(step, values, tables, part.ring_length(PERIOD), 3 if kind.family == "plant" else 1), 0.01, 1.0, 100.0)
 
 
 @pytest.mark.slow
@@ -72,37 +75,21 @@ def test_every_plant_with_every_friction(plant: type[Component], friction: type[
     assert_same_bits(alone(step, {**table.block(PERIOD), **values}, table.table_values(), repeat=2), 3.0)
 
 
-def in_c(folder: Path, *flags: str) -> Maker:
-    """Return a maker that compiles the C99 source of a step with the system's compiler."""
-
-    def make(made: StepGraph) -> Any:
-        source, library = folder / "step.c", folder / "step.so"
-        source.write_text(c99.source_of(made, "step"))
-        strict = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O2", "-ffp-contract=off", "-shared", "-fPIC", *flags)
-        subprocess.run(["gcc", *strict, "-o", str(library), str(source), "-lm"], check=True, capture_output=True)
-        function = ctypes.CDLL(str(library)).step
-        function.restype = None
-        step = made.step
-
-        def call(par: int, tables: int, ring: int, x: int, inp: int, mask: int, *rest: float) -> None:
-            *time, after, out = rest
-            words = [*map(ctypes.c_void_p, (par, x, inp)), *map(ctypes.c_double, time)]
-            words += tables_in_c(tables, len(step.tables)) if step.tables else []
-            words += [ctypes.c_void_p(ring), ctypes.c_int64(mask)] if step.ring else []
-            function(*words, ctypes.c_void_p(int(after)), ctypes.c_void_p(int(out)))
-
-        return call
-
-    return make
-
-
 @pytest.mark.slow
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
-@pytest.mark.parametrize("kind", KINDS, ids=named)
-def test_c99_computes_the_same_bits(kind: type[Component], tmp_path: Path) -> None:
-    part = kind(**kind.example)
-    step, values, tables = subject(part)
-    assert_same_bits(alone(step, values, tables, part.ring_length(PERIOD)), 1.0, in_c(tmp_path))
+def test_c99_computes_the_same_bits(tmp_path: Path) -> None:
+    schedules = {}
+    for kind in KINDS:
+        part = kind(**kind.example)
+        schedules[kind] = alone(*subject(part), part.ring_length(PERIOD))
+    graphs = {schedule.nodes[0].step: graph_of(schedule.nodes[0].step) for schedule in schedules.values()}
+    make = in_c([*graphs.values()], tmp_path, "-O2")
+
+    @each("kind", KINDS, named)
+    def same_bits(kind: type[Component]) -> None:
+        assert_same_bits(schedules[kind], 1.0, make=make, graph=graphs.__getitem__)
+
+    same_bits()
 
 
 @each("kind", KINDS, named)

@@ -18,6 +18,7 @@ from hypothesis import strategies as st
 from tests.helpers.translated_group import in_machine_code
 
 from contourlab.engine.step import Port, Step
+from contourlab.engine.translate import graph
 from contourlab.engine.translate.step_graph import graph_of
 from contourlab.errors import EngineError
 from contourlab.primitives import clip, copysign, dot, exp, fabs, floor, lookup, maximum, minimum, rint, select, sqrt
@@ -249,11 +250,11 @@ def collecting(a: float, b: float) -> float:
         (lambda a, b: 1.0 if (a, b) == (1.0, b) else a, 0, "eq of"),
         (lambda a, b: a + (6 & 3), 0, "bit and"),
         (with_else, 1, "else after a loop"),
-        (doubling, 1, "more than"),
+        (doubling, 2, "more than"),
     ],
 )
-@pytest.mark.slow
-def test_what_cannot_be_translated_is_refused_with_its_line(function: Any, line: int, reason: str) -> None:
+def test_what_cannot_be_translated_is_refused_with_its_line(function: Any, line: int, reason: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(graph, "LARGEST", 1000)
     with pytest.raises(EngineError) as refusal:
         graph_of(step_of(function))
     where, _, message = str(refusal.value).partition(": ")
