@@ -468,8 +468,9 @@ def _triangle(columns: Array) -> Array:
     """Return R (p, p) of columns (n, p), by blocks of rows, which fit the cache of one processor."""
     n, p = columns.shape
     rows = max(BLOCK, 2 * p)
-    padded = np.concatenate([columns, np.zeros((-n % rows, p))])
-    return np.asarray(np.linalg.qr(np.linalg.qr(padded.reshape(-1, rows, p), mode="r").reshape(-1, p), mode="r"))
+    blocks = np.concatenate([columns, np.zeros((-n % rows, p))]).reshape(-1, rows, p)
+    triangles: Any = np.linalg.qr(blocks, mode="r")  # NumPy's types know only the pair of Q and R
+    return np.asarray(np.linalg.qr(triangles.reshape(-1, p), mode="r"))
 
 
 def jacobian(residuals: Residuals, x: Array, r: Array, low: Array, high: Array, step: Array) -> Array:
