@@ -123,6 +123,7 @@ class CompiledGroup(Group):
         super().__init__(schedule, width, lanes)
         self._tables = [np.ascontiguousarray(node.tables[name], dtype=float) for node in schedule.nodes for name in node.step.tables]
         self._tables_at = np.array([(table.ctypes.data, table.size) for table in self._tables], dtype=np.int64)
+        self._data = self.memory.ctypes.data, self._tables_at.ctypes.data
         self._loops: dict[tuple[int, ...], Any] = {}
 
     def restore(self, saved: tuple[int, Array]) -> None:
@@ -135,7 +136,7 @@ class CompiledGroup(Group):
         log = aligned((len(external), len(log_rows), self.width)) if out is None else out
         # The tick loop has no strides for the log, and stores whole cache lines.
         assert log.flags.c_contiguous and (self.width == 1 or not log.size or log.ctypes.data % 64 == 0)
-        data = [array.ctypes.data for array in (self.memory, self._tables_at, external)]
+        data = *self._data, external.ctypes.data
         loop = self._loop(tuple(log_rows))
         for lane in range(0, self.width, VECTOR):
             loop(*data, *strides, log.ctypes.data, self.tick, len(external), self.schedule.period, lane)

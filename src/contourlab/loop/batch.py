@@ -334,7 +334,7 @@ def _check_together(known: Mapping[str, tuple[Component, str]], columns: Mapping
         if type(part).__init__ is Component.__init__ and type(part).check_values is Component.check_values:
             continue
         names = [known[name][1] for name in of_part]
-        for row in np.unique(np.column_stack(list(of_part.values())), axis=0).tolist():
+        for row in sorted(set(zip(*(values.tolist() for values in of_part.values()), strict=True))):
             try:
                 part.replace(**dict(zip(names, row, strict=True)))
             except ParameterError as error:
@@ -367,7 +367,7 @@ def _check_substeps(machine: Machine, columns: Mapping[str, Array]) -> None:
         changed = {name.removeprefix(head): values for name, values in columns.items() if name.startswith(head)}
         if not changed or type(axis.plant).fewest_substeps is Plant.fewest_substeps:
             continue
-        for row in np.unique(np.column_stack(list(changed.values())), axis=0).tolist():
+        for row in sorted(set(zip(*(values.tolist() for values in changed.values()), strict=True))):
             plant = machine.loaded_plant(axis.name).replace(**dict(zip(changed, row, strict=True)))
             wanted, why = plant.fewest_substeps(machine.servo_period)
             if axis.substeps < wanted:

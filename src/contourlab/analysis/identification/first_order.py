@@ -1,7 +1,7 @@
 """Identification of the first-order axis v' = -b v + a (u - friction - offset), in open or closed loop.
 
-While the axis moves in one direction the motion is linear: one filter call computes it. The instant of a stop within a sample has a closed
-form; from there the axis moves on, turns, or sticks until the command exceeds its friction.
+While the axis moves in one direction the motion is linear, and exact from sample to sample. The instant of a stop within a sample has a
+closed form; from there the axis moves on, turns, or sticks until the command exceeds its friction.
 
 Open loop (steps, squares, random levels): one output-error fit gives gain, damping, Coulomb friction, offset, delay and initial velocity.
 The model is simulated from the command alone and compared with the measured velocity. (Fitting the equation itself to measured v and v'
@@ -31,9 +31,7 @@ from contourlab.analysis.identification.least_squares import Free, OutputFit, de
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
-
-FIRST_PIECE = 64
-"""Samples of the first block; doubled after each block without a stop."""
+from contourlab.native.kernel import kernel
 
 
 def delayed(command: Array, samples: float) -> Array:
@@ -78,52 +76,38 @@ def first_order_motion(
     velocity, position : ndarray (n,)
         Over a; the first position is 0.
     """
-    n, gains = command.size, _gains(damping, period)
-    v, p = np.zeros(n), np.zeros(n)
+    held = np.ascontiguousarray(command, dtype=float)
+    v, p = np.zeros(held.size), np.zeros(held.size)
     v[0] = start
-    if forward == 0.0 and backward == 0.0:
-        _glide(command, v, p, 0, n - 1, 0.0, gains)
-        return v, p
-    way, k, piece = float(np.sign(start)), 0, FIRST_PIECE
-    while k < n - 1:
-        if way == 0.0:
-            released = _released(command, k, forward, backward)
-            p[k : released + 1] = p[k]
-            if released == n:
-                break
-            k, way, piece = released, 1.0 if command[released] > forward else -1.0, FIRST_PIECE
-            continue
-        last = min(k + piece, n - 1)
-        _glide(command, v, p, k, last, forward if way > 0.0 else -backward, gains)
-        stops = np.flatnonzero(way * v[k + 1 : last + 1] < 0.0)
-        if not stops.size:
-            k, piece = last, 2 * piece
-            continue
-        k += int(stops[0])
-        v[k + 1], gone, way = _turned(v[k], command[k], way, period, damping, (forward, backward))
-        p[k + 1] = p[k] + gone
-        v[k + 2 :] = 0.0
-        k, piece = k + 1, FIRST_PIECE
+    _move(held, period, damping, forward, backward, v, p)
     return v, p
 
 
-def _released(command: Array, k: int, forward: float, backward: float) -> int:
-    """Return the first sample from k on whose command moves an axis at rest; the number of samples if there is none."""
-    n, piece = command.size, FIRST_PIECE
-    while k < n:
-        part = command[k : k + piece]
-        moving = np.flatnonzero((part > forward) | (part < -backward))
-        if moving.size:
-            return k + int(moving[0])
-        k, piece = k + piece, 2 * piece
-    return n
+@kernel("f8[:] f8 f8 f8 f8 f8[:] f8[:]")
+def _move(command: Array, period: float, damping: float, forward: float, backward: float, v: Array, p: Array) -> None:
+    """Compute the motion from the first velocity and position on."""
+    left, gained, gone = _gains(damping, period)
+    rubs = forward != 0.0 or backward != 0.0
+    way = 1.0 if v[0] > 0.0 else -1.0 if v[0] < 0.0 else 0.0
+    for k in range(command.size - 1):
+        if way == 0.0:
+            way = 1.0 if command[k] > forward else -1.0 if command[k] < -backward else 0.0
+        if way == 0.0:
+            p[k + 1] = p[k]
+            continue
+        push = command[k] - (forward if way > 0.0 else -backward)
+        v[k + 1] = left * v[k] + gained * push
+        if rubs and way * v[k + 1] < 0.0:
+            v[k + 1], travel, way = _turned(v[k], command[k], way, period, damping, forward, backward)
+        else:
+            travel = gained * v[k] + gone * push
+        p[k + 1] = p[k] + travel
 
 
 def _turned(
-    velocity: float, command: float, way: float, period: float, damping: float, friction: tuple[float, float]
+    velocity: float, command: float, way: float, period: float, damping: float, forward: float, backward: float
 ) -> tuple[float, float, float]:
     """Return velocity, travel and direction after a sample in which the axis stops."""
-    forward, backward = friction
     push = command - (forward if way > 0.0 else -backward)
     ratio = -velocity / push
     stop = math.log1p(damping * ratio) / damping if damping * period > 1e-9 else ratio
@@ -135,16 +119,6 @@ def _turned(
     push = command - (forward if onward > 0.0 else -backward)
     _, gained, gone = _gains(damping, period - stop)
     return gained * push, reached + gone * push, onward
-
-
-def _glide(command: Array, v: Array, p: Array, k: int, last: int, held: float, gains: tuple[float, float, float]) -> None:
-    """Compute the motion in one direction from sample k to `last`, into v and p."""
-    from scipy.signal import lfilter
-
-    left, gained, way = gains
-    push = command[k:last] - held
-    v[k + 1 : last + 1] = lfilter([gained], [1.0, -left], push, zi=np.array([left * v[k]]))[0]
-    p[k + 1 : last + 1] = p[k] + np.cumsum(gained * v[k:last] + way * push)
 
 
 EXPLAINED = 80.0
@@ -273,8 +247,8 @@ def _start(blocks: _Blocks, measured: Array, with_friction: bool) -> dict[str, F
     for b in np.geomspace(0.3 / whole, fastest, 14):
         for share in (0.0, 0.2, 0.5, 0.8) if with_friction else (0.0,):
             unit = blocks.model({"b": float(b), "friction": share * size})
-            power = float(unit @ unit)
-            a = float(unit @ measured) / power if power > 0.0 else 0.0
+            power = float(np.sum(unit**2))  # a product of vectors would spread over threads, which takes longer
+            a = float(np.sum(unit * measured)) / power if power > 0.0 else 0.0
             cost = float(np.sum((measured - a * unit) ** 2))
             if a != 0.0 and cost < least:
                 best, least = (a, float(b), share * size), cost

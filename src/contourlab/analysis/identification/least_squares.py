@@ -328,6 +328,8 @@ Residuals = Callable[[Array], Array]
 
 DAMPINGS = 10.0 ** np.arange(-3.0, 5.0)
 """Factors on the damping, tried in parallel."""
+BLOCK = 256
+"""Rows of a matrix that are brought to a triangle at once."""
 
 
 @dataclass(frozen=True)
@@ -453,13 +455,22 @@ def _trials(x: Array, r: Array, slopes: Array, free: Flags, low: Array, high: Ar
     lengths = np.linalg.norm(j, axis=0)
     lengths = np.where(lengths > 0.0, lengths, 1.0)  # a parameter without effect stays where it is
     # Solved as least squares: normal equations would square the condition number.
-    q, unit = np.linalg.qr(j / lengths)
-    wanted = np.append(-r @ q, np.zeros(lengths.size))
+    triangle = _triangle(np.column_stack([j / lengths, -r]))
+    unit, wanted = triangle[:-1, :-1], np.append(triangle[:-1, -1], np.zeros(lengths.size))
     moved = np.repeat(x[None], dampings.size, axis=0)
     for trial, damping in zip(moved, dampings, strict=True):
         matrix = np.vstack([unit, math.sqrt(damping) * np.eye(lengths.size)])
         trial[free] += np.linalg.lstsq(matrix, wanted, rcond=None)[0] / lengths
     return np.clip(moved, low, high)
+
+
+def _triangle(columns: Array) -> Array:
+    """Return R (p, p) of columns (n, p), by blocks of rows, which fit the cache of one processor."""
+    n, p = columns.shape
+    rows = max(BLOCK, 2 * p)
+    blocks = np.concatenate([columns, np.zeros((-n % rows, p))]).reshape(-1, rows, p)
+    triangles: Any = np.linalg.qr(blocks, mode="r")  # NumPy's types know only the pair of Q and R
+    return np.asarray(np.linalg.qr(triangles.reshape(-1, p), mode="r"))
 
 
 def jacobian(residuals: Residuals, x: Array, r: Array, low: Array, high: Array, step: Array) -> Array:

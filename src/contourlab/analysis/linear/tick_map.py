@@ -45,9 +45,14 @@ class Probe:
 
     def __init__(self, schedule: Schedule, width: int = 1, first: int = 0, jit: bool = False) -> None:
         self.group = make_group(schedule, width, slice(first, first + width), jit)
-        self.parts = [*self.group.state, *self.group.rings, self.group.signals]
-        self.n_input = rows(schedule.externals)
-        self.size = sum(len(part) for part in self.parts)
+        self.n_input, places = rows(schedule.externals), self.group.places
+        states = [np.arange(len(part)) + first for first, part in zip(places.states, self.group.state, strict=True)]
+        rings = [np.arange(length) + first for first, length in zip(places.rings, places.ring_lengths, strict=False)]
+        signals = np.arange(len(self.group.signals))
+        self.before = np.concatenate([*states, *rings, signals])
+        # Roll ring buffers back by one, so that every tick reads the same entries.
+        self.behind = np.concatenate([*states, *(np.roll(ring, -1) for ring in rings), signals])
+        self.size = self.before.size
         self.at_rest = self.after(np.zeros(self.size), np.zeros(self.n_input))
 
     def __call__(self, state: Array, inputs: Array) -> Array:
@@ -56,24 +61,19 @@ class Probe:
 
     def after(self, state: Array, inputs: Array) -> Array:
         """Return the state (n, width) after a tick."""
-        start = 0
-        for part in self.parts:
-            part[:] = state[start : start + len(part), None]
-            start += len(part)
+        self.group.memory[self.before] = state[:, None]
         self.group.tick = 0
         self.group.run(inputs[None, :], [])
-        # Roll ring buffers back by one, so that every tick reads the same entries.
-        for ring in self.group.rings:
-            ring[:] = np.roll(ring, -1, axis=0)
-        return np.concatenate(self.parts)
+        return np.asarray(self.group.memory[self.behind])
 
     def state_matrix(self) -> Array:
         """Return A (n, n, width)."""
-        none, untouched = np.zeros(self.n_input), np.zeros_like(self.at_rest)
-        # Externals are overwritten at every tick: their old values have no effect.
-        first = self.size - len(self.group.signals)
-        externals = range(first, first + self.n_input)
-        return np.stack([untouched if i in externals else self(unit, none) for i, unit in enumerate(np.eye(self.size))], axis=1)
+        a, none, first = np.zeros((self.size, self.size, self.group.width)), np.zeros(self.n_input), self.size - len(self.group.signals)
+        for i, unit in enumerate(np.eye(self.size)):
+            # Externals are overwritten at every tick: their old values have no effect.
+            if not first <= i < first + self.n_input:
+                a[:, i] = self(unit, none)
+        return a
 
     def matrices(self) -> tuple[Array, Array]:
         """Return A (n, n, width) and B (n, n_external, width)."""
