@@ -233,7 +233,7 @@ def by_length(k, s, order, coefficients, borders, inverse, found, i):  # type: i
 def evaluate(slot, along, order, coefficients, borders, inverse, found):  # type: ignore[no-untyped-def]
     """Evaluate blends `slot` (n,) at arc lengths `along` (n,): derivatives by arc length into `found` (order + 1, n_axis, n)."""
     for i in range(slot.size):
-        by_length(slot[i], along[i], order, coefficients, borders, inverse, found, i)
+        by_length(slot[i], along[i], order, coefficients, borders, inverse, found, i)  # type: ignore[no-untyped-call]
 
 
 class Blends(CurveBatch):

@@ -13,7 +13,7 @@ remain: a few out of thousands, after some tens of distances.
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -36,6 +36,8 @@ _TABLE_SLACK = 1e-8
 _TURN = 0.35
 """Largest turn [rad] of a cell: it has a single closest point."""
 _MOST_STEPS = 60
+_SQUARE = 1e-16
+"""A Newton step whose square is less, relative to the length of the piece [m], is the last: what is left is about the square over the length."""
 
 
 class _Leaves(NamedTuple):
@@ -130,7 +132,9 @@ def _number(start, length, closed, s, hint):
     low, high = 0, n - 1
     if start[hint] <= s:
         low = hint
-        high = hint if hint == n - 1 or s < start[hint + 1] else high
+        for _ in range(4):
+            low += 1 if low < n - 1 and start[low + 1] <= s else 0
+        high = low if low == n - 1 or s < start[low + 1] else high
     else:
         high = hint
     while low < high:
@@ -228,8 +232,8 @@ def _slope(points, i, pieces, at, h):
     return square, slope, bend
 
 
-def _on_piece(points, i, pieces, at, a, b, slope_a, slope_b, enough):
-    """Return h of the closest point between a and b, where the slope rises through zero."""
+def _on_piece(points, i, pieces, at, a, b, slope_a, slope_b, curvature):
+    """Return h of the closest point between a and b, where the slope rises through zero, to a tenth of a nanometre."""
     h = a if slope_b <= slope_a else min(max(a - slope_a * (b - a) / (slope_b - slope_a), a), b)
     for _ in range(_MOST_STEPS):
         _, slope, bend = _slope(points, i, pieces, at, h)
@@ -237,12 +241,12 @@ def _on_piece(points, i, pieces, at, a, b, slope_a, slope_b, enough):
         after = h - slope / bend if bend > 0.0 else math.inf
         after = after if a <= after <= b else 0.5 * (a + b)
         moved, h = abs(after - h), after
-        if moved <= enough:
+        if moved * moved * (curvature + 1.0) <= 1e-10:  # what is left is its square
             break
     return h
 
 
-def _on_blend(points, i, coefficients, borders, inverse, k, s, a, b, curvature, spot):
+def _on_blend(points, i, coefficients, borders, inverse, k, s, a, b, size, spot):
     """Find the closest point of a blend between a and b, from s; write it and the tangent to `spot`, return its arc length."""
     axes = points.shape[1]
     for _ in range(_MOST_STEPS):
@@ -256,7 +260,7 @@ def _on_blend(points, i, coefficients, borders, inverse, k, s, a, b, curvature, 
         inside = a <= after <= b
         moved = (after if inside else 0.5 * (a + b)) - s
         s += moved
-        if inside and bend > 0.1 and moved * moved * curvature <= 1e-17:  # what is left is its square
+        if inside and bend > 0.1 and moved * moved <= _SQUARE * size:
             for j in range(axes):
                 first, second = spot[1, j, 0], spot[2, j, 0]
                 spot[0, j, 0] += moved * (first + 0.5 * moved * second)
@@ -282,10 +286,9 @@ def search(
     """Find foot points from sample state[0] on: `place`, `foot`, `distance`, `signed`.
 
     Closest points of other curves than lines, flat arcs and blends go to `pairs` (sample, curve) and `guess` (lap, arc length, bracket,
-    distance). `state` is set to the next sample, the number of pairs, and the number of leaves searched.
+    distance, length of the piece). `state` is set to the next sample, the number of pairs, and the number of leaves searched.
     """
     axes, n, count, i, hint = points.shape[1], leaf.shape[0], 0, state[0], 0
-    enough = 1e-12 * length
     while i < points.shape[0]:
         begun, least, aside, won, won_at, won_lap, bound, top = count, math.inf, math.inf, -1, 0.0, 0, math.inf, 1
         first, last = around[i] - window[i], around[i] + window[i]
@@ -296,8 +299,9 @@ def search(
         ends[0, 0] = _number(start, length, closed, first, hint)
         hint = ends[0, 0] % n
         ends[0, 1] = _number(start, length, closed, last, hint) + 1
-        depths[0, 0], depths[0, 1] = _away(corner, closed, points, i, ends[0, 0]), _away(corner, closed, points, i, ends[0, 1])
-        depths[0, 2] = _least(along, closed, ends[0, 0], ends[0, 1], depths[0, 0], depths[0, 1])
+        depths[0, 2] = 0.0
+        if ends[0, 1] - ends[0, 0] > 1:
+            depths[0, 0], depths[0, 1] = _away(corner, closed, points, i, ends[0, 0]), _away(corner, closed, points, i, ends[0, 1])
         while top:
             top -= 1
             a, b = ends[top, 0], ends[top, 1]
@@ -330,7 +334,7 @@ def search(
                 if h_b < h_a:
                     continue
                 # Both ends of the window are closest points too: cells -1 and `cells`.
-                cells = max(int(math.ceil((h_b - h_a) * bend[at] / _TURN)), 1)
+                cells = max(math.ceil((h_b - h_a) * bend[at] / _TURN), 1)
                 cell, step = -1 if begin + h_a <= low else 0, (h_b - h_a) / cells
                 square_b, slope_b, _ = _slope(points, i, pieces, at, h_a)
                 h_b = h_a
@@ -355,11 +359,11 @@ def search(
                     if nearest > bound + _TABLE_SLACK or slope_a > tiny or slope_b < -tiny:
                         cell += 1
                         continue
-                    s = begin + _on_piece(points, i, pieces, at, h_a, h_b, slope_a, slope_b, enough)
+                    s = begin + _on_piece(points, i, pieces, at, h_a, h_b, slope_a, slope_b, bend[at])
                     s_a, s_b = max(begin + h_a - 1e-7 * length, low), min(begin + h_b + 1e-7 * length, high)
                     s = min(max(s, s_a), s_b)
                     if kind == _BLEND:
-                        s = _on_blend(points, i, coefficients, borders, inverse, k, s, s_a, s_b, bend[at], spot)
+                        s = _on_blend(points, i, coefficients, borders, inverse, k, s, s_a, s_b, start[at + 1] - start[at], spot)
                     else:
                         square, _, _ = _slope(points, i, pieces, at, s - begin)
                 cell += 1
@@ -369,7 +373,8 @@ def search(
                         return
                     away = math.sqrt(square)
                     pairs[count, 0], pairs[count, 1] = i, c
-                    guess[count, 0], guess[count, 1], guess[count, 2], guess[count, 3], guess[count, 4] = lap, s, s_a, s_b, away
+                    guess[count, 0], guess[count, 1], guess[count, 2], guess[count, 3] = lap, s, s_a, s_b
+                    guess[count, 4], guess[count, 5] = away, start[at + 1] - start[at]
                     count, bound = count + 1, min(bound, away + _TABLE_SLACK)
                     continue
                 square = _gap(points, i, spot)
@@ -386,7 +391,7 @@ def search(
             if guess[pair, 4] <= bound + _TABLE_SLACK:
                 pairs[kept, 1] = pairs[pair, 1]
                 pairs[kept, 0] = i
-                for j in range(5):
+                for j in range(6):
                     guess[kept, j] = guess[pair, j]
                 kept += 1
         count = kept
@@ -470,13 +475,13 @@ def foot_point(path: CurveSequence, points: ArrayLike, around: ArrayLike, window
 
 def searched(path: CurveSequence, points: Array, around: Array, window: Array, found: FootPoint) -> int:
     """Fill `found` with foot points; return the number of leaves that were searched."""
-    n, pairs, guesses = len(points), [np.zeros((0, 2), dtype=np.int64)], [np.zeros((0, 5))]
+    n, pairs, guesses = len(points), [np.zeros((0, 2), dtype=np.int64)], [np.zeros((0, 6))]
     given = tuple(map(np.ascontiguousarray, (points, around, window)))
     leaves, room, state = _leaves(path), 64, np.zeros(3, dtype=np.int64)
     room += 0 if (leaves.leaf[:, 1] < _OTHER).all() else 4 * n
     scratch = np.empty((_DEPTH, 2), dtype=np.int64), np.empty((_DEPTH, 3)), np.empty((3, path.n_axis, 2))
     while state[0] < n:
-        before, pair, guess = int(state[0]), np.empty((room, 2), dtype=np.int64), np.empty((room, 5))
+        before, pair, guess = int(state[0]), np.empty((room, 2), dtype=np.int64), np.empty((room, 6))
         search(*given, *leaves, *found, pair, guess, state, *scratch)
         pairs.append(pair[: state[1]])
         guesses.append(guess[: state[1]])
@@ -490,10 +495,10 @@ def searched(path: CurveSequence, points: Array, around: Array, window: Array, f
 def _end(path: CurveSequence, given: tuple[Array, ...], pairs: Index, guess: Array, found: FootPoint) -> None:
     """Find closest points that the table gave on the curves themselves; take the nearest, of those in `found` too."""
     points, around, _ = given
-    (sample, curve), (lap, s, low, high, _) = pairs.T.copy(), guess.T
-    s, feet, tangent = _newton(path, points[sample], curve, s.copy(), low, high)
+    (sample, curve), (lap, s, low, high, _, size) = pairs.T.copy(), guess.T
+    s, feet, tangent = _newton(path, points[sample], curve, s.copy(), low, high, size)
     progress, square = lap * path.length + path.breaks[curve] + s, ((points[sample] - feet) ** 2).sum(axis=1)
-    known = np.unique(sample)
+    known = sample[np.flatnonzero(np.diff(sample, prepend=-1))]
     # Where nothing else is found, the distance is infinite.
     owner = np.concatenate([known, sample])
     every = np.concatenate([found.distance[known] ** 2, square])
@@ -511,7 +516,7 @@ def _end(path: CurveSequence, given: tuple[Array, ...], pairs: Index, guess: Arr
         found.signed[sample] = np.copysign(found.distance[sample], toward[:, 0] * gap[:, 1] - toward[:, 1] * gap[:, 0])
 
 
-def _newton(path: CurveSequence, target: Array, curve: Index, s: Array, a: Array, b: Array) -> tuple[Array, Array, Array]:
+def _newton(path: CurveSequence, target: Array, curve: Index, s: Array, a: Array, b: Array, size: Array) -> tuple[Array, Array, Array]:
     """Refine closest points (n,), each within its bracket; return arc lengths along the curves, positions and tangents."""
     at, tangent, on = np.empty_like(target), np.empty_like(target), np.arange(s.size)
     for _ in range(_MOST_STEPS):
@@ -522,9 +527,8 @@ def _newton(path: CurveSequence, target: Array, curve: Index, s: Array, a: Array
         after = s[on] - np.divide(slope, bend, out=np.full_like(slope, np.inf), where=bend > 0.0)
         moved = np.where((after >= a[on]) & (after <= b[on]), after, 0.5 * (a[on] + b[on])) - s[on]
         s[on] += moved
-        # What is left is the square of such a step.
         at[on], tangent[on] = r + moved[:, None] * (first + 0.5 * moved[:, None] * second), first + moved[:, None] * second
-        on = on[np.abs(moved) > 1e-12 * path.length]
+        on = on[(moved**2 > _SQUARE * size[on]) | (bend <= 0.1)]
         if not on.size:
             break
     return s, at, tangent
