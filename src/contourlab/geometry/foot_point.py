@@ -415,7 +415,7 @@ def search(
     state[0], state[1] = i, count
 
 
-_CHUNK = 1 << 17
+_CHUNK = 1 << 15
 
 
 class FootPoint(NamedTuple):
