@@ -400,7 +400,10 @@ class Component:
             raise ComponentError(f"{self.kind}: no parameter {name!r}: {hint(name, self.parameters)}")
 
     def check_values(self) -> None:
-        """Raise ParameterError if values, each within its own bounds, do not fit together."""
+        """Raise ParameterError if values, each within its own bounds, do not fit together.
+
+        A batch calls it once with arrays of many variants: compare them within ``np.any``. Where that fails, variants are checked one by one.
+        """
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"{type(self).__name__} is frozen: make a new one with .replace({name}=...)")

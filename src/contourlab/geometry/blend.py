@@ -153,38 +153,42 @@ def parameter(s: float, borders: Array, inverse: Array) -> float:
     return float(0.25 * (quarter + min(max(part, 0.0), 1.0)))
 
 
+def by_length(k, s, order, coefficients, borders, inverse, found, i):  # type: ignore[no-untyped-def]
+    """Write position and derivatives by arc length of blend `k` at the arc length s into column i of `found` (order + 1, n_axis, n)."""
+    u = parameter(s, borders[k], inverse[k])
+    square, turn, change = 0.0, 0.0, 0.0  # products of the derivatives by u, for the chain rule
+    axes = coefficients.shape[2]
+    for j in range(axes):
+        c2, c3, c4, c5 = coefficients[k, 2, j], coefficients[k, 3, j], coefficients[k, 4, j], coefficients[k, 5, j]
+        first = coefficients[k, 1, j] + u * (2.0 * c2 + u * (3.0 * c3 + u * (4.0 * c4 + u * (5.0 * c5))))
+        second = 2.0 * c2 + u * (6.0 * c3 + u * (12.0 * c4 + u * (20.0 * c5)))
+        third = 6.0 * c3 + u * (24.0 * c4 + u * (60.0 * c5))
+        found[0, j, i] = coefficients[k, 0, j] + u * (coefficients[k, 1, j] + u * (c2 + u * (c3 + u * (c4 + u * c5))))
+        square, turn, change = square + first * first, turn + first * second, change + second * second + first * third
+        if order > 0:
+            found[1, j, i] = first
+        if order > 1:
+            found[2, j, i] = second
+        if order > 2:
+            found[3, j, i] = third
+    p = 1.0 / math.sqrt(square)  # du/ds
+    q = -turn / (square * square)  # d2u/ds2
+    w = (4.0 * turn * turn / (square * square * square) - change / (square * square)) * p  # d3u/ds3
+    for j in range(axes if order > 0 else 0):
+        first = found[1, j, i]
+        found[1, j, i] = first * p
+        if order > 1:
+            second = found[2, j, i]
+            found[2, j, i] = second * (p * p) + first * q
+            if order > 2:
+                found[3, j, i] = found[3, j, i] * (p * p * p) + 3.0 * second * p * q + first * w
+
+
 @kernel("i8[:] f8[:] i8 f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:,:]")
 def evaluate(slot, along, order, coefficients, borders, inverse, found):  # type: ignore[no-untyped-def]
     """Evaluate blends `slot` (n,) at arc lengths `along` (n,): derivatives by arc length into `found` (order + 1, n_axis, n)."""
-    axes = coefficients.shape[2]
     for i in range(slot.size):
-        k = slot[i]
-        u = parameter(along[i], borders[k], inverse[k])
-        square, turn, change = 0.0, 0.0, 0.0  # products of the derivatives by u, for the chain rule
-        for j in range(axes):
-            c2, c3, c4, c5 = coefficients[k, 2, j], coefficients[k, 3, j], coefficients[k, 4, j], coefficients[k, 5, j]
-            first = coefficients[k, 1, j] + u * (2.0 * c2 + u * (3.0 * c3 + u * (4.0 * c4 + u * (5.0 * c5))))
-            second = 2.0 * c2 + u * (6.0 * c3 + u * (12.0 * c4 + u * (20.0 * c5)))
-            third = 6.0 * c3 + u * (24.0 * c4 + u * (60.0 * c5))
-            found[0, j, i] = coefficients[k, 0, j] + u * (coefficients[k, 1, j] + u * (c2 + u * (c3 + u * (c4 + u * c5))))
-            square, turn, change = square + first * first, turn + first * second, change + second * second + first * third
-            if order > 0:
-                found[1, j, i] = first
-            if order > 1:
-                found[2, j, i] = second
-            if order > 2:
-                found[3, j, i] = third
-        p = 1.0 / math.sqrt(square)  # du/ds
-        q = -turn / (square * square)  # d2u/ds2
-        w = (4.0 * turn * turn / (square * square * square) - change / (square * square)) * p  # d3u/ds3
-        for j in range(axes if order > 0 else 0):
-            first = found[1, j, i]
-            found[1, j, i] = first * p
-            if order > 1:
-                second = found[2, j, i]
-                found[2, j, i] = second * (p * p) + first * q
-                if order > 2:
-                    found[3, j, i] = found[3, j, i] * (p * p * p) + 3.0 * second * p * q + first * w
+        by_length(slot[i], along[i], order, coefficients, borders, inverse, found, i)  # type: ignore[no-untyped-call]
 
 
 class Blends(CurveBatch):
@@ -192,16 +196,16 @@ class Blends(CurveBatch):
 
     def __init__(self, curves: Sequence[Blend]) -> None:
         super().__init__(curves)
-        self._shape = tuple(np.array([getattr(curve, name) for curve in curves]) for name in ("coefficients", "borders", "inverse"))
+        self.shape = tuple(np.array([getattr(curve, name) for curve in curves]) for name in ("coefficients", "borders", "inverse"))
 
     def derivatives(self, slot: Index, along: Array, order: int) -> Array:
         found = np.empty((order + 1, self.n_axis, along.size))
-        evaluate(np.ascontiguousarray(slot), np.ascontiguousarray(along), order, *self._shape, found)
+        evaluate(np.ascontiguousarray(slot), np.ascontiguousarray(along), order, *self.shape, found)
         return found
 
     def smallest_radii(self) -> Array:
         n = self.length.size
-        bend, coefficients = np.zeros(n), np.moveaxis(self._shape[0], 0, 2)
+        bend, coefficients = np.zeros(n), np.moveaxis(self.shape[0], 0, 2)
         for u in np.linspace(0.0, 1.0, 65):
             raw = _powers(coefficients, np.full(n, u))
             bend = np.maximum(bend, np.linalg.norm(by_arc_length(raw.transpose(0, 2, 1), 2)[2], axis=1))

@@ -1,268 +1,421 @@
 """The exact foot point: the closest point of a path, searched independently for each sample.
 
-In a window around the progress of a sample, each curve in reach gives its closest point: lines and flat arcs in closed form, other curves
-by sampling and a bracketed Newton iteration. The foot point is the nearest of these; ties go to the one nearest to the progress, which
-selects the right branch where the path crosses itself.
+In a window around the progress of a sample, each leaf in reach gives its closest point. A leaf is a line or a flat arc, with a closed form,
+or a piece of the table of another curve, with a bracketed Newton iteration that the curve itself ends. The foot point is the nearest of
+these; ties go to the one nearest to the progress, which selects the right branch where the path crosses itself.
 
-Distances to junctions alone find the curves in reach. A part of the path with length L, whose ends lie d and e from the point, is nowhere
-closer than (d + e - L) / 2. It is excluded if a junction is closer. The search halves parts, the better half first, until single curves
+Distances to junctions alone find the leaves in reach. A part of the path with length L, whose ends lie d and e from the point, is nowhere
+closer than (d + e - L) / 2. It is excluded if something is closer. The search halves parts, the better half first, until single leaves
 remain: a few out of thousands, after some tens of distances.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, NamedTuple
+import math
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.arrays import Array, Index, ranges
+from contourlab.arrays import Array, Index
 from contourlab.errors import GeometryError, refuse
+from contourlab.geometry.blend import Blends, by_length
 from contourlab.geometry.curve import CurveSequence
-from contourlab.geometry.table import PathTable, path_table
+from contourlab.geometry.line_and_arc import Arcs, Lines
+from contourlab.geometry.table import path_table
 from contourlab.native.kernel import kernel
 from contourlab.threads import in_threads
 
-_FEW = 4
-"""Up to this mean number of curves per sample, all curves are candidates."""
+_LINE, _ARC, _BLEND, _OTHER = range(4)
 _DEPTH = 128
-_JUNCTION_SLACK = 1e-9
+_SLACK = 1e-9
 """Error of arc lengths and distances [m]."""
+_TABLE_SLACK = 1e-8
+"""More than the error of the table [m]."""
+_TURN = 0.35
+"""Largest turn [rad] of a cell: it has a single closest point."""
+_MOST_STEPS = 60
+_SQUARE = 1e-16
+"""A Newton step whose square is less, relative to the length of the piece [m], is the last: what is left is about the square over the length."""
 
 
-def curves_in_reach(path: CurveSequence, points: Array, around: Array, window: Array) -> tuple[Index, Index, Array, Array, Array]:
-    """Return pairs of a sample and a curve in its window that may hold the closest point.
+class _Leaves(NamedTuple):
+    """The leaves of a path, in the order of the kernel's arguments.
 
-    Parameters
+    Attributes
     ----------
-    points : ndarray (n, n_axis) [m]
-    around, window : ndarray (n,) [m]
-        Progress along the path, and largest distance from it.
-
-    Returns
-    -------
-    sample, curve : ndarray (k,)
-        Sorted by sample, then by curve.
-    lap : ndarray (k,)
-    low, high : ndarray (k,) [m]
-        Range of arc length along the curve that lies in the window.
+    closed, length, breaks
+        Of the path.
+    tangents : ndarray (n_curve, 2, n_axis)
+        At both ends of each curve.
+    start, along : ndarray (n + 1,) [m]
+        Arc length of the starts of the leaves and of the end, and the same with the gaps between curves.
+    corner : ndarray (n + 1, n_axis) [m]
+        Where they are.
+    leaf : ndarray (n, 3) of int
+        Curve, kind, and number within the kind.
+    bend : ndarray (n,) [1/m]
+        Largest curvature of a piece of the table.
+    lines, arcs, coefficients, borders, inverse, pieces : ndarray
+        What defines the curves of each kind, and the pieces.
     """
-    first, last = around - window, around + window
-    if path.closed:
-        # Half a lap on either side is the whole path.
-        first, last = np.maximum(first, around - 0.5 * path.length), np.minimum(last, around + 0.5 * path.length)
-    else:
-        first, last = np.clip(first, 0.0, path.length), np.clip(last, 0.0, path.length)
-    begin, final = _numbers(path, first), _numbers(path, last)
-    count = final - begin + 1
-    if count.sum() > _FEW * count.size:
-        sample, number = _searched(path, points, begin, final)
-    else:
-        sample, number = np.repeat(np.arange(around.size), count), ranges(begin, count)
-    lap, curve = np.divmod(number, len(path.curves))
-    offset = lap * path.length + path.breaks[curve]
-    span = np.diff(path.breaks)[curve]
-    low, high = (np.clip(end[sample] - offset, 0.0, span) for end in (first, last))
-    return sample, curve, lap.astype(float), low, high
+
+    closed: int
+    length: float
+    breaks: Array
+    tangents: Array
+    start: Array
+    along: Array
+    corner: Array
+    leaf: Index
+    bend: Array
+    lines: Array
+    arcs: Array
+    coefficients: Array
+    borders: Array
+    inverse: Array
+    pieces: Array
 
 
-def _numbers(path: CurveSequence, s: Array) -> Index:
-    """Return the curve of each arc length, counted over laps."""
-    m, lap = len(path.curves), np.floor(s / path.length) if path.closed else np.zeros(s.size)
-    return np.clip(np.searchsorted(path.breaks, s - lap * path.length, side="right") - 1, 0, m - 1) + (lap * m).astype(np.int64)
-
-
-def _searched(path: CurveSequence, points: Array, begin: Index, end: Index) -> tuple[Index, Index]:
+def _leaves(path: CurveSequence) -> _Leaves:
+    """Return the leaves of a path, which keeps them."""
+    if "_leaves" in path.__dict__:
+        return path.__dict__["_leaves"]  # type: ignore[no-any-return]
+    m, axes = len(path.curves), path.n_axis
+    kind, slot = np.full(m, _OTHER), np.zeros(m, dtype=np.int64)
+    lines, arcs = np.zeros((1, 2 * axes)), np.zeros((1, 4 + 3 * axes))
+    shape: tuple[Array, ...] = (np.zeros((1, 6, axes)), np.zeros((1, 5)), np.zeros((1, 4, 1)))
+    for batch, numbers in path.kinds:
+        slot[numbers] = np.arange(numbers.size)
+        if isinstance(batch, Lines):
+            kind[numbers], lines = _LINE, np.concatenate([batch.start, batch.direction]).T.copy()
+        elif isinstance(batch, Arcs):
+            kind[numbers[batch.direct]] = _ARC
+            each = (batch.radius, batch.start_angle, batch.rate, batch.length, *batch.centre, *batch.u, *batch.v)
+            arcs = np.column_stack(each)
+        elif isinstance(batch, Blends):
+            kind[numbers], shape = _BLEND, batch.shape
+    direct = kind <= _ARC
+    owner, start, pieces, bend = np.arange(m), path.breaks, np.zeros((1, axes, 6)), np.zeros(m)
+    if not direct.all():
+        table = path_table(path, 1e-9 * min(path.length, 1.0))
+        owner = np.minimum(np.searchsorted(path.breaks, table.start[:-1], side="right") - 1, m - 1)
+        kept = np.flatnonzero(~direct[owner] | (np.diff(owner, prepend=-1) > 0))
+        owner, start, pieces = owner[kept], np.append(table.start[kept], path.length), table.coefficients[kept]
+        h = np.diff(table.start)[kept, None, None] * np.linspace(0.0, 1.0, 5)[:, None]
+        c = np.moveaxis(pieces, 2, 0)[:, :, None, :]
+        bend = np.linalg.norm(2.0 * c[2] + h * (6.0 * c[3] + h * (12.0 * c[4] + h * 20.0 * c[5])), axis=2).max(axis=1)
     junctions, along = path.junctions
-    n, samples, numbers = len(points), [], []
-    room, state = 4 * n + 64, np.zeros(2, dtype=np.int64)
-    ends, depths = np.empty((_DEPTH, 2), dtype=np.int64), np.empty((_DEPTH, 3))
-    points = np.ascontiguousarray(points)
-    while state[0] < n:
-        before, pairs, bound = int(state[0]), np.empty((room, 2), dtype=np.int64), np.empty(room)
-        search(junctions, along, int(path.closed), points, begin, end, pairs, bound, state, ends, depths)
-        samples.append(pairs[: state[1], 0])
-        numbers.append(pairs[: state[1], 1])
-        # A sample may have more curves at the same distance than `pairs` holds.
-        room = 2 * room if state[0] == before else room
-    return np.concatenate(samples), np.concatenate(numbers)
+    corner = np.where(direct[owner, None], junctions[owner], pieces[:, :, 0])
+    path.__dict__["_leaves"] = leaves = _Leaves(
+        int(path.closed),
+        path.length,
+        path.breaks,
+        np.stack([path.starts[1], path.ends[1]], axis=1).copy(),
+        start,
+        np.append(along[owner] + start[:-1] - path.breaks[owner], along[-1]),
+        np.concatenate([corner, junctions[-1:]]),
+        np.column_stack([owner, kind[owner], slot[owner]]),
+        bend,
+        *(lines, arcs, *shape, pieces),
+    )
+    return leaves
 
 
-def _away(junctions, closed, points, i, k):
-    """Return the distance of a point from the start of curve k."""
-    m = junctions.shape[0] - 1
-    at = k % m if closed else k
+def _number(start, length, closed, s, hint):
+    """Return the leaf of an arc length, counted over laps; `hint` is one that may be near."""
+    n, lap = start.size - 1, 0
+    if closed:
+        lap = math.floor(s / length)
+        s -= lap * length
+    low, high = 0, n - 1
+    if start[hint] <= s:
+        low = hint
+        for _ in range(4):
+            low += 1 if low < n - 1 and start[low + 1] <= s else 0
+        high = low if low == n - 1 or s < start[low + 1] else high
+    else:
+        high = hint
+    while low < high:
+        middle = (low + high + 1) // 2
+        if start[middle] <= s:
+            low = middle
+        else:
+            high = middle - 1
+    return low + lap * n
+
+
+def _away(corner, closed, points, i, k):
+    """Return the distance of a point from the start of leaf k."""
+    n = corner.shape[0] - 1
+    at = k % n if closed else k
     square = 0.0
     for j in range(points.shape[1]):
-        square += (points[i, j] - junctions[at, j]) ** 2
-    return square**0.5
+        square += (points[i, j] - corner[at, j]) ** 2
+    return math.sqrt(square)
 
 
 def _up_to(along, closed, k):
-    """Return the length of the path up to the start of curve k, laps included."""
-    m = along.shape[0] - 1
-    return (k // m) * along[m] + along[k % m] if closed else along[k]
+    """Return the length of the path up to the start of leaf k, laps included."""
+    n = along.size - 1
+    return (k // n) * along[n] + along[k % n] if closed else along[k]
 
 
 def _least(along, closed, a, b, from_a, from_b):
-    """Return a lower bound of the distance of curves a to b - 1 from a point, given its distances to their ends."""
+    """Return a lower bound of the distance of leaves a to b - 1 from a point, given its distances to their ends."""
     return 0.5 * (from_a + from_b - (_up_to(along, closed, b) - _up_to(along, closed, a)))
 
 
-def _keep(i, pairs, bound, start, count, best):
-    """Keep the curves of a sample that may be the nearest, in the order of the path; return the number of pairs."""
-    kept = start
-    for k in range(start, count):
-        if bound[k] > best:
-            continue
-        number, least, at = pairs[k, 1], bound[k], kept
-        while at > start and pairs[at - 1, 1] > number:
-            pairs[at, 0], pairs[at, 1], bound[at] = i, pairs[at - 1, 1], bound[at - 1]
-            at -= 1
-        pairs[at, 0], pairs[at, 1], bound[at] = i, number, least
-        kept += 1
-    return kept
+def _on_line(points, i, lines, k, low, high, spot):
+    """Find the closest point of a line; write it and the tangent to `spot`, return its arc length."""
+    s, axes = 0.0, points.shape[1]
+    for j in range(axes):
+        s += (points[i, j] - lines[k, j]) * lines[k, axes + j]
+    s = min(max(s, low), high)
+    for j in range(axes):
+        spot[0, j, 0], spot[1, j, 0] = lines[k, j] + s * lines[k, axes + j], lines[k, axes + j]
+    return s
 
 
-@kernel("f8[:,:] f8[:] i8 f8[:,:] i8[:] i8[:] i8[:,:] f8[:] i8[:] i8[:,:] f8[:,:]")
-def search(junctions, along, closed, points, begin, end, pairs, bound, state, ends, depths):
-    """Fill `pairs` with pairs of sample and curve, from sample state[0] on; set `state` to the next sample and the number of pairs."""
-    count, i = 0, state[0]
+def _arc_at(arcs, k, s, spot):
+    """Write the point and the tangent of a flat arc to `spot`."""
+    axes = spot.shape[1]
+    angle = arcs[k, 1] + arcs[k, 2] * s
+    c, d = arcs[k, 0] * math.cos(angle), arcs[k, 0] * math.sin(angle)
+    for j in range(axes):
+        u, v = arcs[k, 4 + axes + j], arcs[k, 4 + 2 * axes + j]
+        spot[0, j, 0], spot[1, j, 0] = c * u + d * v + arcs[k, 4 + j], arcs[k, 2] * (c * v - d * u)
+
+
+def _gap(points, i, spot):
+    """Return the squared distance of a point from the place in `spot`."""
+    square = 0.0
+    for j in range(points.shape[1]):
+        square += (points[i, j] - spot[0, j, 0]) ** 2
+    return square
+
+
+def _on_arc(points, i, arcs, k, low, high, middle, spot):
+    """Find the closest point of a flat arc: on the spoke through the point, in the turn nearest to the progress, or else the nearer end."""
+    x, y, axes = 0.0, 0.0, points.shape[1]
+    for j in range(axes):
+        out = points[i, j] - arcs[k, 4 + j]
+        x, y = x + out * arcs[k, 4 + axes + j], y + out * arcs[k, 4 + 2 * axes + j]
+    turn = 2.0 * math.pi / abs(arcs[k, 2])
+    # All points of the arc are equally far from the centre.
+    s = middle if math.hypot(x, y) <= 1e-13 * arcs[k, 0] else (math.atan2(y, x) - arcs[k, 1]) / arcs[k, 2]
+    s += turn * np.rint((middle - s) / turn)
+    # The turn nearest to the progress may lie outside while a neighbour lies inside.
+    if s < low <= s + turn <= high:
+        s += turn
+    elif s > high >= s - turn >= low:
+        s -= turn
+    if not low <= s <= high:
+        _arc_at(arcs, k, low, spot)
+        square = _gap(points, i, spot)
+        _arc_at(arcs, k, high, spot)
+        s = low if square <= _gap(points, i, spot) else high
+    _arc_at(arcs, k, s, spot)
+    return s
+
+
+def _slope(points, i, pieces, at, h):
+    """Return squared distance of a point from a piece at h, half its slope, and half its second derivative."""
+    square, slope, bend = 0.0, 0.0, 0.0
+    for j in range(points.shape[1]):
+        c1, c2, c3, c4, c5 = pieces[at, j, 1], pieces[at, j, 2], pieces[at, j, 3], pieces[at, j, 4], pieces[at, j, 5]
+        gap = pieces[at, j, 0] + h * (c1 + h * (c2 + h * (c3 + h * (c4 + h * c5)))) - points[i, j]
+        first = c1 + h * (2.0 * c2 + h * (3.0 * c3 + h * (4.0 * c4 + h * 5.0 * c5)))
+        second = 2.0 * c2 + h * (6.0 * c3 + h * (12.0 * c4 + h * 20.0 * c5))
+        square, slope, bend = square + gap * gap, slope + first * gap, bend + first * first + second * gap
+    return square, slope, bend
+
+
+def _on_piece(points, i, pieces, at, a, b, slope_a, slope_b, curvature):
+    """Return h of the closest point between a and b, where the slope rises through zero, to a tenth of a nanometre."""
+    h = a if slope_b <= slope_a else min(max(a - slope_a * (b - a) / (slope_b - slope_a), a), b)
+    for _ in range(_MOST_STEPS):
+        _, slope, bend = _slope(points, i, pieces, at, h)
+        a, b = h if slope < 0.0 else a, h if slope > 0.0 else b
+        after = h - slope / bend if bend > 0.0 else math.inf
+        after = after if a <= after <= b else 0.5 * (a + b)
+        moved, h = abs(after - h), after
+        if moved * moved * (curvature + 1.0) <= 1e-10:  # what is left is its square
+            break
+    return h
+
+
+def _on_blend(points, i, coefficients, borders, inverse, k, s, a, b, size, spot):
+    """Find the closest point of a blend between a and b, from s; write it and the tangent to `spot`, return its arc length."""
+    axes = points.shape[1]
+    for _ in range(_MOST_STEPS):
+        by_length(k, s, 2, coefficients, borders, inverse, spot, 0)
+        slope, bend = 0.0, 0.0
+        for j in range(axes):
+            gap = spot[0, j, 0] - points[i, j]
+            slope, bend = slope + spot[1, j, 0] * gap, bend + spot[1, j, 0] ** 2 + spot[2, j, 0] * gap
+        a, b = s if slope < 0.0 else a, s if slope > 0.0 else b
+        after = s - slope / bend if bend > 0.0 else math.inf
+        inside = a <= after <= b
+        moved = (after if inside else 0.5 * (a + b)) - s
+        s += moved
+        if inside and bend > 0.1 and moved * moved <= _SQUARE * size:
+            for j in range(axes):
+                first, second = spot[1, j, 0], spot[2, j, 0]
+                spot[0, j, 0] += moved * (first + 0.5 * moved * second)
+                spot[1, j, 0] = first + moved * second
+            return s
+        if moved == 0.0:
+            return s
+    by_length(k, s, 2, coefficients, borders, inverse, spot, 0)
+    return s
+
+
+_SIGNATURE = (
+    "f8[:,:] f8[:] f8[:] i8 f8 f8[:] f8[:,:,:] f8[:] f8[:] f8[:,:] i8[:,:] f8[:] f8[:,:] f8[:,:] f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:,:] "
+    "f8[:] f8[:,:] f8[:] f8[:] i8[:,:] f8[:,:] i8[:] i8[:,:] f8[:,:] f8[:,:,:]"
+)
+
+
+@kernel(_SIGNATURE)
+def search(
+    points, around, window, closed, length, breaks, tangents, start, along, corner, leaf, bend, lines, arcs, coefficients, borders, inverse,
+    pieces, place, foot, distance, signed, pairs, guess, state, ends, depths, spot,
+):  # fmt: skip
+    """Find foot points from sample state[0] on: `place`, `foot`, `distance`, `signed`.
+
+    Closest points of other curves than lines, flat arcs and blends go to `pairs` (sample, curve) and `guess` (lap, arc length, bracket,
+    distance, length of the piece). `state` is set to the next sample, the number of pairs, and the number of leaves searched.
+    """
+    axes, n, count, i, hint = points.shape[1], leaf.shape[0], 0, state[0], 0
     while i < points.shape[0]:
-        start, best, top = count, np.inf, 1
-        ends[0, 0], ends[0, 1] = begin[i], end[i] + 1
-        depths[0, 0] = _away(junctions, closed, points, i, begin[i])
-        depths[0, 1] = _away(junctions, closed, points, i, end[i] + 1)
-        depths[0, 2] = _least(along, closed, begin[i], end[i] + 1, depths[0, 0], depths[0, 1])
+        begun, least, aside, won, won_at, won_lap, bound, top = count, math.inf, math.inf, -1, 0.0, 0, math.inf, 1
+        first, last = around[i] - window[i], around[i] + window[i]
+        if closed:  # half a lap on either side is the whole path
+            first, last = max(first, around[i] - 0.5 * length), min(last, around[i] + 0.5 * length)
+        else:
+            first, last = min(max(first, 0.0), length), min(max(last, 0.0), length)
+        ends[0, 0] = _number(start, length, closed, first, hint)
+        hint = ends[0, 0] % n
+        ends[0, 1] = _number(start, length, closed, last, hint) + 1
+        depths[0, 2] = 0.0
+        if ends[0, 1] - ends[0, 0] > 1:
+            depths[0, 0], depths[0, 1] = _away(corner, closed, points, i, ends[0, 0]), _away(corner, closed, points, i, ends[0, 1])
         while top:
             top -= 1
             a, b = ends[top, 0], ends[top, 1]
-            from_a, from_b, least = depths[top, 0], depths[top, 1], depths[top, 2]
-            if least > best:
+            from_a, from_b = depths[top, 0], depths[top, 1]
+            if depths[top, 2] > bound:
                 continue
-            if b - a == 1:
-                if count == pairs.shape[0]:
-                    state[0], state[1] = i, start
-                    return
-                pairs[count, 0], pairs[count, 1], bound[count] = i, a, least
-                count += 1
+            if b - a > 1:
+                middle = (a + b) // 2
+                away = _away(corner, closed, points, i, middle)
+                # A junction in the window lies on the path: the closest point is not further away.
+                bound = min(bound, away + _SLACK)
+                left, right = _least(along, closed, a, middle, from_a, away), _least(along, closed, middle, b, away, from_b)
+                later, sooner = (top, top + 1) if left > right else (top + 1, top)
+                ends[later, 0], ends[later, 1] = a, middle
+                depths[later, 0], depths[later, 1], depths[later, 2] = from_a, away, left
+                ends[sooner, 0], ends[sooner, 1] = middle, b
+                depths[sooner, 0], depths[sooner, 1], depths[sooner, 2] = away, from_b, right
+                top += 2
                 continue
-            middle = (a + b) // 2
-            away = _away(junctions, closed, points, i, middle)
-            # A junction in the window lies on the path: the closest point is not further away.
-            best = min(best, away + _JUNCTION_SLACK)
-            left = _least(along, closed, a, middle, from_a, away)
-            right = _least(along, closed, middle, b, away, from_b)
-            later = top if left > right else top + 1
-            ends[later, 0], ends[later, 1] = a, middle
-            depths[later, 0], depths[later, 1], depths[later, 2] = from_a, away, left
-            later = top + 1 if left > right else top
-            ends[later, 0], ends[later, 1] = middle, b
-            depths[later, 0], depths[later, 1], depths[later, 2] = away, from_b, right
-            top += 2
-        count = _keep(i, pairs, bound, start, count, best)
+            state[2] += 1
+            lap = a // n if closed else 0
+            at = a - lap * n
+            c, kind, k = leaf[at, 0], leaf[at, 1], leaf[at, 2]
+            offset, span = lap * length + breaks[c], breaks[c + 1] - breaks[c]
+            low, high = min(max(first - offset, 0.0), span), min(max(last - offset, 0.0), span)
+            cell, cells, begin, h_a, h_b, step, square_b, slope_b = 0, 1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+            if kind > _ARC:
+                begin = start[at] - breaks[c]
+                h_a, h_b = max(low - begin, 0.0), min(high, start[at + 1] - breaks[c]) - begin
+                if h_b < h_a:
+                    continue
+                # Both ends of the window are closest points too: cells -1 and `cells`.
+                cells = max(math.ceil((h_b - h_a) * bend[at] / _TURN), 1)
+                cell, step = -1 if begin + h_a <= low else 0, (h_b - h_a) / cells
+                square_b, slope_b, _ = _slope(points, i, pieces, at, h_a)
+                h_b = h_a
+            more = 1 if kind > _ARC and start[at + 1] - breaks[c] >= high else 0
+            while cell < cells + more:
+                s, s_a, s_b, square = 0.0, low, low, 0.0
+                if kind == _LINE:
+                    s = _on_line(points, i, lines, k, low, high, spot)
+                elif kind == _ARC:
+                    s = _on_arc(points, i, arcs, k, low, high, min(max(around[i] - offset, low), high), spot)
+                elif cell < 0 or cell == cells:
+                    s = low if cell < 0 else high
+                    s_a, s_b, square = s, s, square_b
+                    if kind == _BLEND:
+                        by_length(k, s, 1, coefficients, borders, inverse, spot, 0)
+                else:
+                    h_a, square_a, slope_a = h_b, square_b, slope_b
+                    h_b = h_a + step
+                    square_b, slope_b, _ = _slope(points, i, pieces, at, h_b)
+                    nearest = 0.5 * (math.sqrt(square_a) + math.sqrt(square_b) - step)
+                    tiny = 1e-12 * (math.sqrt(square_a) + math.sqrt(square_b))
+                    if nearest > bound + _TABLE_SLACK or slope_a > tiny or slope_b < -tiny:
+                        cell += 1
+                        continue
+                    s = begin + _on_piece(points, i, pieces, at, h_a, h_b, slope_a, slope_b, bend[at])
+                    s_a, s_b = max(begin + h_a - 1e-7 * length, low), min(begin + h_b + 1e-7 * length, high)
+                    s = min(max(s, s_a), s_b)
+                    if kind == _BLEND:
+                        s = _on_blend(points, i, coefficients, borders, inverse, k, s, s_a, s_b, start[at + 1] - start[at], spot)
+                    else:
+                        square, _, _ = _slope(points, i, pieces, at, s - begin)
+                cell += 1
+                if kind == _OTHER:
+                    if count == pairs.shape[0]:
+                        state[0], state[1] = i, begun
+                        return
+                    away = math.sqrt(square)
+                    pairs[count, 0], pairs[count, 1] = i, c
+                    guess[count, 0], guess[count, 1], guess[count, 2], guess[count, 3] = lap, s, s_a, s_b
+                    guess[count, 4], guess[count, 5] = away, start[at + 1] - start[at]
+                    count, bound = count + 1, min(bound, away + _TABLE_SLACK)
+                    continue
+                square = _gap(points, i, spot)
+                away = abs(offset + s - around[i])
+                tied = square <= least * (1.0 + 1e-12) + 1e-30 and least <= square * (1.0 + 1e-12) + 1e-30
+                if (tied and away < aside) or (not tied and square < least):
+                    aside, won, won_at, won_lap = away, c, s, lap
+                    for j in range(axes):
+                        spot[0, j, 1], spot[1, j, 1] = spot[0, j, 0], spot[1, j, 0]
+                    bound = min(bound, math.sqrt(square) + _SLACK)
+                least = min(least, square)
+        kept = begun
+        for pair in range(begun, count):
+            if guess[pair, 4] <= bound + _TABLE_SLACK:
+                pairs[kept, 1] = pairs[pair, 1]
+                pairs[kept, 0] = i
+                for j in range(6):
+                    guess[kept, j] = guess[pair, j]
+                kept += 1
+        count = kept
+        place[i], distance[i], signed[i] = math.inf, math.inf, math.nan
+        if won >= 0:
+            square, across = 0.0, 0.0
+            for j in range(axes):
+                gap = points[i, j] - spot[0, j, 1]
+                foot[i, j], square = spot[0, j, 1], square + gap * gap
+            place[i], distance[i] = won_lap * length + breaks[won] + won_at, math.sqrt(square)
+            if axes == 2:
+                m, t_0, t_1 = breaks.size - 1, spot[1, 0, 1], spot[1, 1, 1]
+                # At a corner the bisector decides the side.
+                if won_at >= breaks[won + 1] - breaks[won] and (closed or won + 1 < m):
+                    t_0, t_1 = t_0 + tangents[(won + 1) % m, 0, 0], t_1 + tangents[(won + 1) % m, 0, 1]
+                if won_at <= 0.0 and (closed or won > 0):
+                    t_0, t_1 = t_0 + tangents[(won - 1) % m, 1, 0], t_1 + tangents[(won - 1) % m, 1, 1]
+                across = t_0 * (points[i, 1] - foot[i, 1]) - t_1 * (points[i, 0] - foot[i, 0])
+                signed[i] = math.copysign(distance[i], across)
         i += 1
     state[0], state[1] = i, count
 
 
-Near = Callable[[Index, Array, int], Array]
-Width = Callable[[Index, Array, Array], Array]
-_MOST_CELLS = 1 << 21
-_TABLE_SLACK = 1e-8  # [m] larger than the error of the table
-
-
-class Bends:
-    """Largest curvature of a path between two arc lengths, from its table.
-
-    Level k holds the maximum over 2^k successive pieces; two entries cover any range.
-    """
-
-    def __init__(self, table: PathTable) -> None:
-        self.table = table
-        h = np.diff(table.start)[:, None, None] * np.linspace(0.0, 1.0, 5)[:, None]
-        c = np.moveaxis(table.coefficients, 2, 0)[:, :, None, :]
-        levels = [np.linalg.norm(2.0 * c[2] + h * (6.0 * c[3] + h * (12.0 * c[4] + h * 20.0 * c[5])), axis=2).max(axis=1)]
-        while len(levels[-1]) > (step := 1 << (len(levels) - 1)):
-            levels.append(np.maximum(levels[-1][:-step], levels[-1][step:]))
-        self._levels = np.array([np.pad(level, (0, len(levels[0]) - len(level))) for level in levels])
-
-    def largest(self, low: Array, high: Array) -> Array:
-        """Return the largest curvature [1/m] in each range (n,) of arc lengths along the path."""
-        last = self._levels.shape[1] - 1
-        i = np.clip(np.searchsorted(self.table.start, low, side="right") - 1, 0, last)
-        j = np.clip(np.searchsorted(self.table.start, high, side="left") - 1, i, last)
-        k = np.frexp((j - i + 1).astype(float))[1] - 1
-        return np.asarray(np.maximum(self._levels[k, i], self._levels[k, j + 1 - (1 << k)]))
-
-
-def brackets(points: Array, near: Near, width: Width, low: Array, high: Array, middle: Array) -> tuple[Index, Array, Array, Array]:
-    """Return brackets of the closest points: pair, first guess, and both ends.
-
-    A cell of width `step` whose ends lie d and e from the point is nowhere closer than (d + e - step) / 2. It is excluded if a sample is
-    closer.
-
-    Parameters
-    ----------
-    points : ndarray (n, n_axis) [m]
-        One for each pair of a sample and a curve.
-    near : callable
-        (pair, s, order) -> derivatives at local arc lengths.
-    width : callable
-        (pair, a, b) -> largest width of a cell between a and b with a single closest point.
-    low, high : ndarray (n,) [m]
-        Local arc lengths to search between.
-    middle : ndarray (n,) [m]
-        The progress; ties go to the sample nearest to it.
-    """
-    row = np.arange(low.size)
-    enough = width(row, low, high)
-    # Take few samples of all curves; where these do not suffice, divide only the relevant cells.
-    ratio = (high - low) / np.maximum(enough, 1e-12)
-    n = int(np.clip(np.ceil(np.median(ratio)), 4, 64)) if row.size else 4
-    grid = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, n + 1)
-    at = near(np.repeat(row, n + 1), grid.ravel(), 0)[0].reshape(*grid.shape, -1)
-    away = np.sqrt(((at - points[:, None, :]) ** 2).sum(axis=2))
-    step, best = (high - low) / n, away.min(axis=1)
-    hope = away[:, :-1] + away[:, 1:] - step[:, None] <= 2.0 * best[:, None] + _TABLE_SLACK
-    fine = row[step <= enough * (1.0 + 1e-9)]
-    k = np.argmin(away**2 + 1e-18 * np.abs(grid - middle[:, None]), axis=1)[fine]
-    left, right = np.maximum(k - 1, 0), np.minimum(k + 1, n)
-    hope[fine, left] = hope[fine, right - 1] = False
-    pair, cell = np.nonzero(hope)
-    pair, a, b = _refine(points, near, width, pair, grid[pair, cell], grid[pair, cell + 1], best)
-    return (
-        np.concatenate([fine, pair]),
-        np.concatenate([grid[fine, k], 0.5 * (a + b)]),
-        np.concatenate([grid[fine, left], a]),
-        np.concatenate([grid[fine, right], b]),
-    )
-
-
-def _refine(points: Array, near: Near, width: Width, pair: Index, a: Array, b: Array, best: Array) -> tuple[Index, Array, Array]:
-    """Divide cells until each holds at most one closest point; return those with a minimum of the distance."""
-    while pair.size and pair.size < _MOST_CELLS:
-        split = b - a > width(pair, a, b) * (1.0 + 1e-9)
-        if not split.any():
-            break
-        owner, keep = pair[split], ~split
-        ends = a[split, None] + (b - a)[split, None] * np.linspace(0.0, 1.0, 5)
-        owners = np.repeat(owner, 5)
-        away = np.sqrt(((near(owners, ends.ravel(), 0)[0] - points[owners]) ** 2).sum(axis=1)).reshape(-1, 5)
-        np.minimum.at(best, owner, away.min(axis=1))
-        i, j = np.nonzero(away[:, :-1] + away[:, 1:] - np.diff(ends, axis=1) <= 2.0 * best[owner, None] + _TABLE_SLACK)
-        pair = np.concatenate([pair[keep], owner[i]])
-        a, b = np.concatenate([a[keep], ends[i, j]]), np.concatenate([b[keep], ends[i, j + 1]])
-    slope = []
-    for s in (a, b):
-        r, first = near(pair, s, 1)
-        slope.append(np.einsum("ij,ij->i", first, r - points[pair]))
-    turns = (slope[0] <= 0.0) & (slope[1] >= 0.0)
-    return pair[turns], a[turns], b[turns]
-
-
-_CHUNK = 1 << 17
+_CHUNK = 1 << 15
 
 
 class FootPoint(NamedTuple):
@@ -313,95 +466,72 @@ def foot_point(path: CurveSequence, points: ArrayLike, around: ArrayLike, window
         raise GeometryError(f"window = {window!r}: must be > 0 m, one for all points or one for each")
     reach = np.broadcast_to(reach, s.shape)
     refuse(not (np.isfinite(p).all() and np.isfinite(s).all()), GeometryError, "points and progress must be finite")
-    chunks = [slice(i, i + _CHUNK) for i in range(0, max(s.size, 1), _CHUNK)]
-    parts = in_threads(lambda some: _chunk(path, p[some], s[some], reach[some]), chunks)
-    return FootPoint(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
+    found = FootPoint(np.empty(s.size), np.empty(p.shape), np.empty(s.size), np.empty(s.size))
+    chunks = [slice(i, i + _CHUNK) for i in range(0, s.size, _CHUNK)]
+    _leaves(path)  # once, not in each thread
+    in_threads(lambda some: searched(path, p[some], s[some], reach[some], FootPoint(*(part[some] for part in found))), chunks)
+    return found
 
 
-def _chunk(path: CurveSequence, points: Array, around: Array, window: Array) -> FootPoint:
-    sample, curve, lap, low, high = curves_in_reach(path, points, around, window)
-    local = np.empty(sample.size)
-    middle = np.clip(around[sample] - lap * path.length - path.breaks[curve], low, high)
-    searched = [np.zeros(0, dtype=np.int64)]
-    for batch, on, slot in path.kind_of(curve):
-        direct = batch.direct[slot]
-        if direct.any():
-            here, at = on[direct], slot[direct]
-            local[here] = batch.closest(at, points[sample[here]], low[here], high[here], middle[here])
-        searched.append(on[~direct])
-    on = np.concatenate(searched)
-    if on.size:
-        local[on] = _on_curves(path, points[sample[on]], curve[on], low[on], high[on], middle[on])
-    feet = path.at(curve, local, 0)[0]
-    square = ((points[sample] - feet) ** 2).sum(axis=1)
-    progress = lap * path.length + path.breaks[curve] + local
-    best = _nearest(sample, square, np.abs(progress - around[sample]), around.size)
-    return _result(path, points, progress[best], curve[best], local[best], feet[best], np.sqrt(square[best]))
+def searched(path: CurveSequence, points: Array, around: Array, window: Array, found: FootPoint) -> int:
+    """Fill `found` with foot points; return the number of leaves that were searched."""
+    n, pairs, guesses = len(points), [np.zeros((0, 2), dtype=np.int64)], [np.zeros((0, 6))]
+    given = tuple(map(np.ascontiguousarray, (points, around, window)))
+    leaves, room, state = _leaves(path), 64, np.zeros(3, dtype=np.int64)
+    room += 0 if (leaves.leaf[:, 1] < _OTHER).all() else 4 * n
+    scratch = np.empty((_DEPTH, 2), dtype=np.int64), np.empty((_DEPTH, 3)), np.empty((3, path.n_axis, 2))
+    while state[0] < n:
+        before, pair, guess = int(state[0]), np.empty((room, 2), dtype=np.int64), np.empty((room, 6))
+        search(*given, *leaves, *found, pair, guess, state, *scratch)
+        pairs.append(pair[: state[1]])
+        guesses.append(guess[: state[1]])
+        # A sample may have more closest points than `pair` holds.
+        room = 2 * room if state[0] == before else room
+    if sum(map(len, pairs)):
+        _end(path, given, np.concatenate(pairs), np.concatenate(guesses), found)
+    return int(state[2])
 
 
-def _on_curves(path: CurveSequence, points: Array, curve: Index, low: Array, high: Array, middle: Array) -> Array:
-    """Return closest points: find brackets, then apply Newton's method to r'.(r - p), with bisection as a safeguard.
-
-    All but the last steps use the table of the path, which is much cheaper than a spline by arc length and differs by a nanometre.
-    """
-    offset = path.breaks[curve]
-    table, bends = _near(path)
-    # At a junction the table has the direction of the curve that starts there.
-    last = path.breaks[curve + 1] * (1.0 - 1e-15)
-
-    def near(pair: Index, s: Array, order: int) -> Array:
-        return np.asarray(
-            table.evaluate(np.minimum(s + offset[pair], last[pair]), order) if table is not None else path.at(curve[pair], s, order)
-        )
-
-    def exact(pair: Index, s: Array, order: int) -> Array:
-        return path.at(curve[pair], s, order)
-
-    def width(pair: Index, a: Array, b: Array) -> Array:
-        start = offset[pair]
-        bend = bends.largest(a + start, b + start) if bends is not None else 1.0 / path.smallest_radii[curve[pair]]
-        return 0.35 / np.maximum(bend, 1e-300)
-
-    pair, s, a, b = brackets(points, near, width, low, high, middle)
-    s = _newton(points, near, pair, s, a, b, 60, 1e-12 * path.length)
-    reach = 1e-7 * path.length
-    fine = _newton(points, exact, pair, s, np.maximum(s - reach, low[pair]), np.minimum(s + reach, high[pair]), 3, 1e-15 * path.length)
-    # Near a centre of curvature, a nanometre in the table moves the foot point by more.
-    off = np.flatnonzero(np.abs(fine - s) > 0.5 * reach)
-    if off.size:
-        fine[off] = _newton(points, exact, pair[off], s[off], a[off], b[off], 60, 1e-15 * path.length)
-    pair, s = np.concatenate([np.tile(np.arange(curve.size), 2), pair]), np.concatenate([low, high, fine])
-    square = ((exact(pair, s, 0)[0] - points[pair]) ** 2).sum(axis=1)
-    return np.asarray(s[_nearest(pair, square, np.abs(s - middle[pair]), curve.size)])
+def _end(path: CurveSequence, given: tuple[Array, ...], pairs: Index, guess: Array, found: FootPoint) -> None:
+    """Find closest points that the table gave on the curves themselves; take the nearest, of those in `found` too."""
+    points, around, _ = given
+    (sample, curve), (lap, s, low, high, _, size) = pairs.T.copy(), guess.T
+    s, feet, tangent = _newton(path, points[sample], curve, s.copy(), low, high, size)
+    progress, square = lap * path.length + path.breaks[curve] + s, ((points[sample] - feet) ** 2).sum(axis=1)
+    known = sample[np.flatnonzero(np.diff(sample, prepend=-1))]
+    # Where nothing else is found, the distance is infinite.
+    owner = np.concatenate([known, sample])
+    every = np.concatenate([found.distance[known] ** 2, square])
+    aside = np.abs(np.concatenate([found.arc_length[known], progress]) - around[owner])
+    best = _nearest(owner, every, aside, around.size)[known] - known.size
+    sample, best = known[best >= 0], best[best >= 0]
+    feet, curve, s = feet[best], curve[best], s[best]
+    found.arc_length[sample], found.position[sample], found.distance[sample] = progress[best], feet, np.sqrt(square[best])
+    if path.is_planar:
+        toward, m = tangent[best], len(path.curves)
+        for at_end, shift, edge in ((s >= np.diff(path.breaks)[curve], 1, path.starts), (s <= 0.0, -1, path.ends)):
+            usable = at_end & (path.closed | ((curve + shift >= 0) & (curve + shift < m)))
+            toward = np.where(usable[:, None], toward + edge[1][np.mod(curve + shift, m)], toward)
+        gap = points[sample] - feet
+        found.signed[sample] = np.copysign(found.distance[sample], toward[:, 0] * gap[:, 1] - toward[:, 1] * gap[:, 0])
 
 
-def _newton(points: Array, at: Any, pair: Index, s: Array, a: Array, b: Array, most: int, enough: float) -> Array:
-    """Refine foot points on their curves, each within its bracket."""
-    target = points[pair]
-    for _ in range(most):
-        r, first, second = at(pair, s, 2)
-        gap = r - target
-        g = np.einsum("ij,ij->i", first, gap)
-        h = np.einsum("ij,ij->i", first, first) + np.einsum("ij,ij->i", second, gap)
-        a, b = np.where(g < 0.0, s, a), np.where(g > 0.0, s, b)
-        newton = s - np.divide(g, h, out=np.full_like(g, np.inf), where=h > 0.0)
-        after = np.where((newton >= a) & (newton <= b), newton, 0.5 * (a + b))
-        moved = np.abs(after - s).max(initial=0.0)
-        s = after
-        if moved <= enough:
+def _newton(path: CurveSequence, target: Array, curve: Index, s: Array, a: Array, b: Array, size: Array) -> tuple[Array, Array, Array]:
+    """Refine closest points (n,), each within its bracket; return arc lengths along the curves, positions and tangents."""
+    at, tangent, on = np.empty_like(target), np.empty_like(target), np.arange(s.size)
+    for _ in range(_MOST_STEPS):
+        r, first, second = path.at(curve[on], s[on], 2)
+        gap = r - target[on]
+        slope, bend = (first * gap).sum(axis=1), (first**2 + second * gap).sum(axis=1)
+        a[on], b[on] = np.where(slope < 0.0, s[on], a[on]), np.where(slope > 0.0, s[on], b[on])
+        after = s[on] - np.divide(slope, bend, out=np.full_like(slope, np.inf), where=bend > 0.0)
+        moved = np.where((after >= a[on]) & (after <= b[on]), after, 0.5 * (a[on] + b[on])) - s[on]
+        s[on] += moved
+        at[on], tangent[on] = r + moved[:, None] * (first + 0.5 * moved[:, None] * second), first + moved[:, None] * second
+        on = on[(moved**2 > _SQUARE * size[on]) | (bend <= 0.1)]
+        if not on.size:
             break
-    return s
-
-
-def _near(path: CurveSequence) -> tuple[PathTable | None, Bends | None]:
-    """Return the table of the path and its curvatures, cached on the path; None if all curves have a closed form by arc length."""
-    if all(batch.sixth is not None for batch, _ in path.kinds):
-        return None, None
-    cached: Any = path.__dict__.get("_near")
-    if cached is None:
-        table = path_table(path, 1e-9 * min(path.length, 1.0))
-        cached = path.__dict__["_near"] = (table, Bends(table))
-    return cached  # type: ignore[no-any-return]
+    return s, at, tangent
 
 
 def _nearest(sample: Index, square: Array, away: Array, n: int) -> Index:
@@ -415,17 +545,3 @@ def _nearest(sample: Index, square: Array, away: Array, n: int) -> Index:
     pair = np.empty(n, dtype=np.int64)
     pair[sample[winner][::-1]] = winner[::-1]
     return pair
-
-
-def _result(path: CurveSequence, points: Array, progress: Array, curve: Index, local: Array, feet: Array, distance: Array) -> FootPoint:
-    if not path.is_planar:
-        return FootPoint(progress, feet, distance, np.full(distance.size, np.nan))
-    tangent = path.at(curve, local, 1)[1]
-    span = np.diff(path.breaks)[curve]
-    m = len(path.curves)
-    for at_end, shift, edge in ((local >= span, 1, path.starts), (local <= 0.0, -1, path.ends)):
-        other = curve + shift
-        usable = at_end & (path.closed | ((other >= 0) & (other < m)))
-        tangent = np.where(usable[:, None], tangent + edge[1][np.mod(other, m)], tangent)
-    gap = points - feet
-    return FootPoint(progress, feet, distance, np.copysign(distance, tangent[:, 0] * gap[:, 1] - tangent[:, 1] * gap[:, 0]))

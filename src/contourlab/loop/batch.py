@@ -5,10 +5,11 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import nullcontext
+from contextlib import nullcontext, suppress
 from copy import copy
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -334,6 +335,9 @@ def _check_together(known: Mapping[str, tuple[Component, str]], columns: Mapping
         if type(part).__init__ is Component.__init__ and type(part).check_values is Component.check_values:
             continue
         names = [known[name][1] for name in of_part]
+        with suppress(ParameterError, TypeError, ValueError):
+            _with_arrays(part, dict(zip(names, of_part.values(), strict=True))).check_values()
+            continue
         for row in sorted(set(zip(*(values.tolist() for values in of_part.values()), strict=True))):
             try:
                 part.replace(**dict(zip(names, row, strict=True)))
@@ -342,13 +346,19 @@ def _check_together(known: Mapping[str, tuple[Component, str]], columns: Mapping
                 raise
 
 
+def _with_arrays(part: Any, values: Mapping[str, ArrayLike]) -> Any:
+    """Return a copy of a component whose parameters have other values, unchecked: arrays of all variants."""
+    other = copy(part)
+    for name, value in values.items():
+        object.__setattr__(other, name, value)
+    return other
+
+
 def _check_steps(known: Mapping[str, tuple[Component, str]], columns: Mapping[str, Array], n_axis: int) -> None:
     """Raise if a parameter that differs between variants changes the step itself, which all variants share."""
     for name, values in columns.items():
         part, parameter = known[name]
-        others = [copy(part), copy(part)]
-        for other, value in zip(others, (values.min(), values.max()), strict=True):
-            object.__setattr__(other, parameter, float(value))
+        others = [_with_arrays(part, {parameter: float(value)}) for value in (values.min(), values.max())]
         steps = {one.make_step(n_axis) for one in (part, *others)}
         if len(steps) > 1 and len({_read_by(step) for step in steps}) > 1:
             raise ParameterError(name, "different in each variant", "the same in all: the step does not read it from par")
@@ -367,12 +377,10 @@ def _check_substeps(machine: Machine, columns: Mapping[str, Array]) -> None:
         changed = {name.removeprefix(head): values for name, values in columns.items() if name.startswith(head)}
         if not changed or type(axis.plant).fewest_substeps is Plant.fewest_substeps:
             continue
-        for row in sorted(set(zip(*(values.tolist() for values in changed.values()), strict=True))):
-            plant = machine.loaded_plant(axis.name).replace(**dict(zip(changed, row, strict=True)))
-            wanted, why = plant.fewest_substeps(machine.servo_period)
-            if axis.substeps < wanted:
-                bound = f"at least {wanted} for {why}, in one of the variants"
-                raise ParameterError(f"axes.{axis.name}.substeps", f"{axis.substeps}", bound)
+        wanted, why = _with_arrays(machine.loaded_plant(axis.name), changed).fewest_substeps(machine.servo_period)
+        if axis.substeps < wanted:
+            bound = f"at least {wanted} for {why}, in one of the variants"
+            raise ParameterError(f"axes.{axis.name}.substeps", f"{axis.substeps}", bound)
 
 
 def _split(kept: Array, n: int, keep: Sequence[str], loop: Loop) -> dict[str, Array]:

@@ -1,9 +1,8 @@
-"""Nodes that judge and watch a run without acting on it, their figures, and the exact judge of finished trials and doubtful samples."""
+"""Nodes that judge and watch a run without acting on it, their figures, and the exact judge of doubtful samples."""
 
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache, partial
@@ -13,9 +12,8 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array, Index
-from contourlab.components.estimator.newton import Newton
 from contourlab.engine.runner import Group, make_group
-from contourlab.engine.step import Late, Node, Port, Schedule, Step, ports
+from contourlab.engine.step import Late, Node, Schedule, Step, ports
 from contourlab.feed import Reference
 from contourlab.geometry import Path
 from contourlab.geometry.clearance import clearance
@@ -165,100 +163,6 @@ def all_finite(group: Group, sample: int) -> Status:
         return Status(ok=True)
     node = group.first_bad_node()
     return Status(ok=False, sample=sample, axis=node.split(".")[0], reason=f"{node} produced a value that is not finite")
-
-
-STRETCHES = 8
-"""Most stretches of a trial: fixed, so that the foot points do not depend on the number of processors."""
-FEWEST = 1000
-"""Fewest samples of a stretch: a new start costs more than it saves on a shorter one."""
-
-
-class TrialJudge:
-    """Computes the contour error of a trial, and the contour-error vector of the measured positions.
-
-    Parameters
-    ----------
-    machine, reference
-        What runs.
-    view : PathView
-        View of the path for the judge.
-    position : ndarray (n_sample, n_axis) [m]
-        Of the reference.
-    arc_length : ndarray (n_sample,) [m]
-        Of the reference.
-    vector : bool
-        Whether the vector is computed.
-
-    Attributes
-    ----------
-    window : float [m]
-        Within which foot points are right; the exact judge's window of a trial must not be larger.
-    """
-
-    def __init__(
-        self,
-        machine: Machine,
-        reference: Reference,
-        view: PathView,
-        position: Array,
-        arc_length: Array,
-        vector: bool,
-        compiled: bool,
-    ) -> None:
-        n_sample, n = position.shape
-        node = judge_node(machine, reference, view)
-        wires: dict[str, Any] = {name: f"in.{name}" for name in ("position", "reference", "arc_length")}
-        nodes, self.window = [replace(node, wires=wires)], float(node.parameters["window"])
-        if vector:
-            part = Newton(window=reach(reference.path, most_error(machine)), iterations=3.0)
-            step, values = part.path_step(view, n), {**part.block(machine.servo_period), **view.parameters}
-            nodes.append(Node("vector", step, {"position": "in.measured", "arc_length": "in.arc_length"}, values, view.tables))
-        externals = (*ports("position", "measured", "reference", size=n), Port("arc_length"))
-        schedule = Schedule(tuple(nodes), externals, machine.servo_period, len(nodes))
-        self._external = np.empty((3 * n + 1, n_sample))
-        self._external[2 * n : 3 * n], self._external[3 * n] = position.T, arc_length
-        self._rows = [schedule.row("judge.contour_error"), schedule.row("judge.doubt")]
-        self._rows += [schedule.row(f"vector.error_vector[{j}]") for j in range(n)] if vector else []
-        self._log = np.empty((n_sample, len(self._rows), 1))
-        count = max(min(STRETCHES, n_sample // FEWEST), 1)
-        self._borders = np.linspace(0, n_sample, count + 1).astype(int).tolist()
-        self._groups: list[tuple[Group, Any]] = []
-        for first in self._borders[:-1]:
-            group = make_group(schedule, 1, slice(0, 1), compiled)
-            group.tick = first
-            for name in ("judge", "vector") if vector else ("judge",):
-                group.state_of(name)[0] = arc_length[first]
-            self._groups.append((group, group.snapshot()))
-        # Only machine code runs in parallel.
-        self._workers = min(os.cpu_count() or 1, count) if compiled else 1
-
-    def __call__(self, position: Array, measured: Array) -> tuple[Array, Index, Array | None]:
-        """Judge a trial.
-
-        Parameters
-        ----------
-        position, measured : ndarray (n_sample, n_axis) [m]
-            Of the tool, and as measured by the encoders.
-
-        Returns
-        -------
-        contour_error : ndarray (n_sample,) [m]
-        doubtful : ndarray of int
-            Samples at which the contour error may not be exact.
-        vector : ndarray (n_sample, n_axis) [m] or None
-            From the measured position to the path.
-        """
-        n = position.shape[1]
-        self._external[:n], self._external[n : 2 * n] = position.T, measured.T
-        in_threads(self._stretch, range(len(self._groups)), self._workers)
-        rows = self._log[:, :, 0].T.copy()  # the next trial writes over the log
-        return rows[0], np.flatnonzero(rows[1]), (rows[2:].T if len(rows) > 2 else None)
-
-    def _stretch(self, i: int) -> None:
-        group, fresh = self._groups[i]
-        group.restore(fresh)
-        cut = slice(self._borders[i], self._borders[i + 1])
-        group.run(self._external.T[cut], self._rows, self._log[cut])
 
 
 _AT_ONCE = 1 << 13

@@ -18,9 +18,10 @@ from contourlab.components.ideal import IdealSensor
 from contourlab.engine.runner import make_group
 from contourlab.engine.step import Late, Schedule
 from contourlab.feed import Reference
-from contourlab.geometry.view import PathView, check_view, view_of
+from contourlab.geometry.foot_point import FootPoint
+from contourlab.geometry.view import PathView, check_view
 from contourlab.loop.feeding import BLOCK, LEARNED_COMMAND, LEARNED_REFERENCE, Feed, Learned
-from contourlab.loop.judging import TrialJudge, all_finite, watched
+from contourlab.loop.judging import all_finite, watched
 from contourlab.loop.machine import AxisController, Controller, Machine
 from contourlab.loop.simulate import ToolPosition, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
@@ -132,7 +133,7 @@ class Trials:
         self._drive_limit = np.array([float(getattr(axis.drive, "limit", np.inf)) for axis in machine.axes])
         own = (controller.axes[name].controller for name in machine.axis_names)
         self._own_limit = np.array([float(getattr(part, "command_limit", np.inf)) for part in own])
-        self._judge = TrialJudge(machine, reference, view or view_of(reference.path), self.position, self.arc_length, vector, compiled)
+        self._vector = vector
         self.engine_seconds = self.judge_seconds = 0.0
 
     def _built(self, trial: int) -> Loop:
@@ -215,19 +216,18 @@ class Trials:
     def _judged(
         self, trial: int, position: Array, measured: Array, velocity: Array
     ) -> tuple[Array, Array | None, Array, tuple[float, float, float]]:
-        """Return tool position, error vector, contour error and its rms, maximum and mean; doubtful samples are judged the slow way."""
+        """Return tool position, error vector, contour error and its rms, maximum and mean."""
         made = ToolPosition(self.machine, self.seed, trial)
         tool = position if made.exact else made.of(position, velocity)
-        contour, doubtful, vector = self._judge(tool, measured)
-        if doubtful.size:
-            path = self.reference.path
-            window = reach(path, furthest(self.position - tool))
-            if window > self._judge.window:  # nearer points may lie further away than the judge looks
-                doubtful = np.arange(len(tool))
-            feet = path.foot_point(tool[doubtful], self.arc_length[doubtful], window)
-            contour[doubtful] = feet.signed if path.is_planar else feet.distance
+        feet, path = self._feet(tool), self.reference.path
+        contour = feet.signed if path.is_planar else feet.distance
+        vector = self._feet(measured).position - measured if self._vector else None
         size = np.abs(contour[self.judged])
         return tool, vector, contour, (float(np.sqrt(np.mean(size**2))), float(size.max()), float(size.mean()))
+
+    def _feet(self, points: Array) -> FootPoint:
+        path = self.reference.path
+        return path.foot_point(points, self.arc_length, reach(path, furthest(self.position - points)))
 
 
 def _excess(command: Array, limit: Array) -> Array:

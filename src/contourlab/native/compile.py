@@ -23,7 +23,7 @@ from contourlab.errors import EngineError
 from contourlab.native import store
 
 OPTIONS: dict[str, Any] = {"error_model": "numpy", "boundscheck": False}
-INNER: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+INNER: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, "forceinline": True}
 """For functions that only compiled code calls: wrappers for Python and C take half of the compile time."""
 PROJECT = __name__.partition(".")[0] + "."
 _KINDS: dict[str, tuple[Any, Any, Any]] = {

@@ -9,7 +9,7 @@ import pytest
 from numpy.typing import NDArray
 
 from contourlab.geometry import Arc, BSpline, Curve, Line, Path
-from contourlab.geometry.foot_point import curves_in_reach
+from contourlab.geometry.foot_point import FootPoint, searched
 
 Array = NDArray[np.float64]
 
@@ -58,46 +58,64 @@ def spread(path: Path, n: int = 400) -> tuple[Array, Array]:
     return path.position(around) + off, around
 
 
+def of_all_curves(path: Path, points: Array, around: Array, window: float) -> Array:
+    """Return the distances (n,) of the points from the whole path within the window, each curve searched on its own."""
+    least = np.full(around.size, np.inf)
+    reach = min(window, 0.5 * path.length) if path.closed else window
+    for lap in range(-4, 5) if path.closed else (0,):
+        for curve, offset in zip(path.curves, lap * path.length + path.breaks[:-1], strict=True):
+            low, high = (np.clip(end - offset, 0.0, curve.length) for end in (around - reach, around + reach))
+            here = np.flatnonzero(high > low)
+            if here.size:
+                alone = Path([curve]).foot_point(points[here], 0.5 * (low + high)[here], 0.5 * (high - low)[here])
+                least[here] = np.minimum(least[here], alone.distance)
+    return least
+
+
 @pytest.mark.parametrize("name", PATHS)
 @pytest.mark.parametrize("part", [0.02, 0.3, 2.0])
-def test_the_closest_point_is_that_of_all_curves(name: str, part: float, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_closest_point_is_that_of_all_curves(name: str, part: float) -> None:
     path = PATHS[name]
     points, around = spread(path)
-    monkeypatch.setattr("contourlab.geometry.foot_point._FEW", np.inf)
-    wanted = path.foot_point(points, around, part * path.length)
-    monkeypatch.setattr("contourlab.geometry.foot_point._FEW", 0)
     found = path.foot_point(points, around, part * path.length)
-    for one, other in zip(found, wanted, strict=True):
-        np.testing.assert_allclose(one, other, rtol=0.0, atol=1e-12 * path.length)
+    np.testing.assert_allclose(found.distance, of_all_curves(path, points, around, part * path.length), rtol=0.0, atol=1e-12 * path.length)
+    np.testing.assert_allclose(found.position, path.position(found.arc_length), rtol=0.0, atol=1e-12 * path.length)
+    reach = min(part, 0.5) * path.length if path.closed else part * path.length
+    assert (np.abs(found.arc_length - around) <= reach + 1e-12).all()
 
 
-@pytest.mark.parametrize("name", PATHS)
-def test_pairs_are_in_the_order_of_the_path_and_within_the_window(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    path = PATHS[name]
-    points, around = spread(path)
-    monkeypatch.setattr("contourlab.geometry.foot_point._FEW", 0)
-    window = np.full(around.size, 0.3 * path.length)
-    sample, curve, lap, low, high = curves_in_reach(path, points, around, window)
-    assert np.array_equal(np.unique(sample), np.arange(around.size))
-    along = lap * len(path.curves) + curve
-    same = np.diff(sample) == 0
-    assert (np.diff(sample) >= 0).all() and (np.diff(along)[same] > 0).all()
-    offset = lap * path.length + path.breaks[curve]
-    first, last = offset + low - around[sample], offset + high - around[sample]
-    assert (first >= -window[sample] - 1e-12).all() and (last <= window[sample] + 1e-12).all()
+def searched_leaves(path: Path, points: Array, around: Array, window: float) -> float:
+    """Return the mean number of curves that are searched for a point."""
+    n = around.size
+    room = FootPoint(np.empty(n), np.empty(points.shape), np.empty(n), np.empty(n))
+    return searched(path, points, around, np.full(n, window), room) / n
 
 
 def test_few_of_thousands_of_curves_remain() -> None:
     angle = np.linspace(0.0, 40.0 * np.pi, 20_000)
     path = polygon(0.05 * np.column_stack([np.cos(angle), np.sin(1.1 * angle)]), False)
     around = np.linspace(0.1, 0.9, 500) * path.length
-    points = path.position(around) + 1e-5
-    sample, *_ = curves_in_reach(path, points, around, np.full(500, 0.2 * path.length))
-    assert np.bincount(sample).mean() < 10.0
+    assert searched_leaves(path, path.position(around) + 1e-5, around, 0.2 * path.length) < 20.0
 
 
-def test_from_the_centre_of_a_wheel_all_spokes_are_kept() -> None:
+def test_from_the_centre_of_a_wheel_all_spokes_are_searched() -> None:
     angle = np.linspace(0.0, 2.0 * np.pi, 1000, endpoint=False)
     path = polygon(0.05 * np.column_stack([np.cos(angle), np.sin(angle)]), True)
-    sample, curve, *_ = curves_in_reach(path, np.zeros((3, 2)), np.full(3, 0.1), np.full(3, 0.499 * path.length))
-    assert len(np.unique(curve[sample == 1])) >= 997
+    assert searched_leaves(path, np.zeros((3, 2)), np.full(3, 0.1), 0.499 * path.length) >= 997
+
+
+@pytest.mark.parametrize("kind", ["lines", "splines"])
+def test_from_the_centre_of_a_wheel_the_progress_decides(kind: str) -> None:
+    """Among a thousand places at the same distance."""
+    angle = np.linspace(0.0, 2.0 * np.pi, 1000, endpoint=False)
+    rim = 0.05 * np.column_stack([np.cos(angle), np.sin(angle)])
+    if kind == "lines":
+        path = polygon(rim, True)
+    else:
+        middle = 0.05 / np.cos(np.pi / 1000) * np.column_stack([np.cos(angle + np.pi / 1000), np.sin(angle + np.pi / 1000)])
+        parts = zip(rim, middle, np.roll(rim, -1, axis=0), strict=True)
+        path = Path([BSpline(2, part, [0, 0, 0, 1, 1, 1]) for part in parts], closed=True)
+    around = np.linspace(0.0, 1.0, 7) * path.length
+    found = path.foot_point(np.zeros((7, 2)), around, 0.499 * path.length)
+    assert np.abs(found.arc_length - around).max() <= path.length / 1000
+    np.testing.assert_allclose(found.distance, 0.05, rtol=1e-5)

@@ -90,19 +90,19 @@ def test_a_programmed_circle_is_found_after_rounded_corners() -> None:
 def test_the_work_of_the_judge_grows_with_the_samples(monkeypatch: pytest.MonkeyPatch) -> None:
     from contourlab.geometry import foot_point
 
-    pairs = [0]
-    plain = foot_point.curves_in_reach
+    leaves = [0]
+    plain = foot_point.searched
 
-    def counted(*arguments: Any) -> Any:
+    def counted(*arguments: Any) -> int:
         found = plain(*arguments)
-        pairs[-1] += found[0].size
+        leaves[-1] += found
         return found
 
-    monkeypatch.setattr(foot_point, "curves_in_reach", counted)
+    monkeypatch.setattr(foot_point, "searched", counted)
     for n in (100, 200, 400):
         route = rounded(staircase(n, 1e-3), 1e-5)
         s = np.linspace(0.0, route.path.length, 20 * n)
         reference = along_the_plan(route, s)
-        pairs.append(0)
+        leaves.append(0)
         judge(made_run(reference, reference.block(0, len(s)).position), reference)
-        assert pairs[-1] < 20 * n * 12
+        assert leaves[-1] < 20 * n * 12

@@ -206,7 +206,7 @@ class AdaptiveBacklashInverse(Component):
     initial_direction: float = INITIAL_DIRECTION
 
     def check_values(self) -> None:
-        if self.backlash_gap > self.largest_gap:
+        if np.any(self.backlash_gap > self.largest_gap):
             raise ParameterError("backlash_gap", f"{self.backlash_gap:g}", f"<= largest_gap, {self.largest_gap:g}", "m")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:

@@ -58,7 +58,7 @@ class PositionController(ControlLaw):
 
     def check_values(self) -> None:
         # Without its integral this structure ignores the reference.
-        if self.structure == "ipv" and self.integral_gain == 0.0 and self.position_gain > 0.0:
+        if self.structure == "ipv" and np.any((self.integral_gain == 0.0) & (self.position_gain > 0.0)):
             raise ParameterError("integral_gain", "0", '> 0 with structure = "ipv", which acts only through its integral', "1/s")
 
     wishes = {

@@ -314,9 +314,9 @@ class MultipleModel(Component):
     substeps: float = param(default=2.0, minimum=1.0, maximum=32.0, whole=True, structural=True, doc="integration steps per servo period")
 
     def check_values(self) -> None:
-        if not self.values()["load_inertia"] + self.values()["mass"] > 0.0:
+        if np.any(self.values()["load_inertia"] + self.values()["mass"] <= 0.0):
             raise ParameterError("load_inertia", "0", "> 0 unless a mass is given", "kg*m^2")
-        if not self.largest_gap > self.smallest_gap:
+        if np.any(self.largest_gap <= self.smallest_gap):
             raise ParameterError("largest_gap", f"{self.largest_gap:g}", f"> smallest_gap = {self.smallest_gap:g}", "m")
 
     def make_step(self, n_axis: int = 1) -> Step:

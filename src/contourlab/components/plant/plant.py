@@ -52,7 +52,7 @@ class Plant(Component):
         return self.replace(carried_mass=self.values()["carried_mass"] + mass)
 
     def fewest_substeps(self, dt: float) -> tuple[int, str]:
-        """Return the least number of sub-steps over the time dt [s], and the reason as text."""
+        """Return the least number of sub-steps over the time dt [s], and the reason as text; for all variants if parameters are arrays."""
         return 1, ""
 
     @property

@@ -106,7 +106,7 @@ class TwoInertia(TwoSided):
         )
 
     def check_values(self) -> None:
-        if not self.load_inertia + self.mass + self.carried_mass > 0.0:
+        if np.any(self.load_inertia + self.mass + self.carried_mass <= 0.0):
             raise ParameterError("load_inertia", "0", "> 0 unless a mass is given", "kg*m^2")
 
     def table_values(self) -> dict[str, Array]:

@@ -86,12 +86,12 @@ class TwoSided(Plant):
     def shaft_rate(self) -> float:
         """Angular frequency [rad/s] of the undamped shaft in contact."""
         d = self.constants()
-        return math.sqrt(d.stiffness_value * (d.motor_mobility + d.load_mobility))
+        return np.sqrt(d.stiffness_value * (d.motor_mobility + d.load_mobility))  # type: ignore[no-any-return]
 
     def fewest_substeps(self, dt: float) -> tuple[int, str]:
         d = self.constants()
-        fast = self.shaft_rate
-        damped = d.damper_value * (d.motor_mobility + d.load_mobility) + max(d.motor_decay, d.load_decay)
+        fast = float(np.max(self.shaft_rate))
+        damped = float(np.max(d.damper_value * (d.motor_mobility + d.load_mobility) + np.maximum(d.motor_decay, d.load_decay)))
         wanted = max(fast * dt / COARSEST, damped * dt / 1.0)
         return max(1, math.ceil(wanted - 1e-9)), f"a shaft that oscillates at {fast / (2.0 * math.pi):.4g} Hz"
 
