@@ -51,10 +51,10 @@ def variants_under(others: list[tuple[str, Axis]], texts: tuple[str, ...] = (FRE
     )
 
 
-def studied(others: list[tuple[str, Axis]], **settings: object) -> SwapStudy:
+def studied(others: list[tuple[str, Axis]], budget: int = 700, **settings: object) -> SwapStudy:
     variants = variants_under(others)
     candidates = tuple(name for name in variants.space.names if variants.members[0].module(name))
-    return swap_study(variants, candidates, SwapSettings(budget=700, **settings))  # type: ignore[arg-type]
+    return swap_study(variants, candidates, SwapSettings(budget=budget, **settings))  # type: ignore[arg-type]
 
 
 def test_loss_refers_to_the_larger_of_best_and_floor() -> None:
@@ -204,14 +204,14 @@ def test_same_study_on_any_number_of_threads() -> None:
     found = []
     for threads in (1, 2):
         variants = replace(variants_under([("strong", rigid("other", 2.0))]), threads=threads)
-        study = swap_study(variants, (AHEAD,), SwapSettings(budget=300))
+        study = swap_study(variants, (AHEAD,), SwapSettings(budget=100))
         found.append([choice.values.tolist() for choice in study.choices])
     assert found[0] == found[1]
 
 
 @pytest.mark.slow
 def test_given_sets_replace_the_search() -> None:
-    study = studied([("strong", rigid("other", 2.0))], local=(frozenset({AHEAD}),))
+    study = studied([("strong", rigid("other", 2.0))], budget=100, local=(frozenset({AHEAD}),))
     assert [len(choice.local) for choice in study.choices] == [0, 1]
 
 
