@@ -187,15 +187,15 @@ def test_a_variant_whose_search_stalled_is_searched_again(tmp_path: Path, monkey
         return searches.Optimum(float(values[0, 0]), np.full(5, values[0, 0]))
 
     monkeypatch.setattr(SwapSearch, "variant_optimum", stalled)
-    study, checkpoint = kept_study(tmp_path / "whole")
+    study, checkpoint = kept_study(tmp_path / "whole", budget=200)
     assert study.inconclusive == ()
     for optimum, best in zip(study.optima, study.variants.best, strict=True):
         assert optimum.value - best > 0.03 * study.variants.floor > optimum.again - best >= 0.0
     # The same after an interrupt.
     kept = len(list(checkpoint.home.iterdir()))
     with pytest.raises(KeyboardInterrupt):
-        kept_study(tmp_path / "again", stop_at="x = strong alone, again")
-    resumed, checkpoint = kept_study(tmp_path / "again")
+        kept_study(tmp_path / "again", stop_at="x = strong alone, again", budget=200)
+    resumed, checkpoint = kept_study(tmp_path / "again", budget=200)
     assert 0 < checkpoint.reused < kept and all_results(resumed) == all_results(study)
 
 
@@ -312,7 +312,9 @@ def test_local_parameters_are_marked_in_their_axis() -> None:
     assert made.axes["y"].controller.values()["model_gain"] == 1.05 and made.axes["y"].local == ()
 
 
-def kept_study(folder: Path, stop_after: int | None = None, model: str = "one", stop_at: str = "") -> tuple[SwapStudy, Checkpoint]:
+def kept_study(
+    folder: Path, stop_after: int | None = None, model: str = "one", stop_at: str = "", budget: int = 100
+) -> tuple[SwapStudy, Checkpoint]:
     """Return a study with saved searches, or stop it at the start of a stage, given by number or name."""
     variants = variants_under([("strong", rigid("other", 2.0))], ("controller.axes.x.controller.*_gain",))
     checkpoint, begun = Checkpoint(folder, model), list[str]()
@@ -323,7 +325,7 @@ def kept_study(folder: Path, stop_after: int | None = None, model: str = "one", 
         begun.append(name)
 
     candidates = tuple(name for name in variants.space.names if ".axes.x." in name)
-    return swap_study(variants, candidates, SwapSettings(budget=200), stage, checkpoint), checkpoint
+    return swap_study(variants, candidates, SwapSettings(budget=budget), stage, checkpoint), checkpoint
 
 
 def all_results(study: SwapStudy) -> list[object]:
