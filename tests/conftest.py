@@ -7,6 +7,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 
+import one_thread  # noqa: F401
 import pytest
 from host_gpu import HostGpu
 from hypothesis import settings
@@ -14,15 +15,11 @@ from once import once
 from processor_time import ProcessorTimes
 from schemas import check_results
 
-from contourlab.__main__ import LINEAR_ALGEBRA
 from contourlab.engine import gpu
 from contourlab.errors import EngineError
 
 os.environ.setdefault("MPLBACKEND", "Agg")
 os.environ["CONTOURLAB_PROGRESS"] = "0"  # tests read standard error
-# One thread, as in the command: processes that share processors would wait for each other's threads.
-for library in LINEAR_ALGEBRA:
-    os.environ.setdefault(library, "1")
 # Python's byte code is kept too: without it each worker rewrites every assertion, and each command compiles the package again.
 sys.dont_write_bytecode = False
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)

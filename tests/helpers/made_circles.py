@@ -10,7 +10,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.features.circle.runs import CircleRun, find_circle, runs_of
 
-RADIUS, FEED, PERIOD = 0.05, 0.05, 1e-3
+RADIUS, FEED, PERIOD = 0.05, 0.05, 2e-3
 
 
 def positions(clockwise: bool, start: float = 0.3, noise: float = 2e-8, turns: float = 1.0, **size: float) -> tuple[Array, Array]:

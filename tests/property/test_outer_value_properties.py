@@ -130,7 +130,7 @@ DRAWN = st.lists(st.tuples(st.sampled_from(sorted(CHANGES)), NUMBERS), min_size=
 
 
 @given(DRAWN)
-@settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_machine_code_follows_every_change(
     tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch, drawn: list[tuple[str, Any]]
 ) -> None:

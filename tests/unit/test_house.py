@@ -44,7 +44,11 @@ def project_files() -> list[Path]:
 
 @each("path", MODULES)
 def test_a_module_defines_a_constant_once(path: Path):
-    body = ast.parse(path.read_text(encoding="utf-8")).body
+    text = path.read_text(encoding="utf-8")
+    begun = [name for line in re.findall(r"^\w[\w, =]*=", text, re.MULTILINE) for name in re.findall(r"\w+", line)]
+    if len(set(begun)) == len(begun):  # to parse every module takes a second
+        return
+    body = ast.parse(text).body
     targets = [target for line in body if isinstance(line, ast.Assign) for target in line.targets]
     names = [target.id for target in targets if isinstance(target, ast.Name) and target.id != "_"]
     assert sorted(names) == sorted(set(names))

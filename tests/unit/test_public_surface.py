@@ -11,13 +11,14 @@ import inspect
 import re
 import sys
 import textwrap
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
+from types import CodeType
 from typing import Any
 
 from each import each
 from numpydoc.docscrape import NumpyDocString, get_doc_object
-from numpydoc.validate import validate
+from numpydoc.validate import Validator, validate
 
 import contourlab
 from contourlab import errors
@@ -72,13 +73,27 @@ def thing(name: str) -> Any:
     return getattr(contourlab, name) if "." not in name else api.types()[name]
 
 
+class Docstring(Validator):  # type: ignore[misc]
+    """A docstring without its place in a file: nothing is excepted by a comment there, and to find it takes most of the time."""
+
+    source_file_name = source_file_def_line = None
+
+    def __init__(self, obj_name: Any) -> None:
+        super().__init__(obj_name)
+
+
 def faults_of(target: Any, codes: set[str]) -> list[str]:
-    return [f"{code} {text}" for code, text in validate(get_doc_object(target))["errors"] if code in codes]
+    return [f"{code} {text}" for code, text in validate(get_doc_object(target), Docstring)["errors"] if code in codes]
+
+
+@cache
+def docstring_of(target: Any) -> NumpyDocString:
+    return NumpyDocString(inspect.getdoc(target) or "")
 
 
 def documented(target: Any) -> dict[str, str]:
     """Return the type and text of each parameter and attribute in the docstring."""
-    doc = NumpyDocString(inspect.getdoc(target) or "")
+    doc = docstring_of(target)
     listed = [*doc["Parameters"], *doc["Attributes"]]
     return {name.strip(" *"): f"{entry.type} {' '.join(entry.desc)}" for entry in listed for name in entry.name.split(",")}
 
@@ -90,9 +105,14 @@ def parameters(target: Any) -> dict[str, inspect.Parameter]:
     return dict(inspect.signature(target).parameters)
 
 
+def names_of(code: CodeType) -> set[str]:
+    """Return the names that a function and those in it read from around them."""
+    return set(code.co_names).union(*(names_of(inner) for inner in code.co_consts if inspect.iscode(inner)))
+
+
 def raised(function: Any) -> set[str]:
     """Return the errors of contourlab that a function itself raises."""
-    if function.__code__.co_filename == "<string>":  # written by dataclass
+    if not names_of(function.__code__) & set(errors.__all__):
         return set()
     tree = ast.parse(textwrap.dedent(inspect.getsource(function)))
     calls = (node.exc for node in ast.walk(tree) if isinstance(node, ast.Raise))
@@ -101,7 +121,7 @@ def raised(function: Any) -> set[str]:
 
 def allowed(function: Any) -> set[str]:
     """Return the errors that a docstring covers, those derived from them too."""
-    entries = NumpyDocString(inspect.getdoc(function) or "")["Raises"]
+    entries = docstring_of(function)["Raises"]
     named = [name for entry in entries for name in (entry.type or entry.name).split(", ")]
     kinds = tuple(getattr(errors, name) for name in named if name in errors.__all__)
     return {name for name in errors.__all__ if issubclass(getattr(errors, name), kinds)}
@@ -190,7 +210,7 @@ def test_every_type_in_a_signature_and_every_error_has_a_page():
         held = members(target) if inspect.isclass(target) and not issubclass(target, Answer) else ()
         for function in (target, *(function_of(member) for _, member in held)):
             scope = {**vars(sys.modules[target.__module__]), **vars(errors)}
-            raises = [entry.type or entry.name for entry in NumpyDocString(inspect.getdoc(function) or "")["Raises"]]
+            raises = [entry.type or entry.name for entry in docstring_of(function)["Raises"]]
             for word in re.findall(r"\b[A-Z]\w+", f"{signature(function)} {' '.join(raises)}"):
                 kind = scope.get(word)
                 if inspect.isclass(kind) and kind.__module__.startswith("contourlab.") and not getattr(kind, "kind", ""):

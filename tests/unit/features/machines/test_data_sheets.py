@@ -16,11 +16,11 @@ from contourlab.scenario import Case, load_controller, load_machine, scenario_fr
 from contourlab.study import Setting
 
 SHEETS = sorted((Path(__file__).parents[3] / "data_sheets").glob("*.toml"))
-ROUND = {"contour": {"name": "circle", "radius": "20 mm"}, "feed": {"law": "planned", "feedrate": "3 m/min"}}
+ROUND = {"contour": {"name": "circle", "radius": "8 mm"}, "feed": {"law": "planned", "feedrate": "3 m/min"}}
 PART = """G21 G90 G94 G64 P0.005
-G1 X30 F3000
-G3 X35 Y5 I0 J5
-G1 Y20
+G1 X12 F3000
+G3 X15 Y3 I0 J3
+G1 Y8
 G1 X0
 G1 X0 Y0
 M30

@@ -50,10 +50,10 @@ def variants_under(others: list[tuple[str, Axis]], texts: tuple[str, ...] = (FRE
     )
 
 
-def studied(others: list[tuple[str, Axis]], **settings: object) -> SwapStudy:
+def studied(others: list[tuple[str, Axis]], budget: int = 700, **settings: object) -> SwapStudy:
     variants = variants_under(others)
     candidates = tuple(name for name in variants.space.names if variants.members[0].module(name))
-    return swap_study(variants, candidates, SwapSettings(budget=700, **settings))  # type: ignore[arg-type]
+    return swap_study(variants, candidates, SwapSettings(budget=budget, **settings))  # type: ignore[arg-type]
 
 
 def test_loss_refers_to_the_larger_of_best_and_floor() -> None:
@@ -186,15 +186,15 @@ def test_a_variant_whose_search_stalled_is_searched_again(tmp_path: Path, monkey
         return searches.Optimum(float(values[0, 0]), np.full(5, values[0, 0]))
 
     monkeypatch.setattr(SwapSearch, "variant_optimum", stalled)
-    study, checkpoint = kept_study(tmp_path / "whole")
+    study, checkpoint = kept_study(tmp_path / "whole", budget=200)
     assert study.inconclusive == ()
     for optimum, best in zip(study.optima, study.variants.best, strict=True):
         assert optimum.value - best > 0.03 * study.variants.floor > optimum.again - best >= 0.0
     # The same after an interrupt.
     kept = len(list(checkpoint.home.iterdir()))
     with pytest.raises(KeyboardInterrupt):
-        kept_study(tmp_path / "again", stop_at="x = strong alone, again")
-    resumed, checkpoint = kept_study(tmp_path / "again")
+        kept_study(tmp_path / "again", stop_at="x = strong alone, again", budget=200)
+    resumed, checkpoint = kept_study(tmp_path / "again", budget=200)
     assert 0 < checkpoint.reused < kept and all_results(resumed) == all_results(study)
 
 
@@ -203,14 +203,14 @@ def test_same_study_on_any_number_of_threads() -> None:
     found = []
     for threads in (1, 2):
         variants = replace(variants_under([("strong", rigid("other", 2.0))]), threads=threads)
-        study = swap_study(variants, (AHEAD,), SwapSettings(budget=300))
+        study = swap_study(variants, (AHEAD,), SwapSettings(budget=100))
         found.append([choice.values.tolist() for choice in study.choices])
     assert found[0] == found[1]
 
 
 @pytest.mark.slow
 def test_given_sets_replace_the_search() -> None:
-    study = studied([("strong", rigid("other", 2.0))], local=(frozenset({AHEAD}),))
+    study = studied([("strong", rigid("other", 2.0))], budget=100, local=(frozenset({AHEAD}),))
     assert [len(choice.local) for choice in study.choices] == [0, 1]
 
 
@@ -311,7 +311,9 @@ def test_local_parameters_are_marked_in_their_axis() -> None:
     assert made.axes["y"].controller.values()["model_gain"] == 1.05 and made.axes["y"].local == ()
 
 
-def kept_study(folder: Path, stop_after: int | None = None, model: str = "one", stop_at: str = "") -> tuple[SwapStudy, Checkpoint]:
+def kept_study(
+    folder: Path, stop_after: int | None = None, model: str = "one", stop_at: str = "", budget: int = 100
+) -> tuple[SwapStudy, Checkpoint]:
     """Return a study with saved searches, or stop it at the start of a stage, given by number or name."""
     variants = variants_under([("strong", rigid("other", 2.0))], ("controller.axes.x.controller.*_gain",))
     checkpoint, begun = Checkpoint(folder, model), list[str]()
@@ -322,7 +324,7 @@ def kept_study(folder: Path, stop_after: int | None = None, model: str = "one", 
         begun.append(name)
 
     candidates = tuple(name for name in variants.space.names if ".axes.x." in name)
-    return swap_study(variants, candidates, SwapSettings(budget=200), stage, checkpoint), checkpoint
+    return swap_study(variants, candidates, SwapSettings(budget=budget), stage, checkpoint), checkpoint
 
 
 def all_results(study: SwapStudy) -> list[object]:

@@ -187,9 +187,9 @@ def test_an_edited_manifest_is_refused_by_every_command(whole: Path, capsys: Cap
     texts = [json.dumps(edited) for edited in edits(fields)]
     texts += [json.dumps(fields).replace("1695", "1696"), "", "{", "[]", "null", "[" * 100_000, '{"schema": NaN}', "\x00"]
     assert len(texts) > 200
-    for number, text in enumerate(texts):  # each key by all commands, each text by three of them
+    for number, text in enumerate(texts):  # each key by all commands, each text by two of them
         (whole / "manifest.json").write_text(text)
-        for words in [READERS[(number + step) % len(READERS)] for step in (0, 3, 6)] if number < len(texts) - 8 else READERS:
+        for words in [READERS[(number + step) % len(READERS)] for step in (0, 4)] if number < len(texts) - 8 else READERS:
             assert main(["sweep", *words]) == 2, (words, text[:300])
             assert "manifest.json" in capsys.readouterr().err
 
@@ -201,9 +201,9 @@ def test_whatever_the_manifest_of_an_older_store_says_no_command_breaks(whole: P
     (one,) = fields["structures"]
     deep = [{**fields, "structures": [{**one, key: wrong}]} for key in ("choices", "scenario") for wrong in WRONG]
     read = 0
-    for edited in (*edits(fields), *deep):
+    for number, edited in enumerate((*edits(fields), *deep)):  # each key by all commands, each text by three of them
         (whole / "manifest.json").write_text(json.dumps(edited))
-        for words in READERS[:-2]:
+        for words in [READERS[(number + step) % 7] for step in (0, 2, 4)]:
             shutil.rmtree("merged", ignore_errors=True)
             code = main(["sweep", *words])
             assert code in (0, 1, 2), (words, edited)
