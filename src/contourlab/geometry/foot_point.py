@@ -37,7 +37,7 @@ _TURN = 0.35
 """Largest turn [rad] of a cell: it has a single closest point."""
 _MOST_STEPS = 60
 _SQUARE = 1e-16
-"""A Newton step whose square is less, relative to the length of the piece [m], is the last: what is left is about the square over the length."""
+"""Square of the last Newton step, relative to the length of the piece [m]: what is left is about the square over the length."""
 
 
 class _Leaves(NamedTuple):

@@ -62,7 +62,7 @@ class _Moved(Curve):
     def __init__(self, curve: Curve, move: Array) -> None:
         self.curve, self.move = curve, move
         self.n_axis, self.length = move.size, curve.length
-        self._marks = tuple(getattr(curve, "_marks", (0.0, curve.length)))
+        self.marks = np.asarray(getattr(curve, "marks", (0.0, curve.length)))
 
     def derivatives(self, s: ArrayLike, order: int = 3) -> Array:
         derivatives = _wide(self.curve.derivatives(s, order), self.n_axis)
