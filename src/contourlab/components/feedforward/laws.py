@@ -9,10 +9,9 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.components.contract import Component, LinearModel, param
-from contourlab.components.friction.laws import SmoothCoulomb
 from contourlab.engine.step import Port
 from contourlab.errors import ParameterError
-from contourlab.primitives import clip, delayed, dot, floor, lookup, sin, tanh
+from contourlab.primitives import clip, delayed, dot, exp, floor, lookup, sin, tanh
 
 
 class InverseDynamics(Component):
@@ -105,7 +104,10 @@ class FrictionFeedforward(Component):
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        return (), (par.inverse_constant * SmoothCoulomb.force(par, inp.reference_velocity),)
+        v = inp.reference_velocity
+        ratio = v * par.inverse_stribeck
+        level = par.coulomb + (par.breakaway - par.coulomb) * exp(-ratio * ratio)
+        return (), (par.inverse_constant * (level * tanh(v * par.inverse_smoothing) + par.viscous * v),)
 
 
 MAX_ORDER = 8

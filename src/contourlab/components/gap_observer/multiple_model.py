@@ -18,7 +18,6 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component, param
-from contourlab.components.plant.two_inertia import TwoInertia
 from contourlab.engine.step import Bank, Port, Step, ports
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip, dot, exp, fabs, lincomb, log, maximum, minimum, scale, select, sqrt
@@ -235,10 +234,6 @@ SURE = 0.999
 """Probability from which contact is certain."""
 
 
-_DRIVE = ("motor_inertia", "load_inertia", "mass", "lead", "stiffness", "shaft_damping", "motor_damping", "load_damping")
-"""Parameters of the drive that the filters follow."""
-
-
 class MultipleModel(Component):
     """Gap state and gap size from motor position and command: a Gaussian sum of extended Kalman filters of the two-inertia drive.
 
@@ -297,7 +292,16 @@ class MultipleModel(Component):
         "substeps": 1.0,
     }
 
-    parameters = {name: TwoInertia.parameters[name] for name in _DRIVE}
+    motor_inertia: float = param(unit="kg*m^2", minimum=0.0, exclusive=True, display="kg*cm^2", doc="inertia of motor and coupling, J_m")
+    load_inertia: float = param(
+        default=0.0, unit="kg*m^2", minimum=0.0, display="kg*cm^2", doc="inertia of the load at the shaft, J_l, without `mass`"
+    )
+    mass: float = param(default=0.0, unit="kg", minimum=0.0, doc="mass of the table and everything on it")
+    lead: float = param(unit="m", minimum=0.0, exclusive=True, display="mm", doc="travel per turn of the screw, l")
+    stiffness: float = param(unit="N*m/rad", minimum=0.0, exclusive=True, doc="stiffness of shaft, coupling and nut, k_s")
+    shaft_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="damping of shaft, coupling and nut, d_s")
+    motor_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="viscous damping on the motor side, c_m")
+    load_damping: float = param(default=0.0, unit="N*m*s/rad", minimum=0.0, doc="viscous damping on the load side, c_l")
     coulomb: float = param(default=0.0, unit="N", minimum=0.0, doc="Coulomb friction of the guides")
     motor_coulomb: float = param(default=0.0, unit="N", minimum=0.0, doc="Coulomb friction of the motor, at the table")
     torque_gain: float = param(default=1.0, minimum=0.0, exclusive=True, doc="torque per commanded torque, g")
@@ -314,7 +318,7 @@ class MultipleModel(Component):
     substeps: float = param(default=2.0, minimum=1.0, maximum=32.0, whole=True, structural=True, doc="integration steps per servo period")
 
     def check_values(self) -> None:
-        if np.any(self.values()["load_inertia"] + self.values()["mass"] <= 0.0):
+        if np.any(self.load_inertia + self.mass <= 0.0):
             raise ParameterError("load_inertia", "0", "> 0 unless a mass is given", "kg*m^2")
         if np.any(self.largest_gap <= self.smallest_gap):
             raise ParameterError("largest_gap", f"{self.largest_gap:g}", f"> smallest_gap = {self.smallest_gap:g}", "m")
