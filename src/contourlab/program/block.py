@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 from itertools import chain
 from typing import NamedTuple, TypeAlias
 
@@ -485,6 +486,11 @@ def _words_and_values(line: str, parameters: Parameters) -> list[Word]:
 
 def without_blanks(line: str) -> Cursor:
     """Return a cursor over a line in lower case, without blanks and comments."""
+    return Cursor(*_kept(line))
+
+
+@lru_cache(1024)  # loops and subprograms read the same lines again and again
+def _kept(line: str) -> tuple[str, list[int]]:
     kept: list[int] = []
     at = 0
     while at < len(line) and line[at] != ";":
@@ -496,7 +502,7 @@ def without_blanks(line: str) -> Cursor:
         elif line[at] not in " \t":
             kept.append(at)
         at += 1
-    return Cursor("".join(line[i] for i in kept).lower(), [i + 1 for i in kept])
+    return "".join(line[i] for i in kept).lower(), [i + 1 for i in kept]
 
 
 def _plain_number(token: re.Match[str]) -> float:
