@@ -449,12 +449,14 @@ def _held(x: Array, gradient: Array, low: Array, high: Array) -> Flags:
 
 def _trials(x: Array, r: Array, slopes: Array, free: Flags, low: Array, high: Array, dampings: Array) -> Array:
     """Return the ends (k, p) of damped steps, clipped to the bounds."""
+    from scipy import linalg  # its factors have the bits of NumPy's, but are not copied
+
     j = slopes[:, free]
     lengths = np.linalg.norm(j, axis=0)
     lengths = np.where(lengths > 0.0, lengths, 1.0)  # a parameter without effect stays where it is
     # Solved as least squares: normal equations would square the condition number.
-    q, unit = np.linalg.qr(j / lengths)
-    wanted = np.append(-r @ q, np.zeros(lengths.size))
+    q, unit = linalg.qr(j / lengths, mode="economic", overwrite_a=True, check_finite=False)
+    wanted = np.append(-r @ np.ascontiguousarray(q), np.zeros(lengths.size))
     moved = np.repeat(x[None], dampings.size, axis=0)
     for trial, damping in zip(moved, dampings, strict=True):
         matrix = np.vstack([unit, math.sqrt(damping) * np.eye(lengths.size)])
