@@ -110,7 +110,7 @@ BEGINS = {"svg": b"<?xml", "png": b"\x89PNG", "pdf": b"%PDF"}
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("formats", [["svg"], ["png", "pdf"]])
+@pytest.mark.parametrize("formats", [["png", "pdf"]])
 def test_pictures_are_written_in_the_formats_asked_for(contourlab: Run, tmp_path: Path, formats: list[str]) -> None:
     (tmp_path / "part.ngc").write_text(PART, encoding="utf-8")
     said = contourlab("run", "part.ngc", *ON_XYZ, "--out", "results", *(word for name in formats for word in ("--plots", name)))

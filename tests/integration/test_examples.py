@@ -78,7 +78,7 @@ BRIEF = {
     "every-question": "from contourlab.app import quick\nfrom contourlab.papers.gecer_ulu import study\n"
     "quick.PLANNED, study.PARTS = 10.0, study.PARTS[1:2]"
 }
-"""What a notebook runs first here: quick answers get a quarter of their time, and of a paper one part is reproduced, all in tests/golden."""
+"""What a notebook runs first here: quick answers get a quarter of their time, and one part of a paper is reproduced (all: tests/golden)."""
 
 
 def test_every_example_is_here() -> None:
