@@ -52,7 +52,7 @@ def test_schemes_two_and_three_agree_with_a_continuous_control_law(contact: dict
 @pytest.mark.slow
 def test_word_for_word_the_printed_errors_come_out_wherever_the_motors_start(start: float) -> None:
     """By Runge-Kutta at 4 us: I 67.6, II 31.3, III 29.2 and 29.7 um; printed 32.6 um, and reductions that make I 70.3 um."""
-    found = {name: briefly(name, Setting(start_in_gap=start)).axis_error * UM for name in setup.SCHEMES}
+    found = {name: circular(name, Setting(start_in_gap=start)).axis_error * UM for name in setup.SCHEMES}
     assert found["I"] == pytest.approx([67.6, 67.6], abs=0.1)
     assert found["II"] == pytest.approx([31.3, 31.3], abs=0.4)
     assert found["III"] == pytest.approx([29.5, 29.5], abs=0.4)
@@ -69,7 +69,7 @@ def test_cross_coupling_divides_the_contour_error_by_three_and_more() -> None:
 def test_from_mid_gap_the_same_two_are_better() -> None:
     """By the same independent code: 24.1 and 22.2 um for both."""
     for name in ("II", "III"):
-        assert briefly(name, replace(TO_FLANK, start_in_gap=0.0)).axis_error * UM == pytest.approx([24.1, 22.2], abs=0.8)
+        assert circular(name, replace(TO_FLANK, start_in_gap=0.0)).axis_error * UM == pytest.approx([24.1, 22.2], abs=0.8)
 
 
 @pytest.mark.slow
