@@ -42,8 +42,7 @@ class _Spline:
         t = [knots.take(first + j) for j in range(1, 2 * degree + 1)]
         for r in range(1, degree + 1):
             for j in range(degree, r - 1, -1):
-                low, high = t[j - 1], t[degree + j - r]
-                alpha = (u - low) / (high - low)
+                alpha = (u - t[j - 1]) / (t[degree + j - r] - t[j - 1])
                 d[j] = (1.0 - alpha) * d[j - 1] + alpha * d[j]
         return np.asarray(d[degree].T)
 

@@ -460,7 +460,7 @@ def read_words(line: str, parameters: Parameters | None = None) -> list[Word]:
 
 def _words_and_values(line: str, parameters: Parameters) -> list[Word]:
     """Read a line with parameters or expressions."""
-    cursor = without_blanks(line)
+    cursor = Cursor(*without_blanks(line))
     words: list[Word] = []
     settings: list[tuple[Key, float]] = []
     while cursor.next:
@@ -484,13 +484,9 @@ def _words_and_values(line: str, parameters: Parameters) -> list[Word]:
     return words
 
 
-def without_blanks(line: str) -> Cursor:
-    """Return a cursor over a line in lower case, without blanks and comments."""
-    return Cursor(*_kept(line))
-
-
 @lru_cache(1024)  # loops and subprograms read the same lines again and again
-def _kept(line: str) -> tuple[str, list[int]]:
+def without_blanks(line: str) -> tuple[str, list[int]]:
+    """Return a line in lower case, without blanks and comments, and the column (from 1) of each character, as `Cursor` takes them."""
     kept: list[int] = []
     at = 0
     while at < len(line) and line[at] != ";":

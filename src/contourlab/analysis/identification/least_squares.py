@@ -443,8 +443,7 @@ def _widths(slopes: Array, chosen: DescentSettings, size: Array) -> Array:
 
 def _held(x: Array, gradient: Array, low: Array, high: Array) -> Flags:
     """Return which parameters the gradient holds at a bound."""
-    held: Flags = ((x <= low) & (gradient >= 0.0)) | ((x >= high) & (gradient <= 0.0))
-    return held
+    return np.asarray(((x <= low) & (gradient >= 0.0)) | ((x >= high) & (gradient <= 0.0)))
 
 
 def _trials(x: Array, r: Array, slopes: Array, free: Flags, low: Array, high: Array, dampings: Array) -> Array:
@@ -459,8 +458,7 @@ def _trials(x: Array, r: Array, slopes: Array, free: Flags, low: Array, high: Ar
     wanted = np.append(-r @ np.ascontiguousarray(q), np.zeros(lengths.size))
     moved = np.repeat(x[None], dampings.size, axis=0)
     for trial, damping in zip(moved, dampings, strict=True):
-        matrix = np.vstack([unit, math.sqrt(damping) * np.eye(lengths.size)])
-        trial[free] += np.linalg.lstsq(matrix, wanted, rcond=None)[0] / lengths
+        trial[free] += np.linalg.lstsq(np.vstack([unit, math.sqrt(damping) * np.eye(lengths.size)]), wanted, rcond=None)[0] / lengths
     return np.clip(moved, low, high)
 
 

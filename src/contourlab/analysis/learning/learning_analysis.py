@@ -324,8 +324,7 @@ def peak(function: Callable[[Array], Array], w: Array, values: Array) -> tuple[f
         i = int(np.argmax(values))
         w = np.linspace(w[max(i - 1, 0)], w[min(i + 1, w.size - 1)], 17)
         values = function(w)
-    i = int(np.argmax(values))
-    return float(w[i]), float(values[i])
+    return float(w[np.argmax(values)]), float(values.max())
 
 
 WIDEST = 400
@@ -579,8 +578,7 @@ def quarter_turn(closed: Closed, servo_period: float, lead: float = 0.0) -> floa
     def real(w: Array) -> Array:
         return np.asarray((closed(w) * np.exp(1j * w * lead)).real)
 
-    w = np.unique(np.concatenate([np.geomspace(1e-4 * top, top, 1500), np.linspace(1e-3 * top, top, 1500)]))
-    w = np.minimum(w, top)
+    w = np.minimum(np.unique(np.concatenate([np.geomspace(1e-4 * top, top, 1500), np.linspace(1e-3 * top, top, 1500)])), top)
     wrong = np.flatnonzero(real(w) <= 0.0)
     if not wrong.size:
         return top
