@@ -111,6 +111,7 @@ def test_streams_may_be_closed(tmp_path: Path, closed: int) -> None:
 
 
 @POSIX
+@pytest.mark.slow
 def test_a_full_disk_is_2_and_keeps_the_old_results(contourlab: Run, old_results: Path, tmp_path: Path) -> None:
     import resource
 

@@ -146,6 +146,7 @@ def test_a_tolerance_that_is_missed_is_a_failed_verdict(tmp_path: Path, capsys: 
     assert not found["passed"] and "CL608" in codes(found)
 
 
+@pytest.mark.slow
 def test_figures_that_grow_are_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Energy is saved at the cost of the path; the objective is listed first."""
     words = ["tune", str(written(tmp_path)), "--objective", "energy", "--parameter", "y.model_gain", "--parameter", "y.model_damping"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from contourlab.features.interpolate.command import lissajous_png
 
@@ -16,6 +17,7 @@ def picture(gap: bool = False) -> bytes:
     return lissajous_png("$1_a$.csv", (0.9 * circle + 0.1, circle), phase, (before, 0.01 * error), ("a", "b"))
 
 
+@pytest.mark.slow
 def test_the_same_data_give_the_same_bytes() -> None:
     one, other = picture(), picture()
     assert one == other
