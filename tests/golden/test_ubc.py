@@ -8,14 +8,16 @@ from typing import Any
 
 import pytest
 from bands import check_each_row_can_fail
+from once import once
 from reference_data import reference_file
 
 from contourlab.cli.main import main
 from contourlab.errors import LogError
+from contourlab.features.refine.study import CrossValidation
 from contourlab.papers.rows import Row, read_bands
 from contourlab.papers.run import run_parts
 from contourlab.papers.ubc import study
-from contourlab.papers.ubc.runs import left_out, read_runs
+from contourlab.papers.ubc.runs import left_out
 from contourlab.papers.ubc.study import MEASURED, parts_of
 
 Table = dict[tuple[str, str], Row]
@@ -72,9 +74,27 @@ def test_every_row_can_fail_and_what_was_fitted_is_an_input(table: Table) -> Non
     assert {row.kind for row in table.values() if row.paper is not None} == {"identity", "input"}
 
 
+Unseen = tuple[list[Row], CrossValidation]
+
+
+@pytest.fixture(scope="module")
+def unseen(folder: Path, tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Unseen:
+    """The rows of unseen runs, and what left out each run."""
+
+    def made() -> Unseen:
+        found = list[CrossValidation]()
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(study, "left_out", lambda runs: found.append(left_out(runs)) or found[0])  # type: ignore[func-returns-value]
+            rows = run_parts(parts_of(folder)[len(parts_of(folder, with_unseen=False)) :], read_bands("ubc"))
+        return rows, found[0]
+
+    both: Unseen = once(tmp_path_factory, worker_id, "unseen runs of ubc", made)
+    return both
+
+
 @pytest.mark.slow
-def test_the_machine_also_explains_unseen_runs(folder: Path) -> None:
-    found = run_parts(parts_of(folder)[len(parts_of(folder, with_unseen=False)) :], read_bands("ubc"))
+def test_the_machine_also_explains_unseen_runs(unseen: Unseen) -> None:
+    found = unseen[0]
     check_each_row_can_fail(found)
     rows = [row for row in found if row.name.startswith("unseen")]
     explained = [row.here for row in rows if row.name == "unseen: variance explained"]
@@ -88,8 +108,8 @@ LATER = {"rms": (-3.6, 23.7, -8.9, -3.4, 29.5), "maximum": (-12.0, 30.0, -5.0)}
 
 
 @pytest.mark.slow
-def test_the_interval_of_runs_left_out_covers_later_runs(folder: Path) -> None:
-    found = left_out(read_runs(folder))
+def test_the_interval_of_runs_left_out_covers_later_runs(unseen: Unseen) -> None:
+    found = unseen[1]
     assert found.level == 2.0 / 3.0 and all(one.second_half for one in found.held_out)
     ratios = [one.simulated_rms / one.measured_rms for one in found.held_out]
     assert ratios == pytest.approx([1.053, 1.352], abs=0.01)

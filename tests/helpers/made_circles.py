@@ -34,15 +34,15 @@ def positions(clockwise: bool, start: float = 0.3, noise: float = 2e-8, turns: f
     return command, command + np.column_stack([ex, ey]) + noise * np.random.default_rng(int(clockwise)).standard_normal(command.shape)
 
 
-def behind(motor: Array, gap: float, held: float = math.inf) -> Array:
+def behind(motor: Array, gap: float, held: float = math.inf, period: float = 1e-3) -> Array:
     """Return the position of a load (n,) that its motor carries with the flanks of a gap; friction slows it by `held` [m/s^2]."""
     load, at, speed, before = list[float](), float(motor[0]), 0.0, float(motor[0])
     for x in motor.tolist():  # floats of Python are faster here, with the same bits
-        speed -= min(max(speed, -held * PERIOD), held * PERIOD)
-        free = at + speed * PERIOD
+        speed -= min(max(speed, -held * period), held * period)
+        free = at + speed * period
         at = min(max(free, x - 0.5 * gap), x + 0.5 * gap)
         if at != free:
-            speed = (x - before) / PERIOD  # an impact without a bounce
+            speed = (x - before) / period  # an impact without a bounce
         load.append(at)
         before = x
     return np.array(load)
@@ -53,7 +53,7 @@ def runs_behind(gaps: tuple[float, float], noise: float = 2e-7, held: float = ma
     made: list[CircleRun] = []
     for clockwise in (False, True):
         command, motor = positions(clockwise, 0.3, 0.0, 1.6, **size)
-        load = np.column_stack([behind(column, gap, held) for column, gap in zip(motor.T, gaps, strict=True)])
+        load = np.column_stack([behind(column, gap, held, PERIOD) for column, gap in zip(motor.T, gaps, strict=True)])
         load += noise * np.random.default_rng(int(clockwise)).standard_normal(load.shape)
         made += runs_of("made", load, PERIOD, find_circle(command), command)
     return [CircleRun(r.name, r.clockwise, RADIUS, r.turned, r.deviation, FEED, r.lag) for r in made]

@@ -22,20 +22,25 @@ def validator(command: str) -> Draft202012Validator:
     return Draft202012Validator(schema)
 
 
+_typed = [""]
+"""The command that runs; empty for a question asked in Python."""
+
+
+def checked(result: Any) -> str:
+    """Return a result as JSON, and check it. A module that is first imported during a test keeps this function."""
+    if _typed[0]:
+        problems = [f"{error.json_path}: {error.message[:300]}" for error in validator(_typed[0]).iter_errors(json_values(result))]
+        assert not problems, problems
+    return json_text(result)
+
+
 def check_results(monkeypatch: pytest.MonkeyPatch) -> None:
     """Check everything that commands print with --json against their schemas."""
-    call, commands = main._call, [""]
+    call, _typed[:] = main._call, [""]
 
     def named_call(words: list[str]) -> int:
-        commands[:] = words[:1]
+        _typed[:] = words[:1]
         return call(words)
-
-    def checked(result: Any) -> str:
-        if not commands[0]:  # a question asked in Python
-            return json_text(result)
-        problems = [f"{error.json_path}: {error.message[:300]}" for error in validator(commands[0]).iter_errors(json_values(result))]
-        assert not problems, problems
-        return json_text(result)
 
     monkeypatch.setattr(main, "_call", named_call)
     monkeypatch.setattr("contourlab.app.json_values.json_text", checked)

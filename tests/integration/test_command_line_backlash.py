@@ -175,6 +175,7 @@ def test_the_shipped_part_ranks_schemes_as_documented() -> None:
     assert rms["PI cascade"] > 20e-6 > 10e-6 > rms["scheme III, observed"]  # as in docs/how-to/backlash.md
 
 
+@pytest.mark.slow
 def test_settings_without_effect_or_with_the_wrong_one_are_reported(
     written: Callable[..., str], capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:

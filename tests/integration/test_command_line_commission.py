@@ -171,7 +171,7 @@ def velocity_rows(made: bench.Made, axis: str, lag: float) -> dict[str, np.ndarr
     return {f"{axis}_cmd [mm]": command, f"{axis} [mm]": place, f"{axis}_out": out}
 
 
-@pytest.mark.parametrize("lag", [2e-3, 9e-3])
+@pytest.mark.parametrize("lag", [2e-3, pytest.param(9e-3, marks=pytest.mark.slow)])
 def test_a_velocity_drive_is_named_after_its_log(made: bench.Made, tmp_path: Path, capsys: pytest.CaptureFixture[str], lag: float) -> None:
     ini, hal = wired(made, tmp_path)
     ini.write_text(ini.read_text().replace("P = 0.8", "P = 20").replace("I = 0.5", "I = 0").replace("FF1 = 0.015", "FF1 = 1"))

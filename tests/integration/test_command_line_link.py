@@ -111,9 +111,10 @@ def test_json_alone_holds_curves_and_limits(circle: str, capsys: pytest.CaptureF
 def test_a_sweep_that_ends_early_says_so(circle: str, capsys: pytest.CaptureFixture[str]) -> None:
     """A delay beyond 1 ms never holds here: the sweep need not test every delay up to --longest."""
     words = (circle, "--division", "observer", "--ways", "both", "--vary", "delay", "--json", "--longest")
-    codes = {longest: {one["code"] for one in scheme(capsys, *words, longest)["findings"]} for longest in ("50 ms", "80 ms")}
+    found = {longest: scheme(capsys, *words, longest) for longest in ("50 ms", "80 ms")}
+    codes = {longest: {one["code"] for one in answer["findings"]} for longest, answer in found.items()}
     assert codes == {"50 ms": {"CL759"}, "80 ms": {"CL759", "CL761"}}
-    sweep = scheme(capsys, *words, "80 ms")["divisions"][0]["sweeps"]["delay"]
+    sweep = found["80 ms"]["divisions"][0]["sweeps"]["delay"]
     assert (sweep["asked"], sweep["ended_early"], sweep["values"][-1]) == (pytest.approx(0.08), True, pytest.approx(0.063))
     assert sweep["limited_by"] == "error"
 

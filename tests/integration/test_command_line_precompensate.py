@@ -198,9 +198,9 @@ def test_bad_input(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pyte
 @pytest.mark.slow
 def test_from_a_model(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.chdir(tmp_path)
-    Path("part.ngc").write_text("G21 G90 G64 P0.002\nG1 X20 Y0 F1500\nG3 X20 Y0 I-20 J0\nG3 X20 Y0 I-20 J0\nG1 X0 Y0\nM2\n")
+    Path("part.ngc").write_text("G21 G90 G64 P0.002\nG1 X20 Y0 F1500\nG3 X20 Y0 I-20 J0\nG1 X0 Y0\nM2\n")
     machine = ("--machine", "ubc/table", "--controller", "ubc/lead-lag-controller")
-    result = printed(capsys, "precompensate", "part.ngc", *machine, "--out", "out.ngc", "--repeat", "8")
+    result = printed(capsys, "precompensate", "part.ngc", *machine, "--out", "out.ngc", "--repeat", "6")
     assert result["gain"] > 5.0
     assert result["passes"][result["best"]]["in_time"]
 

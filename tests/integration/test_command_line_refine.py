@@ -205,6 +205,7 @@ def test_parameters_refined_together_have_correlations(scene: Path, tmp_path: Pa
         assert value == pytest.approx(found["result"]["correlation"][i][j], abs=1e-4) and value < -0.3
 
 
+@pytest.mark.slow
 def test_parameters_of_two_axes_have_correlations(scene: Path, tmp_path: Path, as_json: AsJson, capsys: pytest.CaptureFixture[str]) -> None:
     """Under a cross-coupled controller each axis responds to the other: the machine's file has the correlations between axes."""
     coupled = tmp_path / "coupled.toml"
@@ -274,6 +275,7 @@ def test_missing_samples_are_reported(scene: Path, tmp_path: Path, as_json: AsJs
     assert any("thin" in text and "4 of" in text for text in doubts)
 
 
+@pytest.mark.slow
 def test_logs_are_named_by_folder_and_equal_columns_are_reported(scene: Path, tmp_path: Path, as_json: AsJson) -> None:
     for folder in ("first", "second"):
         (tmp_path / folder).mkdir()

@@ -110,7 +110,7 @@ BEGINS = {"svg": b"<?xml", "png": b"\x89PNG", "pdf": b"%PDF"}
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("formats", [["svg"], ["png", "pdf"]])
+@pytest.mark.parametrize("formats", [["png", "pdf"]])
 def test_pictures_are_written_in_the_formats_asked_for(contourlab: Run, tmp_path: Path, formats: list[str]) -> None:
     (tmp_path / "part.ngc").write_text(PART, encoding="utf-8")
     said = contourlab("run", "part.ngc", *ON_XYZ, "--out", "results", *(word for name in formats for word in ("--plots", name)))
@@ -165,7 +165,7 @@ def test_check_reads_everything_and_writes_nothing(contourlab: Run, tmp_path: Pa
 
 @pytest.mark.slow
 def test_plain_python_gives_the_same_figures(contourlab: Run, tmp_path: Path) -> None:
-    (tmp_path / "part.ngc").write_text("G21 G90\nG1 X1 F1000\nG3 X1 Y2 J1\nM2\n", encoding="utf-8")
+    (tmp_path / "part.ngc").write_text("G21 G90\nG1 X1 F3000\nG3 X1 Y2 J1\nM2\n", encoding="utf-8")
     for out, jit in (("compiled", "1"), ("plain", "0")):
         assert contourlab("run", "part.ngc", *ON_XYZ, "--out", out, env={"CONTOURLAB_JIT": jit}).code == 0
     compiled, plain = (Result.load(tmp_path / out / "signals" / "base.nc") for out in ("compiled", "plain"))

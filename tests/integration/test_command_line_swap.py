@@ -94,7 +94,7 @@ def test_json_and_exit_code_if_the_loss_cannot_be_restored(typed: Path, capsys: 
 
 @pytest.mark.slow
 def test_a_study_continues_from_an_earlier_one(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, "--plots", "svg", "--json"]
+    words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, *BRIEF[2:], "--json"]
     assert main(words) == 0
     first = json.loads(capsys.readouterr().out)
     (typed / "results" / "controllers").rename(typed / "earlier")
@@ -114,7 +114,7 @@ def test_a_start_may_name_the_swapped_axis_differently(typed: Path, capsys: pyte
     gains = SCENARIO[SCENARIO.index("kind = ") : SCENARIO.index("[contour]")]
     blocks = [f"[controller.axes.{name}.controller]\n{gains}" for name in ("z", "y")]
     (typed / "z.toml").write_text("\n".join(blocks).replace("1050 mm", "2000 mm", 1))
-    words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, "--budget", "100", "--plots", "svg", "--json"]
+    words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, *BRIEF, "--json"]
     assert main([*words, "--from", "z.toml"]) in (0, 1)
     assert json.loads(capsys.readouterr().out)["warm_starts"] == ["z.toml"]
     (typed / "z.toml").write_text((typed / "z.toml").read_text().replace("axes.y", "axes.w"))
@@ -127,8 +127,9 @@ def test_a_start_may_name_the_swapped_axis_differently(typed: Path, capsys: pyte
 def test_the_same_command_resumes_an_interrupted_study(
     typed: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, "--plots", "svg"]
-    assert main([*words, "--out", "whole"]) == 0
+    words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, *BRIEF]
+    code = main([*words, "--out", "whole"])
+    assert code in (0, 1)
 
     def interrupted(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
@@ -139,7 +140,7 @@ def test_the_same_command_resumes_an_interrupted_study(
     assert [path.name for path in (typed / "results").iterdir()] == ["searches"]
     monkeypatch.undo()
     monkeypatch.chdir(typed)
-    assert main(words) == 0
+    assert main(words) == code
     assert reused(capsys.readouterr().out) == 2
     files = [file.relative_to("whole") for file in Path("whole").rglob("*") if file.suffix in (".json", ".toml")]
     assert len(files) == 7
@@ -149,27 +150,29 @@ def test_the_same_command_resumes_an_interrupted_study(
             whole, resumed = ({**json.loads(text), "findings": None} for text in (whole, resumed))
         assert whole == resumed
     # Another seed is another study.
-    assert main([*words, "--seed", "1"]) == 0
+    assert main([*words, "--seed", "1"]) in (0, 1)
     said = capsys.readouterr().out
     assert "CL901" in said and reused(said) == 0
 
 
-@pytest.mark.parametrize("late", ["command.judged_exactly", "report.write_results", "command.network_cost"])
 @pytest.mark.slow
 def test_an_interrupt_after_the_searches_says_that_they_are_kept(
-    typed: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, late: str
+    typed: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, *BRIEF]
+    searches = Path("results") / "searches"
 
     def interrupted(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    with monkeypatch.context() as patch:
-        patch.setattr(f"contourlab.features.swap.{late}", interrupted)
-        assert main(words) == 130
-    searches = Path("results") / "searches"
-    kept = len(list(searches.glob("*/*.npz")))
-    assert f"kept in {searches}." in capsys.readouterr().err
+    kept = 0
+    for late in ("command.judged_exactly", "command.network_cost", "report.write_results"):
+        with monkeypatch.context() as patch:
+            patch.setattr(f"contourlab.features.swap.{late}", interrupted)
+            assert main(words) == 130
+        before, kept = kept, len(list(searches.glob("*/*.npz")))
+        assert kept == (before or kept) > 0, late
+        assert f"kept in {searches}." in capsys.readouterr().err, late
     assert main(words) in (0, 1)
     assert reused(capsys.readouterr().out) == kept
 
@@ -204,8 +207,8 @@ def test_searches_depend_on_the_plugins_in_use(contourlab: Run, typed: Path) -> 
 
 @pytest.mark.slow
 def test_the_quick_answer_holds_the_loss_of_the_whole_study(contourlab: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """4.5 % is the loss that the whole study finds (docs/explanation/ghaffari.md). A tenth of the time for a quick answer is enough."""
-    monkeypatch.setattr(quick, "PLANNED", 0.1 * quick.PLANNED)
+    """4.5 % is the loss that the whole study finds (docs/explanation/ghaffari.md). A part of the time for a quick answer is enough."""
+    monkeypatch.setattr(quick, "PLANNED", 0.07 * quick.PLANNED)
     words = ("swap", "builtin:ghaffari/demo-stage", "--axis", "1", "--with", "builtin:ghaffari/axis2")
     found = json.loads(contourlab(*words, "--quick", "--json", "--out", str(tmp_path / "quick")).out)
     assert abs(found["swap_loss"] - 0.045) <= found["uncertainty"] < 0.1

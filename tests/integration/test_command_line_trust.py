@@ -130,6 +130,7 @@ def test_the_report_holds_a_scenario_that_reads_back_with_its_deviations(done: t
     assert len(again.case("fitted").machine.axes[1].correlations) == 6
 
 
+@pytest.mark.slow
 def test_the_interval_is_printed_and_can_be_left_out(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     run(tmp_path, RUN)
     said = capsys.readouterr().out

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from typed_commands import Run, contents
+from typed_commands import contents
 
 from contourlab.app.results import SAFETY
 from contourlab.cli.main import main
@@ -77,15 +77,17 @@ def codes(found: dict[str, Any]) -> list[str]:
 @pytest.mark.slow
 def test_every_kind_of_controller_is_calibrated_and_its_file_runs(kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file, out = written(tmp_path, kind), tmp_path / "tuned.toml"
-    assert main(["tune", str(file), "--budget", "400", "--write", str(out), "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    assert main(["tune", str(file), "--budget", "200", "--write", str(out), "--json"]) == 0
+    told = capsys.readouterr()
+    found = json.loads(told.out)
+    assert told.err == "" and found["result"]["runs"] > 90
     assert found["passed"] is True and found["result"]["after"]["violations"] == []
     before, after = (found["result"][key] for key in ("before", "after"))
     assert after["figures"]["part_error_max"] <= before["figures"]["part_error_max"]
     for margins in after["margins"].values():
         assert margins["gain"] is None or 20.0 * math.log10(margins["gain"]) >= 6.0
         assert math.degrees(margins["phase"]) >= 30.0
-    assert f"# {SAFETY}" in out.read_text().splitlines()
+    assert out.read_text().startswith("# ") and f"# {SAFETY}" in out.read_text().splitlines()
     again = tmp_path / "again.toml"
     again.write_text(file.read_text().replace("control.toml", "tuned.toml"))
     capsys.readouterr()
@@ -93,6 +95,10 @@ def test_every_kind_of_controller_is_calibrated_and_its_file_runs(kind: str, tmp
     ran = json.loads(capsys.readouterr().out)
     error = ran["schemes"]["base"]["metrics"]["contour_error"]
     assert error["integral"] == pytest.approx(after["figures"]["contour_error_integral"], rel=1e-9)
+    made = load_scenario(again).controller
+    for name, value in found["result"]["values"].items():
+        _, _, axis, slot, word = name.split(".")
+        assert getattr(getattr(made.axes[axis], slot), word) == value, name
     for number in found["result"]["space"]["numbers"]:
         value = found["result"]["values"][number["name"]]
         assert number["low"] * (1.0 - 1e-5) <= value <= number["high"] * (1.0 + 1e-5), number["name"]  # six digits
@@ -101,7 +107,7 @@ def test_every_kind_of_controller_is_calibrated_and_its_file_runs(kind: str, tmp
 @pytest.mark.slow
 def test_the_text_shows_the_search_and_drive_terms(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = written(tmp_path)
-    words = ["tune", str(file), "--method", "both", "--budget", "400", "--plots", "svg", "--out", str(tmp_path / "pictures")]
+    words = ["tune", str(file), "--method", "both", "--budget", "200", "--plots", "svg", "--out", str(tmp_path / "pictures")]
     assert main(words) == 0
     said = capsys.readouterr().out
     for part in ("pass 1", "Kv", "Pgain", "FF2", "CL607"):
@@ -117,7 +123,7 @@ def test_the_text_shows_the_search_and_drive_terms(tmp_path: Path, capsys: pytes
 def test_an_interrupted_search_keeps_what_one_parameter_at_a_time_found(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    file, words = written(tmp_path), ["--parameter", "x.position_gain", "--parameter", "x.model_gain", "--json"]
+    file, words = written(tmp_path), ["--parameter", "x.position_gain", "--parameter", "x.model_gain", "--budget", "100", "--json"]
 
     def stopped(*given: Any, **options: Any) -> Any:
         raise KeyboardInterrupt
@@ -140,6 +146,7 @@ def test_a_tolerance_that_is_missed_is_a_failed_verdict(tmp_path: Path, capsys: 
     assert not found["passed"] and "CL608" in codes(found)
 
 
+@pytest.mark.slow
 def test_figures_that_grow_are_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Energy is saved at the cost of the path; the objective is listed first."""
     words = ["tune", str(written(tmp_path)), "--objective", "energy", "--parameter", "y.model_gain", "--parameter", "y.model_damping"]
@@ -161,7 +168,8 @@ def test_an_optimum_at_a_bound_is_reported(tmp_path: Path, capsys: pytest.Captur
 @pytest.mark.slow
 def test_a_result_that_violates_a_bound_is_not_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = tmp_path / "tuned.toml"
-    words = ["tune", str(written(tmp_path)), "--parameter", "x.model_gain", "--phase-margin", "85", "--write", str(out), "--json"]
+    words = ["tune", str(written(tmp_path)), "--parameter", "x.model_gain", "--phase-margin", "85", "--budget", "100"]
+    words += ["--write", str(out), "--json"]
     assert main(words) == 1
     found = json.loads(capsys.readouterr().out)
     assert "CL606" in codes(found) and found["controller_file"] is None
@@ -248,7 +256,7 @@ def test_an_unwritable_target_is_refused_before_anything_runs(
 def test_pictures_leave_other_results_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "results").mkdir()
     (tmp_path / "results" / "report.html").write_text("older")
-    words = ["--parameter", "x.integral_gain", "--plots", "svg", "--out", str(tmp_path / "results")]
+    words = ["--parameter", "x.integral_gain", "--budget", "100", "--plots", "svg", "--out", str(tmp_path / "results")]
     assert main(["tune", str(written(tmp_path)), *words]) == 0
     assert str(tmp_path / "results" / "plots" / "tune-course.svg") in capsys.readouterr().out
     assert (tmp_path / "results" / "report.html").read_text() == "older"
@@ -256,7 +264,7 @@ def test_pictures_leave_other_results_alone(tmp_path: Path, capsys: pytest.Captu
 
 @pytest.mark.slow
 def test_a_start_beyond_its_bounds_is_moved_inside_and_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    words = ["--parameter", "x.integral_gain=8 1/s..12 1/s", "--json"]
+    words = ["--parameter", "x.integral_gain=8 1/s..12 1/s", "--budget", "100", "--json"]
     assert main(["tune", str(written(tmp_path)), *words]) == 0
     found = json.loads(capsys.readouterr().out)
     assert 8.0 <= found["result"]["values"]["controller.axes.x.controller.integral_gain"] <= 12.0
@@ -278,24 +286,3 @@ def test_placing_is_refused_for_kinds_without_placement(tmp_path: Path, capsys: 
     assert main(["tune", str(written(tmp_path, "pid")), "--start", "placed"]) == 2
     said = capsys.readouterr().err
     assert "pid" in said and "axis x" in said and said.count("\n") == 1
-
-
-@pytest.mark.slow
-def test_the_written_controller_is_the_one_that_was_judged(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    file, out = written(tmp_path), tmp_path / "tuned.toml"
-    assert main(["tune", str(file), "--budget", "400", "--write", str(out), "--json"]) == 0
-    values = json.loads(capsys.readouterr().out)["result"]["values"]
-    again = tmp_path / "again.toml"
-    again.write_text(file.read_text().replace("control.toml", "tuned.toml"))
-    made = load_scenario(again).controller
-    for name, value in values.items():
-        _, _, axis, slot, word = name.split(".")
-        assert getattr(getattr(made.axes[axis], slot), word) == value
-    assert out.read_text().startswith("# ")
-
-
-@pytest.mark.slow
-def test_in_a_process_of_its_own(contourlab: Run, tmp_path: Path) -> None:
-    said = contourlab("tune", written(tmp_path), "--parameter", "x.model_gain", "--json")
-    assert (said.code, said.err) == (0, "")
-    assert json.loads(said.out)["result"]["runs"] > 90

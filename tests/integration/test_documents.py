@@ -83,7 +83,7 @@ def test_the_scenario_of_the_readme_and_its_python(folder: Path) -> None:
     text = "\n".join(blocks("README.md", "python"))
     assert "budget=2000" in text
     scope: dict[str, object] = {}
-    exec(compile(text.replace("budget=2000", "budget=64"), "README.md", "exec"), scope)
+    exec(compile(text.replace("budget=2000", 'budget=64, parameter="x.position_gain"'), "README.md", "exec"), scope)
     assert (folder / "results" / "tuned.toml").exists()
     batch = scope["batch"]
     assert isinstance(batch, cl.BatchResult)

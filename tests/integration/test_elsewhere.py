@@ -40,7 +40,6 @@ FILES = {
     "part.toml": SCENARIO.partition("[contour]")[0].replace('"stage.toml"', '"limited.toml"\nprogram = "part.ngc"'),
     "limited.toml": STAGE + '[axes."*".limits]\nvelocity = "6 m/min"\nacceleration = "2 m/s^2"\njerk = "40 m/s^3"\n',
     "part.ngc": PART,
-    "part-study.toml": STUDY.replace("circle.toml", "part.toml"),
     "stage.toml": STAGE,
     "plain.toml": PLAIN,
     "strong.toml": PLAIN.replace("1000", "2000"),
@@ -79,25 +78,34 @@ def answer(folder: Path, *words: str) -> Any:
     return without_executor(json.loads(said.out))
 
 
+PROCESSES, CLUSTER = ("processes", "2"), ("dask-local", "2")
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("motion", ["circle", "part"])
-@pytest.mark.parametrize("command", COMMANDS)
-def test_an_executor_does_not_change_the_answer(tmp_path: Path, command: str, motion: str) -> None:
-    words = COMMANDS[command]
-    if motion == "part":
-        words = [{"circle.toml": "part.toml", "study.toml": "part-study.toml"}.get(word, word) for word in words]
+@pytest.mark.parametrize(
+    ("command", "motion", "executors"),
+    [
+        ("sensitivity", "circle", [PROCESSES]),
+        ("sensitivity", "part", [PROCESSES]),  # all commands hand the motion over in the same way
+        ("tune", "circle", [PROCESSES, CLUSTER]),
+        ("swap", "circle", [PROCESSES]),
+        ("optimise", "circle", [PROCESSES, CLUSTER]),
+    ],
+)
+def test_an_executor_does_not_change_the_answer(tmp_path: Path, command: str, motion: str, executors: list[tuple[str, str]]) -> None:
+    words = [word.replace("circle.toml", f"{motion}.toml") for word in COMMANDS[command]]
     here = answer(tmp_path / "here", *words)
-    for executor in ("processes", "dask-local") if motion == "circle" else ("processes",):  # a store of parts is made in all
-        assert answer(tmp_path / executor, *words, "--executor", executor, "--workers", "2") == here, executor
+    for executor, workers in executors:
+        assert answer(tmp_path / executor, *words, "--executor", executor, "--workers", workers) == here, executor
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("motion", ["circle", "part"])
-def test_an_executor_does_not_change_a_store(tmp_path: Path, motion: str) -> None:
+@pytest.mark.parametrize(("motion", "executors"), [("circle", [("threads", "2"), PROCESSES, CLUSTER]), ("part", [PROCESSES])])
+def test_an_executor_does_not_change_a_store(tmp_path: Path, motion: str, executors: list[tuple[str, str]]) -> None:
     folder = written(tmp_path / "here")
     (folder / "many.toml").write_text("variants = 96\nchunk = 32\n" + STUDY.replace("circle", motion))
     stores = {}
-    for kind, workers in (("threads", "1"), ("threads", "2"), ("processes", "2"), ("dask-local", "2")):
+    for kind, workers in (("threads", "1"), *executors):
         words = ["sweep", "many.toml", "--executor", kind, "--workers", workers, "--out", kind + workers, "--plugin", "drag.py"]
         said = invoke(folder, *words)
         assert said.code == 0, said.err

@@ -30,6 +30,7 @@ def names(folder: Path) -> set[str]:
     return {file.name for file in folder.rglob("*") if file.is_file()}
 
 
+@pytest.mark.slow
 def test_a_circle_has_the_same_answer_as_the_command(folder: Path, as_json: AsJson) -> None:
     made_circles.write_log(Path("log.csv"), x=8e-6, lag=1e-4)
     answer = cl.circle("log.csv", tolerance="5 um")
@@ -42,6 +43,7 @@ def test_a_circle_has_the_same_answer_as_the_command(folder: Path, as_json: AsJs
     assert Path(saved.report).exists() and json.loads(Path("out/summary.json").read_text(encoding="utf-8"))["causes"] == typed["causes"]
 
 
+@pytest.mark.slow
 def test_files_and_objects_give_the_same_answer(folder: Path) -> None:
     write(folder, CIRCLE, "circle.toml")
     case = cl.load_scenario("circle.toml").base
@@ -116,6 +118,7 @@ def test_what_python_built_is_saved_for_the_shell(folder: Path, as_json: AsJson)
         cl.with_values(machine, controller, {"1.postion_gain": 3.0})
 
 
+@pytest.mark.slow
 def test_a_failed_verdict_is_an_answer_and_bad_input_an_error(folder: Path) -> None:
     write(folder, CIRCLE.replace("16 um", "0.01 um"), "circle.toml")
     assert cl.run("circle.toml", interval=False).passed is False

@@ -185,6 +185,7 @@ def test_faults_are_named(folder: Path, identified: dict[str, Any], more: list[s
     assert word in error
 
 
+@pytest.mark.slow
 def test_axes_that_keep_their_margins_get_no_notch(folder: Path, identified: dict[str, Any], as_json: AsJson) -> None:
     (folder / "slow.toml").write_text(PART.replace('bandwidth = "70', 'bandwidth = "30'))
     found = as_json("notch", folder / "slow.toml")

@@ -60,6 +60,7 @@ def rows(found: Finished, name: str) -> list[dict[str, str]]:
         return list(csv.DictReader(stream))
 
 
+@pytest.mark.slow
 def test_each_scheme_with_several_controllers_leaves_a_table_of_its_switches(found: Finished) -> None:
     assert (found.said.code, found.said.err) == (0, "")
     assert {name for name in contents(found.folder) if name.startswith("switches/")} == {

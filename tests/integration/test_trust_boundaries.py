@@ -176,7 +176,7 @@ def test_a_chunk_of_a_strangers_store_runs_no_code(store: Path, trap: Trap, caps
     assert main(["sweep", "study.toml", "--out", "store", "--resume"]) == 0
 
 
-@pytest.mark.parametrize("sampler", ["cma-es", "tpe"])
+@pytest.mark.parametrize("sampler", [pytest.param("cma-es", marks=pytest.mark.slow), "tpe"])
 def test_the_journal_of_a_strangers_search_runs_no_code(store: Path, trap: Trap, sampler: str) -> None:
     """Optuna keeps the state of a sampler in it as a pickle."""
     words = ["sweep", "optimise", "study.toml", "--out", "best", "--sampler", sampler, "--trials", "24", "--batch", "8"]

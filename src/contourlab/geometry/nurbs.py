@@ -36,14 +36,15 @@ class _Spline:
 
     def __call__(self, u: Array, order: int) -> Array:
         degree, points, knots = self.layers[order]
-        span = np.clip(np.searchsorted(knots, u, side="right") - 1, degree, len(points) - 1)
-        d = [points[span - degree + j] for j in range(degree + 1)]
+        first = np.clip(np.searchsorted(knots, u, side="right") - 1, degree, len(points) - 1) - degree
+        rows = np.ascontiguousarray(points.T)  # each coordinate runs along memory
+        d = [rows.take(first + j, axis=1) for j in range(degree + 1)]
+        t = [knots.take(first + j) for j in range(1, 2 * degree + 1)]
         for r in range(1, degree + 1):
             for j in range(degree, r - 1, -1):
-                low, high = knots[span - degree + j], knots[span + 1 + j - r]
-                alpha = ((u - low) / (high - low))[:, None]
+                alpha = (u - t[j - 1]) / (t[degree + j - r] - t[j - 1])
                 d[j] = (1.0 - alpha) * d[j - 1] + alpha * d[j]
-        return np.asarray(d[degree])
+        return np.asarray(d[degree].T)
 
 
 class _Knotted(Parametric):

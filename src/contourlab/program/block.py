@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 from itertools import chain
 from typing import NamedTuple, TypeAlias
 
@@ -459,7 +460,7 @@ def read_words(line: str, parameters: Parameters | None = None) -> list[Word]:
 
 def _words_and_values(line: str, parameters: Parameters) -> list[Word]:
     """Read a line with parameters or expressions."""
-    cursor = without_blanks(line)
+    cursor = Cursor(*without_blanks(line))
     words: list[Word] = []
     settings: list[tuple[Key, float]] = []
     while cursor.next:
@@ -483,8 +484,9 @@ def _words_and_values(line: str, parameters: Parameters) -> list[Word]:
     return words
 
 
-def without_blanks(line: str) -> Cursor:
-    """Return a cursor over a line in lower case, without blanks and comments."""
+@lru_cache(1024)  # loops and subprograms read the same lines again and again
+def without_blanks(line: str) -> tuple[str, list[int]]:
+    """Return a line in lower case, without blanks and comments, and the column (from 1) of each character, as `Cursor` takes them."""
     kept: list[int] = []
     at = 0
     while at < len(line) and line[at] != ";":
@@ -496,7 +498,7 @@ def without_blanks(line: str) -> Cursor:
         elif line[at] not in " \t":
             kept.append(at)
         at += 1
-    return Cursor("".join(line[i] for i in kept).lower(), [i + 1 for i in kept])
+    return "".join(line[i] for i in kept).lower(), [i + 1 for i in kept]
 
 
 def _plain_number(token: re.Match[str]) -> float:

@@ -21,7 +21,7 @@ KEYWORDS = (
     "repeat",
 )  # fmt: skip
 _KEYWORD = re.compile("|".join(KEYWORDS))
-_O_LINE = re.compile(r"[ \t]*(?:/[ \t]*)?(?:[nN][ \t0-9.]*)?[oO]")
+starts_o_word = re.compile(r"[ \t]*(?:/[ \t]*)?(?:[nN][ \t0-9.]*)?[oO]").match
 _COMMENT_INSIDE = re.compile(r"[^;(]*(?:\([^)]*\)[ \t]*)+[^;(\s]")
 _DIGITS = re.compile(r"[0-9]+")
 _CONDITIONS = ("if", "elseif", "while", "repeat")
@@ -52,11 +52,6 @@ class OWord(NamedTuple):
     column: int
 
 
-def starts_o_word(line: str) -> bool:
-    """Return whether a line holds an O-word."""
-    return _O_LINE.match(line) is not None
-
-
 def read_o_word(line: str, parameters: Parameters, *, skipping: bool = False) -> OWord:
     """Read a line with an O-word.
 
@@ -70,7 +65,7 @@ def read_o_word(line: str, parameters: Parameters, *, skipping: bool = False) ->
     BlockError
         If the line is no O-word, or an expression has no value.
     """
-    cursor = without_blanks(line)
+    cursor = Cursor(*without_blanks(line))
     if cursor.next == "/":
         cursor.at += 1
     if cursor.next == "n":

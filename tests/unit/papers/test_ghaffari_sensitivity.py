@@ -20,6 +20,7 @@ def rows() -> Sequence[Row]:
     return banded(sensitivity_rows(), read_bands("ghaffari"))
 
 
+@pytest.mark.slow
 def test_the_minima_of_one_axis_are_one_ratio(rows: Sequence[Row]) -> None:
     """Those of axes 1 and 2 are within 6 % of the table; all have the sign of a radius error, and only one of each axis counts."""
     found = {row.name + row.case[:6]: row for row in rows if row.source == "printed" and "fitted" not in row.name}

@@ -36,6 +36,7 @@ def jerk_panel(data: ReportData, axis: int) -> Panel:
     return next(panel for panel in axis_charts(data, 100_000)[axis].panels if panel.y_label.startswith("jerk"))
 
 
+@pytest.mark.slow
 def test_every_peak_above_the_limit_is_marked_with_its_step(single: ReportData) -> None:
     data = report(single)
     panel = jerk_panel(data, 1)

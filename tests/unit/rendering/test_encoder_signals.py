@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from contourlab.features.interpolate.command import error_chart, lissajous_png
 
@@ -17,6 +18,7 @@ def picture(gap: bool = False) -> bytes:
     return lissajous_png("$1_a$.csv", (0.9 * circle + 0.1, circle), errors)
 
 
+@pytest.mark.slow
 def test_the_same_data_give_the_same_bytes() -> None:
     one, other = picture(), picture()
     assert one == other

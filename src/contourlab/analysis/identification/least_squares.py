@@ -328,8 +328,6 @@ Residuals = Callable[[Array], Array]
 
 DAMPINGS = 10.0 ** np.arange(-3.0, 5.0)
 """Factors on the damping, tried in parallel."""
-BLOCK = 256
-"""Rows of a matrix that are brought to a triangle at once."""
 
 
 @dataclass(frozen=True)
@@ -445,32 +443,23 @@ def _widths(slopes: Array, chosen: DescentSettings, size: Array) -> Array:
 
 def _held(x: Array, gradient: Array, low: Array, high: Array) -> Flags:
     """Return which parameters the gradient holds at a bound."""
-    held: Flags = ((x <= low) & (gradient >= 0.0)) | ((x >= high) & (gradient <= 0.0))
-    return held
+    return np.asarray(((x <= low) & (gradient >= 0.0)) | ((x >= high) & (gradient <= 0.0)))
 
 
 def _trials(x: Array, r: Array, slopes: Array, free: Flags, low: Array, high: Array, dampings: Array) -> Array:
     """Return the ends (k, p) of damped steps, clipped to the bounds."""
+    from scipy import linalg  # its factors have the bits of NumPy's, but are not copied
+
     j = slopes[:, free]
     lengths = np.linalg.norm(j, axis=0)
     lengths = np.where(lengths > 0.0, lengths, 1.0)  # a parameter without effect stays where it is
     # Solved as least squares: normal equations would square the condition number.
-    triangle = _triangle(np.column_stack([j / lengths, -r]))
-    unit, wanted = triangle[:-1, :-1], np.append(triangle[:-1, -1], np.zeros(lengths.size))
+    q, unit = linalg.qr(j / lengths, mode="economic", overwrite_a=True, check_finite=False)
+    wanted = np.append(-r @ np.ascontiguousarray(q), np.zeros(lengths.size))
     moved = np.repeat(x[None], dampings.size, axis=0)
     for trial, damping in zip(moved, dampings, strict=True):
-        matrix = np.vstack([unit, math.sqrt(damping) * np.eye(lengths.size)])
-        trial[free] += np.linalg.lstsq(matrix, wanted, rcond=None)[0] / lengths
+        trial[free] += np.linalg.lstsq(np.vstack([unit, math.sqrt(damping) * np.eye(lengths.size)]), wanted, rcond=None)[0] / lengths
     return np.clip(moved, low, high)
-
-
-def _triangle(columns: Array) -> Array:
-    """Return R (p, p) of columns (n, p), by blocks of rows, which fit the cache of one processor."""
-    n, p = columns.shape
-    rows = max(BLOCK, 2 * p)
-    blocks = np.concatenate([columns, np.zeros((-n % rows, p))]).reshape(-1, rows, p)
-    triangles: Any = np.linalg.qr(blocks, mode="r")  # NumPy's types know only the pair of Q and R
-    return np.asarray(np.linalg.qr(triangles.reshape(-1, p), mode="r"))
 
 
 def jacobian(residuals: Residuals, x: Array, r: Array, low: Array, high: Array, step: Array) -> Array:

@@ -314,5 +314,4 @@ def peak(function: Callable[[Array], Array], w: Array, values: Array) -> tuple[f
         i = int(np.argmax(values))
         w = np.linspace(w[max(i - 1, 0)], w[min(i + 1, w.size - 1)], 17)
         values = function(w)
-    i = int(np.argmax(values))
-    return float(w[i]), float(values[i])
+    return float(w[np.argmax(values)]), float(values.max())

@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -290,8 +290,7 @@ def quarter_turn(closed: Closed, servo_period: float, lead: float = 0.0) -> floa
     def real(w: Array) -> Array:
         return np.asarray((closed(w) * np.exp(1j * w * lead)).real)
 
-    w = np.unique(np.concatenate([np.geomspace(1e-4 * top, top, 1500), np.linspace(1e-3 * top, top, 1500)]))
-    w = np.minimum(w, top)
+    w = np.minimum(np.unique(np.concatenate([np.geomspace(1e-4 * top, top, 1500), np.linspace(1e-3 * top, top, 1500)])), top)
     wrong = np.flatnonzero(real(w) <= 0.0)
     if not wrong.size:
         return top
@@ -476,14 +475,16 @@ def learning_analysis(machine: Machine, controller: Controller, law: LearningLaw
 def design_for(loop: CoupledLoop, law: ZeroPhase) -> LearningDesign | None:
     """Return zero-phase learning by rule for the axis with the most lag, widened for the coupling; None if no width is enough."""
 
-    def closed(w: Array) -> Complex:
+    @lru_cache(8)  # the rule asks for the same frequencies under each lead, and for each number of passes
+    def answered(frequencies: bytes) -> Complex:
+        w = np.frombuffer(frequencies)
         forms = np.stack([axis.form(w) for axis in loop.axes], axis=1)
         answers = 1.0 - forms[:, :, 1, 0] if law.target == "command" else forms[:, :, 0, 1]
         # The axis with the most lag at each frequency.
         phase = np.unwrap(np.angle(answers), axis=0) if w.size > 1 else np.angle(answers)
         return np.asarray(answers[np.arange(w.size), np.argmin(phase, axis=1)])
 
-    design = design_zero_phase(closed, loop.servo_period)
+    design = design_zero_phase(lambda w: answered(w.tobytes()), loop.servo_period)
     for _ in range(MOST_WIDER):
         # The rule ignores the coupling, which makes the loops steeper across the path.
         tried = law.replace(gain=design.gain, half_width=float(design.half_width), passes=float(design.passes), lead=design.lead)
