@@ -7,6 +7,7 @@ included. Its eigenvalues are the poles of the sampled loop, not of a continuous
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from contourlab.arrays import Array, Complex, Flags, Index
 from contourlab.engine.runner import make_group
 from contourlab.engine.step import Schedule, rows
 from contourlab.errors import ComponentError
+from contourlab.native.kernel import kernel
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,17 +175,20 @@ def live_states(links: Flags, driven: Flags | bool = False, read: Flags | bool =
     driven, read : ndarray (n,) of bool, optional
         Whether an input drives a state, and whether an output reads it.
     """
-    kept = np.arange(len(links))
-    driven, read = np.broadcast_to(driven, len(links)), np.broadcast_to(read, len(links))
+    n = len(links)
+    return _live(links.tobytes(), np.broadcast_to(driven, n).tobytes(), np.broadcast_to(read, n).tobytes())
+
+
+@lru_cache(256)  # variants of one loop have the same links
+def _live(linked: bytes, driving: bytes, reading: bytes) -> Index:
+    driven, read = (np.frombuffer(flags, bool) for flags in (driving, reading))
+    kept, links = np.arange(driven.size), np.frombuffer(linked, bool).reshape(2 * driven.shape)
     while True:
         part = links[np.ix_(kept, kept)]
         live = (part.any(axis=1) | driven[kept]) & (part.any(axis=0) | read[kept])
         if live.all():
             return kept
         kept = kept[live]
-
-
-_Terms = list[tuple[int, Array]]
 
 
 class DelayForm:
@@ -203,24 +208,95 @@ class DelayForm:
         kept = live_states(a != 0.0, True, (c != 0.0).any(axis=0))
         kept = kept if kept.size else np.arange(min(1, len(a)))  # no state reaches an output: any one will do
         a, b, c = a[np.ix_(kept, kept)], b[kept], c[:, kept]
-        root, lag = _chains(a, b)
+        root, lag = _chains((a != 0.0).tobytes(), (a == 1.0).tobytes(), b.any(axis=1).tobytes())
         heads = np.flatnonzero(lag == 0)
         place = np.searchsorted(heads, root)
-        self._b = b[heads].astype(complex)
-        self._a, self._c = (_terms(rows, place, lag, heads.size) for rows in (a[heads], c))
+        self._shape = (len(c), b.shape[1])
+        self._numbers = (*_terms(a[heads], place, lag, heads.size), *_terms(c, place, lag, heads.size), b[heads].copy())
         self.longest = int(lag.max(initial=0))
 
     def __call__(self, z: Complex) -> Complex:
         """Return the responses (n, n_output, n_input) at z (n,)."""
-        matrix = z[:, None, None] * np.eye(len(self._b)) - _sum(self._a, z)
-        return np.asarray(_sum(self._c, z) @ np.linalg.solve(matrix, np.broadcast_to(self._b, (z.size, *self._b.shape))))
+        found = np.empty((z.size, *self._shape), dtype=complex)
+        n = len(self._numbers[-1])
+        parts = np.ascontiguousarray(z, dtype=complex).view(float).reshape(-1, 2)
+        respond(parts, *self._numbers, np.empty((n, n + self._shape[1], 2)), found.view(float))
+        return found
 
 
-def _chains(a: Array, b: Array) -> tuple[Index, Index]:
-    """Return for each state the state that it copies and the delay in ticks; itself and 0 if it is not a copy."""
-    n = len(a)
-    before = np.argmax(a != 0.0, axis=1)
-    passes = ((a != 0.0).sum(axis=1) == 1) & (a[np.arange(n), before] == 1.0) & ~b.any(axis=1)
+def _power(z, n):  # type: ignore[no-untyped-def]
+    """Return the n-th power of a complex number, n >= 0."""
+    found = complex(1.0, 0.0)
+    while n > 0:
+        found = found * z if n & 1 else found
+        z, n = z * z, n >> 1
+    return found
+
+
+@kernel("f8[:,:] i8[:] f8[:,:,:] i8[:] f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:,:]")
+def respond(z, lags, a, lags_out, c, b, rows, found):  # type: ignore[no-untyped-def]
+    """Solve (z I - sum of a_d z^-lag_d) x = b at each z (n, 2), by elimination; write the sum of c_d z^-lag_d x into `found`.
+
+    Complex numbers are pairs of numbers at the end of an array. `rows` (m, m + n_input, 2) is memory for the system.
+    """
+    m, columns = rows.shape[0], rows.shape[1]
+    for i in range(z.shape[0]):
+        at = complex(z[i, 0], z[i, 1])
+        back = 1.0 / at
+        for j in range(m):
+            for k in range(columns):
+                rows[j, k, 0], rows[j, k, 1] = b[j, k - m] if k >= m else at.real if j == k else 0.0, at.imag if j == k else 0.0
+        for d in range(lags.size):
+            turn = _power(back, lags[d])  # type: ignore[no-untyped-call]
+            for j in range(m):
+                for k in range(m):
+                    rows[j, k, 0], rows[j, k, 1] = rows[j, k, 0] - turn.real * a[d, j, k], rows[j, k, 1] - turn.imag * a[d, j, k]
+        for j in range(m):
+            best = j
+            for k in range(j + 1, m):
+                if abs(rows[k, j, 0]) + abs(rows[k, j, 1]) > abs(rows[best, j, 0]) + abs(rows[best, j, 1]):
+                    best = k
+            for k in range(j, columns if best > j else j):
+                for part in range(2):
+                    rows[j, k, part], rows[best, k, part] = rows[best, k, part], rows[j, k, part]
+            pivot = 1.0 / complex(rows[j, j, 0], rows[j, j, 1])
+            for k in range(j + 1, m):
+                factor = complex(rows[k, j, 0], rows[k, j, 1]) * pivot
+                for q in range(j + 1, columns if factor != 0.0 else j + 1):
+                    value = complex(rows[k, q, 0], rows[k, q, 1]) - factor * complex(rows[j, q, 0], rows[j, q, 1])
+                    rows[k, q, 0], rows[k, q, 1] = value.real, value.imag
+        for q in range(m, columns):
+            for j in range(m - 1, -1, -1):
+                value = complex(rows[j, q, 0], rows[j, q, 1])
+                for k in range(j + 1, m):
+                    value -= complex(rows[j, k, 0], rows[j, k, 1]) * complex(rows[k, q, 0], rows[k, q, 1])
+                value = value / complex(rows[j, j, 0], rows[j, j, 1])
+                rows[j, q, 0], rows[j, q, 1] = value.real, value.imag
+            for out in range(found.shape[1]):
+                value = complex(0.0, 0.0)
+                for d in range(lags_out.size):
+                    total = complex(0.0, 0.0)
+                    for j in range(m):
+                        total += c[d, out, j] * complex(rows[j, q, 0], rows[j, q, 1])
+                    value += _power(back, lags_out[d]) * total  # type: ignore[no-untyped-call]
+                found[i, out, 2 * (q - m)], found[i, out, 2 * (q - m) + 1] = value.real, value.imag
+
+
+@lru_cache(256)
+def _chains(linked: bytes, equal: bytes, driven: bytes) -> tuple[Index, Index]:
+    """Return for each state the state that it copies and the delay in ticks; itself and 0 if it is not a copy.
+
+    Parameters
+    ----------
+    linked, equal : bytes
+        Which of A (n, n) are not 0, and which are 1.
+    driven : bytes
+        Which states an input drives.
+    """
+    n = len(driven)
+    links, ones = (np.frombuffer(flags, bool).reshape(n, n) for flags in (linked, equal))
+    before = np.argmax(links, axis=1)
+    passes = (links.sum(axis=1) == 1) & ones[np.arange(n), before] & ~np.frombuffer(driven, bool)
     root, lag = np.arange(n), np.zeros(n, dtype=np.intp)
     for i in range(n):
         at, ticks = i, 0
@@ -232,21 +308,10 @@ def _chains(a: Array, b: Array) -> tuple[Index, Index]:
     return root, lag
 
 
-def _terms(rows: Array, place: Index, lag: Index, n: int) -> _Terms:
-    """Group columns by their lag: rows x = sum of term_d z^-d x_heads."""
-    terms = []
-    for ticks in np.unique(lag):
-        term = np.zeros((len(rows), n))
-        of = np.flatnonzero(lag == ticks)
-        np.add.at(term.T, place[of], rows[:, of].T)
-        if term.any() or ticks == 0:
-            terms.append((int(ticks), term))
-    return terms
-
-
-def _sum(terms: _Terms, z: Complex) -> Complex:
-    """Return the sum of term_d z^-d for each z."""
-    total = np.zeros((z.size, *terms[0][1].shape), dtype=complex)
-    for ticks, term in terms:
-        total += (z**-ticks)[:, None, None] * term
-    return total
+def _terms(rows: Array, place: Index, lag: Index, n: int) -> tuple[Index, Array]:
+    """Group columns by their lag: return the lags, and the terms (n_lag, n_row, n) of rows x = sum of term_d z^-lag_d x_heads."""
+    ticks, of = np.unique(np.append(0, lag), return_inverse=True)
+    terms = np.zeros((ticks.size, n, len(rows)))
+    np.add.at(terms, (of[1:], place), rows.T)
+    used = np.flatnonzero(terms.any(axis=(1, 2)))
+    return ticks[used], terms[used].transpose(0, 2, 1).copy()
