@@ -6,6 +6,7 @@ import hashlib
 import inspect
 import marshal
 import threading
+from collections.abc import Mapping
 from functools import cache, lru_cache
 from importlib.resources import files as files_of
 from typing import Any
@@ -42,7 +43,9 @@ def _layout(step: Step) -> str:
     return _digest(step.name, step.layout)
 
 
-def tick_loop_of(schedule: Schedule, places: Rows, log_rows: tuple[int, ...], width: int, gpu: Gpu | None = None) -> Any:
+def tick_loop_of(
+    schedule: Schedule, places: Rows, log_rows: tuple[int, ...], width: int, primitives: Mapping[Any, Any], gpu: Gpu | None = None
+) -> Any:
     """Return the tick loop of a schedule as a C function of `tick_loop.SIGNATURE`, or as a function of a GPU.
 
     Parameters
@@ -54,6 +57,8 @@ def tick_loop_of(schedule: Schedule, places: Rows, log_rows: tuple[int, ...], wi
         Rows of signals to record.
     width : int
         Lanes of the memory: 1, or a multiple of `VECTOR`, which run together.
+    primitives : mapping
+        `maths.SINGLE`, or `maths.LANES`: functions of lanes are polynomials.
     gpu : Gpu, optional
 
     Raises
@@ -63,7 +68,16 @@ def tick_loop_of(schedule: Schedule, places: Rows, log_rows: tuple[int, ...], wi
     """
     roots = [function for node in schedule.nodes for function in node.step.functions]
     layout = [(_layout(node.step), node.repeat) for node in schedule.nodes]
-    wiring = (schedule.sources, schedule.record_point, places, log_rows, width, VECTOR, "" if gpu is None else gpu.code)
+    wiring = (
+        schedule.sources,
+        schedule.record_point,
+        places,
+        log_rows,
+        width,
+        primitives is maths.LANES,
+        VECTOR,
+        "" if gpu is None else gpu.code,
+    )
     key = before = _digest(layout, wiring, Reads(roots).words, _translator())
     trace: list[Any] | None = None
     with _building:
@@ -74,7 +88,7 @@ def tick_loop_of(schedule: Schedule, places: Rows, log_rows: tuple[int, ...], wi
             reads.again(trace)
             key = _digest(key, reads.words)
         reads = Reads(roots)
-        made = step_graph.tick_graph(schedule, places, log_rows, maths.SINGLE if width == 1 else maths.LANES, reads=reads)
+        made = step_graph.tick_graph(schedule, places, log_rows, primitives, reads=reads)
         if gpu is None:
             code = llvm_ir.object_code(tick_loop.source_of(made, min(width, VECTOR), width))
         else:

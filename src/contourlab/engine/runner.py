@@ -12,6 +12,7 @@ import numpy as np
 from contourlab.arrays import Array, Flags, Index, aligned
 from contourlab.engine.gpu import Gpu
 from contourlab.engine.step import Bank, Port, Schedule, pack, record, rows, unpack
+from contourlab.engine.translate.maths import LANES, SINGLE
 from contourlab.engine.translate.step_graph import Rows
 from contourlab.engine.translate.tick_loop import VECTOR
 from contourlab.errors import EngineError
@@ -119,8 +120,9 @@ def _rows_of(ports: tuple[Port, ...], values: Any) -> list[Any]:
 class CompiledGroup(Group):
     """A group whose whole tick is machine code."""
 
-    def __init__(self, schedule: Schedule, width: int, lanes: slice | Index) -> None:
+    def __init__(self, schedule: Schedule, width: int, lanes: slice | Index, like_lanes: bool = False) -> None:
         super().__init__(schedule, width, lanes)
+        self._maths = LANES if width > 1 or like_lanes else SINGLE
         self._tables = [np.ascontiguousarray(node.tables[name], dtype=float) for node in schedule.nodes for name in node.step.tables]
         self._tables_at = np.array([(table.ctypes.data, table.size) for table in self._tables], dtype=np.int64)
         self._data = self.memory.ctypes.data, self._tables_at.ctypes.data
@@ -147,7 +149,7 @@ class CompiledGroup(Group):
         from contourlab.engine.fused import tick_loop_of
 
         if log_rows not in self._loops:
-            self._loops[log_rows] = tick_loop_of(self.schedule, self.places, log_rows, self.width, gpu)
+            self._loops[log_rows] = tick_loop_of(self.schedule, self.places, log_rows, self.width, self._maths, gpu)
         return self._loops[log_rows]
 
 
@@ -269,3 +271,16 @@ def make_group(schedule: Schedule, width: int, lanes: slice | Index, jit: bool, 
     if gpu is not None:
         return GpuGroup(schedule, width, lanes, gpu)
     return (CompiledGroup if jit else InterpretedGroup)(schedule, width, lanes)
+
+
+ALONE = 2
+"""Most variants that are left over from whole lanes and run each alone: that is quicker than lanes that are mostly empty."""
+
+
+def groups_of(schedule: Schedule, variants: Index, jit: bool, *, alone: bool = True) -> list[Group]:
+    """Return groups for variants (n,) in order, with the numbers of lanes; `alone` allows groups of one."""
+    left = variants.size % VECTOR
+    left = left if alone and jit and left <= ALONE else 0
+    full, single = np.split(variants, [variants.size - left])
+    groups = [make_group(schedule, VECTOR, full[i : i + VECTOR], jit) for i in range(0, full.size, VECTOR)]
+    return groups + [CompiledGroup(schedule, 1, single[i : i + 1], like_lanes=True) for i in range(left)]

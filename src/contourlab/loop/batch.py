@@ -18,7 +18,7 @@ from contourlab.arrays import Array, Index, aligned
 from contourlab.components.contract import Component
 from contourlab.components.plant.plant import Plant
 from contourlab.engine.gpu import gpu_of_process, lanes_of
-from contourlab.engine.runner import Group, make_group, memory_rows
+from contourlab.engine.runner import Group, groups_of, make_group, memory_rows
 from contourlab.engine.step import Node, Step
 from contourlab.engine.translate.outer import Reads
 from contourlab.engine.translate.step_graph import graph_of
@@ -181,7 +181,7 @@ def simulate_batch(
     keep : sequence of str
         Signals to keep; none by default.
     threads : int, optional
-        Threads over groups of 32 lanes; by default one for each processor.
+        Threads over groups of 16 lanes; by default one for each processor.
     judge : bool
         Whether the contour error is computed.
     part : bool
@@ -242,18 +242,21 @@ def simulate_batch(
         machine, controller, reference.path, **begin, overrides=columns, view=view, extra=extra, seed=seeds, fed=feed.names
     )  # fmt: skip
     workers, device = threads or os.cpu_count() or 1, gpu_of_process() if gpu else None
-    lanes = lanes_of(n, sum(memory_rows(loop.schedule))) if gpu else LANES
-    groups = [make_group(loop.schedule, lanes, slice(i, i + lanes), compiled, device) for i in range(0, n, lanes)]
+    if device is not None:
+        lanes = lanes_of(n, sum(memory_rows(loop.schedule)))
+        groups = [make_group(loop.schedule, lanes, slice(i, i + lanes), compiled, device) for i in range(0, n, lanes)]
+    else:
+        groups = groups_of(loop.schedule, np.arange(n), compiled, alone=not keep)
     for name in keep:
         refuse(name not in loop.signals, ParameterError, "keep", name, "one of " + ", ".join(loop.signals))
     rows = [loop.schedule.row(signal) for name in keep for signal in loop.signals[name]]
-    shape = (len(groups), reference.n_sample, len(rows), lanes)
+    shape = (len(groups), reference.n_sample, len(rows), groups[0].width)
     log = reuse.log if reuse is not None and reuse.log.shape == shape else aligned(shape)
     failed = _advance_all(groups, feed, rows, log, 1 if gpu else workers, progress)[:n]
     sums = {name: sums_of(groups, name, n) for name in (JUDGE,) * judge + (PART,) * blended}
     if judge:
         failed = np.where((failed < 0) & stands_still(reference, np.sqrt(sums[JUDGE][-1])), reference.n_sample - 1, failed)
-    unsure = judge_doubtful(loop.schedule, loop.signals["axis_position"], machine, feed, sums, failed, compiled, workers, LANES)
+    unsure = judge_doubtful(loop.schedule, loop.signals["axis_position"], machine, feed, sums, failed, compiled, workers)
     figures = error_figures(sums[JUDGE], failed, machine.servo_period) if judge else {}
     if part:
         figures |= error_figures(sums[PART if blended else JUDGE], failed, machine.servo_period, OF_PART)
@@ -268,10 +271,10 @@ def _advance_all(
     groups: list[Group], feed: Feed, rows: list[int], log: Array, threads: int, progress: Callable[[int], None] | None
 ) -> Index:
     """Run every group through the reference, block by block; return the sample at which each lane failed, or -1."""
-    broken = np.full((len(groups), groups[0].width), -1.0)
+    broken = [np.full(group.width, -1.0) for group in groups]
 
     def advance(g: int, external: Array, k: int) -> None:
-        groups[g].run(external, rows, log[g, k : k + len(external)])
+        groups[g].run(external, rows, log[g, k : k + len(external)] if rows else None)
         # The watch node checks positions and commands; this checks all other states.
         broken[g] = np.where((broken[g] < 0) & ~groups[g].finite(), k + len(external) - 1, broken[g])
 
@@ -283,8 +286,8 @@ def _advance_all(
             for done, _ in enumerate((pool.map if pool is not None else map)(work, range(len(groups))), 1):
                 if progress is not None:
                     progress(k + len(external) * done // len(groups))
-    seen = np.array([group.state_of(WATCH)[0] for group in groups])
-    return np.where(seen >= 0, seen, broken).astype(np.int64).ravel()
+    seen = np.concatenate([group.state_of(WATCH)[0] for group in groups])
+    return np.where(seen >= 0, seen, np.concatenate(broken)).astype(np.int64)
 
 
 def checked_variants(

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array, Index
-from contourlab.engine.runner import Group, make_group
+from contourlab.engine.runner import Group, groups_of
 from contourlab.engine.step import Late, Node, Schedule, Step, ports
 from contourlab.feed import Reference
 from contourlab.geometry import Path
@@ -179,7 +179,6 @@ def judge_doubtful(
     failed: Index,
     jit: bool,
     threads: int,
-    lanes: int,
 ) -> Array:
     """Run all variants with doubtful samples again, unless they failed, and judge these samples exactly.
 
@@ -212,7 +211,7 @@ def judge_doubtful(
         wide: dict[str, Any] = {"parameters": {**nodes[name].parameters, **numbers}, "tables": {**nodes[name].tables, **cells}}
         nodes[name] = replace(nodes[name], **wide)
     schedule = replace(schedule, nodes=tuple(nodes.values()))
-    groups = [make_group(schedule, lanes, doubtful[i : i + lanes], jit) for i in range(0, doubtful.size, lanes)]
+    groups = groups_of(schedule, doubtful, jit)
 
     def again(group: Group, k: int, external: Array, arc_length: Array) -> None:
         log, samples = group.run(external, rows), slice(k, k + len(external))
