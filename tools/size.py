@@ -11,27 +11,27 @@ from collections import Counter
 from pathlib import Path
 
 BUDGETS = {
-    "analysis": 4252,
-    "app": 849,
+    "analysis": 4295,
+    "app": 850,
     "cli": 469,
-    "components": 5018,
+    "components": 5027,
     "contours": 1553,
-    "engine": 3246,
+    "engine": 3267,
     "features": 17527,
     "feed": 2202,
     "findings": 55,
-    "geometry": 1985,
+    "geometry": 1966,
     "logs": 1634,
-    "loop": 2109,
+    "loop": 2120,
     "metrics": 1035,
     "native": 253,
     "papers": 3363,
     "program": 2250,
     "rendering": 2395,
-    "result": 401,
+    "result": 402,
     "scenario": 1881,
     "study": 1396,
-    "without papers": 51186,
+    "without papers": 51253,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

@@ -184,8 +184,9 @@ def _listed(folder: Path) -> dict[str, str]:
     return {name: summary for summary, names in sets.items() for name in names if name in there}
 
 
-def _save_list(listed: Mapping[str, str], folder: Path) -> None:
-    write_record(folder / LIST, FileList(SCHEMA, grouped((summary, name) for name, summary in sorted(listed.items()))))
+def _save_list(listed: Mapping[str, str], stage: Path, folder: Path) -> None:
+    write_record(stage / LIST, FileList(SCHEMA, grouped((summary, name) for name, summary in sorted(listed.items()))))
+    (stage / LIST).replace(folder / LIST)
 
 
 def _written_with(summary: str, listed: Mapping[str, str]) -> list[str]:
@@ -201,11 +202,11 @@ def _exchange(stage: Path, folder: Path, summary: str, new: Iterable[str]) -> No
     listed = (folder / LIST).read_text(encoding="utf-8") if (folder / LIST).exists() else None
     (stage / _JOURNAL).write_text(json.dumps({"away": away, "new": new, "list": listed}), encoding="utf-8")
     try:
-        _save_list({**before, **added}, folder)
+        _save_list({**before, **added}, stage, folder)
         for path, target in _moves(stage, folder, away, new):
             target.parent.mkdir(exist_ok=True)
             path.replace(target)
-        _save_list({name: its for name, its in before.items() if name not in previous} | added, folder)
+        _save_list({name: its for name, its in before.items() if name not in previous} | added, stage, folder)
         (stage / _JOURNAL).unlink()
     except BaseException as error:
         _undo(stage, folder)

@@ -402,7 +402,7 @@ class Component:
     def check_values(self) -> None:
         """Raise ParameterError if values, each within its own bounds, do not fit together.
 
-        A batch calls it once with arrays of all variants: compare them within ``np.any``. If that fails, it checks variant by variant.
+        A batch calls those of contourlab itself once with arrays of all variants: compare them within ``np.any``.
         """
 
     def __setattr__(self, name: str, value: object) -> None:

@@ -57,10 +57,6 @@ class CurveBatch:
             result[:, :, chosen] = self.curves[int(slot[chosen[0]])].derivatives(along[chosen], order).transpose(0, 2, 1)
         return result
 
-    def closest(self, slot: Index, points: Array, low: Array, high: Array, middle: Array) -> Array:
-        """Return the arc lengths (n,) between `low` and `high` closest to points (n, n_axis), on `direct` curves; ties go to `middle`."""
-        raise NotImplementedError
-
     def marks(self) -> tuple[Array, Index]:
         """Return the arc lengths (n_mark,) [m] at which a table must cut the curves, with their ends, and their number (n,) for each."""
         if not hasattr(self.curves[0], "marks"):

@@ -355,7 +355,8 @@ def search(
                     h_b = h_a + step
                     square_b, slope_b, _ = _slope(points, i, pieces, at, h_b)
                     nearest = 0.5 * (math.sqrt(square_a) + math.sqrt(square_b) - step)
-                    tiny = 1e-12 * (math.sqrt(square_a) + math.sqrt(square_b))
+                    # Two pieces may each see their common end just beyond the closest point: one candidate too many does no harm.
+                    tiny = 1e-9 * (math.sqrt(square_a) + math.sqrt(square_b)) + 1e-13
                     if nearest > bound + _TABLE_SLACK or slope_a > tiny or slope_b < -tiny:
                         cell += 1
                         continue

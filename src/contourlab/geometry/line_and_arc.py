@@ -33,10 +33,6 @@ class Lines(CurveBatch):
             result[1:2, j] = direction
         return result
 
-    def closest(self, slot: Index, points: Array, low: Array, high: Array, middle: Array) -> Array:
-        start, direction = self.start.T[slot], self.direction.T[slot]
-        return np.asarray(np.clip(np.einsum("ij,ij->i", points - start, direction), low, high))
-
     def smallest_radii(self) -> Array:
         return np.full(self.length.size, np.inf)
 
@@ -131,25 +127,6 @@ class Arcs(CurveBatch):
             if order > 2:
                 result[3, j] = -(rate**2) * swing
         return result
-
-    def closest(self, slot: Index, points: Array, low: Array, high: Array, middle: Array) -> Array:
-        """Return the arc length on the spoke through the point, in the turn nearest to the progress, or else of the nearer end."""
-        centre, u, v = self.centre.T[slot], self.u.T[slot], self.v.T[slot]
-        radius, rate = self.radius[slot], self.rate[slot]
-        out = points - centre
-        x, y = np.einsum("ij,ij->i", out, u), np.einsum("ij,ij->i", out, v)
-        turn = 2.0 * math.pi / np.abs(rate)
-        along = (np.arctan2(y, x) - self.start_angle[slot]) / rate
-        # All points of the arc are equally far from the centre.
-        along = np.where(np.hypot(x, y) <= 1e-13 * radius, middle, along)
-        along = along + turn * np.round((middle - along) / turn)
-        # The turn nearest to the progress may lie outside while a neighbour lies inside.
-        for shift in (turn, -turn):
-            other = along + shift
-            along = np.where(((along < low) | (along > high)) & (other >= low) & (other <= high), other, along)
-        inside = (along >= low) & (along <= high)
-        gaps = [((points - self.derivatives(slot, end, 0)[0].T) ** 2).sum(axis=1) for end in (low, high)]
-        return np.asarray(np.where(inside, along, np.where(gaps[0] <= gaps[1], low, high)))
 
     def smallest_radii(self) -> Array:
         return np.asarray(1.0 / (self.radius * self.rate**2))

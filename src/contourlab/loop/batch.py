@@ -312,8 +312,9 @@ def checked_variants(
             columns[name] = np.atleast_1d(np.asarray(values)).astype(float, casting="same_kind")
             if columns[name].ndim != 1:
                 raise ValueError
-            # Minimum and maximum suffice; NaN is both.
-            for value in (columns[name].min(), columns[name].max()) if columns[name].size else ():
+            # Minimum and maximum suffice, NaN is both; and what is not whole.
+            broken = columns[name][columns[name] != np.rint(columns[name])] if part.parameters[parameter].whole else columns[name][:0]
+            for value in (columns[name].min(), columns[name].max(), *broken[:1]) if columns[name].size else ():
                 part.parameters[parameter].check(float(value))
         except ParameterError as error:
             error.add_note(f"In the variants of {name}.")
@@ -337,16 +338,28 @@ def _check_together(known: Mapping[str, tuple[Component, str]], columns: Mapping
         part = known[next(iter(of_part))][0]
         if type(part).__init__ is Component.__init__ and type(part).check_values is Component.check_values:
             continue
-        names = [known[name][1] for name in of_part]
-        with suppress(ParameterError, TypeError, ValueError):
-            _with_arrays(part, dict(zip(names, of_part.values(), strict=True))).check_values()
-            continue
-        for row in sorted(set(zip(*(values.tolist() for values in of_part.values()), strict=True))):
+        changed = {known[name][1]: values for name, values in of_part.items()}
+        if _takes_arrays(part):
+            with suppress(ParameterError, TypeError, ValueError):
+                _with_arrays(part, changed).check_values()
+                continue
+        for row in _rows(changed):
             try:
-                part.replace(**dict(zip(names, row, strict=True)))
+                part.replace(**row)
             except ParameterError as error:
                 error.add_note(f"In the variants of {head}.")
                 raise
+
+
+def _takes_arrays(part: Component) -> bool:
+    """Return whether the checks of a component take arrays of all variants: those of plug-ins may not."""
+    return type(part).__module__.startswith("contourlab.") and type(part).__init__ is Component.__init__
+
+
+def _rows(changed: Mapping[str, Array]) -> list[dict[str, float]]:
+    """Return the different sets of values in some variants."""
+    rows = sorted(set(zip(*(values.tolist() for values in changed.values()), strict=True)))
+    return [dict(zip(changed, row, strict=True)) for row in rows]
 
 
 def _with_arrays(part: Any, values: Mapping[str, ArrayLike]) -> Any:
@@ -380,10 +393,12 @@ def _check_substeps(machine: Machine, columns: Mapping[str, Array]) -> None:
         changed = {name.removeprefix(head): values for name, values in columns.items() if name.startswith(head)}
         if not changed or type(axis.plant).fewest_substeps is Plant.fewest_substeps:
             continue
-        wanted, why = _with_arrays(machine.loaded_plant(axis.name), changed).fewest_substeps(machine.servo_period)
-        if axis.substeps < wanted:
-            bound = f"at least {wanted} for {why}, in one of the variants"
-            raise ParameterError(f"axes.{axis.name}.substeps", f"{axis.substeps}", bound)
+        plant = machine.loaded_plant(axis.name)
+        for values in (changed,) if _takes_arrays(plant) else _rows(changed):
+            wanted, why = _with_arrays(plant, values).fewest_substeps(machine.servo_period)
+            if axis.substeps < wanted:
+                bound = f"at least {wanted} for {why}, in one of the variants"
+                raise ParameterError(f"axes.{axis.name}.substeps", f"{axis.substeps}", bound)
 
 
 def _split(kept: Array, n: int, keep: Sequence[str], loop: Loop) -> dict[str, Array]:

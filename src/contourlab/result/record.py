@@ -98,6 +98,7 @@ def packed(record: Any) -> dict[str, NDArray[Any]]:
     arrays: dict[str, NDArray[Any]] = {}
 
     def named(array: NDArray[Any]) -> dict[str, str]:
+        refuse(array.ndim == 0, TypeError, f"{array!r}: must be a number of Python")
         arrays[name := str(len(arrays))] = array
         return {"array": name}
 

@@ -78,7 +78,7 @@ def test_viscous_friction_gives_no_coulomb_friction() -> None:
     assert len(plain) >= 15
     for fit in plain:
         assert fit.usable and "CL528" in {one.code for one in fit.findings}
-        assert abs(fit.chosen["Fv"] - 4.0) < 4.0 * fit.chosen.deviation("Fv") and fit.chosen["Fc"] == 0.0
+        assert abs(fit.chosen["Fv"] - 4.0) < 4.0 * fit.chosen.deviation("Fv") and "Fc" not in fit.chosen.names
 
 
 @pytest.mark.parametrize("speeds", [[50, 100, 200], [50, 100, 150, 200], [-50, -100, -200]])

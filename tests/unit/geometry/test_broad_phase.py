@@ -9,6 +9,7 @@ import pytest
 from numpy.typing import NDArray
 
 from contourlab.geometry import Arc, BSpline, Curve, Line, Path
+from contourlab.geometry.blend import blends, quintic_bezier
 from contourlab.geometry.foot_point import FootPoint, searched
 
 Array = NDArray[np.float64]
@@ -106,16 +107,31 @@ def test_from_the_centre_of_a_wheel_all_spokes_are_searched() -> None:
 
 @pytest.mark.parametrize("kind", ["lines", "splines"])
 def test_from_the_centre_of_a_wheel_the_progress_decides(kind: str) -> None:
-    """Among a thousand places at the same distance."""
-    angle = np.linspace(0.0, 2.0 * np.pi, 1000, endpoint=False)
+    """Among hundreds of places at the same distance."""
+    angle = np.linspace(0.0, 2.0 * np.pi, 300, endpoint=False)
     rim = 0.05 * np.column_stack([np.cos(angle), np.sin(angle)])
     if kind == "lines":
         path = polygon(rim, True)
     else:
-        middle = 0.05 / np.cos(np.pi / 1000) * np.column_stack([np.cos(angle + np.pi / 1000), np.sin(angle + np.pi / 1000)])
+        middle = 0.05 / np.cos(np.pi / 300) * np.column_stack([np.cos(angle + np.pi / 300), np.sin(angle + np.pi / 300)])
         parts = zip(rim, middle, np.roll(rim, -1, axis=0), strict=True)
         path = Path([BSpline(2, part, [0, 0, 0, 1, 1, 1]) for part in parts], closed=True)
     around = np.linspace(0.0, 1.0, 7) * path.length
     found = path.foot_point(np.zeros((7, 2)), around, 0.499 * path.length)
-    assert np.abs(found.arc_length - around).max() <= path.length / 1000
-    np.testing.assert_allclose(found.distance, 0.05, rtol=1e-5)
+    assert np.abs(found.arc_length - around).max() <= path.length / 300
+    np.testing.assert_allclose(found.distance, 0.05, rtol=1e-4)
+
+
+def test_the_middle_of_a_symmetric_blend_is_the_foot_of_its_corner() -> None:
+    """There two pieces of the table meet, and the closest point lies on neither side for certain."""
+    rng = np.random.default_rng(8)
+    for _ in range(400):
+        corner, turn, size = rng.uniform(-1.0, 1.0, 2), rng.uniform(0.05, 3.1), 10.0 ** rng.uniform(-7.0, -2.0)
+        first = rng.uniform(0.0, 2.0 * np.pi)
+        came, goes = ([np.cos(angle), np.sin(angle)] for angle in (first, first + turn))
+        before, after = ([corner + sign * size * k / 3.0 * np.array(way) for k in (1, 2, 3)] for sign, way in ((-1.0, came), (1.0, goes)))
+        blend = blends(quintic_bezier([[*before[::-1], *after]]))[0]
+        path = Path([Line(before[2] - 0.01 * np.array(came), before[2]), *blend, Line(after[2], after[2] + 0.01 * np.array(goes))])
+        found = path.foot_point([corner], [0.4 * path.length], path.length)
+        middle = path.position(0.5 * path.length)[0]
+        assert found.distance[0] == pytest.approx(np.linalg.norm(middle - corner), rel=1e-9, abs=1e-15)

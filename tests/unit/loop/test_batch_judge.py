@@ -109,7 +109,7 @@ def test_a_contour_that_ends_where_it_starts_is_judged_once(tmp_path: Path, monk
     """Start and end coincide, far apart along the path: a variant that follows well runs once."""
     case = zigzag(tmp_path, "G61", 90.0, 6.0, 8000.0, 90.0).base
     (tmp_path / "part.ngc").write_text("G17 G21 G90 G94 G61\nF3000\nG1 X20 Y5\nG1 X15 Y30\nG1 X-10 Y20\nG1 X0 Y0\nM2\n")
-    monkeypatch.setattr("contourlab.loop.judging.make_group", None)
+    monkeypatch.setattr("contourlab.loop.judging.groups_of", None)
     batch = cl.simulate_batch(case.machine, case.controller, case.reference(), {GAIN: [1.8]}, part=True)
     assert batch.figures["part_error_max"][0] == pytest.approx(exact(case, case.reference(), 1.0).part_error.max, rel=1e-7)
 
