@@ -471,6 +471,7 @@ def foot_point(path: CurveSequence, points: ArrayLike, around: ArrayLike, window
     chunks = [slice(i, i + _CHUNK) for i in range(0, s.size, _CHUNK)]
     _leaves(path)  # once, not in each thread
     in_threads(lambda some: searched(path, p[some], s[some], reach[some], FootPoint(*(part[some] for part in found))), chunks)
+    assert np.isfinite(found.distance).all()  # a wrong search must not become a figure
     return found
 
 
