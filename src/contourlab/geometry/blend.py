@@ -235,7 +235,7 @@ class Blend(Curve):
     """
 
     digest_parts = ("blend", "coefficients")
-    batch = Blends
+    _batch = Blends
 
     def __init__(self, coefficients: ArrayLike) -> None:
         c = np.array(coefficients, dtype=float)

@@ -79,14 +79,13 @@ class Curve(ABC):
     length : float [m], > 0
     digest_parts : tuple of str
         Name of the kind, and the attributes that define the curve.
-    batch : type
-        Evaluator for many curves of this kind; frequent kinds have a faster one, which evaluates a single curve too.
     """
 
     n_axis: int
     length: float
     digest_parts: ClassVar[tuple[str, ...]]
-    batch: ClassVar[type[CurveBatch]] = CurveBatch
+    _batch: ClassVar[type[CurveBatch]] = CurveBatch
+    """Evaluator for many curves of this kind; frequent kinds have a faster one, which evaluates a single curve too."""
 
     def derivatives(self, s: ArrayLike, order: int = 3) -> Array:
         """Return position and derivatives by arc length; unless a kind says otherwise, those of a batch of one.
@@ -103,7 +102,7 @@ class Curve(ABC):
         ndarray (order + 1, n, n_axis)
         """
         along = np.atleast_1d(np.asarray(s, dtype=float))
-        return self.batch([self]).derivatives(np.zeros(along.size, dtype=np.int64), along, order).transpose(0, 2, 1)
+        return self._batch([self]).derivatives(np.zeros(along.size, dtype=np.int64), along, order).transpose(0, 2, 1)
 
     def describe(self) -> bytes:
         """Return the kind and all numbers that define the curve, for its digest."""
@@ -221,7 +220,7 @@ class CurveSequence:
         self._sets: list[CurveBatch] = []
         for number, (kind, members) in enumerate(kinds.items()):
             self._kind[members], self._slot[members] = number, np.arange(len(members))
-            self._sets.append(kind.batch([self.curves[i] for i in members]))
+            self._sets.append(kind._batch([self.curves[i] for i in members]))
         self.ends = self.at(np.arange(len(self.curves)), np.array([c.length for c in self.curves]), 1)
         self.starts = self.at(np.arange(len(self.curves)), np.zeros(len(self.curves)), 1)
 

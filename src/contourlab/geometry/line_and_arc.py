@@ -54,7 +54,7 @@ class Line(Curve):
     """
 
     digest_parts = ("line", "start", "end")
-    batch = Lines
+    _batch = Lines
 
     def __init__(self, start: ArrayLike, end: ArrayLike) -> None:
         self.start, self.end = vector(start, "start"), vector(end, "end")
@@ -158,7 +158,7 @@ class Arc(Curve):
     """
 
     digest_parts = ("arc", "radius", "start_angle", "sweep", "centre", "u", "v", "rise")
-    batch = Arcs
+    _batch = Arcs
 
     def __init__(
         self,
