@@ -20,7 +20,7 @@ BUDGETS = {
     "features": 17527,
     "feed": 2202,
     "findings": 55,
-    "geometry": 1966,
+    "geometry": 1967,
     "logs": 1634,
     "loop": 2120,
     "metrics": 1035,
@@ -31,7 +31,7 @@ BUDGETS = {
     "result": 402,
     "scenario": 1881,
     "study": 1396,
-    "without papers": 51253,
+    "without papers": 51254,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 
