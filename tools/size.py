@@ -16,8 +16,8 @@ BUDGETS = {
     "cli": 469,
     "components": 5027,
     "contours": 1553,
-    "engine": 3267,
-    "features": 17527,
+    "engine": 3259,
+    "features": 17522,
     "feed": 2202,
     "findings": 55,
     "geometry": 1967,
@@ -31,7 +31,7 @@ BUDGETS = {
     "result": 402,
     "scenario": 1881,
     "study": 1396,
-    "without papers": 51254,
+    "without papers": 51241,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

@@ -14,16 +14,15 @@ the motor, the load rings at another frequency than with the motor free.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from contourlab.arrays import Array, Complex, Flags
-from contourlab.engine.runner import Group, make_group
+from contourlab.engine.runner import groups_of
 from contourlab.engine.step import Late, Node, Schedule, Step, ports
-from contourlab.engine.translate.tick_loop import VECTOR
 from contourlab.features.tune.drive_terms import LinuxCNCGains, linuxcnc_law
 from contourlab.primitives import clip, delayed, fabs, maximum, select
 
@@ -183,21 +182,14 @@ def _axis_node(models: Sequence[AxisModel], period: float, output: str, at: floa
     return Node("axis", AXIS, wires, parameters, initial={"p": at}, start=first, ring_length=MOST_DELAY + 1, repeat=steps)
 
 
-def _groups(schedule: Schedule, n: int) -> Iterator[tuple[Group, int]]:
-    """Yield groups for n variants, each with the number of variants in it; one variant alone has no lanes."""
-    width = 1 if n == 1 else VECTOR
-    for first in range(0, n, width):
-        yield make_group(schedule, width, slice(first, first + width), True), min(width, n - first)
-
-
 def driven(output: Array, models: Sequence[AxisModel], period: float, at: float = 0.0) -> Array:
     """Return the measured positions (m, n) [m] of axes under a recorded output (n,), from rest at a position."""
     schedule = Schedule((_axis_node(models, period, "in.output", at),), ports("output"), period, 0)
     row, parts = schedule.row("axis.measured"), []
-    for group, count in _groups(schedule, len(models)):
+    for group in groups_of(schedule, np.arange(len(models)), True):
         group.rings[0][:] = output[0]
-        parts.append(group.run(output[:, None], [row])[:, 0, :count].T)
-    return np.concatenate(parts)
+        parts.append(group.run(output[:, None], [row])[:, 0].T)
+    return np.concatenate(parts)[: len(models)]
 
 
 # --- the loop ------------------------------------------------------------------------------------------------------------------------
@@ -307,11 +299,11 @@ def run_lanes(
     schedule = Schedule(nodes, ports("command", "noise"), law.period, 1)
     log_rows = [schedule.row(f"pid.{name}") for name in ("measured", "output")] if trace else []
     sums, last, external = [], np.zeros((2, 0)), np.column_stack([command, noise])
-    for group, count in _groups(schedule, len(gains)):
+    for group in groups_of(schedule, np.arange(len(gains)), True):
         log = group.run(external, log_rows)
-        last = log[:, :, count - 1].T if trace else last
-        sums.append(group.state_of("pid")[: len(SUMS), :count])
-    figures = np.concatenate(sums, axis=1)
+        last = log[:, :, -1].T if trace else last  # lanes to spare have the last one's parameters
+        sums.append(group.state_of("pid")[: len(SUMS)])
+    figures = np.concatenate(sums, axis=1)[:, : len(gains)]
     # What a run that diverged leaves may be no number.
     figures = np.where(figures[0] < LEFT, figures, np.array([np.inf, np.inf, 0.0, 0.0, 0.0])[:, None])
     largest, square, output, rough, limited = figures
