@@ -68,16 +68,8 @@ def tick_loop_of(
     """
     roots = [function for node in schedule.nodes for function in node.step.functions]
     layout = [(_layout(node.step), node.repeat) for node in schedule.nodes]
-    wiring = (
-        schedule.sources,
-        schedule.record_point,
-        places,
-        log_rows,
-        width,
-        primitives is maths.LANES,
-        VECTOR,
-        "" if gpu is None else gpu.code,
-    )
+    of_lanes, device = primitives is maths.LANES, "" if gpu is None else gpu.code
+    wiring = (schedule.sources, schedule.record_point, places, log_rows, width, of_lanes, VECTOR, device)
     key = before = _digest(layout, wiring, Reads(roots).words, _translator())
     trace: list[Any] | None = None
     with _building:

@@ -118,7 +118,7 @@ _ROUNDING = 1e-6
 
 
 class Judged(NamedTuple):
-    """Rising, separate sample ranges [start, stop), and what they cover, in words.
+    """The samples that are judged: ranges [start, stop) in order, without overlap, and a name for what they cover.
 
     Attributes
     ----------

@@ -115,7 +115,7 @@ DIVISIONS = {
     "observer": "drive, sensors and disturbance observer in the axis, which subtracts its own estimate from the commands of the base",
     "controller": "the whole controller in the axis; contour estimator and coupling in the base, which sends the reference",
 }
-"""Local parts, from the fewest to all, in words."""
+"""What runs in the axis: the fewest parts first, the whole controller last."""
 
 _LOCAL = {"drive": ("velocity", "filters"), "observer": ("velocity", "observer", "filters")}
 """Slots in the axis; with "controller" all of them."""

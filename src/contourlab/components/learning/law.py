@@ -339,9 +339,9 @@ class ZeroPhase(LearningLaw):
     Re T > 0; ``passes = 2`` squares it. Choose M so that the first zero lies below the frequency at which the phase of T is -90 degrees, or
     give a `lead` for the delay of the loop.
 
-    Only the command that the drive accepted counts, so that the table of a saturating trial stays within reach of the drive. At its ends
-    the feedback is continued by its mirror image. With a predictor the loop follows a position ahead of the measured one, and so does the
-    table: use a law of the tracking error there.
+    Only the command that the drive accepted counts, so that the table of a saturating trial stays within reach of the drive. At the ends of
+    a trial the mirror image of the feedback continues it. With a predictor the loop follows a position ahead of the measured one, and so
+    does the table: use a law of the tracking error there.
 
     References
     ----------
@@ -373,7 +373,7 @@ class BasisFunctions(LearningLaw):
 
     Notes
     -----
-    With Psi the functions as columns and G the model from table to position, the gains theta change after a trial with the error e by
+    Let the columns of Psi be the functions, and G the model from table to position. After a trial with the error e the gains change by
 
         delta = alpha arg min |e - G Psi delta|^2.
 
