@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from contourlab.analysis.linear.margins import Margins, margins
-from contourlab.engine.runner import make_group
+from contourlab.engine.runner import groups_of
 from contourlab.features.commission import loop
 from contourlab.features.commission.loop import (
     GAINS,
@@ -149,5 +149,5 @@ def test_an_axis_sticks_as_in_plain_python(model: AxisModel, n: int, monkeypatch
     model = replace(model, gain=1.71, damping=7.43, friction=0.0292)
     output = 1.5 * model.friction / model.gain * np.sin(4.0 * np.pi * PERIOD * np.arange(2000))
     compiled = driven(output, [model] * n, PERIOD)
-    monkeypatch.setattr(loop, "make_group", lambda schedule, width, lanes, jit: make_group(schedule, width, lanes, False))
+    monkeypatch.setattr(loop, "groups_of", lambda schedule, lanes, jit: groups_of(schedule, lanes, False))
     assert compiled == pytest.approx(driven(output, [model] * n, PERIOD), abs=1e-12)
