@@ -260,15 +260,12 @@ def _on_blend(points, i, coefficients, borders, inverse, k, s, a, b, size, spot)
         inside = a <= after <= b
         moved = (after if inside else 0.5 * (a + b)) - s
         s += moved
-        if inside and bend > 0.1 and moved * moved <= _SQUARE * size:
+        if moved == 0.0 or (inside and bend > 0.1 and moved * moved <= _SQUARE * size):
             for j in range(axes):
                 first, second = spot[1, j, 0], spot[2, j, 0]
                 spot[0, j, 0] += moved * (first + 0.5 * moved * second)
                 spot[1, j, 0] = first + moved * second
-            return s
-        if moved == 0.0:
-            return s
-    by_length(k, s, 2, coefficients, borders, inverse, spot, 0)
+            break
     return s
 
 
@@ -348,8 +345,6 @@ def search(
                 elif cell < 0 or cell == cells:
                     s = low if cell < 0 else high
                     s_a, s_b, square = s, s, square_b
-                    if kind == _BLEND:
-                        by_length(k, s, 1, coefficients, borders, inverse, spot, 0)
                 else:
                     h_a, square_a, slope_a = h_b, square_b, slope_b
                     h_b = h_a + step
@@ -363,12 +358,12 @@ def search(
                     s = begin + _on_piece(points, i, pieces, at, h_a, h_b, slope_a, slope_b, bend[at])
                     s_a, s_b = max(begin + h_a - 1e-7 * length, low), min(begin + h_b + 1e-7 * length, high)
                     s = min(max(s, s_a), s_b)
-                    if kind == _BLEND:
-                        s = _on_blend(points, i, coefficients, borders, inverse, k, s, s_a, s_b, start[at + 1] - start[at], spot)
-                    else:
+                    if kind == _OTHER:
                         square, _, _ = _slope(points, i, pieces, at, s - begin)
                 cell += 1
-                if kind == _OTHER:
+                if kind == _BLEND:
+                    s = _on_blend(points, i, coefficients, borders, inverse, k, s, s_a, s_b, start[at + 1] - start[at], spot)
+                elif kind == _OTHER:
                     if count == pairs.shape[0]:
                         state[0], state[1] = i, begun
                         return
