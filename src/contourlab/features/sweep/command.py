@@ -6,6 +6,7 @@ import hashlib
 import math
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from importlib.metadata import version
@@ -537,11 +538,25 @@ def _chunks(study: Study, numbers: Sequence[int], pool: Workers | None, executor
         yield from (chunk for _, chunk in pool.run(chunk_elsewhere, key, ((number, None) for number in numbers)))
         return
     together = max(GPU_LANES // study.design.chunk, 1) if executor.gpu and not study.signals else 1
-    for first in range(0, len(numbers), together):
+
+    def simulated(first: int) -> list[Chunk]:
         chosen = numbers[first : first + together]
         count = sum(len(study.design.numbers(number)) for number in chosen)
-        part = lambda share, count=count: tell(int(share * count))  # noqa: E731
-        yield from run_chunks(study, chosen, executor.workers, part, gpu=executor.gpu)
+        return run_chunks(study, chosen, executor.workers, lambda share: tell(int(share * count)), gpu=executor.gpu)
+
+    firsts = range(0, len(numbers), together)
+    if not executor.gpu:
+        for first in firsts:
+            yield from simulated(first)
+        return
+    with ThreadPoolExecutor(1) as ahead:  # the next chunks run while these are written
+        running = [ahead.submit(simulated, first) for first in firsts[:1]]
+        for first in firsts[1:]:
+            ready = running.pop().result()
+            running.append(ahead.submit(simulated, first))
+            yield from ready
+        for last in running:
+            yield from last.result()
 
 
 def rerun(folder: str | Path, number: int, settings: Worst, session: Session) -> Runs:
