@@ -28,7 +28,20 @@ from contourlab.figures import number
 from contourlab.geometry.view import PathView, check_view, view_of
 from contourlab.loop.builder import Signals
 from contourlab.loop.feeding import BLOCK, Feed, Learned
-from contourlab.loop.judging import JUDGE, PART, WATCH, effort_node, error_figures, judge_doubtful, judge_node, part_nodes, sums_of
+from contourlab.loop.judging import (
+    CUT,
+    JUDGE,
+    PART,
+    UNSURE,
+    WATCH,
+    DoubtfulSamples,
+    effort_node,
+    error_figures,
+    judge_node,
+    part_nodes,
+    sums_of,
+    wider,
+)
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.parameters import matching, parameter_names, parameters_of
 from contourlab.loop.simulate import check_kinds, jit_enabled, sampler
@@ -242,21 +255,38 @@ def simulate_batch(
         machine, controller, reference.path, **begin, overrides=columns, view=view, extra=extra, seed=seeds, fed=feed.names
     )  # fmt: skip
     workers, device = threads or os.cpu_count() or 1, gpu_of_process() if gpu else None
+    judged = (JUDGE,) * judge + (PART,) * blended
+    exactly = partial(DoubtfulSamples, positions=loop.signals["axis_position"], reference=reference)
     if device is not None:
         lanes = lanes_of(n, sum(memory_rows(loop.schedule)))
         groups = [make_group(loop.schedule, lanes, slice(i, i + lanes), compiled, device) for i in range(0, n, lanes)]
     else:
         groups = groups_of(loop.schedule, np.arange(n), compiled, alone=not keep)
+    doubts = [exactly(group) for group in groups] if judged and device is None else []
     for name in keep:
         refuse(name not in loop.signals, ParameterError, "keep", name, "one of " + ", ".join(loop.signals))
     rows = [loop.schedule.row(signal) for name in keep for signal in loop.signals[name]]
     shape = (len(groups), reference.n_sample, len(rows), groups[0].width)
     log = reuse.log if reuse is not None and reuse.log.shape == shape else aligned(shape)
-    failed = _advance_all(groups, feed, rows, log, 1 if gpu else workers, progress)[:n]
-    sums = {name: sums_of(groups, name, n) for name in (JUDGE,) * judge + (PART,) * blended}
+    failed = _advance_all(groups, feed, rows, log, 1 if gpu else workers, progress, doubts)[:n]
+    sums = {name: sums_of(groups, name, n) for name in judged}
     if judge:
         failed = np.where((failed < 0) & stands_still(reference, np.sqrt(sums[JUDGE][-1])), reference.n_sample - 1, failed)
-    unsure = judge_doubtful(loop.schedule, loop.signals["axis_position"], machine, feed, sums, failed, compiled, workers)
+    unsure = sum((total[UNSURE] for total in sums.values()), np.zeros(n))
+    left_over = np.concatenate([one.left_over for one in doubts]) if doubts else unsure > 0.0
+    # A GPU keeps no doubtful samples: the processor runs these variants as it runs all others.
+    for wide in (False, True) if gpu else (True,):
+        chosen = np.flatnonzero(left_over & (unsure > 0.0) & (failed < 0))
+        if not chosen.size:
+            break
+        again = groups_of(wider(loop.schedule, machine, reference) if wide else loop.schedule, chosen, compiled)
+        doubts = [exactly(group, reach={name: sums[name][-1, group.lanes] for name in judged} if wide else None) for group in again]
+        _advance_all(again, feed, [], aligned((len(again), 0, 0, 0)), workers, None, doubts)
+        for name, total in sums.items():
+            total[:, chosen] = sums_of(again, name, chosen.size)
+        left_over[chosen] = np.concatenate([one.left_over for one in doubts])
+        assert not (wide and left_over[chosen].any())  # samples that nobody judged must not become a figure
+    unsure = np.where(failed < 0, 0.0, unsure)
     figures = error_figures(sums[JUDGE], failed, machine.servo_period) if judge else {}
     if part:
         figures |= error_figures(sums[PART if blended else JUDGE], failed, machine.servo_period, OF_PART)
@@ -268,24 +298,46 @@ def simulate_batch(
 
 
 def _advance_all(
-    groups: list[Group], feed: Feed, rows: list[int], log: Array, threads: int, progress: Callable[[int], None] | None
+    groups: list[Group],
+    feed: Feed,
+    rows: list[int],
+    log: Array,
+    threads: int,
+    progress: Callable[[int], None] | None,
+    doubts: Sequence[DoubtfulSamples] = (),
 ) -> Index:
-    """Run every group through the reference, block by block; return the sample at which each lane failed, or -1."""
+    """Run every group through the reference, block by block; return the sample at which each lane failed, or -1.
+
+    The doubtful samples of each group are judged after every cut.
+    """
     broken = [np.full(group.width, -1.0) for group in groups]
 
-    def advance(g: int, external: Array, k: int) -> None:
-        groups[g].run(external, rows, log[g, k : k + len(external)] if rows else None)
+    def advance(g: int, external: Array, arc_length: Array, k: int) -> None:
+        here = log[g, k : k + len(external)] if rows else None
+        if doubts:
+            every = [*rows, *doubts[g].rows]
+            seen = aligned((min(CUT, len(external)), len(every), groups[g].width))
+            for first in range(0, len(external), CUT):
+                cut = slice(first, first + CUT)
+                part = groups[g].run(external[cut], every, seen[: len(external[cut])])
+                if here is not None:
+                    here[cut] = part[:, : len(rows)]
+                doubts[g].take(part[:, len(rows) :], k + first, arc_length[cut])
+        else:
+            groups[g].run(external, rows, here)
         # The watch node checks positions and commands; this checks all other states.
         broken[g] = np.where((broken[g] < 0) & ~groups[g].finite(), k + len(external) - 1, broken[g])
 
     workers = min(threads, len(groups))
     with ThreadPoolExecutor(workers) if workers > 1 else nullcontext() as pool:
         for k, stop in feed.reference.blocks(BLOCK):
-            _, external = feed.block(k, stop)
-            work = partial(advance, external=external, k=k)
+            asked, external = feed.block(k, stop)
+            work = partial(advance, external=external, arc_length=asked.arc_length, k=k)
             for done, _ in enumerate((pool.map if pool is not None else map)(work, range(len(groups))), 1):
                 if progress is not None:
                     progress(k + len(external) * done // len(groups))
+    for one in doubts:
+        one.end()
     seen = np.concatenate([group.state_of(WATCH)[0] for group in groups])
     return np.where(seen >= 0, seen, np.concatenate(broken)).astype(np.int64)
 

@@ -5,28 +5,26 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import lru_cache, partial
-from itertools import product
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
-from contourlab.arrays import Array, Index
-from contourlab.engine.runner import Group, groups_of
+from contourlab.arrays import Array, Flags, Index
+from contourlab.engine.runner import Group
 from contourlab.engine.step import Late, Node, Schedule, Step, ports
 from contourlab.feed import Reference
 from contourlab.geometry import Path
 from contourlab.geometry.clearance import clearance
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.builder import accepted_output
-from contourlab.loop.feeding import BLOCK, Feed
+from contourlab.loop.feeding import BLOCK
 from contourlab.loop.machine import Axis, Machine
 from contourlab.metrics.judge import MARGIN, planning_deviation, reach
 from contourlab.metrics.run_figures import CONTOUR, EFFORT, figures_from
 from contourlab.metrics.streaming import EFFORT_SUMS, SUMS, effort_step, judge_step
 from contourlab.primitives import fabs, lookup, select
 from contourlab.result import Status
-from contourlab.threads import in_threads
 
 JUDGE, PART, PLACE = "judge", "part", "programmed"
 LAG = 0.05
@@ -165,81 +163,117 @@ def all_finite(group: Group, sample: int) -> Status:
     return Status(ok=False, sample=sample, axis=node.split(".")[0], reason=f"{node} produced a value that is not finite")
 
 
-_AT_ONCE = 1 << 13
-"""Samples of a lane that are judged exactly at once."""
+CUT = 1 << 12
+"""Ticks after which doubtful samples are judged."""
+MOST_WAITING = 512
+"""Samples of a variant that may wait for the end of the run."""
 _ROW = {name: 1 + i for i, name in enumerate(SUMS)}
+UNSURE = _ROW["unsure"]
+"""State of a judge that counts its doubtful samples."""
 
 
-def judge_doubtful(
-    schedule: Schedule,
-    positions: Sequence[str],
-    machine: Machine,
-    feed: Feed,
-    sums: Mapping[str, Array],
-    failed: Index,
-    jit: bool,
-    threads: int,
-) -> Array:
-    """Run all variants with doubtful samples again, unless they failed, and judge these samples exactly.
+class DoubtfulSamples:
+    """The exact judge of a group's doubtful samples, while the group runs.
+
+    The window of a foot point grows with the largest tracking error of the whole run, which is not known yet. A foot point in a large
+    window is final if it lies in the window for the error so far, and the window of the whole run is not larger. Two large windows are
+    tried: that of the node, and twice the window so far. The few samples that find no final foot point wait for the end of the run.
 
     Parameters
     ----------
-    schedule : Schedule
-        With the judges.
+    group : Group
     positions : sequence of str
         Signals of the axes' true positions.
-    sums : mapping of str to ndarray (n_state, n)
-        The states of each judge in all variants: those of variants with doubtful samples are replaced.
-    failed : ndarray (n,) of int
-        -1 for a variant that did not fail.
+    reference : Reference
+    reach : mapping of str to ndarray (n_lane,) [m^2], optional
+        The largest squared tracking error of each lane, by judge, if an earlier run has told it.
 
-    Returns
-    -------
-    ndarray (n,)
-        Samples that nobody has judged exactly, of variants that failed.
+    Attributes
+    ----------
+    rows : list of int
+        Signals that `take` needs.
+    left_over : ndarray (n_lane,) of bool
+        After `end`: lanes to run again with a wider window, since their error has grown too much or too many samples wait.
     """
-    unsure: Array = sum((total[_ROW["unsure"]] for total in sums.values()), np.zeros(failed.size))
-    doubtful = np.flatnonzero((unsure > 0.0) & (failed < 0))
-    if not doubtful.size:
-        return unsure
-    reference, n = feed.reference, feed.reference.n_axis
-    rows = [schedule.row(signal) for signal in (*positions, *(f"{name}.doubt" for name in sums))]
+
+    def __init__(self, group: Group, positions: Sequence[str], reference: Reference, reach: Mapping[str, Array] | None = None) -> None:
+        paths, schedule = {JUDGE: reference.path, PART: reference.programmed}, group.schedule
+        self._nodes = {node.name: node for node in schedule.nodes if node.name in (*paths, PLACE)}
+        self._paths = {name: path for name, path in paths.items() if name in self._nodes}
+        self.rows = [schedule.row(signal) for signal in (*positions, *(f"{name}.doubt" for name in self._paths))]
+        self._group, self._n_axis, self._reach, self._n = group, len(positions), reach, len(np.atleast_1d(np.asarray(group.lanes)))
+        self.left_over: Flags = np.zeros(self._n, dtype=np.bool_)
+        self._most = {name: np.full(self._n, np.inf) for name in self._paths}  # the largest window of the whole run that all samples allow
+        self._waiting: dict[str, list[tuple[Index, Index, Array, Array]]] = {name: [] for name in self._paths}
+
+    def _window(self, name: str) -> Array:
+        """Return the window [m] of each lane for its largest tracking error so far, and note the lanes that need a wider node."""
+        node = self._nodes[name]
+        square = self._group.state_of(name)[-1, : self._n] if self._reach is None else self._reach[name]
+        self.left_over |= square > node.parameters["error"] ** 2
+        return np.array([reach(self._paths[name], math.sqrt(one)) for one in square]) + node.parameters["planning"]
+
+    def take(self, log: Array, k: int, arc_length: Array) -> None:
+        """Judge the doubtful samples from tick k on.
+
+        Parameters
+        ----------
+        log : ndarray (n_tick, n_row, width)
+            Of `rows`.
+        arc_length : ndarray (n_tick,) [m]
+            Of the reference.
+        """
+        ticks, lanes = slice(k, k + len(log)), slice(self._n)
+        running = self._group.state_of(WATCH)[0, lanes] < 0.0
+        for j, (name, path) in enumerate(self._paths.items(), self._n_axis):
+            node, window = self._nodes[name], self._window(name)
+            counted = node.tables["counts"][ticks, None] * log[:, j, lanes] > 0.0
+            tick, lane = np.nonzero(counted & running & ~self.left_over)
+            around = (self._nodes[PLACE].tables["place"][ticks] if name == PART else arc_length)[tick]
+            points = log[tick, : self._n_axis, lane]
+            for large in (np.full(self._n, node.parameters["window"]), 2.0 * window) if self._reach is None else (window,):
+                if not tick.size:
+                    break
+                feet = path.foot_point(points, around, large[lane])
+                final = np.abs(feet.arc_length - around) <= window[lane]
+                self._add(name, (feet.signed if path.is_planar else feet.distance)[final], k + tick[final], lane[final])
+                np.minimum.at(self._most[name], lane[final], large[lane[final]])
+                tick, lane, around, points = tick[~final], lane[~final], around[~final], points[~final]
+            if tick.size:
+                self._waiting[name].append((k + tick, lane, around, points))
+                count = sum(np.bincount(lanes, minlength=self._n) for _, lanes, *_ in self._waiting[name])
+                self.left_over |= count > MOST_WAITING
+
+    def end(self) -> None:
+        """Judge the samples that wait for the end of the run."""
+        for name, path in self._paths.items():
+            window = self._window(name)
+            self.left_over |= window > self._most[name]
+            for tick, lane, around, points in self._waiting[name]:
+                feet = path.foot_point(points, around, window[lane])
+                self._add(name, feet.signed if path.is_planar else feet.distance, tick, lane)
+
+    def _add(self, name: str, error: Array, tick: Index, lane: Index) -> None:
+        """Add exact errors (n,) to the states of a judge, in the order of the ticks."""
+        states, n, size = self._group.state_of(name), self._n, np.abs(error)
+        for sum_name, values in (("sum_magnitude", size), ("sum_square", size**2), ("sum_signed", error)):
+            states[_ROW[sum_name], :n] += np.bincount(lane, values, n)
+        largest, at = states[_ROW["largest"], :n], states[_ROW["largest_at"], :n]
+        order = np.lexsort((tick, -size, lane))
+        first = order[np.flatnonzero(np.diff(lane[order], prepend=-1))]
+        of = lane[first]
+        ahead = (size[first] > largest[of]) | ((size[first] == largest[of]) & (tick[first] < at[of]))
+        largest[of[ahead]], at[of[ahead]] = size[first[ahead]], tick[first[ahead]]
+
+
+def wider(schedule: Schedule, machine: Machine, reference: Reference) -> Schedule:
+    """Return a schedule whose judges look for foot points as far as any variant that has not failed may need."""
     paths = {JUDGE: reference.path, PART: reference.programmed}
-    nodes = {node.name: node for node in schedule.nodes}
-    for name in sums:
-        numbers, cells = room_for(paths[name], most_error(machine), float(nodes[name].parameters["planning"]))
-        wide: dict[str, Any] = {"parameters": {**nodes[name].parameters, **numbers}, "tables": {**nodes[name].tables, **cells}}
-        nodes[name] = replace(nodes[name], **wide)
-    schedule = replace(schedule, nodes=tuple(nodes.values()))
-    groups = groups_of(schedule, doubtful, jit)
-
-    def again(group: Group, k: int, external: Array, arc_length: Array) -> None:
-        log, samples = group.run(external, rows), slice(k, k + len(external))
-        for (j, name), (lane, variant) in product(enumerate(sums, n), enumerate(np.asarray(group.lanes).tolist())):
-            here = np.flatnonzero(nodes[name].tables["counts"][samples] * log[:, j, lane])
-            if here.size:
-                path, around = paths[name], nodes[PLACE].tables["place"][samples] if name == PART else arc_length
-                window = reach(path, float(np.sqrt(sums[name][-1, variant]))) + float(nodes[name].parameters["planning"])
-                # Each lane on its own: the last digits of a foot point depend on what is searched together.
-                feet = path.foot_point(log[here, :n, lane], around[here], window)
-                _add(group.state_of(name)[:, lane], feet.signed if path.is_planar else feet.distance, k + here)
-
-    for first, stop in reference.blocks(BLOCK):
-        asked, external = feed.block(first, stop)
-        for k in range(0, len(external), _AT_ONCE):
-            cut = slice(k, k + _AT_ONCE)
-            in_threads(partial(again, k=first + k, external=external[cut], arc_length=asked.arc_length[cut]), groups, threads)
-    for name, total in sums.items():
-        total[:, doubtful] = sums_of(groups, name, doubtful.size)
-    unsure[doubtful] = 0.0
-    return unsure
-
-
-def _add(states: Array, error: Array, samples: Index) -> None:
-    """Add the exact errors (n,) of some samples to the states of a judge in one lane."""
-    size = np.abs(error)
-    for name, values in (("sum_magnitude", size), ("sum_square", size**2), ("sum_signed", error)):
-        states[_ROW[name]] += values.sum()
-    worst, largest = int(np.argmax(size)), [_ROW["largest"], _ROW["largest_at"]]
-    if (size[worst], -samples[worst]) > (states[largest[0]], -states[largest[1]]):
-        states[largest] = size[worst], samples[worst]
+    nodes = []
+    for node in schedule.nodes:
+        if node.name in paths:
+            numbers, cells = room_for(paths[node.name], most_error(machine), float(node.parameters["planning"]))
+            wide: dict[str, Any] = {"parameters": {**node.parameters, **numbers}, "tables": {**node.tables, **cells}}
+            node = replace(node, **wide)
+        nodes.append(node)
+    return replace(schedule, nodes=tuple(nodes))

@@ -10,6 +10,8 @@ import pytest
 from stages import control, make, stage
 
 import contourlab as cl
+from contourlab.loop import batch, judging
+from contourlab.loop.parameters import with_values
 from contourlab.metrics.judge import check_follows
 
 MACHINE = """\
@@ -105,13 +107,37 @@ def test_doubtful_variants_do_not_depend_on_their_neighbours() -> None:
         assert np.array_equal(values[30:31], alone.figures[figure], equal_nan=True), figure
 
 
+CHANGED: dict[str, dict[str, float]] = {"": {}, "cuts": {"CUT": 64}, "waiting": {"CUT": 64, "MOST_WAITING": 0}, "lag": {"LAG": 1e-9}}
+
+
+@pytest.mark.parametrize(("changed", "again"), list(zip(CHANGED.values(), (0, 0, 1, 1), strict=True)), ids=CHANGED)
+def test_samples_are_judged_at_once_at_the_end_or_in_a_second_run(
+    changed: dict[str, float], again: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Where a path passes near itself, the largest tracking error of the whole run decides which place may be the nearest."""
+    machine, name = stage(sensor=make("sensor", "ideal")), "controller.axes.x.controller.position_gain"
+    reference, controller = cl.uniform(cl.contour("butterfly"), 2.0, 1, machine.servo_period), control(coupled=False)
+    gains, runs = np.geomspace(3.0, 100.0, 4), []
+    monkeypatch.setattr(batch, "wider", lambda *given: (runs.append(given), judging.wider(*given))[1])
+    for constant, value in ({"LAG": 1.0} | changed).items():
+        for module in (judging, batch):
+            monkeypatch.setattr(module, constant, value, raising=module is judging)
+    found = cl.simulate_batch(machine, controller, reference, {name: gains})
+    assert len(runs) == again and not found.unsure.any()
+    for i, gain in enumerate(gains):
+        run = cl.simulate(*with_values(machine, controller, {name: gain}), reference)
+        errors = cl.summarise(cl.judge(run, reference), reference).contour_error
+        for figure in ("rms", "mean", "max", "integral"):
+            assert found.figures[f"contour_error_{figure}"][i] == pytest.approx(getattr(errors, figure), rel=1e-7, abs=1e-10), (figure, i)
+
+
 def test_a_contour_that_ends_where_it_starts_is_judged_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Start and end coincide, far apart along the path: a variant that follows well runs once."""
     case = zigzag(tmp_path, "G61", 90.0, 6.0, 8000.0, 90.0).base
     (tmp_path / "part.ngc").write_text("G17 G21 G90 G94 G61\nF3000\nG1 X20 Y5\nG1 X15 Y30\nG1 X-10 Y20\nG1 X0 Y0\nM2\n")
-    monkeypatch.setattr("contourlab.loop.judging.groups_of", None)
-    batch = cl.simulate_batch(case.machine, case.controller, case.reference(), {GAIN: [1.8]}, part=True)
-    assert batch.figures["part_error_max"][0] == pytest.approx(exact(case, case.reference(), 1.0).part_error.max, rel=1e-7)
+    monkeypatch.setattr("contourlab.loop.batch.wider", None)
+    found = cl.simulate_batch(case.machine, case.controller, case.reference(), {GAIN: [1.8]}, part=True)
+    assert found.figures["part_error_max"][0] == pytest.approx(exact(case, case.reference(), 1.0).part_error.max, rel=1e-7)
 
 
 def test_a_tool_that_stands_still_has_no_figures() -> None:
@@ -120,9 +146,9 @@ def test_a_tool_that_stands_still_has_no_figures() -> None:
     machine = replace(machine, axes=tuple(replace(axis, limits=cl.Limits(following_error=0.1)) for axis in machine.axes))
     ring = cl.uniform(cl.contour("circle", radius=5e-3), 4.0, 2, machine.servo_period)
     variants = {"axes.*.plant.gain": machine.axes[0].plant.gain * np.array([1.0, 0.8, 1e-9])}
-    batch = cl.simulate_batch(machine, control(coupled=False), ring, variants)
-    assert batch.failed_at.tolist() == [-1, -1, ring.n_sample - 1]
-    assert np.isnan(batch.figures["contour_error_max"]).tolist() == [False, False, True]
+    found = cl.simulate_batch(machine, control(coupled=False), ring, variants)
+    assert found.failed_at.tolist() == [-1, -1, ring.n_sample - 1]
+    assert np.isnan(found.figures["contour_error_max"]).tolist() == [False, False, True]
     stuck = replace(machine, axes=tuple(replace(axis, plant=axis.plant.replace(gain=1e-9)) for axis in machine.axes))
     judged = cl.judge(cl.simulate(stuck, control(coupled=False), ring), ring)
     assert np.abs(judged["contour_error"]).max() < 1e-9
