@@ -63,6 +63,13 @@ class Pieces(ctypes.Structure):
     _fields_ = [("start", ADDRESS), ("coefficients", ADDRESS), ("cell", ADDRESS), ("inverse_cell", NUMBER), ("length", NUMBER)]
     _fields_ += [("last_cell", ctypes.c_int), ("last_piece", ctypes.c_int)]
 
+    def __init__(self, table: PathTable) -> None:
+        assert table.halvings == 0, "lanes.c looks up tables with at most one start of a piece in a cell"
+        scale = 1e3 ** (1.0 - np.arange(6))
+        self.kept = 1e3 * table.start, np.ascontiguousarray(scale * table.coefficients), table.cell.astype(np.intc)
+        last = len(table.cell) - 2, len(table.coefficients) - 1
+        super().__init__(*(array.ctypes.data for array in self.kept), 1e-3 * table.inverse_cell, 1e3 * table.length, *last)
+
 
 def lanes(axes: Array, weight: Array, n: int, dt: float, path: PathTable | float, reference: Array | tuple[float, float]) -> Work:
     """Return variants in lanes: lanes.c.
@@ -80,27 +87,19 @@ def lanes(axes: Array, weight: Array, n: int, dt: float, path: PathTable | float
         Position, velocity, acceleration and arc length in mm and s; or radius and angular frequency of a circle, sampled in each run.
     """
     n_axis, _, width = axes.shape
-    numbers, log = aligned((n_axis, 17, width)), np.zeros((n, 2 * n_axis + 1, width))
+    numbers, log = aligned((n_axis, 17, width)), aligned((n, 2 * n_axis + 1, width))
     for row, given in zip(numbers, axes, strict=True):
         *plant, stribeck, smoothing, limit, bandwidth, cutoff, model_gain, model_damping, kv, kp, ki, forward_gain, forward_damping = given
         weights = [rate * dt / (1.0 + rate * dt) for rate in (bandwidth, cutoff)]
         row[:7] = *plant, 1.0 / stribeck, 1.0 / smoothing, limit
         row[7:12] = *weights, cutoff, 1.0 / model_gain, model_damping
         row[12:] = kv, kp, kp * ki, 1.0 / forward_gain, forward_damping / forward_gain
-    flags = [f"-DAXES={n_axis}", f"-DWIDTH={width}"]
-    held: tuple[Array, ...] = ()
-    line: Any = (NUMBER * 2)(path, 1.0 / path) if isinstance(path, float) else None
-    if isinstance(path, PathTable):
-        assert path.halvings == 0, "lanes.c looks up tables with at most one start of a piece in a cell"
-        flags.append("-DTABLE")
-        held = 1e3 * path.start, np.ascontiguousarray(path.coefficients * 1e3 ** (1.0 - np.arange(6))), path.cell.astype(np.intc)
-        line = Pieces(
-            *(array.ctypes.data for array in held), 1e-3 * path.inverse_cell, 1e3 * path.length, len(held[2]) - 2, len(held[1]) - 1
-        )
-    library = compiled("lanes.c", *VECTORS, *flags)
+    in_pieces = isinstance(path, PathTable)
+    line: Any = Pieces(path) if in_pieces else (NUMBER * 2)(path, 1.0 / path)
+    library = compiled("lanes.c", *VECTORS, f"-DAXES={n_axis}", f"-DWIDTH={width}", *(["-DTABLE"] if in_pieces else []))
     samples = reference if isinstance(reference, np.ndarray) else np.zeros((n, 3 * n_axis + 1))
 
-    def work(_keep: object = held) -> Array:
+    def work() -> Array:
         if isinstance(reference, tuple):
             library.sample_circle(SIZE(n), NUMBER(dt), *map(NUMBER, reference), at(samples))
         library.simulate(at(numbers), at(weight), ctypes.byref(line), at(samples), SIZE(n), NUMBER(dt), NUMBER(1e3), at(log))

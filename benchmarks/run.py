@@ -245,7 +245,7 @@ def on_circle() -> list[Contender]:
     ]
     for table, pieces in (("", None), (" table 4k", 4_000), (" table 200k", 200_000)):
         path = RADIUS if pieces is None else PATH.table(1e-10, pieces=pieces)
-        reference, flags = f"c lanes 32{table}", " ".join(references.VECTORS)
+        reference, flags = f"c lanes 32{table}", "" if table else f"also {' '.join(references.VECTORS)}"
         rows += in_c(reference, lambda path=path: references.lanes(*numbers_in_c(variants), STEPS, PERIOD, path, (RADIUS, RATE)), 32, flags)
         rows.append(batch(f"contourlab batch 32{table}", reference, variants, pieces=pieces))
         if pieces is None:
@@ -257,7 +257,7 @@ def with_backlash() -> list[Contender]:
     """Return the rows of a stage with backlash."""
     stage = stage_with_backlash()
     gap = {"axes.x.plant.backlash_gap": 25e-6 * (1.0 + 0.05 * np.sin(np.arange(32)))}
-    one = "its reference is one variant: where each lane finds contacts of its own, C in lanes would be a work of its own"
+    one = "its reference is one variant, not lanes"
     return [
         *in_c("c backlash", lambda: references.backlash(*stage, 1e-3 * RADIUS, RATE, STEPS)),
         single("contourlab backlash single", circle, "c backlash", "two inertias, a gap, true sticking; four sub-steps", stage),
@@ -330,7 +330,7 @@ def bench_judged(bench: Bench, repeat: int) -> None:
     """Time a judged batch on one and on two threads, and on a GPU, in wall time."""
     name = "contourlab batch, judged, 2 threads"
     (one, _), (two, error) = (timed(repeat, 128, threads=threads) for threads in (1, 2))
-    note = f"128 variants, judged during the run, which its reference is not, both laps; wall time, {one / two:.2f} times one thread's; "
+    note = f"128 variants, judged over both laps, which the C is not; wall time; two threads: {one / two:.2f} times one; "
     bench.add(name, two, error, STEPS * 128, "c lanes 32", note + f"{os.cpu_count()} processors")
     try:
         seconds, error = timed(min(repeat, 2), WIDE, gpu=True)
