@@ -370,10 +370,10 @@ def main() -> int:
     options = parser.parse_args()
     bench = Bench()
     print(f"{platform.platform()}, Python {platform.python_version()}, {os.cpu_count()} processors; {STEPS} steps of {PERIOD * 1e3:g} ms")
+    if not references.compiler():
+        print("No C compiler found: the rows in C are left out, and ratios to them are empty")
     print("Nanoseconds per step and variant; rms contour error of the second lap (judge: part error, second half) in mm")
     print(f"{'':35s}{'ns':>9s}{'to C':>7s}{'ratio':>7s}  {'rms':17s}ratio to")
-    if not references.compiler():
-        print("c: no compiler found, so no ratios to C")
     with tempfile.TemporaryDirectory() as folder:
         bench.rounds([*on_circle(), *with_backlash(), *with_five_axes(), *judging(Path(folder))], options.repeat)
     bench_judged(bench, min(options.repeat, 7))
