@@ -3,23 +3,22 @@
 from __future__ import annotations
 
 import argparse
-import ctypes
 import itertools
 import json
 import math
 import os
 import platform
-import shutil
-import subprocess
 import sys
 import tempfile
+import textwrap
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import backlash
 import numpy as np
+import references
 
 import contourlab as cl
 from contourlab.components.controller.position import PositionController
@@ -29,12 +28,14 @@ from contourlab.components.estimator.newton import Newton
 from contourlab.components.friction.laws import SmoothCoulomb
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
 from contourlab.components.plant.plant import RigidAxis
+from contourlab.errors import EngineError
 from contourlab.geometry.view import view_of
 
 HERE = Path(__file__).resolve().parent
 PERIOD, STEPS, RADIUS, FREQUENCY, WEIGHT = 1e-4, 40_000, 20.0, 0.5, 0.75
 PATH = cl.contour("circle", radius=1e-3 * RADIUS)
-FLAGS = ("-O3", "-march=native", "-fPIC", "-shared")
+RATE = 2.0 * math.pi * FREQUENCY
+WIDE = 65_536
 SIGNALS = ("position", "applied_command", "contour_error_estimate")
 NAMES = [
     "gain",
@@ -95,81 +96,63 @@ def machine_and_controller(names: str = "xy") -> tuple[cl.Machine, cl.Controller
 
 
 def rms(error: np.ndarray) -> float:
-    """Return the root mean square over the second lap [mm]."""
-    return float(np.sqrt(np.mean(np.square(error[STEPS // 2 :]))))
-
-
-def compiled_c(folder: Path) -> ctypes.CDLL | None:
-    """Compile the reference, or return None without a compiler."""
-    compiler = next((c for c in ("cc", "gcc", "clang") if shutil.which(c)), None)
-    if compiler is None:
-        return None
-    library = folder / "reference.so"
-    subprocess.run([compiler, *FLAGS, "-o", str(library), str(HERE / "reference.c"), "-lm"], check=True)
-    return ctypes.CDLL(str(library))
+    """Return the root mean square over the second half, on a circle the second lap [mm]."""
+    return float(np.sqrt(np.mean(np.square(error[len(error) // 2 :]))))
 
 
 @dataclass
 class Contender:
-    """One way to do the work: `work` runs once and returns the error signal of the nominal variant [mm]."""
+    """One way to do the work: `work` runs once and returns the error signal of the nominal variant [mm]; `reference` is another's name."""
 
     name: str
     work: Callable[[], np.ndarray]
     variants: int = 1
+    reference: str | None = None
     note: str = ""
 
 
+@dataclass
 class Bench:
-    """Collects rows."""
+    """Collects rows; a row has ratios to those before it."""
 
-    def __init__(self) -> None:
-        self.rows: list[dict[str, object]] = []
-        self.reference: float | None = None
+    rows: list[dict[str, object]] = field(default_factory=list)
+    ns: dict[str, float] = field(default_factory=dict)
 
-    def add(self, name: str, seconds: float, error: float, variants: int = 1, note: str = "") -> None:
-        """Keep and print one row."""
-        ns = seconds / STEPS / variants * 1e9
-        if name == "c":
-            self.reference = ns
-        ratio = ns / self.reference if self.reference else None
-        self.rows.append({"name": name, "ns_per_step_variant": ns, "ratio_to_c": ratio, "rms": error, "note": note})
-        shown = f"{ratio:10.3f}" if ratio is not None else " " * 10
-        print(f"{name:36s}{ns:14.1f}{shown}   {error:.12g}   {note}", flush=True)
+    def add(self, name: str, seconds: float, error: float, steps: int = 0, reference: str | None = None, note: str = "") -> None:
+        """Keep and print one row: `seconds` for `steps` of all variants together."""
+        ns = self.ns[name] = seconds / (steps or STEPS) * 1e9
+        to_c, ratio = (ns / self.ns[other] if other in self.ns else None for other in ("c", reference))
+        row = {"name": name, "ns_per_step_variant": ns, "ratio_to_c": to_c, "reference": reference, "ratio": ratio, "rms": error}
+        self.rows.append({**row, "note": note})
+        ratios = "".join(f"{f'{value:#.3g}'.rstrip('.') if value else '':>7s}" for value in (to_c, ratio))
+        print(f"{name:35s}{ns:9.1f}{ratios}  {error:<17.12g}{reference or ''}".rstrip(), flush=True)
 
     def rounds(self, contenders: list[Contender], repeat: int) -> None:
         """Run all in turns, so that other load on the machine affects all alike; the shortest processor time counts.
 
         Each is timed right after an untimed run of its own, so that the others do not affect its processor caches.
         """
-        error = {contender.name: rms(contender.work()) for contender in contenders}
-        found = dict.fromkeys(error, math.inf)
+        found = [math.inf] * len(contenders)
+        errors = [contender.work().copy() for contender in contenders]
         for _ in range(repeat):
-            for contender in contenders:
+            for i, contender in enumerate(contenders):
                 contender.work()
                 start = time.process_time()
                 contender.work()
-                found[contender.name] = min(found[contender.name], time.process_time() - start)
-        for one in contenders:
-            self.add(one.name, found[one.name], error[one.name], one.variants, one.note)
+                found[i] = min(found[i], time.process_time() - start)
+        for one, seconds, error in zip(contenders, found, errors, strict=True):
+            self.add(one.name, seconds, rms(error), len(error) * one.variants, one.reference, one.note)
+
+    def notes(self) -> None:
+        """Print the remarks on the rows."""
+        for row in self.rows:
+            if row["note"]:
+                print(textwrap.fill(f"{row['name']}: {row['note']}", 110, subsequent_indent="  "))
 
 
-def in_c(folder: Path) -> list[Contender]:
-    """Return the hand-written C; nothing without a compiler."""
-    library = compiled_c(folder)
-    if library is None:
-        print("c: no compiler found, so no ratios")
-        return []
-    numbers = np.array([*AXES[0], *AXES[1], RADIUS, 2.0 * math.pi * FREQUENCY, WEIGHT])
-    log = np.zeros((STEPS, 5))
-    pointer = ctypes.POINTER(ctypes.c_double)
-    function = library.simulate
-    function.argtypes = [pointer, ctypes.c_ssize_t, ctypes.c_double, pointer]
-
-    def work() -> np.ndarray:
-        function(numbers.ctypes.data_as(pointer), STEPS, PERIOD, log.ctypes.data_as(pointer))
-        return log[:, 4]
-
-    return [Contender("c", work, note=" ".join(FLAGS))]
+def in_c(name: str, make: Callable[[], references.Work], variants: int = 1, note: str = "") -> list[Contender]:
+    """Return a row in hand-written C; nothing without a compiler."""
+    return [Contender(name, make(), variants, note=note)] if references.compiler() else []
 
 
 def circle() -> cl.Reference:
@@ -185,14 +168,14 @@ def stage_with_backlash() -> Subject:
     return backlash.machine("two-inertia", "coulomb", 4), backlash.controller()
 
 
-def single(name: str, reference: Callable[[], cl.Reference], note: str, subject: Subject | None = None) -> Contender:
+def single(name: str, reference: Callable[[], cl.Reference], against: str, note: str = "", subject: Subject | None = None) -> Contender:
     """Return one variant through `simulate`."""
     machine, controller = subject or machine_and_controller()
 
     def work() -> np.ndarray:
         return 1e3 * cl.simulate(machine, controller, reference(), signals=SIGNALS)["contour_error_estimate"]
 
-    return Contender(name, work, note=note)
+    return Contender(name, work, 1, against, note)
 
 
 def spread(n: int) -> dict[str, np.ndarray]:
@@ -209,15 +192,34 @@ def spread(n: int) -> dict[str, np.ndarray]:
     return found
 
 
+IN_C = {"gain": ("gain", 1e3), "damping": ("damping", 1.0)}
+IN_C |= {"velocity_gain": ("kv", 1e-3), "position_gain": ("kp", 1e-3), "integral_gain": ("ki", 1.0)}
+"""Name and factor in the C of a parameter that varies."""
+
+
+def numbers_in_c(variants: dict[str, np.ndarray], names: str = "xy") -> tuple[np.ndarray, np.ndarray]:
+    """Return variants as the C takes them: the numbers (n_axis, 16, n) of the axes, and the weight (n,)."""
+    n = len(next(iter(variants.values())))
+    axes = np.repeat(np.array([numbers for _, numbers in zip(names, itertools.cycle(AXES))])[:, :, None], n, axis=2)
+    for key, values in variants.items():
+        *_, axis, _part, parameter = key.split(".")
+        if axis in names:
+            name, factor = IN_C[parameter]
+            axes[names.index(axis), NAMES.index(name)] = factor * values
+    return axes, variants.get("controller.coupling.weight", np.full(n, WEIGHT))
+
+
 def batch(
     name: str,
+    against: str,
+    variants: dict[str, np.ndarray],
+    note: str = "",
+    *,
     pieces: int | None = None,
     subject: Subject | None = None,
     reference: Callable[[], cl.Reference] = circle,
-    variants: dict[str, np.ndarray] | None = None,
-    note: str = "samples a new reference in each run",
 ) -> Contender:
-    """Return 32 variants in lanes through `simulate_batch`, on one thread."""
+    """Return variants in lanes through `simulate_batch`, on one thread."""
     machine, controller = subject or machine_and_controller()
     view = view_of(reference().path, pieces=pieces, analytic=pieces is None)
     held: list[cl.BatchResult] = []
@@ -225,43 +227,117 @@ def batch(
     def work() -> np.ndarray:
         given = {"keep": SIGNALS, "threads": 1, "judge": False, "view": view}
         given["reuse"] = held[0] if held else None  # its memory, as the C does
-        held[:] = [cl.simulate_batch(machine, controller, reference(), variants or spread(32), **given)]
+        held[:] = [cl.simulate_batch(machine, controller, reference(), variants, **given)]
         return 1e3 * held[0].signals["contour_error_estimate"][:, 0, 0]
 
-    return Contender(name, work, 32, note)
+    return Contender(name, work, len(next(iter(variants.values()))), against, note)
 
 
-def more_machines() -> list[Contender]:
-    """Return a stage with backlash and a machine of five axes, each single and in a batch whose first variant is nominal."""
-    factors = 1.0 + 0.05 * np.sin(np.arange(32))
-    loose, five = stage_with_backlash(), machine_and_controller("xyzac")
-    sampled = cl.uniform(cl.contour("lissajous", axes=5), FREQUENCY, 2, PERIOD)
-    gap = {"axes.x.plant.backlash_gap": 25e-6 * factors}
-    gains = {f"axes.{axis.name}.plant.gain": axis.plant.gain * factors for axis in five[0].axes}
+def on_circle() -> list[Contender]:
+    """Return the rows of two axes on a circle, evaluated in closed form or as a table."""
+    sampled, variants = circle(), spread(32)
+    numbers = np.array([*AXES[0], *AXES[1], RADIUS, RATE, WEIGHT])
+    rows = [
+        *in_c("c", lambda: references.circle(numbers, STEPS, PERIOD), 1, " ".join(references.FLAGS)),
+        single("contourlab single", circle, "c", "samples a new reference in each run, as the C and the batches below do"),
+        single("contourlab single, sampled before", lambda: sampled, "c", "reuses the samples of one reference"),
+        batch("contourlab batch 1", "contourlab single", spread(1)),
+    ]
+    for table, pieces in (("", None), (" table 4k", 4_000), (" table 200k", 200_000)):
+        path = RADIUS if pieces is None else PATH.table(1e-10, pieces=pieces)
+        reference, flags = f"c lanes 32{table}", "" if table else f"also {' '.join(references.VECTORS)}"
+        rows += in_c(reference, lambda path=path: references.lanes(*numbers_in_c(variants), STEPS, PERIOD, path, (RADIUS, RATE)), 32, flags)
+        rows.append(batch(f"contourlab batch 32{table}", reference, variants, pieces=pieces))
+        if pieces is None:
+            rows.append(batch("contourlab batch 33", "contourlab batch 32", spread(33)))
+    return rows
+
+
+def with_backlash() -> list[Contender]:
+    """Return the rows of a stage with backlash."""
+    stage = stage_with_backlash()
+    gap = {"axes.x.plant.backlash_gap": 25e-6 * (1.0 + 0.05 * np.sin(np.arange(32)))}
+    one = "its reference is one variant, not lanes"
     return [
-        single("contourlab backlash single", circle, "two inertias, a gap, true sticking; four sub-steps", loose),
-        batch("contourlab backlash batch 32", None, loose, circle, gap),
-        single("contourlab five axes single", lambda: sampled, "reuses the samples of one reference", five),
-        batch("contourlab five axes batch 32", None, five, lambda: sampled, gains, "reuses the samples of one reference"),
+        *in_c("c backlash", lambda: references.backlash(*stage, 1e-3 * RADIUS, RATE, STEPS)),
+        single("contourlab backlash single", circle, "c backlash", "two inertias, a gap, true sticking; four sub-steps", stage),
+        batch("contourlab backlash batch 32", "c backlash", gap, one, subject=stage),
     ]
 
 
-def bench_threads(bench: Bench, repeat: int) -> None:
-    """Time a batch on one and on two threads, in wall time."""
+def with_five_axes() -> list[Contender]:
+    """Return the rows of five axes, which reuse the samples of one reference."""
+    five = machine_and_controller("xyzac")
+    sampled = cl.uniform(cl.contour("lissajous", axes=5), FREQUENCY, 2, PERIOD)
+    samples, table = references.samples_of(sampled), sampled.path.table(1e-10)
+    factors = 1.0 + 0.05 * np.sin(np.arange(32))
+    gains = {f"axes.{axis.name}.plant.gain": axis.plant.gain * factors for axis in five[0].axes}
+
+    def c(name: str, variants: dict[str, np.ndarray], n: int) -> list[Contender]:
+        return in_c(name, lambda: references.lanes(*numbers_in_c(variants, "xyzac"), STEPS, PERIOD, table, samples), n)
+
+    return [
+        *c("c five axes", {name: values[:1] for name, values in gains.items()}, 1),
+        single("contourlab five axes single", lambda: sampled, "c five axes", "", five),
+        *c("c five axes lanes 32", gains, 32),
+        batch("contourlab five axes batch 32", "c five axes lanes 32", gains, subject=five, reference=lambda: sampled),
+    ]
+
+
+def relief(lines: int) -> str:
+    """Return a program that mills a relief in lines of 0.25 mm, 160 in a row, blended within 5 um."""
+    text, x, y = ["G21 G90 G17 G64 P0.005", "F3000", "G0 X0 Y0 Z5", "G1 Z0"], 0.0, 0.0
+    for i in range(lines):
+        y = 0.25 * (i // 160)
+        x += -0.25 if i // 160 % 2 else 0.25
+        z = -1.0 + 0.6 * math.sin(0.35 * x) * math.cos(0.27 * y) + 0.25 * math.sin(0.9 * x + 0.4 * y)
+        text.append(f"G1 X{x:.4f} Y{y:.4f} Z{z:.4f}")
+    return "\n".join([*text, "G0 Z5", "M2", ""])
+
+
+def judging(folder: Path) -> list[Contender]:
+    """Return the rows of the judge: a run of a relief on three axes, with the part error of all samples [mm]."""
+    (folder / "relief.ngc").write_text(relief(1_600), encoding="utf-8")
+    machine = 'machine = {file = "builtin:xyz", servo_period = "0.5 ms"}\ncontroller = "builtin:xyz-controller"\n'
+    (folder / "relief.toml").write_text(f'{machine}program = "relief.ngc"\n', encoding="utf-8")
+    case = cl.load_scenario(folder / "relief.toml").base
+    reference = case.reference()
+    run = cl.simulate(case.machine, case.controller, reference)
+    judged = cl.judge(run, reference)
+    less = (
+        "part error alone, on lines; contourlab also finds contour error and planning deviation on lines and blends, and checks its input"
+    )
+    return [
+        *in_c("c nearest point", lambda: references.nearest(judged, reference), 1, less),
+        Contender(
+            "contourlab judge", lambda: 1e3 * cl.judge(run, reference)["part_error"], 1, "c nearest point", "of a path judged before"
+        ),
+    ]
+
+
+def timed(repeat: int, n: int, **given: object) -> tuple[float, float]:
+    """Return the shortest wall time of n variants judged during the run, and the contour error of the first [mm]."""
     machine, controller = machine_and_controller()
-    reference = circle()
-    variants = spread(128)
-    times = {}
-    for threads in (1, 2):
-        cl.simulate_batch(machine, controller, reference, variants, threads=threads)
-        found = []
-        for _ in range(repeat):
-            start = time.perf_counter()
-            held = cl.simulate_batch(machine, controller, reference, variants, threads=threads)
-            found.append(time.perf_counter() - start)
-        times[threads] = min(found)
-    note = f"128 variants, judged during the run; two threads: {times[1] / times[2]:.2f} times one; {os.cpu_count()} processors"
-    bench.add("contourlab batch, judged, 2 threads", times[2], 1e3 * held.figures["contour_error_rms"][0], 128, note=note)
+    reference, variants, found = circle(), spread(n), []
+    for _ in range(repeat + 1):
+        start = time.perf_counter()
+        held = cl.simulate_batch(machine, controller, reference, variants, **given)
+        found.append(time.perf_counter() - start)
+    return min(found[1:]), 1e3 * held.figures["contour_error_rms"][0]
+
+
+def bench_judged(bench: Bench, repeat: int) -> None:
+    """Time a judged batch on one and on two threads, and on a GPU, in wall time."""
+    name = "contourlab batch, judged, 2 threads"
+    (one, _), (two, error) = (timed(repeat, 128, threads=threads) for threads in (1, 2))
+    note = f"128 variants, judged over both laps, which the C is not; wall time; two threads: {one / two:.2f} times one; "
+    bench.add(name, two, error, STEPS * 128, "c lanes 32", note + f"{os.cpu_count()} processors")
+    try:
+        seconds, error = timed(min(repeat, 2), WIDE, gpu=True)
+    except EngineError as reason:
+        print(f"contourlab gpu: left out: {reason}")
+    else:
+        bench.add("contourlab gpu", seconds, error, STEPS * WIDE, name, f"{WIDE} variants, as its reference; wall time")
 
 
 def bench_plain(bench: Bench) -> None:
@@ -270,7 +346,8 @@ def bench_plain(bench: Bench) -> None:
     reference = circle()
     start = time.process_time()
     held = cl.simulate(machine, controller, reference, jit=False, signals=SIGNALS)
-    bench.add("plain python", time.process_time() - start, 1e3 * rms(held["contour_error_estimate"]), note="the components as written")
+    error = 1e3 * rms(held["contour_error_estimate"])
+    bench.add("plain python", time.process_time() - start, error, reference="c", note="the components as written")
 
 
 def bench_others(bench: Bench) -> None:
@@ -282,7 +359,7 @@ def bench_others(bench: Bench) -> None:
         ("python-control", python_control, "one discrete nonlinear system, input_output_response"),
         ("solve_ivp", scipy_ivp, "one call per tick, RK45 at rtol 1e-8 instead of one Runge-Kutta step"),
     ):
-        bench.add(name, *tool(work, STEPS), note=note)
+        bench.add(name, *tool(work, STEPS), reference="c", note=note)
 
 
 def main() -> int:
@@ -293,23 +370,17 @@ def main() -> int:
     options = parser.parse_args()
     bench = Bench()
     print(f"{platform.platform()}, Python {platform.python_version()}, {os.cpu_count()} processors; {STEPS} steps of {PERIOD * 1e3:g} ms")
-    print(f"{'':36s}{'ns/step/variant':>14s}{'to C':>10s}   rms contour error, second lap [mm]")
-    sampled = circle()
+    if not references.compiler():
+        print("No C compiler found: the rows in C are left out, and ratios to them are empty")
+    print("Nanoseconds per step and variant; rms contour error of the second lap (judge: part error, second half) in mm")
+    print(f"{'':35s}{'ns':>9s}{'to C':>7s}{'ratio':>7s}  {'rms':17s}ratio to")
     with tempfile.TemporaryDirectory() as folder:
-        contenders = [
-            *in_c(Path(folder)),
-            single("contourlab single", circle, "samples a new reference in each run"),
-            single("contourlab single, sampled before", lambda: sampled, "reuses the samples of one reference"),
-            batch("contourlab batch 32"),
-            batch("contourlab batch 32 table 4k", 4_000),
-            batch("contourlab batch 32 table 200k", 200_000),
-            *more_machines(),
-        ]
-        bench.rounds(contenders, options.repeat)
-    bench_threads(bench, min(options.repeat, 7))
+        bench.rounds([*on_circle(), *with_backlash(), *with_five_axes(), *judging(Path(folder))], options.repeat)
+    bench_judged(bench, min(options.repeat, 7))
     if not options.quick:
         bench_plain(bench)
         bench_others(bench)
+    bench.notes()
     out = HERE / "out"
     out.mkdir(exist_ok=True)
     (out / "bench.json").write_text(json.dumps({"platform": platform.platform(), "rows": bench.rows}, indent=2), encoding="utf-8")

@@ -34,13 +34,18 @@ feed = {{ law = "uniform", frequency = "0.5 Hz", laps = 2 }}
 """
 
 
-def cost(command: list[str]) -> tuple[float, float, float]:
-    """Run a command; return its wall time [s], processor time with all its children [s] and largest process [MB]."""
+def cost(command: list[str], folder: str | None = None, allowed: tuple[int, ...] = (0,)) -> tuple[float, float, float]:
+    """Run a command; return its wall time [s], processor time with all its children [s] and largest process [MB].
+
+    It runs in a folder, by default this one. An exit code that is not allowed ends the benchmark.
+    """
     begun = time.perf_counter()
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL)
-    _, status, usage = os.wait4(process.pid, 0)
-    if status:
-        sys.exit(f"failed: {' '.join(command)}")
+    with tempfile.TemporaryFile() as errors:
+        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=errors, cwd=folder)
+        _, status, usage = os.wait4(process.pid, 0)
+        if os.waitstatus_to_exitcode(status) not in allowed:
+            errors.seek(0)
+            sys.exit(f"failed: {' '.join(command)}\n{errors.read().decode()}")
     return time.perf_counter() - begun, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
 
 
