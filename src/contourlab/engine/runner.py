@@ -277,10 +277,14 @@ ALONE = 2
 """Most variants that are left over from whole lanes and run each alone: that is quicker than lanes that are mostly empty."""
 
 
-def groups_of(schedule: Schedule, variants: Index, jit: bool, *, alone: bool = True) -> list[Group]:
-    """Return groups for variants (n,) in order, with the numbers of lanes; `alone` allows groups of one."""
-    left = variants.size % VECTOR
-    left = left if alone and jit and left <= ALONE else 0
+def groups_of(schedule: Schedule, variants: Index, jit: bool, *, width: int | None = None) -> list[Group]:
+    """Return groups for variants (n,) in order, with the numbers of lanes.
+
+    All have `width` lanes, a multiple of 16; by default they have 16, and variants that are left over may run alone.
+    """
+    left = variants.size % VECTOR if width is None and jit else 0
+    left = left if left <= ALONE else 0
     full, single = np.split(variants, [variants.size - left])
-    groups = [make_group(schedule, VECTOR, full[i : i + VECTOR], jit) for i in range(0, full.size, VECTOR)]
+    width = width or VECTOR
+    groups = [make_group(schedule, width, full[i : i + width], jit) for i in range(0, full.size, width)]
     return groups + [CompiledGroup(schedule, 1, single[i : i + 1], like_lanes=True) for i in range(left)]

@@ -22,6 +22,7 @@ from contourlab.engine.runner import Group, groups_of, make_group, memory_rows
 from contourlab.engine.step import Node, Step
 from contourlab.engine.translate.outer import Reads
 from contourlab.engine.translate.step_graph import graph_of
+from contourlab.engine.translate.tick_loop import VECTOR
 from contourlab.errors import ParameterError, refuse
 from contourlab.feed import Reference
 from contourlab.figures import number
@@ -261,7 +262,9 @@ def simulate_batch(
         lanes = lanes_of(n, sum(memory_rows(loop.schedule)))
         groups = [make_group(loop.schedule, lanes, slice(i, i + lanes), compiled, device) for i in range(0, n, lanes)]
     else:
-        groups = groups_of(loop.schedule, np.arange(n), compiled, alone=not keep)
+        # The signals of one group need no copy; groups of 64 lanes still fit into the caches.
+        count = max(-(-n // 64), min(workers, -(-n // VECTOR)))
+        groups = groups_of(loop.schedule, np.arange(n), compiled, width=VECTOR * -(-n // (VECTOR * count)) if keep else None)
     doubts = [exactly(group) for group in groups] if judged and device is None else []
     for name in keep:
         refuse(name not in loop.signals, ParameterError, "keep", name, "one of " + ", ".join(loop.signals))
