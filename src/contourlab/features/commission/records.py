@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from contourlab.arrays import Array, true_spans
+from contourlab.arrays import Array, Flags, true_spans
 from contourlab.errors import LogError
 from contourlab.features.commission.excitation import SIGNALS, sampler_columns
 from contourlab.features.commission.hal_files import AxisSetup, LoopClass, Setup
@@ -119,6 +119,18 @@ def _column(names: Mapping[str, str], numbered: Mapping[str, str], axis: AxisSet
     return next((names[name.lower()] for name in (*usual[signal], *wired) if name.lower() in names), None)
 
 
+REST = 0.5
+"""Time [s] for which a command that does not move is of interest."""
+
+
+def restless(command: Array, period: float) -> Flags:
+    """Return which samples of a command (n,) move, or follow a motion within `REST`."""
+    kept = np.ones(command.size, dtype=bool)
+    for first, last in true_spans(np.append(True, np.diff(command) == 0.0)):
+        kept[first + round(REST / period) : last] = False
+    return kept
+
+
 def moving(log: AxisLog) -> AxisLog:
     """Return a log from half a second before the first motion of the axis to half a second after its last, from rest."""
     # While LinuxCNC is off, the command repeats the noisy position.
@@ -127,7 +139,7 @@ def moving(log: AxisLog) -> AxisLog:
     moves = free + np.flatnonzero(np.diff(log.command[free:]))
     if not moves.size:
         return log
-    margin = round(0.5 / log.period)
+    margin = round(REST / log.period)
     first, last = max(int(moves[0]) - margin, free + min(margin, int(moves[0]) - free)), min(int(moves[-1]) + margin, log.command.size)
     part = slice(first, last)
     load = None if log.load is None else log.load[part]

@@ -1,4 +1,4 @@
-"""Gains of HAL's ``pid`` that follow given commands best: one at a time from placed poles, then all at once, as in ``tune``."""
+"""Gains of HAL's ``pid`` that follow given commands best: placed poles, then a search over all of them, as in ``tune``."""
 
 from __future__ import annotations
 
@@ -12,12 +12,13 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, refuse
 from contourlab.features.commission.loop import GAINS, ROBUST, AxisModel, Law, keep_margins, run_lanes
-from contourlab.study import search
-from contourlab.study.search import drawn_starts
+from contourlab.features.commission.records import restless
+from contourlab.study.search import restarted
 
 UNSEEN = 1.0
 """Delay in periods, beyond that of the model, with which the margins must hold: a log of slow motion does not show the current loop."""
-BUDGET, STARTS, PASSES, VALUES = 3000, 3, 2, 33
+BUDGET = 1400
+"""Sets of gains that a search tries."""
 TIE = 0.05
 """Weight of the rms error beside the largest."""
 ROUGH = 0.1
@@ -176,6 +177,8 @@ def tune_axis(task: AxisTask, *, unit: float = 1e-3, seed: int = 0) -> TunedAxis
     ParameterError
         If no gains keep the margins.
     """
+    moves = [(command, noise, restless(command, task.law.period)) for command, noise in task.pairs()]
+    lively = [(command[kept], noise[kept]) for command, noise, kept in moves]
 
     def objective(points: Array) -> Array:
         gains = task.gains(points)
@@ -188,7 +191,7 @@ def tune_axis(task: AxisTask, *, unit: float = 1e-3, seed: int = 0) -> TunedAxis
         if task.off:
             larger = replace(task.model, gain=max(ROBUST) * task.model.gain)
             worst = np.maximum(worst, OFF * task.switched_on(gains[good], larger))
-        for command, noise in task.pairs():
+        for command, noise in lively:
             runs = run_lanes(command, noise, gains[good], [task.model], task.law)
             worst, rms = np.maximum(worst, runs.largest), np.maximum(rms, runs.rms)
             bound = ROUGH * np.maximum(runs.output, 1e-12)
@@ -196,16 +199,13 @@ def tune_axis(task: AxisTask, *, unit: float = 1e-3, seed: int = 0) -> TunedAxis
         values[good] = (worst + TIE * rms) * (1.0 + excess)
         return values
 
-    start, value = _placed(objective)
-    start, value = _sequential(objective, start, value)
-    optimum = search(objective, drawn_starts([start], STARTS, len(BOX), seed), budget=BUDGET, seed=seed, population=32)
-    point = optimum.point if optimum.value < value else start
+    point = restarted(objective, _placed(objective)[None], BUDGET, seed).point
     gains = np.array([float(f"{unit * gain:.4g}") / unit for gain in task.gains(point[None])[0]])
-    spread = max(task.largest(gains, factor) for factor in ROBUST)
-    return TunedAxis(gains, task.largest(gains), spread)
+    largest = {factor: task.largest(gains, factor) for factor in ROBUST}
+    return TunedAxis(gains, largest[1.0], max(largest.values()))
 
 
-def _placed(objective: Callable[[Array], Array]) -> tuple[Array, float]:
+def _placed(objective: Callable[[Array], Array]) -> Array:
     """Return the best of well damped poles from slow to fast, with nominal feedforward."""
     speeds = np.linspace(0.02, 0.98, 96)
     points = np.column_stack([speeds, *(np.full(speeds.size, share) for share in (0.55, 0.3, 0.5, 1.0 / 3.0))])
@@ -213,19 +213,4 @@ def _placed(objective: Callable[[Array], Array]) -> tuple[Array, float]:
     values = objective(points)
     best = int(np.argmin(values))
     refuse(not math.isfinite(values[best]), ParameterError, "margins", "no gains found", "smaller margins: a delayed axis cannot keep them")
-    return points[best], float(values[best])
-
-
-def _sequential(objective: Callable[[Array], Array], point: Array, value: float) -> tuple[Array, float]:
-    """Improve one number at a time, each along a coarse and a fine line."""
-    point = point.copy()
-    for _ in range(PASSES):
-        for i in range(point.size):
-            for span in (1.0, 0.06):
-                line = np.repeat(point[None], VALUES, axis=0)
-                line[:, i] = np.clip(point[i] + span * np.linspace(-1.0, 1.0, VALUES), 0.0, 1.0)
-                values = objective(line)
-                best = int(np.argmin(values))
-                if values[best] < value:
-                    point, value = line[best].copy(), float(values[best])
-    return point, value
+    return np.asarray(points[best])
