@@ -6,9 +6,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
+import pytest
 from linuxcnc_rig import Rig
 from made_circles import behind
 
+from contourlab.features.commission import identification
 from contourlab.features.commission.command import planned_commands
 from contourlab.features.commission.excitation import excitation
 from contourlab.features.commission.hal_files import Setup, read_setup
@@ -75,3 +77,16 @@ def made(folder: Path) -> Made:
     program = folder / "excite.ngc"
     program.write_text(excitation(setup))
     return Made(ini, hal, setup, program, simulated(setup, program))
+
+
+def fitted_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Fit a motor once: its model does not depend on what a log shows of the load."""
+    fit, fits = identification._refined, dict[bytes, object]()
+
+    def once(logs, *more):  # type: ignore[no-untyped-def]
+        key = b"".join(values.tobytes() for log in logs for values in (log.output, log.measured))
+        if key not in fits:
+            fits[key] = fit(logs, *more)
+        return fits[key]
+
+    monkeypatch.setattr(identification, "_refined", once)

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from linuxcnc_rig import Plant, Rig, missing
+from made_commission import fitted_once
 
 from contourlab.features.commission.command import commission
 from contourlab.features.commission.excitation import excitation
@@ -62,9 +63,10 @@ def test_one_log_gives_gains_for_the_real_control(tmp_path: Path) -> None:
         assert (off < 0.2 * before).all(), (off, before)
 
 
-def test_play_behind_a_load_with_inertia(tmp_path: Path) -> None:
+def test_play_behind_a_load_with_inertia(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     if missing():
         pytest.skip(missing())
+    fitted_once(monkeypatch)
     rig = Rig(LOADED)
     ini, hal = rig.write(tmp_path)
     setup = read_setup(ini, hal)

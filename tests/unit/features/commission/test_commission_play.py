@@ -11,7 +11,7 @@ from made_two_masses import TwoMasses, drawn
 from contourlab.features.commission.command import planned_commands
 from contourlab.features.commission.excitation import excitation
 from contourlab.features.commission.hal_files import Setup, read_setup
-from contourlab.features.commission.identification import identify_axis, lost_motion_at_motor, play_at_load
+from contourlab.features.commission.identification import IdentifiedAxis, identify_axis, lost_motion_at_motor, play_at_load
 from contourlab.features.commission.loop import GAINS, AxisModel, Law
 from contourlab.features.commission.records import AxisLog, moving
 
@@ -116,10 +116,12 @@ def test_intervals_of_random_machines_hold_their_play(setup: Setup, command: np.
 
 @pytest.mark.slow
 @pytest.mark.parametrize("frequency", [45.0, 90.0])
-@pytest.mark.parametrize("load", [True, False])
-def test_an_identified_axis_knows_its_play(setup: Setup, command: np.ndarray, frequency: float, load: bool) -> None:
+def test_an_identified_axis_knows_its_play(setup: Setup, command: np.ndarray, frequency: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    bench.fitted_once(monkeypatch)
     present = np.array([setup.axes[0].gains[name] / setup.unit for name in GAINS])
-    log = log_of(TwoMasses(frequency=frequency, play=PLAY), setup, command, load=load)
-    axis = identify_axis([log], present, Law(bench.PERIOD))
-    assert abs(axis.play - PLAY) < min(2e-6, 2.0 * axis.play_deviation)  # type: ignore[union-attr]
-    assert ("CL892" if load else "CL862") in {one.code for one in axis.findings}  # type: ignore[union-attr]
+    for load, code in ((True, "CL892"), (False, "CL862")):
+        log = log_of(TwoMasses(frequency=frequency, play=PLAY), setup, command, load=load)
+        axis = identify_axis([log], present, Law(bench.PERIOD))
+        assert isinstance(axis, IdentifiedAxis)
+        assert abs(axis.play - PLAY) < min(2e-6, 2.0 * axis.play_deviation), load
+        assert code in {one.code for one in axis.findings}
