@@ -46,9 +46,13 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_collection_finish() -> None:
-    """Keep the garbage collector away from modules and tests, which all live until the end; it would walk through them again and again."""
+    """Keep the garbage collector away from modules and tests, which all live until the end, and let it run seldom.
+
+    It would walk through them, and through what compilers keep, again and again: five percent of the time of all tests.
+    """
     gc.collect()
     gc.freeze()
+    gc.set_threshold(10_000, 20, 50)
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
