@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields, replace
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -27,8 +26,7 @@ from contourlab.units import Setting
 WORKED_OUT = Origin("design", note="computed from gains = {...}")
 
 
-@lru_cache(1024)
-def parameters_of(kind: type[Component], units: tuple[str, str]) -> Mapping[str, Parameter]:
+def parameters_of(kind: type[Component], units: tuple[str, str]) -> dict[str, Parameter]:
     """Return the parameters of a component for a plant with these units of command and force."""
     return {name: parameter.for_plant(*units) for name, parameter in kind.parameters.items()}
 
