@@ -37,7 +37,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    config.pluginmanager.register(ProcessorTimes())
+    config.pluginmanager.register(ProcessorTimes(), "processor times")
     # Deadlines measure the machine, not the code. CI runs the same examples every time, so its answer depends on the commit alone.
     count = 100 if config.getoption("--slow") else QUICK_EXAMPLES
     same = {"derandomize": True, "database": None} if os.environ.get("CI") else {}
@@ -48,13 +48,14 @@ def pytest_configure(config: pytest.Config) -> None:
 def pytest_collection_finish() -> None:
     """Keep the garbage collector away from modules and tests, which all live until the end, and let it run seldom.
 
-    It would walk through them, and through what compilers keep, again and again: five percent of the time of all tests.
+    It would walk through them, and through what compilers keep, again and again: four percent of the time of all tests.
     """
     gc.collect()
     gc.freeze()
     gc.set_threshold(10_000, 20, 50)
 
 
+@pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     if config.getoption("--slow"):
         return
@@ -64,6 +65,9 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     slow = [item for item in items if item.get_closest_marker("slow")]
     items[:] = [item for item in items if not item.get_closest_marker("slow")]
     config.hook.pytest_deselected(items=slow)
+    times = config.pluginmanager.get_plugin("processor times")
+    assert isinstance(times, ProcessorTimes)
+    times.left_out = len(slow)
 
 
 @pytest.fixture(scope="session")

@@ -27,6 +27,7 @@ class ProcessorTimes:
         self.mark = spent()
         self.workers = 0.0
         self.left_out = 0
+        """Slow tests that do not run."""
         self.phases: dict[str, dict[str, float]] = {}
         self.slow: set[str] = set()
 
@@ -45,9 +46,6 @@ class ProcessorTimes:
         self.phases.setdefault(report.nodeid, {})[report.when] = report.processor_time
         if report.is_slow:
             self.slow.add(report.nodeid)
-
-    def pytest_deselected(self, items: list[pytest.Item]) -> None:
-        self.left_out += sum(item.get_closest_marker("slow") is not None for item in items)
 
     def pytest_sessionfinish(self, session: pytest.Session) -> None:
         output = getattr(session.config, "workeroutput", None)
