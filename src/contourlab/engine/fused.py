@@ -80,11 +80,12 @@ def tick_loop_of(
             reads.again(trace)
             key = _digest(key, reads.words)
         reads = Reads(roots)
-        made = step_graph.tick_graph(schedule, places, log_rows, primitives, reads=reads)
-        if gpu is None:
-            code = llvm_ir.object_code(tick_loop.source_of(made, min(width, VECTOR), width))
-        else:
-            code = gpu.compiled(tick_loop.source_of(made, 1, width, gpu=True))
+        with store.without_collector():
+            made = step_graph.tick_graph(schedule, places, log_rows, primitives, reads=reads)
+            if gpu is None:
+                code = llvm_ir.object_code(tick_loop.source_of(made, min(width, VECTOR), width))
+            else:
+                code = gpu.compiled(tick_loop.source_of(made, 1, width, gpu=True))
         other_reads = reads.trace != trace
         if other_reads:
             before, _loops[key] = key, reads.trace
