@@ -82,42 +82,21 @@ _COMMON = {
     for prefix in prefixes
 } | {"min": (Fraction(60), (0, 0, 1, 0, 0)), "deg": (Fraction(math.radians(1.0)), (0,) * 5), "%": (Fraction(1, 100), (0,) * 5)}
 """Sizes and powers of common units: importing pint with its definitions takes longer than all else that reads a scenario."""
-_PART = re.compile(r"[A-Za-z_]+|%|-?[0-9]+|[*/^()]")
+_PART = re.compile(r"([*/]?)([A-Za-z_]+|%|1)(?:\^(-?[1-9]))?")
+_PRODUCT = re.compile(rf"(?![*/])(?:{_PART.pattern}(?=[*/]|\Z))+")
 
 
 def _common(text: str) -> tuple[Dimension, float] | None:
     """Return dimension and size of products and powers of common units; None for any other text, which pint reads."""
-    parts = _PART.findall(text)[::-1]
-    try:
-        size, powers = _product(parts)
-    except (IndexError, KeyError, ValueError, RecursionError):
-        return None
-    if parts or "".join(_PART.findall(text)) != text or not 1e-30 < size < 1e30:
-        return None
-    return frozenset((base, power) for base, power in zip(_BASES, powers, strict=True) if power), float(size)
-
-
-def _product(parts: list[str]) -> tuple[Fraction, tuple[int, ...]]:
-    size, powers = _power(parts)
-    while parts and parts[-1] in "*/":
-        sign = 1 if parts.pop() == "*" else -1
-        factor, more = _power(parts)
-        size, powers = size * factor**sign, tuple(p + sign * q for p, q in zip(powers, more, strict=True))
-    return size, powers
-
-
-def _power(parts: list[str]) -> tuple[Fraction, tuple[int, ...]]:
-    part = parts.pop()
-    size, powers = _product(parts) if part == "(" else _COMMON[part]
-    if part == "(" and parts.pop() != ")":
-        raise ValueError
-    if parts and parts[-1] == "^":
-        parts.pop()
-        exponent = int(parts.pop())
-        if not 0 < abs(exponent) < 10 or not 1e-30 < size < 1e30:
-            raise ValueError
-        size, powers = size**exponent, tuple(exponent * p for p in powers)
-    return size, powers
+    size, powers = Fraction(1), [0] * len(_BASES)
+    for sign, name, exponent in _PART.findall(text) if _PRODUCT.fullmatch(text) else [("", "", "")]:
+        if name not in _COMMON:
+            return None
+        power = int(exponent or 1) * (-1 if sign == "/" else 1)
+        size *= _COMMON[name][0] ** power
+        powers = [p + power * q for p, q in zip(powers, _COMMON[name][1], strict=True)]
+    found = frozenset((base, power) for base, power in zip(_BASES, powers, strict=True) if power)
+    return (found, float(size)) if 1e-30 < size < 1e30 else None
 
 
 @cache

@@ -81,7 +81,7 @@ def by_pint(unit: str) -> tuple[Any, float]:
 
 
 def test_common_units_are_those_of_pint_to_the_bit() -> None:
-    products = ["mm/min", "m/s^2", "N*m", "kg*cm^2", "um/m", "1/s", "mN*m/A", "full_scale*s/mm", "m/(min*mm)", "N*m*s/rad", "mm/s/V"]
+    products = ["mm/min", "m/s^2", "N*m", "kg*cm^2", "um/m", "1/s", "mN*m/A", "full_scale*s/mm", "N*m*s/rad", "mm/s/V"]
     for unit in [*_COMMON, *products]:
         assert _common(unit) == by_pint(unit), unit
 
@@ -91,8 +91,8 @@ def test_products_of_common_units_are_those_of_pint() -> None:
     for _ in range(200):
         unit = draw.choice(list(_COMMON))
         for _ in range(draw.randrange(1, 4)):
-            a, b, c = draw.choices(list(_COMMON), k=3)
-            unit += draw.choice("*/") + draw.choice([a, f"({a}{draw.choice('*/')}{b})", f"{c}^{draw.choice([-3, -2, -1, 2, 3])}"])
+            a, b = draw.choices(list(_COMMON), k=2)
+            unit += draw.choice("*/") + draw.choice([a, f"{b}^{draw.choice([-3, -2, -1, 2, 3])}"])
         found = _common(unit)
         if found is None:  # very large or very small
             continue
@@ -103,7 +103,33 @@ def test_products_of_common_units_are_those_of_pint() -> None:
 
 
 @each(
-    "text", ["m m", "2*m", "m^0", "m^0.5", "(m", "m)", "()", "m^", "^2", "mm^200", "(mm^9)^9", "m^99999999999", "(" * 5000, "furlong", "-"]
+    "text",
+    [
+        "m m",
+        "2*m",
+        "/s",
+        "*m",
+        "m*",
+        "m//s",
+        "m^2^2",
+        "m/(min*mm)",
+        "11",
+        "1m",
+        "m\n",
+        "m^0",
+        "m^0.5",
+        "(m",
+        "m)",
+        "()",
+        "m^",
+        "^2",
+        "mm^200",
+        "(mm^9)^9",
+        "m^99999999999",
+        "*m" * 5000,
+        "furlong",
+        "-",
+    ],
 )
 def test_pint_reads_everything_else(text: str) -> None:
     assert _common(text) is None

@@ -72,7 +72,7 @@ def tick_loop_of(
     wiring = (schedule.sources, schedule.record_point, places, log_rows, width, of_lanes, VECTOR, device)
     key = before = _digest(layout, wiring, Reads(roots).words, _translator())
     trace: list[Any] | None = None
-    with _building:
+    with _building, store.without_collector():
         while key in _loops or _from_disk(key, gpu):
             if not isinstance(_loops[key], list):
                 return _loops[key]
@@ -80,12 +80,11 @@ def tick_loop_of(
             reads.again(trace)
             key = _digest(key, reads.words)
         reads = Reads(roots)
-        with store.without_collector():
-            made = step_graph.tick_graph(schedule, places, log_rows, primitives, reads=reads)
-            if gpu is None:
-                code = llvm_ir.object_code(tick_loop.source_of(made, min(width, VECTOR), width))
-            else:
-                code = gpu.compiled(tick_loop.source_of(made, 1, width, gpu=True))
+        made = step_graph.tick_graph(schedule, places, log_rows, primitives, reads=reads)
+        if gpu is None:
+            code = llvm_ir.object_code(tick_loop.source_of(made, min(width, VECTOR), width))
+        else:
+            code = gpu.compiled(tick_loop.source_of(made, 1, width, gpu=True))
         other_reads = reads.trace != trace
         if other_reads:
             before, _loops[key] = key, reads.trace
