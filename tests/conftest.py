@@ -1,6 +1,7 @@
 """Fixtures and settings of all tests. Machine code is kept in the user's cache between runs; CONTOURLAB_CACHE names another folder."""
 
 import ctypes
+import gc
 import os
 import signal
 import subprocess
@@ -26,10 +27,8 @@ os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 # Background processes of a shell, and their children, ignore Ctrl-C; tests send it.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
-# Deadlines measure the machine, not the code. CI runs the same examples every time, so its answer depends on the commit alone.
-settings.register_profile("people", deadline=None)
-settings.register_profile("ci", deadline=None, derandomize=True, database=None)
-settings.load_profile("ci" if os.environ.get("CI") else "people")
+QUICK_EXAMPLES = 25
+"""Examples of a property test that names no number of its own; with --slow it tries 100."""
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -38,19 +37,37 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    config.pluginmanager.register(ProcessorTimes())
+    config.pluginmanager.register(ProcessorTimes(), "processor times")
+    # Deadlines measure the machine, not the code. CI runs the same examples every time, so its answer depends on the commit alone.
+    count = 100 if config.getoption("--slow") else QUICK_EXAMPLES
+    same = {"derandomize": True, "database": None} if os.environ.get("CI") else {}
+    settings.register_profile("contourlab", deadline=None, max_examples=count, **same)
+    settings.load_profile("contourlab")
 
 
+def pytest_collection_finish() -> None:
+    """Keep the garbage collector away from modules and tests, which all live until the end, and let it run seldom.
+
+    It would walk through them, and through what compilers keep, again and again: four percent of the time of all tests.
+    """
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(10_000, 20, 50)
+
+
+@pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     if config.getoption("--slow"):
         return
     for item in items:
         if "reproduction" in getattr(item, "fixturenames", ()):  # takes a minute
             item.add_marker("slow")
-    skip = pytest.mark.skip(reason="slow; run with --slow")
-    for item in items:
-        if item.get_closest_marker("slow"):
-            item.add_marker(skip)
+    slow = [item for item in items if item.get_closest_marker("slow")]
+    items[:] = [item for item in items if not item.get_closest_marker("slow")]
+    config.hook.pytest_deselected(items=slow)
+    times = config.pluginmanager.get_plugin("processor times")
+    assert isinstance(times, ProcessorTimes)
+    times.left_out = len(slow)
 
 
 @pytest.fixture(scope="session")
@@ -94,7 +111,9 @@ def no_gpu(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(ctypes, "CDLL", missing)
 
 
-@pytest.fixture(autouse=True)
-def results_follow_their_schemas(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture(autouse=True, scope="session")
+def results_follow_their_schemas() -> Iterator[None]:
     """Check that --json output has only the keys of its schema."""
-    check_results(monkeypatch)
+    with pytest.MonkeyPatch.context() as patch:
+        check_results(patch)
+        yield

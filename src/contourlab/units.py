@@ -10,6 +10,7 @@ import math
 import re
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cache
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -66,14 +67,48 @@ def plain(unit: str) -> str:
     return _JOINED.sub(lambda joined: "*".join(filter(None, [*joined.groups(), "s" * bool(joined["volt"])])), text)
 
 
+Dimension = frozenset[tuple[str, float]]
+"""Each base, as pint names it, with its power."""
+_BASES = ("[length]", "[mass]", "[time]", "[current]", "[full_scale]")
+_PREFIXES = {"": 0, "k": 3, "c": -2, "m": -3, "u": -6, "n": -9}
+_COMMON = {
+    prefix + name: (Fraction(10) ** (_PREFIXES[prefix] - 3 * (name == "g")), powers)
+    for name, prefixes, powers in (
+        *(("m", _PREFIXES, (1, 0, 0, 0, 0)), ("g", ("", "k"), (0, 1, 0, 0, 0)), ("s", ("", "m", "u"), (0, 0, 1, 0, 0))),
+        *(("A", ("", "m"), (0, 0, 0, 1, 0)), ("N", ("", "k", "m"), (1, 1, -2, 0, 0)), ("V", ("", "m"), (2, 1, -3, -1, 0))),
+        *(("Hz", ("", "k"), (0, 0, -1, 0, 0)), ("ohm", ("",), (2, 1, -3, -2, 0)), ("H", ("", "m"), (2, 1, -2, -2, 0))),
+        *(("full_scale", ("",), (0, 0, 0, 0, 1)), ("rad", ("", "m", "u"), (0, 0, 0, 0, 0)), ("1", ("",), (0, 0, 0, 0, 0))),
+    )
+    for prefix in prefixes
+} | {"min": (Fraction(60), (0, 0, 1, 0, 0)), "deg": (Fraction(math.radians(1.0)), (0,) * 5), "%": (Fraction(1, 100), (0,) * 5)}
+"""Sizes and powers of common units: importing pint with its definitions takes longer than all else that reads a scenario."""
+_PART = re.compile(r"([*/]?)([A-Za-z_]+|%|1)(?:\^(-?[1-9]))?")
+_PRODUCT = re.compile(rf"(?![*/])(?:{_PART.pattern}(?=[*/]|\Z))+")
+
+
+def _common(text: str) -> tuple[Dimension, float] | None:
+    """Return dimension and size of products and powers of common units; None for any other text, which pint reads."""
+    size, powers = Fraction(1), [0] * len(_BASES)
+    for sign, name, exponent in _PART.findall(text) if _PRODUCT.fullmatch(text) else [("", "", "")]:
+        if name not in _COMMON:
+            return None
+        power = int(exponent or 1) * (-1 if sign == "/" else 1)
+        size *= _COMMON[name][0] ** power
+        powers = [p + power * q for p, q in zip(powers, _COMMON[name][1], strict=True)]
+    found = frozenset((base, power) for base, power in zip(_BASES, powers, strict=True) if power)
+    return (found, float(size)) if 1e-30 < size < 1e30 else None
+
+
 @cache
-def _factor(unit: str) -> tuple[Any, float]:
+def _factor(unit: str) -> tuple[Dimension, float]:
     """Return the dimension of `unit` and its size in SI base units."""
+    if (common := _common(plain(unit) or "1")) is not None:
+        return common
     import pint
 
     units = registry()
     try:
-        one = units.Quantity(1.0, units.parse_units(plain(unit))).to_base_units() if unit else units.Quantity(1.0)
+        one = units.Quantity(1.0, units.parse_units(plain(unit))).to_base_units()
         size = float(one.magnitude)
         if not 1e-300 < size < 1e300:  # such as mm^200: no number in it would be finite and not 0
             raise OverflowError
@@ -81,7 +116,7 @@ def _factor(unit: str) -> tuple[Any, float]:
         raise UnitError(f"unit {unit!r} has an offset and cannot be used here") from error
     except Exception as error:  # pint's parser raises anything for text that is no unit: an AssertionError for "-"
         raise UnitError(f"unknown unit {unit!r}: write for example mm, mm/min, N/V, 1/s, um or full_scale") from error
-    return one.dimensionality, size
+    return frozenset(one.dimensionality.items()), size
 
 
 def same_dimension(unit: str, other: str) -> bool:

@@ -26,6 +26,8 @@ class ProcessorTimes:
     def __init__(self) -> None:
         self.mark = spent()
         self.workers = 0.0
+        self.left_out = 0
+        """Slow tests that do not run."""
         self.phases: dict[str, dict[str, float]] = {}
         self.slow: set[str] = set()
 
@@ -48,11 +50,13 @@ class ProcessorTimes:
     def pytest_sessionfinish(self, session: pytest.Session) -> None:
         output = getattr(session.config, "workeroutput", None)
         if output is not None:
-            output["processor_time"] = spent()
+            output["processor_time"], output["left_out"] = spent(), self.left_out
 
     @pytest.hookimpl(optionalhook=True)
     def pytest_testnodedown(self, node: Any) -> None:
-        self.workers += getattr(node, "workeroutput", {}).get("processor_time", 0.0)
+        output = getattr(node, "workeroutput", {})
+        self.workers += output.get("processor_time", 0.0)
+        self.left_out = output.get("left_out", self.left_out)  # each worker collects all tests
 
     def pytest_terminal_summary(self, terminalreporter: Any, config: pytest.Config) -> None:
         """Print what exceeds its budget, the most first: whoever uses a shared fixture first pays for it."""
@@ -64,6 +68,8 @@ class ProcessorTimes:
             terminalreporter.write_line(f"{used:7.2f} s  {name}  ({phases})")
         share = f"{over.total():.0f} s of the tests' {sum(sums.values()):.0f} s"
         terminalreporter.write_line(f"{len(over)} of {len(sums)} tests take more than {BUDGET:g} s, or {SLOW_BUDGET:g} s if slow: {share}")
+        if self.left_out:
+            terminalreporter.write_line(f"{self.left_out} slow tests are left out: run them with --slow")
         whole = self.workers or spent()
         terminalreporter.write_line(f"all test processes together: {whole:.0f} s")
         file = config.getoption("--processor-times")

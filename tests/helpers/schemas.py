@@ -36,11 +36,14 @@ def checked(result: Any) -> str:
 
 def check_results(monkeypatch: pytest.MonkeyPatch) -> None:
     """Check everything that commands print with --json against their schemas."""
-    call, _typed[:] = main._call, [""]
+    call = main._call
 
     def named_call(words: list[str]) -> int:
         _typed[:] = words[:1]
-        return call(words)
+        try:
+            return call(words)
+        finally:
+            _typed[:] = [""]
 
     monkeypatch.setattr(main, "_call", named_call)
     monkeypatch.setattr("contourlab.app.json_values.json_text", checked)

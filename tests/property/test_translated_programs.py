@@ -26,7 +26,7 @@ from contourlab.engine.translate.step_graph import TickGraph, graph_of, tick_gra
 from contourlab.errors import EngineError
 
 N_LANE, TICKS, FIRST, PROGRAMS = 32, 3, 4711, 8
-MANY = int(os.environ.get("CONTOURLAB_RANDOM_PROGRAMS", "120"))
+MANY = int(os.environ.get("CONTOURLAB_RANDOM_PROGRAMS", "64"))
 """Programs that the slow tests try; a block of eight takes two seconds. Each week the workflow tries 3,200."""
 IN_C = 24
 """Programs that are compiled together as C."""

@@ -1,13 +1,15 @@
 """Units as people and data sheets write them."""
 
 import math
+import random
+from typing import Any
 
 import pytest
 from each import each
 
 from contourlab.errors import UnitError
 from contourlab.scenario.quantities import read_number
-from contourlab.units import si_unit, to_si
+from contourlab.units import _COMMON, _common, registry, si_unit, to_si
 
 WRITTEN = [
     ("1.27 Nm", "N*m", 1.27),
@@ -71,3 +73,63 @@ def test_units_as_people_write_them(text, unit, si):
 
 def test_the_si_unit_of_a_joined_unit_has_its_usual_name():
     assert [si_unit(unit) for unit in ("Nm", "mNm", "µm", "m/s²")] == ["N*m", "N*m", "m", "m/s^2"]
+
+
+def by_pint(unit: str) -> tuple[Any, float]:
+    one = registry().Quantity(1.0, registry().parse_units(unit)).to_base_units()
+    return frozenset(one.dimensionality.items()), float(one.magnitude)
+
+
+def test_common_units_are_those_of_pint_to_the_bit() -> None:
+    products = ["mm/min", "m/s^2", "N*m", "kg*cm^2", "um/m", "1/s", "mN*m/A", "full_scale*s/mm", "N*m*s/rad", "mm/s/V"]
+    for unit in [*_COMMON, *products]:
+        assert _common(unit) == by_pint(unit), unit
+
+
+def test_products_of_common_units_are_those_of_pint() -> None:
+    draw, count = random.Random(1), 0
+    for _ in range(200):
+        unit = draw.choice(list(_COMMON))
+        for _ in range(draw.randrange(1, 4)):
+            a, b = draw.choices(list(_COMMON), k=2)
+            unit += draw.choice("*/") + draw.choice([a, f"{b}^{draw.choice([-3, -2, -1, 2, 3])}"])
+        found = _common(unit)
+        if found is None:  # very large or very small
+            continue
+        dimension, size = by_pint(unit)
+        assert found[0] == dimension and found[1] == pytest.approx(size, rel=1e-14), unit
+        count += 1
+    assert count > 180
+
+
+@each(
+    "text",
+    [
+        "m m",
+        "2*m",
+        "/s",
+        "*m",
+        "m*",
+        "m//s",
+        "m^2^2",
+        "m/(min*mm)",
+        "11",
+        "1m",
+        "m\n",
+        "m^0",
+        "m^0.5",
+        "(m",
+        "m)",
+        "()",
+        "m^",
+        "^2",
+        "mm^200",
+        "(mm^9)^9",
+        "m^99999999999",
+        "*m" * 5000,
+        "furlong",
+        "-",
+    ],
+)
+def test_pint_reads_everything_else(text: str) -> None:
+    assert _common(text) is None

@@ -143,15 +143,8 @@ class Parameter:
 
     def for_plant(self, command_unit: str, force_unit: str) -> Parameter:
         """Return the parameter with ``{command}`` and ``{force}`` in its units replaced by those of a plant."""
-        units = {"command": command_unit, "force": force_unit}
-
-        def filled(text: str) -> str:
-            for word, unit in units.items():
-                # A product in a denominator needs brackets.
-                text = text.replace(f"/{{{word}}}", f"/({unit})" if "*" in unit else f"/{unit}")
-            return text.format(**units)
-
-        return replace(self, unit=filled(self.unit), display=filled(self.display))
+        unit, display = (_filled(text, command_unit, force_unit) for text in (self.unit, self.display))
+        return self if (unit, display) == (self.unit, self.display) else replace(self, unit=unit, display=display)
 
     def check(self, value: Any) -> Any:
         """Return the value if it is in range: a float, a word, or a tuple of floats for a vector.
@@ -209,6 +202,14 @@ class Parameter:
         if self.whole:
             return "a whole number" + (" that is " if limits else "") + " and ".join(limits)
         return " and ".join(limits)
+
+
+@lru_cache(1024)
+def _filled(text: str, command: str, force: str) -> str:
+    for word, unit in (("command", command), ("force", force)):
+        # A product in a denominator needs brackets.
+        text = text.replace(f"/{{{word}}}", f"/({unit})" if "*" in unit else f"/{unit}")
+    return text.format(command=command, force=force)
 
 
 def param(

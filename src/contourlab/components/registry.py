@@ -204,8 +204,7 @@ def component(family: str, kind: str) -> type[Any]:
     >>> component("plant", "rigid-axis").kind
     'rigid-axis'
     """
-    found = {c.kind: c for c in components(family)}
-    if kind not in found:
-        meant = hint(kind, found, OTHER_NAMES)
+    if (found := _plugins.get((family, kind)) or _built_in().get((family, kind))) is None:
+        meant = hint(kind, [known.kind for known in components(family)], OTHER_NAMES)
         raise ComponentError(f"no {family} {kind!r}: {meant}" + ("" if meant.endswith("?") else ", or give its file with --plugin"))
-    return found[kind]
+    return found

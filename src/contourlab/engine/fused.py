@@ -72,7 +72,7 @@ def tick_loop_of(
     wiring = (schedule.sources, schedule.record_point, places, log_rows, width, of_lanes, VECTOR, device)
     key = before = _digest(layout, wiring, Reads(roots).words, _translator())
     trace: list[Any] | None = None
-    with _building:
+    with _building, store.without_collector():
         while key in _loops or _from_disk(key, gpu):
             if not isinstance(_loops[key], list):
                 return _loops[key]

@@ -115,7 +115,7 @@ def _loaded(key: str, build: Callable[[], Any], name: str) -> int:
     if parts is not None:
         with contextlib.suppress(RuntimeError, ValueError, UnicodeError):
             return _restored(*parts)
-    with _without_collector():
+    with without_collector():
         compiled = build()
     _alive.append(compiled)
     library = compiled._library
@@ -131,7 +131,7 @@ def _restored(symbol: bytes, _: bytes, title: bytes, code: bytes, shared: bytes)
 
 
 @contextlib.contextmanager
-def _without_collector() -> Iterator[None]:
+def without_collector() -> Iterator[None]:
     """Pause the garbage collector: a compiler makes many objects, and nearly all live until it is done."""
     held = gc.isenabled()
     gc.disable()

@@ -188,12 +188,10 @@ def test_missing_folders_are_accepted_and_not_left_behind(tmp_path: Path) -> Non
 
 KILLED = """
 import os, sys
-import subprocess
-import sys
 from pathlib import Path
 from contourlab.app.results import staged
 
-place, after, left = Path(sys.argv[1]), sys.argv[2] == "after", [int(sys.argv[3])]
+root, after, left = Path(sys.argv[1]), sys.argv[2] == "after", [0]
 
 def watched(name):
     plain = getattr(os, name)
@@ -210,10 +208,18 @@ def watched(name):
 
 for name in ("mkdir", "unlink", "rmdir", "replace", "rename"):
     watched(name)
-with staged(place, "summary.json") as stage:
-    (stage / "plots").mkdir()
-    for name in ("summary.json", "report.html", "plots/more.svg"):
-        (stage / name).write_text("new")
+for n in range(1, 100):
+    child = os.fork()
+    if not child:
+        left[0] = n
+        with staged(root / str(n), "summary.json") as stage:
+            (stage / "plots").mkdir()
+            for name in ("summary.json", "report.html", "plots/more.svg"):
+                (stage / name).write_text("new")
+        os._exit(0)
+    if os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0:
+        break
+print(n)
 """
 
 
@@ -224,13 +230,14 @@ def test_a_kill_at_any_change_of_the_folder_is_cleaned_up(tmp_path: Path, when: 
     """A process ends before or after each of its changes in turn; the next run removes its folder and keeps one whole set of results."""
     new = dict.fromkeys(("summary.json", "report.html", "plots/more.svg"), "new")
     for n in range(1, 100):
-        folder = tmp_path / str(n)
-        with staged(folder, "summary.json") as stage:
+        with staged(tmp_path / str(n), "summary.json") as stage:
             write(stage, OLD)
-        ended = subprocess.run([sys.executable, "-c", KILLED, str(folder), when, str(n)], check=False).returncode
+    run = subprocess.run([sys.executable, "-c", KILLED, str(tmp_path), when], check=True, capture_output=True, text=True)
+    last = int(run.stdout)
+    assert 10 < last < 99
+    for n in range(1, last + 1):
+        folder = tmp_path / str(n)
         check_file(folder / "any.txt")
         assert not list(folder.glob(".contourlab-*")), n
         assert read(folder) in (OLD, new), n
-        if ended == 0:
-            break
-    assert ended == 0 and n > 10
+    assert read(folder) == new

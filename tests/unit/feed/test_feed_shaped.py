@@ -137,25 +137,17 @@ def test_several_segments_are_planned_as_if_alone() -> None:
 
 @pytest.mark.slow
 def test_forty_thousand_lines_are_planned_and_sampled_in_seconds() -> None:
-    route, limits = lines_with_blends(40_000), AxisLimits([0.5] * 3, 2.0, 40.0)
-    started = time.process_time()
-    reference = plan(route, limits, 1e-3)
+    limits, times = AxisLimits([0.5] * 3, 2.0, 40.0), []
+    plan(lines_with_blends(200), limits, 1e-3)  # first run: loads and compiles
+    for n in (5_000, 40_000):
+        route, started = lines_with_blends(n), time.process_time()
+        reference = plan(route, limits, 1e-3)
+        times.append(time.process_time() - started)
+    assert times[1] < 12.0 * times[0]  # the work grows with the number of lines
     for start in range(0, reference.n_sample, 65_536):
         reference.block(start, min(start + 65_536, reference.n_sample))
     assert time.process_time() - started < 20.0
     assert limit_report(reference, limits).ok()
-
-
-@pytest.mark.slow
-def test_the_work_grows_with_the_number_of_lines() -> None:
-    limits, times = AxisLimits([0.5] * 3, 2.0, 40.0), []
-    for n in (2_000, 16_000):
-        route = lines_with_blends(n)
-        plan(route, limits, 1e-3)
-        started = time.process_time()
-        plan(route, limits, 1e-3)
-        times.append(time.process_time() - started)
-    assert times[1] < 12.0 * times[0]
 
 
 def planning_memory(n_line: int) -> int:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from contourlab.errors import LogError, ParameterError
@@ -218,6 +218,7 @@ def jittering(size: float, lost: list[int] | np.ndarray, seed: int = 1, n: int =
     return np.sort(true + size * 1e-3 * np.random.default_rng(seed).uniform(-1.0, 1.0, true.size)), true
 
 
+@settings(max_examples=30)
 @given(st.floats(0.1, 0.4), st.integers(0, 2**31))
 @pytest.mark.slow
 def test_jitter_is_not_taken_for_gaps(size: float, seed: int) -> None:

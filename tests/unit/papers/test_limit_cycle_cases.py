@@ -115,7 +115,7 @@ def test_an_integrator_settles_on_the_same_orbit(case: LimitCycleCase) -> None:
     start = np.zeros(loop.n)
     start[2] = -1.2 * ratio * loop.half_gap
     period = 2.0 * np.pi / frequency
-    times = np.linspace(0.0, 240.0 * period, 240 * 100 + 1)
+    times = np.linspace(0.0, 140.0 * period, 140 * 100 + 1)
     difference = integrated(loop, start, times, 1e-7) @ loop.c
     last = difference[-40 * 100 :]
     assert 0.5 * np.ptp(last) / loop.half_gap == pytest.approx(ratio, rel=0.01)

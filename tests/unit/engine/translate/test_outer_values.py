@@ -14,6 +14,7 @@ from typing import Any
 import faulty_components as faults
 import numpy as np
 import pytest
+from each import each
 from outer_values import KINDS, REFUSED, VALUES, answers, imported, outputs, write
 
 import contourlab as cl
@@ -91,7 +92,7 @@ def in_processes(tmp_path_factory: pytest.TempPathFactory) -> list[dict[str, lis
     return found
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@each("kind", list(KINDS))
 def test_no_kind_of_value_is_stale_in_another_process(kind: str, in_processes: list[dict[str, list[Any]]]) -> None:
     first, second, third = (answers[kind] for answers in in_processes)
     check(kind, first, second)

@@ -21,7 +21,7 @@ from once import once
 from contourlab.cli.main import main
 
 MODULE = [sys.executable, "-m"]
-KILLS = int(os.environ.get("CONTOURLAB_TEST_KILLS", "4"))
+KILLS = int(os.environ.get("CONTOURLAB_TEST_KILLS", "2"))
 """Kills of the command at random moments."""
 MANY = STUDY.replace("variants = 100", "variants = 2000").replace("chunk = 32", "chunk = 64")
 
@@ -107,14 +107,13 @@ def test_an_unknown_executor_or_an_absent_scheduler_is_said(study: Path, capsys:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("is_there", [False, True])
-def test_without_a_scheduler_or_a_worker_nothing_begins(study: Path, cluster: Callable[[int], Cluster], is_there: bool) -> None:
+def test_without_a_scheduler_or_a_worker_nothing_begins(study: Path, cluster: Callable[[int], Cluster]) -> None:
     alone = cluster(0)
-    if not is_there:
+    for _ in ("no worker", "no scheduler"):
+        done = subprocess.run(alone.command(), capture_output=True, text=True, timeout=100)
+        assert (done.returncode, done.stderr.count("\n")) == (2, 1)
+        assert not Path("store").exists()
         alone.scheduler.kill()
-    done = subprocess.run(alone.command(), capture_output=True, text=True, timeout=100)
-    assert (done.returncode, done.stderr.count("\n")) == (2, 1)
-    assert not Path("store").exists()
 
 
 def test_without_its_package_a_cluster_says_what_to_type(
@@ -166,17 +165,26 @@ def wait_for(store: str, count: int, process: subprocess.Popen[str]) -> None:
 @pytest.mark.slow
 @pytest.mark.skipif(os.name == "nt", reason="no SIGKILL")
 def test_a_cluster_may_lose_a_worker_and_then_its_scheduler(
-    study: Path, cluster: Callable[[int], Cluster], undisturbed: tuple[bytes, float]
+    study: Path, cluster: Callable[[int], Cluster], undisturbed: tuple[bytes, float], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """One worker goes on for the other; without any the command says that it waits, and goes on with the next."""
     study.write_text(MANY)
+    monkeypatch.delenv("CONTOURLAB_PROGRESS", raising=False)
     first = cluster(2)
     with subprocess.Popen(first.command(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         wait_for("store", 3, process)
         first.workers[0].kill()
         wait_for("store", 8, process)
+        first.workers[1].kill()
+        assert process.stderr is not None
+        assert any("waiting" in line for line in process.stderr)
+        held = len(parts("store"))
+        first.started_worker()
+        wait_for("store", held + 3, process)
         first.scheduler.kill()
         _, errors = process.communicate(timeout=300)
-    assert process.returncode == 2 and errors.count("\n") == 1 and "--resume" in errors
+    (fault,) = (line for line in errors.splitlines() if line.startswith("contourlab:"))
+    assert process.returncode == 2 and "--resume" in fault
     before = parts("store")
     second = cluster(1)
     time.sleep(2.0)
@@ -184,24 +192,6 @@ def test_a_cluster_may_lose_a_worker_and_then_its_scheduler(
     assert done.returncode == 0, done.stderr
     assert json.loads(done.stdout)["chunks_made"] == 32 - len(before) and before.items() <= parts("store").items()
     assert exported(Path("store")) == undisturbed[0]
-
-
-@pytest.mark.slow
-@pytest.mark.skipif(os.name == "nt", reason="no SIGKILL")
-def test_a_cluster_without_workers_is_said_and_goes_on_with_the_next(
-    study: Path, cluster: Callable[[int], Cluster], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    study.write_text(MANY)
-    monkeypatch.delenv("CONTOURLAB_PROGRESS", raising=False)
-    alone = cluster(1)
-    with subprocess.Popen(alone.command(), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
-        wait_for("store", 3, process)
-        alone.workers[0].kill()
-        assert process.stderr is not None
-        assert any("waiting" in line for line in process.stderr)
-        alone.started_worker()
-        lines = list(process.stderr)
-    assert process.returncode == 0 and len(parts("store")) == 32, lines
 
 
 @pytest.mark.slow

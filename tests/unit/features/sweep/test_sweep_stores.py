@@ -201,9 +201,9 @@ def test_whatever_the_manifest_of_an_older_store_says_no_command_breaks(whole: P
     (one,) = fields["structures"]
     deep = [{**fields, "structures": [{**one, key: wrong}]} for key in ("choices", "scenario") for wrong in WRONG]
     read = 0
-    for number, edited in enumerate((*edits(fields), *deep)):  # each key by all commands, each text by three of them
+    for number, edited in enumerate((*edits(fields), *deep)):  # each key by all commands, each text by two of them
         (whole / "manifest.json").write_text(json.dumps(edited))
-        for words in [READERS[(number + step) % 7] for step in (0, 2, 4)]:
+        for words in [READERS[(number + step) % 7] for step in (0, 3)]:
             shutil.rmtree("merged", ignore_errors=True)
             code = main(["sweep", *words])
             assert code in (0, 1, 2), (words, edited)
