@@ -8,6 +8,8 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
+import numpy as np
+
 from contourlab.app.json_values import HIDDEN
 from contourlab.errors import ParameterError, refuse
 from contourlab.features.tune.drive_terms import DriveTerms, drive_terms, linuxcnc_findings
@@ -215,7 +217,10 @@ def _left(problem: Problem, best: Mapping[str, float], rule: LineRule) -> tuple[
     owners = {variable: axes_of(variable.name, guards.machine) for variable in moved}
     for axes in dict.fromkeys(owners.values()):
         back = [variable for variable in moved if owners[variable] == axes]
-        rise = {variable: float(objective.at({**best, variable.name: start[variable.name]}).value[0]) for variable in back}
+        trials = {name: np.full(len(back), value) for name, value in best.items()}
+        for i, variable in enumerate(back):
+            trials[variable.name][i] = start[variable.name]
+        rise = dict(zip(back, objective(trials).value.tolist(), strict=True))
         while back:
             trial = {**best, **{variable.name: start[variable.name] for variable in back}}
             run = objective.at(trial)
