@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -206,12 +207,18 @@ class HullMargin:
     @classmethod
     def nearest(cls, value: float, frequency: float, vertices: Complex) -> HullMargin:
         """Return a margin with the weights of the point nearest to -1 in the polygon of `vertices` (n,)."""
-        from scipy.optimize import nnls
-
-        # A heavy weight holds the sum at 1 to rounding.
+        # A heavy weight holds the sum at 1 to rounding. No more than three vertices are needed to reach any point of a polygon.
         heavy = 1e6 * max(1.0, float(np.abs(vertices + 1.0).max()))
-        weights, _ = nnls(np.vstack([vertices.real + 1.0, vertices.imag, np.full(vertices.size, heavy)]), np.array([0.0, 0.0, heavy]))
-        return cls(value, frequency, weights / weights.sum())
+        system, target = np.vstack([vertices.real + 1.0, vertices.imag, np.full(vertices.size, heavy)]), np.array([0.0, 0.0, heavy])
+        best, left = np.zeros(vertices.size), math.inf
+        for size in range(1, min(vertices.size, 3) + 1):
+            for support in map(list, combinations(range(vertices.size), size)):
+                weights = np.zeros(vertices.size)
+                weights[support] = np.linalg.lstsq(system[:, support], target)[0]
+                residual = float(np.linalg.norm(system @ weights - target))
+                if weights.min() >= 0.0 and residual < left:
+                    best, left = weights, residual
+        return cls(value, frequency, best / best.sum())
 
 
 def hull_modulus(vertices: Complex) -> Array:
@@ -267,7 +274,6 @@ def edge_margins(loops: LoopGain, frequency: Array, pairs: Sequence[tuple[int, i
 
 def _refined(loops: LoopGain, w: Array, n: int, edge: tuple[int, int], share: float, measure: int) -> HullMargin:
     """Return the exact margin of the worst mean on an edge near a share."""
-    from scipy.optimize import minimize_scalar
 
     def weights(at: float) -> Array:
         mean = np.zeros(n)
@@ -285,10 +291,25 @@ def _refined(loops: LoopGain, w: Array, n: int, edge: tuple[int, int], share: fl
 
     shares = [share]
     if edge[0] != edge[1] and math.isfinite(exact(share)[0]):
-        bounds = (max(share - float(SHARES[1]), 0.0), min(share + float(SHARES[1]), 1.0))
-        shares.append(float(minimize_scalar(size, bounds=bounds, method="bounded", options={"xatol": 1e-4}).x))
+        shares.append(_lowest(size, max(share - float(SHARES[1]), 0.0), min(share + float(SHARES[1]), 1.0)))
     worst = min(shares, key=size)
     return HullMargin(*exact(worst), weights(worst))
+
+
+def _lowest(function: Callable[[float], float], low: float, high: float) -> float:
+    """Return where a function is least between two places, to 1e-5, by golden sections."""
+    kept = (math.sqrt(5.0) - 1.0) / 2.0
+    places = [high - kept * (high - low), low + kept * (high - low)]
+    values = [function(place) for place in places]
+    while high - low > 1e-5:
+        if values[0] < values[1]:
+            high = places[1]
+            places, values = [high - kept * (high - low), places[0]], [math.nan, values[0]]
+        else:
+            low = places[0]
+            places, values = [places[1], low + kept * (high - low)], [values[1], math.nan]
+        values = [function(place) if math.isnan(value) else value for place, value in zip(places, values, strict=True)]
+    return (low + high) / 2.0
 
 
 def doubling(factor: float) -> float:
