@@ -79,28 +79,29 @@ def margins(loop: LoopGain, frequency: ArrayLike, *, stable: bool) -> Margins:
         return UNSTABLE
     w = np.asarray(frequency, dtype=float)
     gain = np.asarray(loop(w), dtype=complex)
-    crossover, phase = min(_phases(loop, w, gain), key=lambda crossing: abs(crossing[1]), default=(math.nan, math.inf))
-    larger = [crossing for crossing in _factors(loop, w, gain) if crossing[1] > 1.0]
-    phase_crossover, factor = min(larger, key=lambda crossing: crossing[1], default=(math.nan, math.inf))
+    phase, crossover = _phase_margin(loop, w, gain)
+    factor, phase_crossover = _gain_margin(loop, w, gain)
     modulus, _ = nearest_approach(lambda x: np.abs(1.0 + loop(x)), w, np.abs(1.0 + gain), n_dip=3, tolerance=1e-7)
     return Margins(factor, phase, crossover, modulus, True, phase_crossover)
 
 
-def _phases(loop: LoopGain, w: Array, gain: Complex) -> list[tuple[float, float]]:
-    """Return each frequency where the gain is 1, with the angle from there to -1."""
+def _phase_margin(loop: LoopGain, w: Array, gain: Complex) -> tuple[float, float]:
+    """Return the smallest angle to -1 where the gain is 1, and its frequency."""
     with np.errstate(divide="ignore"):  # a gain of 0 has no crossing
         at = _zeros(lambda x: np.log(np.abs(loop(x))), w, np.log(np.abs(gain)))
-    return list(zip(at.tolist(), np.angle(-loop(at)).tolist(), strict=True))
+    angles = np.angle(-loop(at)).tolist()
+    return min(zip(angles, at.tolist(), strict=True), key=lambda crossing: abs(crossing[0]), default=(math.inf, math.nan))
 
 
-def _factors(loop: LoopGain, w: Array, gain: Complex) -> list[tuple[float, float]]:
-    """Return each frequency where the loop gain is real and negative, with the factor from there to -1."""
+def _gain_margin(loop: LoopGain, w: Array, gain: Complex) -> tuple[float, float]:
+    """Return the smallest factor above 1 to -1 where the loop gain is real, and its frequency."""
     at = _zeros(lambda x: np.asarray(loop(x).imag), w, gain.imag)
     values = loop(at).real
     # At the Nyquist frequency a sampled loop is real: it meets the real axis without crossing it.
     if abs(gain[-1].imag) <= 1e-9 * abs(gain[-1]):
         at, values = np.append(at, w[-1]), np.append(values, gain[-1].real)
-    return [(where, -1.0 / value) for where, value in zip(at.tolist(), values.tolist(), strict=True) if value < 0.0]
+    factors = ((-1.0 / value, where) for value, where in zip(values.tolist(), at.tolist(), strict=True) if -1.0 < value < 0.0)
+    return min(factors, default=(math.inf, math.nan))
 
 
 def rough_margins(gain: Complex, stable: Flags) -> RoughMargins:
@@ -259,41 +260,42 @@ def edge_margins(loops: LoopGain, frequency: Array, pairs: Sequence[tuple[int, i
         The edges; empty for one loop.
     """
     values = loops(frequency)
-    n, scale = values.shape[1], float(np.abs(values).max(initial=1.0))
+    scale = float(np.abs(values).max(initial=1.0))
     alike = [np.abs(values[:, i] - values[:, j]).max() <= 1e-12 * scale for i, j in pairs]
     edges = [pair for pair, same in zip(pairs, alike, strict=True) if not same] or [(0, 0)]
     shares = SHARES[:, None]
     means = [values[:, i] + shares * (values[:, j] - values[:, i]) for i, j in edges]
     worst = []
-    for measure, rough in enumerate((_interpolated_phases, _interpolated_factors)):
+    for rough, exact in ((_interpolated_phases, _phase_margin), (_interpolated_factors, _gain_margin)):
         sizes = np.abs([rough(mean) for mean in means])
         edge, share = np.unravel_index(sizes.argmin(), sizes.shape)
-        worst.append(_refined(loops, frequency, n, edges[int(edge)], float(SHARES[share]), measure))
+        worst.append(_refined(loops, frequency, values, edges[int(edge)], float(SHARES[share]), exact))
     return worst[0], worst[1]
 
 
-def _refined(loops: LoopGain, w: Array, n: int, edge: tuple[int, int], share: float, measure: int) -> HullMargin:
-    """Return the exact margin of the worst mean on an edge near a share."""
+def _refined(
+    loops: LoopGain, w: Array, values: Complex, edge: tuple[int, int], share: float, exact: Callable[..., tuple[float, float]]
+) -> HullMargin:
+    """Return the exact margin of the worst mean on an edge near a share; `values` (n, n_loop) are the loop gains on the grid."""
 
     def weights(at: float) -> Array:
-        mean = np.zeros(n)
+        mean = np.zeros(values.shape[1])
         mean[edge[0]] += 1.0 - at
         mean[edge[1]] += at
         return mean
 
-    def exact(at: float) -> tuple[float, float]:
+    def margin(at: float) -> tuple[float, float]:
         mean = weights(at)
-        result = margins(lambda x: np.asarray(loops(x) @ mean), w, stable=True)
-        return (result.phase, result.crossover) if measure == 0 else (result.gain, result.phase_crossover)
+        return exact(lambda x: np.asarray(loops(x) @ mean), w, values @ mean)
 
     def size(at: float) -> float:
-        return min(abs(exact(at)[0]), 1e12)
+        return min(abs(margin(at)[0]), 1e12)
 
     shares = [share]
-    if edge[0] != edge[1] and math.isfinite(exact(share)[0]):
+    if edge[0] != edge[1] and math.isfinite(margin(share)[0]):
         shares.append(_lowest(size, max(share - float(SHARES[1]), 0.0), min(share + float(SHARES[1]), 1.0)))
     worst = min(shares, key=size)
-    return HullMargin(*exact(worst), weights(worst))
+    return HullMargin(*margin(worst), weights(worst))
 
 
 def _lowest(function: Callable[[float], float], low: float, high: float) -> float:
