@@ -12,7 +12,7 @@ import numpy as np
 
 from contourlab.analysis.linear.contour_transfer import internal_stability
 from contourlab.analysis.linear.margins import Margins, RoughMargins
-from contourlab.analysis.linear.sampled_loop import LaneLoops, lane_loops, margin_factors, sampled_loop, unstable_by
+from contourlab.analysis.linear.sampled_loop import LaneLoops, SampledLoop, lane_loops, margin_factors, sampled_loop, unstable_by
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.errors import ComponentError, ParameterError, refuse
@@ -104,11 +104,12 @@ class Guards:
     controller: Controller
     bounds: Bounds = field(default_factory=Bounds)
     unknown: dict[str, str] = field(default_factory=dict)
+    _sampled: dict[str, SampledLoop] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
         for loop in self._loops(self.machine, self.controller):
             try:
-                sampled_loop(*loop)
+                self._sampled[loop[0].name] = sampled_loop(*loop)
             except ComponentError as error:
                 self.unknown[loop[0].name] = str(error)
 
@@ -159,8 +160,10 @@ class Guards:
 
     def exact(self, values: Mapping[str, float]) -> dict[str, Margins]:
         """Return the exact margins of every axis with values [SI]."""
-        changed = with_values(self.machine, self.controller, values)
-        return {loop[0].name: sampled_loop(*loop).margins() for loop in self._loops(*changed)}
+        sampled = self._sampled
+        if values:
+            sampled = {loop[0].name: sampled_loop(*loop) for loop in self._loops(*with_values(self.machine, self.controller, values))}
+        return {axis: loop.margins() for axis, loop in sampled.items()}
 
     def broken(
         self, values: Mapping[str, float], limited: float, largest: float, exact: Mapping[str, Margins] | None = None

@@ -74,6 +74,10 @@ class TuneSettings(Tune):
         """How a line is searched."""
         return LineRule(self.lanes, self.plateau, self.within)
 
+    def line_rule(self, lines: int) -> LineRule:
+        """Return how each of so many lines is searched; before a global search, all lines together take no more runs than that."""
+        return self.rule if self.method == "sequential" else self.rule.within_budget(self.budget, self.passes * lines)
+
     @property
     def pool(self) -> Executor:
         """Where the work is done."""
@@ -273,7 +277,8 @@ def _candidates(
     starts = [path.values]
     if settings.method != "global":
         begin("one parameter at a time")
-        line = sequential(problem, path.values, settings.rule, passes=settings.passes, progress=progress)
+        rule = settings.line_rule(len(problem.space.numbers))
+        line = sequential(problem, path.values, rule, passes=settings.passes, progress=progress)
         path = replace(line, steps=(*path.steps, *line.steps))
         candidates.append((float(problem.objective.at(line.values).value[0]), "sequential", line.values))
         starts.append(line.values)
