@@ -299,18 +299,10 @@ def _refined(
 
 
 def _lowest(function: Callable[[float], float], low: float, high: float) -> float:
-    """Return where a function is least between two places, to 1e-5, by golden sections."""
-    kept = (math.sqrt(5.0) - 1.0) / 2.0
-    places = [high - kept * (high - low), low + kept * (high - low)]
-    values = [function(place) for place in places]
+    """Return where a function with one minimum is least between two places, to 1e-5."""
     while high - low > 1e-5:
-        if values[0] < values[1]:
-            high = places[1]
-            places, values = [high - kept * (high - low), places[0]], [math.nan, values[0]]
-        else:
-            low = places[0]
-            places, values = [places[1], low + kept * (high - low)], [values[1], math.nan]
-        values = [function(place) if math.isnan(value) else value for place, value in zip(places, values, strict=True)]
+        left, right = low + 0.45 * (high - low), low + 0.55 * (high - low)
+        low, high = (low, right) if function(left) < function(right) else (left, high)
     return (low + high) / 2.0
 
 
