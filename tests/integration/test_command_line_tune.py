@@ -123,7 +123,7 @@ def test_the_text_shows_the_search_and_drive_terms(tmp_path: Path, capsys: pytes
 def test_an_interrupted_search_keeps_what_one_parameter_at_a_time_found(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    file, words = written(tmp_path), ["--parameter", "x.position_gain", "--parameter", "x.model_gain", "--budget", "100", "--json"]
+    file, words = written(tmp_path), ["--parameter", "x.position_gain", "--parameter", "x.model_gain", "--budget", "200", "--json"]
 
     def stopped(*given: Any, **options: Any) -> Any:
         raise KeyboardInterrupt

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -11,16 +11,8 @@ from typing import Any
 import numpy as np
 
 from contourlab.analysis.linear.contour_transfer import internal_stability
-from contourlab.analysis.linear.margins import Margins
-from contourlab.analysis.linear.sampled_loop import (
-    SampledLoop,
-    lane_loops,
-    margin_factors,
-    rough_margins,
-    sampled_loop,
-    sampled_loops,
-    unstable_by,
-)
+from contourlab.analysis.linear.margins import Margins, RoughMargins
+from contourlab.analysis.linear.sampled_loop import LaneLoops, SampledLoop, lane_loops, margin_factors, sampled_loop, unstable_by
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.errors import ComponentError, ParameterError, refuse
@@ -74,12 +66,11 @@ class Bounds:
             parts.append(f"commands up to {100.0 * self.command:g} % of the drive")
         return ", ".join(parts)
 
-    def missing(self, margins: Margins, slack: tuple[float, float] = (0.0, 0.0)) -> float:
+    def missing(self, margins: Margins | RoughMargins, slack: tuple[float, float] = (0.0, 0.0)) -> Array:
         """Return the relative shortfall of margins: 0 if they are kept, infinite for an unstable loop."""
-        if not margins.stable:
-            return math.inf
         pairs = zip((self.gain_margin, self.phase_margin), slack, in_db_and_degrees(margins), strict=True)
-        return sum(max(0.0, bound + more - margin) / max(bound, 1.0) for bound, more, margin in pairs if bound)
+        short = sum(np.maximum(0.0, bound + more - margin) / max(bound, 1.0) for bound, more, margin in pairs if bound)
+        return np.where(margins.stable, short, math.inf)
 
     def broken(self, margins: Margins) -> str:
         """Return the margins that are too small, with their values; empty if there are none."""
@@ -91,9 +82,9 @@ class Bounds:
         return ", ".join(text for text, small in texts.items() if small)
 
 
-def in_db_and_degrees(margins: Margins) -> tuple[float, float]:
-    """Return gain margin [dB] and phase margin [deg] of a stable loop."""
-    return 20.0 * math.log10(margins.gain), math.degrees(abs(margins.phase))
+def in_db_and_degrees(margins: Margins | RoughMargins) -> tuple[Any, Any]:
+    """Return gain margin [dB] and phase margin [deg]; nan for an unstable loop."""
+    return 20.0 * np.log10(margins.gain), np.degrees(np.abs(margins.phase))
 
 
 @dataclass(eq=False)
@@ -113,11 +104,12 @@ class Guards:
     controller: Controller
     bounds: Bounds = field(default_factory=Bounds)
     unknown: dict[str, str] = field(default_factory=dict)
+    _sampled: dict[str, SampledLoop] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
         for loop in self._loops(self.machine, self.controller):
             try:
-                sampled_loop(*loop)
+                self._sampled[loop[0].name] = sampled_loop(*loop)
             except ComponentError as error:
                 self.unknown[loop[0].name] = str(error)
 
@@ -151,29 +143,27 @@ class Guards:
             worst = np.maximum(worst, known[key])
         return worst
 
-    def loops(self, columns: Mapping[str, Array], axes: Sequence[str]) -> list[list[SampledLoop]]:
-        """Return for each design (n,) the loops of the given axes."""
+    def lanes(self, columns: Mapping[str, Array], axes: Collection[str]) -> list[LaneLoops]:
+        """Return the loops of the given axes, each for all designs (n,)."""
         chosen = (loop for loop in self._loops(self.machine, self.controller) if loop[0].name in axes)
-        made = [sampled_loops(axis, slots, period, columns, carried) for axis, slots, period, carried in chosen]
-        return [list(loops) for loops in zip(*made, strict=True)] or [[] for _ in next(iter(columns.values()))]
+        return [lane_loops(*loop, columns) for loop in chosen]
 
-    def missing(self, loops: Sequence[SampledLoop]) -> tuple[float, float]:
-        """Return the largest relative shortfall of margins, and the smallest distance of a loop from -1, both on a grid."""
-        short, nearest = 0.0, math.inf
-        for loop in loops:
-            margins = rough_margins(loop)
-            short = max(short, self.bounds.missing(margins, SLACK))
-            nearest = min(nearest, margins.modulus if margins.stable else 0.0)
-            if math.isinf(short):
-                break
+    def missing(self, lanes: Sequence[LaneLoops], n: int) -> tuple[Array, Array]:
+        """Return for each of n designs the largest relative shortfall of margins, and the smallest distance of a loop from -1."""
+        short, nearest = np.zeros(n), np.full(n, math.inf)
+        for margins in (loops.margins() for loops in lanes):
+            short = np.maximum(short, self.bounds.missing(margins, SLACK))
+            nearest = np.minimum(nearest, np.where(margins.stable, margins.modulus, 0.0))
         return short, nearest
 
     # --- one design, exactly ---
 
     def exact(self, values: Mapping[str, float]) -> dict[str, Margins]:
         """Return the exact margins of every axis with values [SI]."""
-        changed = with_values(self.machine, self.controller, values)
-        return {loop[0].name: sampled_loop(*loop).margins() for loop in self._loops(*changed)}
+        sampled = self._sampled
+        if values:
+            sampled = {loop[0].name: sampled_loop(*loop) for loop in self._loops(*with_values(self.machine, self.controller, values))}
+        return {axis: loop.margins() for axis, loop in sampled.items()}
 
     def broken(
         self, values: Mapping[str, float], limited: float, largest: float, exact: Mapping[str, Margins] | None = None
@@ -216,14 +206,14 @@ def fastest_speed(machine: Machine, axis: Axis, slots: AxisController, bounds: B
     columns = {head + name: np.array([gains[name] for _, gains in designs]) for name in names}
     base = replace(slots, controller=slots.controller.replace(**designs[0][1]))
     try:
-        loops = sampled_loops(axis, base, machine.servo_period, columns, machine.carried_mass(axis.name))
+        loops = lane_loops(axis, base, machine.servo_period, machine.carried_mass(axis.name), columns)
     except ComponentError as error:
         raise ParameterError("start", "placed", f"scenario: the loop of axis {axis.name} has no linear model: {error}") from error
-    missing = [bounds.missing(rough_margins(loop), SLACK) for loop in loops]
-    least = min(missing)
+    missing = bounds.missing(loops.margins(), SLACK)
+    least = float(missing.min())
     refuse(math.isinf(least), ParameterError, "start", "placed", f"scenario: axis {axis.name} is unstable at every pole speed")
     # If the observer alone breaks the margins, take the nearest poles; another parameter restores the margins.
-    return max(speed for (speed, _), short in zip(designs, missing, strict=True) if short <= least)
+    return designs[int(np.flatnonzero(missing <= least)[-1])][0]
 
 
 def designed(part: Component, speed: float, model: tuple[float, float], axis: str) -> dict[str, float]:

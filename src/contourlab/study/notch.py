@@ -12,13 +12,12 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import product
-from operator import truediv
 from typing import Any
 
 import numpy as np
 
 from contourlab.analysis.linear.margins import Margins
-from contourlab.analysis.linear.sampled_loop import rough_margins, sampled_loop, sampled_loops
+from contourlab.analysis.linear.sampled_loop import lane_loops, sampled_loop
 from contourlab.arrays import Array
 from contourlab.components.filter.biquad import Notch
 from contourlab.components.plant.plant import Plant
@@ -218,11 +217,11 @@ class _Axis:
     def scores(self, controller: Controller, columns: Mapping[str, Array]) -> Array:
         """Return the smaller of gain and phase margin, over their bounds, for each variant; minus infinity for an unstable loop."""
         machine, mine = self.machine, controller.axes[self.name]
-        loops = sampled_loops(machine.axis(self.name), mine, machine.servo_period, columns, machine.carried_mass(self.name))
-        bounds = self.bounds.gain_margin + SLACK[0], self.bounds.phase_margin + SLACK[1]
-        rough = map(rough_margins, loops)
-        scores = (map(truediv, in_db_and_degrees(margins), bounds) if margins.stable else [-math.inf] for margins in rough)
-        return np.array([min(each) for each in scores])
+        loops = lane_loops(machine.axis(self.name), mine, machine.servo_period, machine.carried_mass(self.name), columns)
+        margins = loops.margins()
+        gain, phase = in_db_and_degrees(margins)
+        scores = np.minimum(gain / (self.bounds.gain_margin + SLACK[0]), phase / (self.bounds.phase_margin + SLACK[1]))
+        return np.where(margins.stable, scores, -math.inf)
 
     def best(self, controller: Controller, frequency: float, ratio: float) -> Notch:
         """Return the best notch for the gains of a controller."""

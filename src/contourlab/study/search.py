@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
@@ -164,9 +165,16 @@ def restarted(
 def _strategy(start: Array, seed: int, population: int, spread: float) -> Any:
     import logging
 
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of the package, on optional plotting
-        import cma
+    # The package takes these for pictures and tests of ranks, and does without where they are missing: three quarters of a second.
+    unused = [name for name in ("matplotlib", "scipy.stats") if name not in sys.modules]
+    sys.modules.update(dict.fromkeys(unused))  # type: ignore[arg-type]
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of the package, on optional plotting
+            import cma
+    finally:
+        for name in unused:
+            del sys.modules[name]
     logging.getLogger("cma").setLevel(logging.ERROR)
     generator = np.random.default_rng(seed)
     options = {"bounds": [0.0, 1.0], "popsize": population, "verbose": -9, "tolfun": 0.0, "tolfunhist": 0.0}

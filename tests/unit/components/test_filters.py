@@ -14,7 +14,7 @@ from scipy.signal import bilinear, freqs, freqz
 from stages import control, stage
 
 import contourlab as cl
-from contourlab.analysis.linear.sampled_loop import sampled_loop, sampled_loops
+from contourlab.analysis.linear.sampled_loop import lane_loops, sampled_loop
 from contourlab.errors import ParameterError, ScenarioError
 from contourlab.loop.trials import Trials
 from contourlab.scenario import dump, parse_scenario
@@ -81,10 +81,11 @@ def test_a_filter_multiplies_the_loop_gain() -> None:
 def test_lanes_of_loops_differ_by_the_frequency_of_the_filter() -> None:
     axis, mine = stage().axes[0], filtered(control(), notch()).axes["x"]
     frequencies = np.array([90.0, 140.0, 333.0])
-    loops = sampled_loops(axis, mine, PERIOD, {"controller.axes.x.filters.f0.frequency": frequencies})
-    for loop, frequency in zip(loops, frequencies, strict=True):
+    lanes = lane_loops(axis, mine, PERIOD, 0.0, {"controller.axes.x.filters.f0.frequency": frequencies})
+    for radius, phase, frequency in zip(lanes.radius(1.0), lanes.margins().phase, frequencies, strict=True):
         alone = sampled_loop(axis, replace(mine, filters=(("f0", notch(frequency=float(frequency))),)), PERIOD)
-        assert loop.margins().phase == pytest.approx(alone.margins().phase, rel=1e-6)
+        assert radius == pytest.approx(np.abs(alone.poles).max(), rel=1e-9)
+        assert phase == pytest.approx(alone.margins().phase, abs=1e-3)
 
 
 def test_a_filter_does_not_look_like_a_limit(circle: cl.Reference) -> None:

@@ -129,7 +129,7 @@ class ContourTransfer:
     @cached_property
     def _modulus(self) -> HullMargin:
         w = self.grid
-        value, at = nearest_approach(lambda x: float(self.distance(x)[0]), w, self.distance(w), n_dip=4, tolerance=1e-9)
+        value, at = nearest_approach(self.distance, w, self.distance(w), n_dip=4, tolerance=1e-9)
         return HullMargin.nearest(value, at, self.vertices(at)[0])
 
     @cached_property

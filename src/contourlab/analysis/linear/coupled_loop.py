@@ -147,18 +147,16 @@ class CoupledLoop:
 
     def matrices(self, n_normal: int) -> LoopMatrices:
         """Return the matrices of one tick with the coupling removed, for `n_normal` normals at each point of the path."""
-        from scipy.linalg import block_diag
-
         eye = np.eye(n_normal)
         f, g, h = (np.kron(part, eye) for part in (self.coupling.f, self.coupling.g[:, None], self.coupling.h[None, :]))
         n, m = sum(len(axis.a) for axis in self.axes), len(f)
         entering = [axis.b[:, None] for axis in self.axes], [axis.r[:, None] for axis in self.axes]
-        pushed, referred = (np.pad(block_diag(*columns), ((0, m), (0, 0))) for columns in entering)
-        leaving = [axis.position for axis in self.axes], [axis.command[:-2] for axis in self.axes]
-        position, command = (np.pad(block_diag(*rows), ((0, 0), (0, m))) for rows in leaving)
+        pushed, referred = (np.pad(_diagonal(columns), ((0, m), (0, 0))) for columns in entering)
+        leaving = [axis.position[None] for axis in self.axes], [axis.command[None, :-2] for axis in self.axes]
+        position, command = (np.pad(_diagonal(rows), ((0, 0), (0, m))) for rows in leaving)
         direct = np.array([axis.command[-2:] for axis in self.axes])
         ends: list[Array] = [np.pad(g, ((n, 0), (0, 0))), np.pad(h, ((0, 0), (n, 0)))]
-        a = block_diag(*(axis.a for axis in self.axes), f)
+        a = _diagonal([*(axis.a for axis in self.axes), np.asarray(f, dtype=float)])
         return LoopMatrices(n, a, pushed, referred, position, command, direct[:, 0], direct[:, 1], *ends)
 
     def matrix(self, normals: Array) -> Array:
@@ -178,6 +176,15 @@ class CoupledLoop:
     def poles(self, normals: Array) -> Complex:
         """Return the poles of the machine for constant normals (n_axis, n_normal)."""
         return poles_of(self.matrix(normals))
+
+
+def _diagonal(blocks: Sequence[Array]) -> Array:
+    """Return a matrix with blocks along its diagonal, and zeros elsewhere."""
+    made, row, column = np.zeros(np.sum([block.shape for block in blocks], axis=0)), 0, 0
+    for block in blocks:
+        made[row : row + block.shape[0], column : column + block.shape[1]] = block
+        row, column = row + block.shape[0], column + block.shape[1]
+    return made
 
 
 def coupled_loop(machine: Machine, controller: Controller) -> CoupledLoop:

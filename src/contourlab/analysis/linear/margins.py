@@ -6,13 +6,14 @@ The means of a few loop gains fill, at each frequency, a polygon of the complex 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.arrays import Array, Complex
+from contourlab.arrays import Array, Complex, Flags
 
 LoopGain = Callable[[Array], Complex]
 """Loop gain (n,), or loop gains (n, n_loop), at frequencies (n,) [rad/s]."""
@@ -52,6 +53,16 @@ class Margins:
 UNSTABLE = Margins(math.nan, math.nan, math.nan, math.nan, stable=False)
 
 
+@dataclass(frozen=True, eq=False)
+class RoughMargins:
+    """Margins of many loops (n,), interpolated on a frequency grid; fields as of `Margins`, nan for an unstable loop."""
+
+    gain: Array
+    phase: Array
+    modulus: Array
+    stable: Flags
+
+
 def margins(loop: LoopGain, frequency: ArrayLike, *, stable: bool) -> Margins:
     """Return the margins of a loop.
 
@@ -68,76 +79,82 @@ def margins(loop: LoopGain, frequency: ArrayLike, *, stable: bool) -> Margins:
         return UNSTABLE
     w = np.asarray(frequency, dtype=float)
     gain = np.asarray(loop(w), dtype=complex)
-    crossover, phase = min(_phases(loop, w, gain), key=lambda crossing: abs(crossing[1]), default=(math.nan, math.inf))
-    larger = [crossing for crossing in _factors(loop, w, gain) if crossing[1] > 1.0]
-    phase_crossover, factor = min(larger, key=lambda crossing: crossing[1], default=(math.nan, math.inf))
-    modulus, _ = nearest_approach(lambda x: abs(1.0 + _value(loop, x)), w, np.abs(1.0 + gain), n_dip=3, tolerance=1e-6)
+    phase, crossover = _phase_margin(loop, w, gain)
+    factor, phase_crossover = _gain_margin(loop, w, gain)
+    modulus, _ = nearest_approach(lambda x: np.abs(1.0 + loop(x)), w, np.abs(1.0 + gain), n_dip=3, tolerance=1e-7)
     return Margins(factor, phase, crossover, modulus, True, phase_crossover)
 
 
-def _phases(loop: LoopGain, w: Array, gain: Complex) -> Iterator[tuple[float, float]]:
-    """Yield each frequency where the gain is 1, with the angle from there to -1."""
+def _phase_margin(loop: LoopGain, w: Array, gain: Complex) -> tuple[float, float]:
+    """Return the smallest angle to -1 where the gain is 1, and its frequency."""
     with np.errstate(divide="ignore"):  # a gain of 0 has no crossing
-        size = np.log(np.abs(gain))
-    for at in _zeros(lambda x: math.log(abs(_value(loop, x))), w, size):
-        yield at, float(np.angle(-_value(loop, at)))
+        at = _zeros(lambda x: np.log(np.abs(loop(x))), w, np.log(np.abs(gain)))
+    angles = np.angle(-loop(at)).tolist()
+    return min(zip(angles, at.tolist(), strict=True), key=lambda crossing: abs(crossing[0]), default=(math.inf, math.nan))
 
 
-def _factors(loop: LoopGain, w: Array, gain: Complex) -> Iterator[tuple[float, float]]:
-    """Yield each frequency where the loop gain is real and negative, with the factor from there to -1."""
-    values = [(at, _value(loop, at)) for at in _zeros(lambda x: _value(loop, x).imag, w, gain.imag)]
+def _gain_margin(loop: LoopGain, w: Array, gain: Complex) -> tuple[float, float]:
+    """Return the smallest factor above 1 to -1 where the loop gain is real, and its frequency."""
+    at = _zeros(lambda x: np.asarray(loop(x).imag), w, gain.imag)
+    values = loop(at).real
     # At the Nyquist frequency a sampled loop is real: it meets the real axis without crossing it.
     if abs(gain[-1].imag) <= 1e-9 * abs(gain[-1]):
-        values.append((float(w[-1]), complex(gain[-1])))
-    for at, value in values:
-        if value.real < 0.0:
-            yield at, 1.0 / abs(value)
+        at, values = np.append(at, w[-1]), np.append(values, gain[-1].real)
+    factors = ((-1.0 / value, where) for value, where in zip(values.tolist(), at.tolist(), strict=True) if -1.0 < value < 0.0)
+    return min(factors, default=(math.inf, math.nan))
 
 
-def interpolated_margins(w: Array, gain: Complex) -> Margins:
-    """Return the margins of a stable loop by linear interpolation of its gain (n,) at frequencies (n,) [rad/s]."""
-    phase, crossover = _interpolated_phase(w, gain)
-    factor, phase_crossover = _interpolated_factor(w, gain)
-    return Margins(factor, phase, crossover, float(np.abs(1.0 + gain).min()), True, phase_crossover)
+def rough_margins(gain: Complex, stable: Flags) -> RoughMargins:
+    """Return the margins of loops by linear interpolation of their gains (n, n_frequency) at rising frequencies up to Nyquist."""
+    figures = _interpolated_phases(gain), _interpolated_factors(gain), np.abs(1.0 + gain).min(axis=1)
+    phase, factor, modulus = (np.where(stable, figure, np.nan) for figure in figures)
+    return RoughMargins(factor, phase, modulus, stable)
 
 
-def _interpolated_phase(w: Array, gain: Complex) -> tuple[float, float]:
+def _interpolated_phases(gain: Complex) -> Array:
+    """Return the smallest change of phase (n,) at a gain of 1 that reaches -1; infinite where the gain is never 1."""
     with np.errstate(divide="ignore"):
         size = np.log(np.abs(gain))
-    at = np.flatnonzero(np.isfinite(size[:-1]) & np.isfinite(size[1:]) & (size[:-1] * size[1:] <= 0.0) & (size[:-1] != size[1:]))
-    if not at.size:
-        return math.inf, math.nan
-    part = size[at] / (size[at] - size[at + 1])
-    angle = np.angle(-gain[at]) + part * np.angle(gain[at + 1] / gain[at])
-    angle = np.angle(np.exp(1j * angle))
-    best = int(np.argmin(np.abs(angle)))
-    return float(angle[best]), float(w[at[best]] * (w[at[best] + 1] / w[at[best]]) ** part[best])
+    crosses = np.isfinite(size[:, :-1]) & np.isfinite(size[:, 1:]) & (size[:, :-1] * size[:, 1:] <= 0.0) & (size[:, :-1] != size[:, 1:])
+    row, at = np.nonzero(crosses)
+    before, after = gain[row, at], gain[row, at + 1]
+    part = size[row, at] / (size[row, at] - size[row, at + 1])
+    angles = np.full(crosses.shape, np.inf)
+    angles[row, at] = np.angle(np.exp(1j * (np.angle(-before) + part * np.angle(after / before))))
+    return np.asarray(angles[np.arange(len(gain)), np.abs(angles).argmin(axis=1)])
 
 
-def _interpolated_factor(w: Array, gain: Complex) -> tuple[float, float]:
-    at = np.flatnonzero(gain.imag[:-1] * gain.imag[1:] < 0.0)
-    part = gain.imag[at] / (gain.imag[at] - gain.imag[at + 1])
-    real, where = gain.real[at] + part * (gain.real[at + 1] - gain.real[at]), w[at] * (w[at + 1] / w[at]) ** part
-    if abs(gain[-1].imag) <= 1e-9 * abs(gain[-1]):
-        real, where = np.append(real, gain[-1].real), np.append(where, w[-1])
-    inside = (real < 0.0) & (real > -1.0)
-    if not inside.any():
-        return math.inf, math.nan
-    best = int(np.argmin(real[inside]))
-    return float(-1.0 / real[inside][best]), float(where[inside][best])
+def _interpolated_factors(gain: Complex) -> Array:
+    """Return the smallest factor (n,) above 1 that takes the gain to -1; infinite where there is none."""
+    crosses = gain.imag[:, :-1] * gain.imag[:, 1:] < 0.0
+    row, at = np.nonzero(crosses)
+    before, after = gain[row, at], gain[row, at + 1]
+    real = np.zeros(gain.shape)
+    real[row, at] = before.real + before.imag / (before.imag - after.imag) * (after.real - before.real)
+    last = gain[:, -1]
+    real[:, -1] = np.where(np.abs(last.imag) <= 1e-9 * np.abs(last), last.real, 0.0)
+    most = np.where((real < 0.0) & (real > -1.0), -real, 0.0).max(axis=1)
+    with np.errstate(divide="ignore"):
+        return np.asarray(1.0 / most)
 
 
-def nearest_approach(distance: Callable[[float], float], w: Array, values: Array, *, n_dip: int, tolerance: float) -> tuple[float, float]:
+FINER = np.linspace(0.0, 1.0, 17)
+"""Where a function is computed in each interval that holds a zero or a minimum; the interval then shrinks to one of these parts."""
+
+
+def nearest_approach(distance: Callable[[Array], Array], w: Array, values: Array, *, n_dip: int, tolerance: float) -> tuple[float, float]:
     """Return the smallest distance and its frequency: the smallest dips of the grid `values` (n,), each refined between its neighbours."""
-    from scipy.optimize import minimize_scalar
-
     low = np.concatenate([[math.inf], values, [math.inf]])
     dips = np.flatnonzero((values <= low[:-2]) & (values <= low[2:]))
     candidates = [(float(values.min()), float(w[values.argmin()]))]
     for i in dips[np.argsort(values[dips])][:n_dip]:
-        bounds = (float(w[max(i - 1, 0)]), float(w[min(i + 1, w.size - 1)]))
-        best = minimize_scalar(distance, bounds=bounds, method="bounded", options={"xatol": tolerance * bounds[1]})
-        candidates.append((float(best.fun), float(best.x)))
+        x = w[max(i - 1, 0) : i + 2]
+        while x[-1] - x[0] > tolerance * x[-1]:
+            x = x[0] + (x[-1] - x[0]) * FINER
+            found = distance(x)
+            at = int(found.argmin())
+            candidates.append((float(found[at]), float(x[at])))
+            x = x[max(at - 1, 0) : at + 2]
     return min(candidates)
 
 
@@ -159,16 +176,21 @@ def frequency_grid(servo_period: float, poles: Complex, n_delay: int) -> Array:
     return np.asarray(w[(w >= 1e-5 * top) & (w <= top)])
 
 
-def _zeros(function: Callable[[float], float], w: Array, values: Array) -> list[float]:
+def _zeros(function: Callable[[Array], Array], w: Array, values: Array) -> Array:
     """Return the zero crossings of a function, bracketed by its values on a grid."""
-    from scipy.optimize import brentq
-
     above = values > 0.0
-    return [float(brentq(function, w[i], w[i + 1], xtol=1e-13 * w[i + 1], rtol=1e-14)) for i in np.flatnonzero(above[1:] != above[:-1])]
-
-
-def _value(loop: LoopGain, w: float) -> complex:
-    return complex(loop(np.array([w]))[0])
+    at = np.flatnonzero(above[1:] != above[:-1])
+    if not at.size:
+        return np.zeros(0)
+    rises, row = above[at + 1][:, None], np.arange(at.size)
+    low, high, ends = w[at], w[at + 1], (values[at], values[at + 1])
+    # The last interval is a millionth of the first: a straight line then errs by the square of that.
+    for _ in range(5):
+        x = low[:, None] + (high - low)[:, None] * FINER
+        found = np.column_stack([ends[0], function(x[:, 1:-1].ravel()).reshape(at.size, -1), ends[1]])
+        over = np.argmax((found > 0.0) == rises, axis=1)
+        low, high, ends = x[row, over - 1], x[row, over], (found[row, over - 1], found[row, over])
+    return np.asarray(low - ends[0] * (high - low) / (ends[1] - ends[0]))
 
 
 SHARES = np.linspace(0.0, 1.0, 33)
@@ -186,12 +208,18 @@ class HullMargin:
     @classmethod
     def nearest(cls, value: float, frequency: float, vertices: Complex) -> HullMargin:
         """Return a margin with the weights of the point nearest to -1 in the polygon of `vertices` (n,)."""
-        from scipy.optimize import nnls
-
-        # A heavy weight holds the sum at 1 to rounding.
+        # A heavy weight holds the sum at 1 to rounding. No more than three vertices are needed to reach any point of a polygon.
         heavy = 1e6 * max(1.0, float(np.abs(vertices + 1.0).max()))
-        weights, _ = nnls(np.vstack([vertices.real + 1.0, vertices.imag, np.full(vertices.size, heavy)]), np.array([0.0, 0.0, heavy]))
-        return cls(value, frequency, weights / weights.sum())
+        system, target = np.vstack([vertices.real + 1.0, vertices.imag, np.full(vertices.size, heavy)]), np.array([0.0, 0.0, heavy])
+        best, left = np.zeros(vertices.size), math.inf
+        for size in range(1, min(vertices.size, 3) + 1):
+            for support in map(list, combinations(range(vertices.size), size)):
+                weights = np.zeros(vertices.size)
+                weights[support] = np.linalg.lstsq(system[:, support], target)[0]
+                residual = float(np.linalg.norm(system @ weights - target))
+                if weights.min() >= 0.0 and residual < left:
+                    best, left = weights, residual
+        return cls(value, frequency, best / best.sum())
 
 
 def hull_modulus(vertices: Complex) -> Array:
@@ -232,44 +260,50 @@ def edge_margins(loops: LoopGain, frequency: Array, pairs: Sequence[tuple[int, i
         The edges; empty for one loop.
     """
     values = loops(frequency)
-    n, scale = values.shape[1], float(np.abs(values).max(initial=1.0))
+    scale = float(np.abs(values).max(initial=1.0))
     alike = [np.abs(values[:, i] - values[:, j]).max() <= 1e-12 * scale for i, j in pairs]
     edges = [pair for pair, same in zip(pairs, alike, strict=True) if not same] or [(0, 0)]
+    shares = SHARES[:, None]
+    means = [values[:, i] + shares * (values[:, j] - values[:, i]) for i, j in edges]
     worst = []
-    for measure, rough_margin in enumerate((_interpolated_phase, _interpolated_factor)):
-        rough = [
-            (abs(rough_margin(frequency, values[:, i] + share * (values[:, j] - values[:, i]))[0]), (i, j), float(share))
-            for i, j in edges
-            for share in SHARES
-        ]
-        worst.append(_refined(loops, frequency, n, *min(rough, key=lambda entry: entry[0])[1:], measure))
+    for rough, exact in ((_interpolated_phases, _phase_margin), (_interpolated_factors, _gain_margin)):
+        sizes = np.abs([rough(mean) for mean in means])
+        edge, share = np.unravel_index(sizes.argmin(), sizes.shape)
+        worst.append(_refined(loops, frequency, values, edges[int(edge)], float(SHARES[share]), exact))
     return worst[0], worst[1]
 
 
-def _refined(loops: LoopGain, w: Array, n: int, edge: tuple[int, int], share: float, measure: int) -> HullMargin:
-    """Return the exact margin of the worst mean on an edge near a share."""
-    from scipy.optimize import minimize_scalar
+def _refined(
+    loops: LoopGain, w: Array, values: Complex, edge: tuple[int, int], share: float, exact: Callable[..., tuple[float, float]]
+) -> HullMargin:
+    """Return the exact margin of the worst mean on an edge near a share; `values` (n, n_loop) are the loop gains on the grid."""
 
     def weights(at: float) -> Array:
-        mean = np.zeros(n)
+        mean = np.zeros(values.shape[1])
         mean[edge[0]] += 1.0 - at
         mean[edge[1]] += at
         return mean
 
-    def exact(at: float) -> tuple[float, float]:
+    def margin(at: float) -> tuple[float, float]:
         mean = weights(at)
-        result = margins(lambda x: np.asarray(loops(x) @ mean), w, stable=True)
-        return (result.phase, result.crossover) if measure == 0 else (result.gain, result.phase_crossover)
+        return exact(lambda x: np.asarray(loops(x) @ mean), w, values @ mean)
 
     def size(at: float) -> float:
-        return min(abs(exact(at)[0]), 1e12)
+        return min(abs(margin(at)[0]), 1e12)
 
     shares = [share]
-    if edge[0] != edge[1] and math.isfinite(exact(share)[0]):
-        bounds = (max(share - float(SHARES[1]), 0.0), min(share + float(SHARES[1]), 1.0))
-        shares.append(float(minimize_scalar(size, bounds=bounds, method="bounded", options={"xatol": 1e-4}).x))
+    if edge[0] != edge[1] and math.isfinite(margin(share)[0]):
+        shares.append(_lowest(size, max(share - float(SHARES[1]), 0.0), min(share + float(SHARES[1]), 1.0)))
     worst = min(shares, key=size)
-    return HullMargin(*exact(worst), weights(worst))
+    return HullMargin(*margin(worst), weights(worst))
+
+
+def _lowest(function: Callable[[float], float], low: float, high: float) -> float:
+    """Return where a function with one minimum is least between two places, to 1e-5."""
+    while high - low > 1e-5:
+        left, right = low + 0.45 * (high - low), low + 0.55 * (high - low)
+        low, high = (low, right) if function(left) < function(right) else (left, high)
+    return (low + high) / 2.0
 
 
 def doubling(factor: float) -> float:

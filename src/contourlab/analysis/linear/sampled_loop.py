@@ -4,9 +4,9 @@ The schedule of the servo loop is built for the axis alone and cut where the com
 enters the controller. Each cut becomes an input. Every response then follows from one linear map, which has the node order, one-tick
 delays, sampled filters, hold and drive delay of a run.
 
-`sampled_loop` takes tens of milliseconds for one loop, too long for ten thousand candidates. For searches the variants of one axis run in
-parallel lanes. `sampled_loops` returns the loops; `lane_loops` only tests whether the closed loop is stable with its command multiplied by
-a factor, or shifted in phase.
+`sampled_loop` and its exact margins take milliseconds for one loop, too long for ten thousand candidates. For searches `lane_loops` returns
+all variants of one axis at once: their rough margins, or whether they stay stable with the command multiplied by a factor or shifted in
+phase.
 """
 
 from __future__ import annotations
@@ -20,14 +20,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.analysis.linear.margins import UNSTABLE, Margins, frequency_grid, interpolated_margins, margins
-from contourlab.analysis.linear.tick_map import DelayForm, TickMap, lane_matrices, live_states, poles_of, tick_map
-from contourlab.arrays import Array, Complex, Flags
+from contourlab.analysis.linear.margins import Margins, RoughMargins, frequency_grid, margins, rough_margins
+from contourlab.analysis.linear.tick_map import DelayForm, TickMap, lane_matrices, live_states, poles_of, poles_of_each, tick_map
+from contourlab.arrays import Array, Complex, Flags, Index
 from contourlab.components.contract import Component
 from contourlab.engine.step import Port, Schedule
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.geometry import Line, Path
-from contourlab.loop.batch import LANES
 from contourlab.loop.judging import WATCH
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.loop.parameters import parameters_of
@@ -283,8 +282,8 @@ def without_limit(part: Component) -> Component:
     return part.replace(**free) if free else part
 
 
-GRID = 200
-"""Frequencies of `rough_margins`."""
+GRID = np.exp(1j * np.pi * np.geomspace(1e-4, 1.0, 200))
+"""Where `LaneLoops.margins` computes the loop gain, in the z plane: up to the Nyquist frequency."""
 
 
 class LaneLoops:
@@ -301,20 +300,39 @@ class LaneLoops:
     def __init__(self, a: Array, b: Array, c: Array) -> None:
         self.a, self.b, self.c = a, b, c
 
+    def __getitem__(self, variants: Index) -> LaneLoops:
+        """Return the loops of some variants."""
+        return LaneLoops(self.a[variants], self.b[variants], self.c[variants])
+
+    def _closed(self, factor: complex) -> tuple[Complex, Complex]:
+        """Return the poles (n_variant, n) with the command multiplied by a factor, and the determinant of what passes at once."""
+        turned = np.array([factor, 1.0]).real if np.isreal(factor) else np.array([factor, 1.0])
+        b = self.b * turned
+        direct = np.eye(2) - self.c @ b
+        return poles_of_each(self.a + b @ np.linalg.solve(direct, self.c @ self.a)), np.linalg.det(direct)
+
     def radius(self, factor: complex) -> Array:
         """Return the largest magnitude of the closed loop's poles (n_variant,) with the command multiplied by a factor.
 
         A complex factor of magnitude 1 acts as a lag at positive frequencies and as a lead at negative ones, or the reverse: the loop is
         stable only if it tolerates both.
         """
-        turned = np.array([factor, 1.0]).real if np.isreal(factor) else np.array([factor, 1.0])
-        b = self.b * turned
-        closed = self.a + b @ np.linalg.solve(np.eye(2) - self.c @ b, self.c @ self.a)
-        largest = np.full(len(closed), math.inf)
-        finite = np.isfinite(closed).all(axis=(1, 2))
-        if finite.any():
-            largest[finite] = np.abs(np.linalg.eigvals(closed[finite])).max(axis=1, initial=0.0)
-        return largest
+        return np.asarray(np.abs(self._closed(factor)[0]).max(axis=1, initial=0.0))
+
+    def margins(self) -> RoughMargins:
+        """Return the margins by linear interpolation on a frequency grid, accurate to a few tenths of a decibel and of a degree.
+
+        Good enough to guide a search; check its result with `SampledLoop.margins`.
+        """
+        # 1 + L is the ratio of two characteristic polynomials: with the command closed, and opened.
+        (closed, through), (opened, bare) = self._closed(1.0), self._closed(0.0)
+        above, below = (np.ones((len(closed), GRID.size), dtype=complex) for _ in range(2))
+        with np.errstate(invalid="ignore", divide="ignore", over="ignore"):  # loops that are not finite
+            for zero, pole in zip(closed.T, opened.T, strict=True):
+                above *= GRID - zero[:, None]
+                below *= GRID - pole[:, None]
+            gain = (through / bare)[:, None] * above / below - 1.0
+            return rough_margins(gain, np.abs(closed).max(axis=1, initial=0.0) < 1.0)
 
 
 def margin_factors(gain: float, phase: float) -> tuple[complex, ...]:
@@ -355,7 +373,13 @@ def lane_loops(
     ComponentError
         If a step is not linear, or a delay is too long for the analysis.
     """
-    _, bare, schedule, a, b = _opened_lanes(axis, controller, servo_period, overrides, carried_mass)
+    n = len(next(iter(overrides.values()), (0.0,)))
+    machine, bare = bare_axis(axis, controller, servo_period, carried_mass)
+    known = parameters_of(machine, bare)
+    # The loop of one axis has no estimator of the coupling.
+    used = {name: np.asarray(values, dtype=float) for name, values in overrides.items() if name in known}
+    schedule = opened_schedule(machine, bare, used)
+    a, b = lane_matrices(schedule, n if used else 1, jit_enabled())
     b = b[:, :, [schedule.row(signal) for signal in INPUTS[:2]]]
     c = _sent(axis.name, bare, TickMap(a[0], b[0], schedule))
     moved = np.asarray((a != np.eye(a.shape[1])).any(axis=0))
@@ -364,51 +388,5 @@ def lane_loops(
     kept = np.flatnonzero((moved.any(axis=1) | driven) & (moved.any(axis=0) | read))
     # A cut signal enters at the tick in which it leaves: keep a command even if no past state drives it.
     kept = kept[live_states((a[:, kept][:, :, kept] != 0.0).any(axis=0), driven[kept], read[kept])]
-    return LaneLoops(a[:, kept][:, :, kept], b[:, kept], np.broadcast_to(c[:, kept], (len(a), 2, kept.size)))
-
-
-def sampled_loops(
-    axis: Axis, controller: AxisController, servo_period: float, columns: Mapping[str, Array], carried_mass: float = 0.0
-) -> list[SampledLoop]:
-    """Return the sampled loop of an axis for each of many sets of parameters.
-
-    Parameters
-    ----------
-    axis, controller, servo_period, carried_mass
-        As in `contourlab.analysis.linear.sampled_loop.sampled_loop`.
-    columns : mapping of str to ndarray (n_variant,)
-        Values [SI] by dotted names; names outside the loop of this axis are ignored.
-
-    Raises
-    ------
-    ComponentError
-        If a step is not linear, or a delay is too long for the analysis.
-    """
-    machine, bare, schedule, a, b = _opened_lanes(axis, controller, servo_period, columns, carried_mass)
-    return [loop_of(machine, bare, TickMap(a[i], b[i], schedule)) for i in range(len(a))]
-
-
-def _opened_lanes(
-    axis: Axis, controller: AxisController, servo_period: float, columns: Mapping[str, Array], carried_mass: float
-) -> tuple[Machine, Controller, Schedule, Array, Array]:
-    """Return the bare axis, its controller and open schedule, and A (n_variant, n, n) and B (n_variant, n, n_external)."""
-    n = len(next(iter(columns.values()), (0.0,)))
-    machine, bare = bare_axis(axis, controller, servo_period, carried_mass)
-    known = parameters_of(machine, bare)
-    # The loop of one axis has no estimator of the coupling.
-    used = {name: np.asarray(values, dtype=float) for name, values in columns.items() if name in known}
-    schedule = opened_schedule(machine, bare, used)
-    parts = [lane_matrices(schedule, LANES, first, jit_enabled()) for first in range(0, n if used else 1, LANES)]
-    a, b = (np.concatenate([part[i] for part in parts]) for i in (0, 1))
-    if not used:
-        return machine, bare, schedule, np.repeat(a[:1], n, axis=0), np.repeat(b[:1], n, axis=0)
-    return machine, bare, schedule, a[:n], b[:n]
-
-
-def rough_margins(loop: SampledLoop) -> Margins:
-    """Return margins by linear interpolation on a frequency grid, accurate to a few tenths of a decibel and of a degree.
-
-    Good enough to guide a search; check its result with `SampledLoop.margins`.
-    """
-    w = np.geomspace(1e-4 * loop.nyquist, loop.nyquist, GRID)
-    return interpolated_margins(w, loop.loop_gain(w)) if loop.stable else UNSTABLE
+    shapes = (n, kept.size, kept.size), (n, kept.size, 2), (n, 2, kept.size)
+    return LaneLoops(*map(np.broadcast_to, (a[:, kept][:, :, kept], b[:, kept], c[:, kept]), shapes))

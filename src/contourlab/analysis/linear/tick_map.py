@@ -14,8 +14,12 @@ import numpy as np
 from contourlab.arrays import Array, Complex, Flags, Index
 from contourlab.engine.runner import make_group
 from contourlab.engine.step import Schedule, rows
+from contourlab.engine.translate.tick_loop import VECTOR
 from contourlab.errors import ComponentError
 from contourlab.native.kernel import kernel
+
+TOGETHER = 256
+"""Most variants whose matrices are computed together."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,16 +138,20 @@ def tick_map(schedule: Schedule) -> TickMap:
     return TickMap(np.ascontiguousarray(a[:, :, 0]), np.ascontiguousarray(b[:, :, 0]), schedule)
 
 
-def lane_matrices(schedule: Schedule, width: int, first: int, jit: bool) -> tuple[Array, Array]:
-    """Return A (width, n, n) and B (width, n, n_external) of the variants from `first` on, computed together.
+def lane_matrices(schedule: Schedule, n: int, jit: bool) -> tuple[Array, Array]:
+    """Return A (n, m, m) and B (n, m, n_external) of the n variants of a schedule, computed together.
 
     Raises
     ------
     ComponentError
         If a step is not linear; it names the node.
     """
-    a, b = Probe(schedule, width, first, jit).matrices()
-    return np.moveaxis(a, 2, 0), np.moveaxis(b, 2, 0)
+    parts = []
+    for first in range(0, n, TOGETHER):
+        width = -(-min(n - first, TOGETHER) // VECTOR) * VECTOR
+        parts.append(Probe(schedule, width, first, jit).matrices())
+    a, b = (np.concatenate([np.moveaxis(part[i], 2, 0) for part in parts])[:n] for i in (0, 1))
+    return a, b
 
 
 def spectral_radius(schedule: Schedule) -> float:
@@ -157,12 +165,30 @@ def spectral_radius(schedule: Schedule) -> float:
 
 def poles_of(matrix: Array) -> Complex:
     """Return the eigenvalues of a tick matrix that belong to the loop; some eigenvalues at zero are left out."""
+    kept = loop_states(matrix)
+    return np.asarray(np.linalg.eigvals(matrix[np.ix_(kept, kept)]), dtype=complex)
+
+
+def poles_of_each(matrices: Array) -> Complex:
+    """Return `poles_of` for matrices (n_variant, n, n) as (n_variant, n), filled up with zeros; infinite where one is not finite."""
+    poles = np.zeros(matrices.shape[:2], dtype=complex)
+    finite = np.isfinite(matrices).all(axis=(1, 2))
+    poles[~finite] = np.inf
+    # A gain of zero in one variant takes states out of its loop, so variants of the same form go together.
+    form = np.concatenate([matrices != 0.0, matrices == np.eye(matrices.shape[1])], axis=1).reshape(len(matrices), -1)
+    _, first, kind = np.unique(np.packbits(form, axis=1), axis=0, return_index=True, return_inverse=True)
+    for k, i in enumerate(first):
+        rows, kept = np.flatnonzero((kind == k) & finite), loop_states(matrices[i])
+        poles[rows, : kept.size] = np.linalg.eigvals(matrices[np.ix_(rows, kept, kept)])
+    return poles
+
+
+def loop_states(matrix: Array) -> Index:
+    """Return the states of a tick matrix that belong to the loop: not those that only store a value, and sums that nothing reads."""
     moved = matrix != np.eye(len(matrix))
     kept = np.flatnonzero(moved.any(axis=1) & moved.any(axis=0))
-    part = matrix[np.ix_(kept, kept)]
     # States outside the loop only add eigenvalues at zero, whose chains amplify rounding.
-    live = live_states(part != 0.0)
-    return np.asarray(np.linalg.eigvals(part[np.ix_(live, live)]), dtype=complex)
+    return kept[live_states(matrix[np.ix_(kept, kept)] != 0.0)]
 
 
 def live_states(links: Flags, driven: Flags | bool = False, read: Flags | bool = False) -> Index:

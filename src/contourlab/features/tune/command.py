@@ -185,8 +185,9 @@ def tune(*source: Source, settings: Tune, session: Session = QUIET) -> Calibrati
 
 def _work(case: Case, settings: TuneSettings) -> list[tuple[str, float]]:
     """Return first word and work of each stage of a calibration, in runs; see `contourlab.rendering.stages.Stages.expect`."""
-    lines = settings.passes * len(Space.chosen(case.machine, case.controller, settings.parameter, settings.width).numbers)
-    one = [] if settings.method == "global" else [("one", lines * (1 + REFINEMENTS) * float(settings.rule.lanes))]
+    lines = len(Space.chosen(case.machine, case.controller, settings.parameter, settings.width).numbers)
+    runs = settings.passes * lines * (1 + REFINEMENTS) * float(settings.line_rule(lines).lanes)
+    one = [] if settings.method == "global" else [("one", runs)]
     every = [] if settings.method == "sequential" else [("all", float(settings.budget))]
     return [("planning", 32.0), ("first", 32.0), ("placing", 32.0), ("restoring", 32.0), *one, *every, ("checking", 32.0)]
 

@@ -5,11 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache
 
 import numpy as np
 
-from contourlab.analysis.linear.sampled_loop import SampledLoop
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, refuse
@@ -17,7 +15,7 @@ from contourlab.features.tune.objective import Goal, Objective, Problem
 from contourlab.loop import Controller, Machine, parameters_of
 from contourlab.scenario.build import model_of
 from contourlab.study import DesignVariable, Found, Runner, search
-from contourlab.study.guards import Bounds, Guards, designed, fastest_speed
+from contourlab.study.guards import Bounds, designed, fastest_speed
 from contourlab.study.search import drawn_starts
 from contourlab.study.space import axes_of
 
@@ -98,6 +96,10 @@ class LineRule:
     lanes: int = 32
     plateau: str = "robust"
     within: float = 0.01
+
+    def within_budget(self, runs: int, lines: int) -> LineRule:
+        """Return the rule with fewer values per line, 8 at the least, where lines would take more than so many runs."""
+        return replace(self, lanes=max(min(self.lanes, runs // (lines * (1 + REFINEMENTS))), min(self.lanes, 8)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -198,16 +200,15 @@ def line_search(problem: Problem, variable: DesignVariable, values: Mapping[str,
 
 
 class _Line:
-    """All values of one parameter tried so far, with their runs and loops."""
+    """All values of one parameter tried so far, with their runs and margins."""
 
-    def __init__(self, problem: Problem, variable: DesignVariable, values: Mapping[str, float]) -> None:
+    def __init__(self, problem: Problem, variable: DesignVariable, values: Mapping[str, float], axes: Sequence[str] = ()) -> None:
         self.problem, self.variable, self.given, self.own = problem, variable, values, float(values[variable.name])
-        self.axes = axes_of(variable.name, problem.guards.machine)
+        self.axes = axes or axes_of(variable.name, problem.guards.machine)
         self.objective: dict[float, float] = {}
         self.limits: dict[float, tuple[float, float]] = {}
-        self.loops: dict[float, list[SampledLoop]] = {}
-        self.margins = cache(lambda value: problem.guards.missing(self.loops[value]))
-        """Returns the shortfall of the margins at a value, and the distance of the loops from -1."""
+        self.margins: dict[float, tuple[float, float]] = {}
+        """The shortfall of the margins at a value, and the distance of the loops from -1."""
 
     def add(self, values: Array) -> None:
         """Run values."""
@@ -215,9 +216,9 @@ class _Line:
         if not tried.size:
             return
         columns = {name: np.full(tried.size, value) for name, value in self.given.items()} | {self.variable.name: tried}
-        runs, keys = self.problem.objective(columns), tried.tolist()
-        self.loops |= zip(keys, self.problem.guards.loops(columns, self.axes), strict=True)
-        self.limits |= zip(keys, zip(runs.limited.tolist(), runs.largest.tolist(), strict=True), strict=True)
+        runs, guards, keys = self.problem.objective(columns), self.problem.guards, tried.tolist()
+        self.margins |= _rows(keys, *guards.missing(guards.lanes(columns, self.axes), tried.size))
+        self.limits |= _rows(keys, runs.limited, runs.largest)
         self.objective = dict(sorted((self.objective | dict(zip(keys, runs.value.tolist(), strict=True))).items()))
 
     def within_limits(self, value: float) -> bool:
@@ -230,7 +231,7 @@ class _Line:
 
     def allowed(self, value: float) -> bool:
         """Return whether a value keeps the bounds, or breaks them no further than the present value does."""
-        return self.within_limits(value) and self.margins(value)[0] <= self.margins(self.own)[0]
+        return self.within_limits(value) and self.margins[value][0] <= self.margins[self.own][0]
 
     def best(self) -> float:
         """Return the best allowed value; the present value if none is allowed."""
@@ -252,8 +253,8 @@ class _Line:
         if rule.plateau == "largest" or not good:
             return max(good, default=best)
         # Feedforward moves no pole: all values are then equally robust, so take the best.
-        farthest = max(self.margins(value)[1] for value in good)
-        robust = [value for value in good if self.margins(value)[1] >= farthest * (1.0 - 1e-6)]
+        farthest = max(self.margins[value][1] for value in good)
+        robust = [value for value in good if self.margins[value][1] >= farthest * (1.0 - 1e-6)]
         return min(robust, key=self.objective.__getitem__)
 
     def barrier(self, best: float) -> str:
@@ -263,13 +264,18 @@ class _Line:
             return ""
         if not self.within_limits(lowest):
             return "limit of a drive"
-        return "stability" if math.isinf(self.margins(lowest)[0]) else "margins"
+        return "stability" if math.isinf(self.margins[lowest][0]) else "margins"
 
     def step(self, stage: str, after: float, barrier: str, otherwise: str = "") -> Step:
         """Return the step to a value."""
         bound = "; ".join(filter(None, (barrier, self.variable.end(after)))) or otherwise
         values, objectives = (np.array(list(each)) for each in (self.objective, self.objective.values()))
         return Step(stage, self.variable, self.own, after, self.objective[self.own], self.objective[after], bound, values, objectives)
+
+
+def _rows(keys: list[float], *columns: Array) -> dict[float, tuple[float, float]]:
+    """Return the rows of two columns by key."""
+    return dict(zip(keys, zip(*(column.tolist() for column in columns), strict=True), strict=True))
 
 
 def restore_margins(problem: Problem, values: Mapping[str, float]) -> SearchPath:
@@ -290,7 +296,7 @@ def restore_margins(problem: Problem, values: Mapping[str, float]) -> SearchPath
         variables = [variable for variable in problem.space.numbers if axis in axes_of(variable.name, guards.machine)]
         for _ in variables:
             columns = {name: np.array([value]) for name, value in now.items()}
-            missing = guards.missing(guards.loops(columns, (axis,))[0])[0]
+            missing = float(guards.missing(guards.lanes(columns, (axis,)), 1)[0][0])
             if missing <= 0.0:
                 break
             repairs = [_repair(problem, axis, variable, now) for variable in variables]
@@ -304,20 +310,19 @@ def restore_margins(problem: Problem, values: Mapping[str, float]) -> SearchPath
 
 def _repair(problem: Problem, axis: str, variable: DesignVariable, now: Mapping[str, float]) -> tuple[float, float, float, Step]:
     """Return for the best value of one parameter: shortfall of the margins, objective, distance moved, and step."""
-    line = _Line(problem, variable, now)
-    line.axes = (axis,)
+    line = _Line(problem, variable, now, (axis,))
     line.add(np.append(variable.physical(np.linspace(0.0, 1.0, REPAIR_VALUES - 1)), line.own))
     # While another axis still diverges, all runs fail: take the smallest change that restores the margins.
     usable = [value for value, objective in line.objective.items() if math.isfinite(objective)] or list(line.objective)
-    least = min(line.margins(value)[0] for value in usable)
+    least = min(line.margins[value][0] for value in usable)
     place = variable.normalise(line.own)
 
     def rank(value: float) -> tuple[float, float]:
         return line.objective[value], abs(float(variable.normalise(value) - place))
 
-    after = min((value for value in usable if line.margins(value)[0] <= least), key=rank)
+    after = min((value for value in usable if line.margins[value][0] <= least), key=rank)
     reached, distance = rank(after)
-    fell = any(line.objective[value] < reached and line.margins(value)[0] > least for value in usable)
+    fell = any(line.objective[value] < reached and line.margins[value][0] > least for value in usable)
     return least, reached, distance, line.step("repair", after, "margins" if fell else "")
 
 
@@ -370,9 +375,8 @@ def global_search(
 
     Notes
     -----
-    Margins take longer to compute than a run. Each generation therefore checks its best points in turn until `KEPT` of them keep the
-    bounds. A point that breaks a bound is ranked behind all others of its generation. The exact analysis checks the result. Ctrl-C ends
-    the search with the best values so far.
+    Each generation checks the margins of its best points in turn until `KEPT` of them keep the bounds. A point that breaks a bound is
+    ranked behind all others of its generation. The exact analysis checks the result. Ctrl-C ends the search with the best values so far.
     """
     found = search(
         lambda points: _ranked(problem, points),
@@ -395,33 +399,25 @@ def global_search(
 
 def _ranked(problem: Problem, points: Array) -> Array:
     """Return the objective of points, a generation of each start; points that break a bound rank behind the others of their generation."""
-    columns, bounds = problem.space.columns(points), problem.guards.bounds
+    columns, guards = problem.space.columns(points), problem.guards
     runs = problem.objective(columns)
-    excess = np.maximum(runs.limited - bounds.limited, 0.0)
-    if np.isfinite(bounds.command):
-        excess = excess + np.maximum(runs.largest / bounds.command - 1.0, 0.0)
-    excess = np.where(np.isfinite(excess), excess, np.inf)
-    axes = tuple(dict.fromkeys(axis for name in problem.space.names for axis in axes_of(name, problem.guards.machine)))
-    ranked = runs.value.copy()
+    excess = np.maximum(runs.limited - guards.bounds.limited, 0.0)
+    if np.isfinite(guards.bounds.command):
+        excess = excess + np.maximum(runs.largest / guards.bounds.command - 1.0, 0.0)
+    ranked, worst, turns = runs.value.copy(), np.zeros(len(points)), []
+    usable = np.isfinite(ranked) & (excess <= 0.0)
     for first in range(0, len(points), POPULATION):
-        part = slice(first, first + POPULATION)
-        own = {name: column[part] for name, column in columns.items()}
-        ranked[part] = _generation(problem.guards, axes, ranked[part], excess[part], own)
-    return ranked
-
-
-def _generation(guards: Guards, axes: Sequence[str], values: Array, excess: Array, columns: Mapping[str, Array]) -> Array:
-    """Return the ranked values of one generation of one start."""
-    good = np.isfinite(values)
-    if not good.any():
-        return values
-    worst, kept = float(values[good].max()), 0
-    ranked = np.where(excess > 0.0, worst * (2.0 + excess), values)
-    loops = guards.loops(columns, axes)
-    for i in np.argsort(ranked, kind="stable").tolist():
-        if good[i] and excess[i] <= 0.0 and kept < KEPT:
-            missing, _ = guards.missing(loops[i])
-            kept += missing <= 0.0
-            if missing > 0.0:
-                ranked[i] = worst * (2.0 + missing)
+        part = np.arange(first, min(first + POPULATION, len(points)))
+        worst[part] = ranked[part].max(where=np.isfinite(ranked[part]), initial=-math.inf)
+        ranked[part] = np.where(excess[part] > 0.0, worst[part] * (2.0 + excess[part]), ranked[part])
+        order = part[np.argsort(ranked[part], kind="stable")]
+        turns.append((order[usable[order]], KEPT))
+    axes = {axis for name in problem.space.names for axis in axes_of(name, guards.machine)}
+    lanes, missing = guards.lanes(columns, axes), np.zeros(len(points))
+    while turns := [(order, left) for order, left in turns if order.size and left > 0]:
+        now = np.concatenate([order[:left] for order, left in turns])
+        missing[now], _ = guards.missing([loops[now] for loops in lanes], now.size)
+        turns = [(order[left:], left - int((missing[order[:left]] <= 0.0).sum())) for order, left in turns]
+    broken = missing > 0.0
+    ranked[broken] = worst[broken] * (2.0 + missing[broken])
     return ranked

@@ -8,6 +8,8 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
+import numpy as np
+
 from contourlab.app.json_values import HIDDEN
 from contourlab.errors import ParameterError, refuse
 from contourlab.features.tune.drive_terms import DriveTerms, drive_terms, linuxcnc_findings
@@ -71,6 +73,10 @@ class TuneSettings(Tune):
     def rule(self) -> LineRule:
         """How a line is searched."""
         return LineRule(self.lanes, self.plateau, self.within)
+
+    def line_rule(self, lines: int) -> LineRule:
+        """Return how each of so many lines is searched; before a global search, all lines together take no more runs than that."""
+        return self.rule if self.method == "sequential" else self.rule.within_budget(self.budget, self.passes * lines)
 
     @property
     def pool(self) -> Executor:
@@ -215,7 +221,10 @@ def _left(problem: Problem, best: Mapping[str, float], rule: LineRule) -> tuple[
     owners = {variable: axes_of(variable.name, guards.machine) for variable in moved}
     for axes in dict.fromkeys(owners.values()):
         back = [variable for variable in moved if owners[variable] == axes]
-        rise = {variable: float(objective.at({**best, variable.name: start[variable.name]}).value[0]) for variable in back}
+        trials = {name: np.full(len(back), value) for name, value in best.items()}
+        for i, variable in enumerate(back):
+            trials[variable.name][i] = start[variable.name]
+        rise = dict(zip(back, objective(trials).value.tolist(), strict=True))
         while back:
             trial = {**best, **{variable.name: start[variable.name] for variable in back}}
             run = objective.at(trial)
@@ -268,7 +277,8 @@ def _candidates(
     starts = [path.values]
     if settings.method != "global":
         begin("one parameter at a time")
-        line = sequential(problem, path.values, settings.rule, passes=settings.passes, progress=progress)
+        rule = settings.line_rule(len(problem.space.numbers))
+        line = sequential(problem, path.values, rule, passes=settings.passes, progress=progress)
         path = replace(line, steps=(*path.steps, *line.steps))
         candidates.append((float(problem.objective.at(line.values).value[0]), "sequential", line.values))
         starts.append(line.values)
