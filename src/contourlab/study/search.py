@@ -142,19 +142,28 @@ def drawn_starts(known: Sequence[Array], count: int, size: int, seed: int) -> Ar
 
 
 def restarted(
-    objective: Objective, starts: Array, budget: int, seed: int, spread: float = SPREAD, target: float = -math.inf, size: int = POPULATION
+    objective: Objective,
+    starts: Array,
+    budget: int,
+    seed: int,
+    spread: float = SPREAD,
+    target: float = -math.inf,
+    size: int = POPULATION,
+    idle: float = math.inf,
 ) -> Found:
     """Search from all starts (n_start, n), then restart from the best until `budget` candidates are tried or `target` is reached.
 
-    The first generations have `size` candidates for each start. Each restart has a smaller first step, and generations twice as large as
-    before: encoder counts make the objective rough near its optimum (Auger & Hansen, CEC 2005).
+    The search also ends after `idle` restarts in a row without an improvement. The first generations have `size` candidates for each
+    start. Each restart has a smaller first step, and generations twice as large as before: encoder counts make the objective rough near
+    its optimum (Auger & Hansen, CEC 2005).
     """
     first = max(int(EXPLORED * budget), 1)
     reached = search(objective, starts, budget=first, seed=seed, spread=spread, population=size, target=target)
-    runs, turn, course = reached.runs, 1, [reached.course]
-    while budget - runs > size and reached.value > target:
+    runs, turn, course, idled = reached.runs, 1, [reached.course], 0
+    while budget - runs > size and reached.value > target and idled < idle:
         options = {"seed": seed + 1000 * turn, "spread": RESTARTS[min(turn, len(RESTARTS)) - 1], "population": size, "target": target}
         more = search(objective, reached.point[None], budget=budget - runs, **options)  # type: ignore[arg-type]
+        idled = 0 if more.value < reached.value else idled + 1
         reached = replace(reached, point=more.point, value=more.value)
         course.append(more.course + np.array([runs, 0.0]))
         runs, size, turn = runs + more.runs, 2 * size, turn + 1
