@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -19,7 +19,6 @@ from contourlab.errors import ComponentError, ParameterError, check_known, refus
 from contourlab.features.link.options import SEEDS
 from contourlab.features.run.causes import perfect_sensing, undisturbed, unlimited, without_friction
 from contourlab.feed.reference import Judged
-from contourlab.loop import Controller, Machine
 from contourlab.metrics.run_figures import goal_named
 from contourlab.study import Setting
 
@@ -251,16 +250,20 @@ class LinkSetting:
         self.networks = {(name, way): link for name, way, link in links if isinstance(link, Network)}
         if not self.networks:
             raise ParameterError("controller.axes", "without a network", 'divided, with a link of kind "network" in at least one direction')
-
-    @cached_property
-    def ideal(self) -> Machine:
-        """The machine without friction, encoder counts, disturbance and limits."""
-        return undisturbed(unlimited(perfect_sensing(without_friction(self.divided.machine, self.divided.controller)[0])))
+        self.ideal = undisturbed(unlimited(perfect_sensing(without_friction(self.divided.machine, self.divided.controller)[0])))
 
     @cached_property
     def loops(self) -> tuple[DividedLoop, ...]:
-        """Linear models along a few directions of the path; empty without a model."""
-        return tuple(_linear(self.divided.machine, self.divided.controller))
+        """Linear models along each axis and the diagonal; empty without a model, or if the axes have different links."""
+        machine, controller = self.divided.machine, self.divided.controller
+        links = [mine.link for mine in controller.axes.values() if mine.link is not None]
+        if any(link != links[0] for link in links):
+            return ()
+        n = len(machine.axes)
+        directions = [np.ones(n)] if controller.coupling is None else [*np.eye(n), np.ones(n)]
+        with suppress(ComponentError):
+            return tuple(divided_loop(machine, controller, along) for along in directions)
+        return ()
 
     def by_chance(self, quantity: str) -> bool:
         """Return whether jitter or loss is drawn at random while a quantity is varied."""
@@ -326,17 +329,6 @@ class LinkSetting:
             return math.nan if size > size_limit else max(loop.growth(**timing) for loop in self.loops)
         except ComponentError:
             return math.nan
-
-
-def _linear(machine: Machine, controller: Controller) -> Iterator[DividedLoop]:
-    """Yield the linear model along each axis and the diagonal; nothing if there is no model or the axes have different links."""
-    links = [mine.link for mine in controller.axes.values() if mine.link is not None]
-    if any(link != links[0] for link in links):
-        return
-    n = len(machine.axes)
-    directions = [np.ones(n)] if controller.coupling is None else [*np.eye(n), np.ones(n)]
-    with suppress(ComponentError):
-        yield from [divided_loop(machine, controller, along) for along in directions]
 
 
 def swept(setting: LinkSetting, quantity: str, longest: float) -> LinkSweep:

@@ -13,10 +13,9 @@ import numpy as np
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import ParameterError
 from contourlab.features.swap.variants import BROKEN, Variant, Variants, losses
-from contourlab.loop.batch import LANES
 from contourlab.study import Found, Space
 from contourlab.study.checkpoint import Checkpoint
-from contourlab.study.search import POPULATION, RESTARTS, restarted
+from contourlab.study.search import restarted
 from contourlab.threads import in_threads
 
 WarmStart = tuple[Mapping[str, float], ...]
@@ -25,8 +24,6 @@ STARTS = 5
 """Points from which a search starts."""
 ALONE, SHARED = 0.2, 0.1
 """First step of a search as a share of the box: for one variant, and for a shared design, which starts near known ones."""
-IDLE = len(RESTARTS)
-"""A quick search ends after so many restarts without an improvement: one for each first step."""
 EVENNESS = 0.01
 """Weight of the mean loss relative to the largest: breaks ties between designs that are equal for the worst variant."""
 
@@ -260,7 +257,7 @@ class SwapSearch:
 
         def made(budget: int) -> dict[str, Array]:
             def alone(i: int) -> Found:
-                return restarted(variants.objective_of(i), variants.best_points[i][None], budget, seed + i, SHARED, size=LANES, idle=IDLE)
+                return restarted(variants.objective_of(i), variants.best_points[i][None], budget, seed + i, SHARED, quick=True)
 
             found = in_threads(alone, range(len(variants)), variants.threads)
             return {"values": variants.in_si(np.array([one.value for one in found]))}
@@ -287,8 +284,8 @@ class SwapSearch:
             optima, own = variants.best_points, np.array([name in chosen for name in variants.space.names])
             starts = [self.inherit_best(chosen).points, *(np.where(own, optima, point) for point in optima[: STARTS - 3]), optima]
             rows = np.array([shared.gathered(start) for start in (*starts, variants.everywhere(variants.space.start))])
-            rows, *more = (rows[:1], LANES, IDLE) if self.settings.quick else (rows, POPULATION)
-            found = restarted(objective, rows, budget, self.settings.seed + 10 * self.searches + 5, SHARED, target, *more)
+            quick, seed = self.settings.quick, self.settings.seed + 10 * self.searches + 5
+            found = restarted(objective, rows[:1] if quick else rows, budget, seed, SHARED, target, quick=quick)
             points = shared.spread(found.point[None])
             return {"points": points[:, 0], "values": variants.kept(points)[:, 0]}
 
