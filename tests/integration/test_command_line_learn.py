@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from typed_commands import Run
 
+from contourlab.cli.main import main
 from contourlab.loop.trials import Trials
 
 LEARNING = """\
@@ -110,6 +111,16 @@ def test_invalid_commands_are_refused(contourlab: Run, tmp_path: Path, words: li
     write(tmp_path)
     assert message in contourlab(*words).refusal
     assert not (tmp_path / "results").exists()
+
+
+@pytest.mark.slow
+def test_a_table_that_cannot_be_read_is_refused_before_anything_runs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("contourlab.features.run.command.run_case", pytest.fail)
+    monkeypatch.chdir(tmp_path)
+    assert main(["learn", write(tmp_path), "--schemes", "ilc", "--table", "nowhere.nc"]) == 2
+    assert "nowhere.nc" in capsys.readouterr().err
 
 
 @pytest.mark.slow

@@ -13,13 +13,14 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, refuse
+from contourlab.loop.batch import LANES
 
 Objective = Callable[[Array], Array]
 SPREAD = 0.2
 """Initial standard deviation, as a share of the box."""
 
 EXPLORED, POPULATION = 0.4, 16
-"""Share of the budget before the first restart, and size of the first generation."""
+"""Share of the budget before the first restart, and size of the first generations for each start."""
 RESTARTS = (0.05, 0.01)
 """First step of the restarts. Gains compensate each other, so the optima lie along narrow, curved valleys: long steps overshoot them."""
 
@@ -143,19 +144,21 @@ def drawn_starts(known: Sequence[Array], count: int, size: int, seed: int) -> Ar
 
 
 def restarted(
-    objective: Objective, starts: Array, budget: int, seed: int, spread: float = SPREAD, target: float = -math.inf, size: int = POPULATION
+    objective: Objective, starts: Array, budget: int, seed: int, spread: float = SPREAD, target: float = -math.inf, *, quick: bool = False
 ) -> Found:
     """Search from all starts (n_start, n), then restart from the best until `budget` candidates are tried or `target` is reached.
 
-    The first generations have `size` candidates for each start. Each restart has a smaller first step, and generations twice as large as
-    before: encoder counts make the objective rough near its optimum (Auger & Hansen, CEC 2005).
+    Each restart has a smaller first step, and generations twice as large as before: encoder counts make the objective rough near its
+    optimum (Auger & Hansen, CEC 2005). A quick search has generations as wide as a batch at the least, and ends once each first step in
+    turn improves nothing.
     """
-    first = max(int(EXPLORED * budget), 1)
+    first, size = max(int(EXPLORED * budget), 1), LANES if quick else POPULATION
     reached = search(objective, starts, budget=first, seed=seed, spread=spread, population=size, target=target)
-    runs, turn, course = reached.runs, 1, [reached.course]
-    while budget - runs > size and reached.value > target:
+    runs, turn, course, idle = reached.runs, 1, [reached.course], 0
+    while budget - runs > size and reached.value > target and not (quick and idle == len(RESTARTS)):
         options = {"seed": seed + 1000 * turn, "spread": RESTARTS[min(turn, len(RESTARTS)) - 1], "population": size, "target": target}
         more = search(objective, reached.point[None], budget=budget - runs, **options)  # type: ignore[arg-type]
+        idle = 0 if more.value < reached.value else idle + 1
         reached = replace(reached, point=more.point, value=more.value)
         course.append(more.course + np.array([runs, 0.0]))
         runs, size, turn = runs + more.runs, 2 * size, turn + 1

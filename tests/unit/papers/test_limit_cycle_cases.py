@@ -109,13 +109,14 @@ def test_no_limit_cycle_where_none_exists(case: LimitCycleCase) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("case", [case for case in CASES if case.drive.shaft_damping == 0.0], ids=named)
 def test_an_integrator_settles_on_the_same_orbit(case: LimitCycleCase) -> None:
-    """From 20 % beyond the orbit, by DOP853 without knowledge of modes."""
+    """From 20 % beyond the orbit, by DOP853 without knowledge of modes, until the largest Floquet multiplier leaves less than 0.4 %."""
     ratio, frequency = MEASURED[case.name]
     loop = case.loop
     start = np.zeros(loop.n)
     start[2] = -1.2 * ratio * loop.half_gap
     period = 2.0 * np.pi / frequency
-    times = np.linspace(0.0, 140.0 * period, 140 * 100 + 1)
+    rounds = {CASES[0].name: 100, CASES[1].name: 240}.get(case.name, 60)
+    times = np.linspace(0.0, rounds * period, rounds * 100 + 1)
     difference = integrated(loop, start, times, 1e-7) @ loop.c
     last = difference[-40 * 100 :]
     assert 0.5 * np.ptp(last) / loop.half_gap == pytest.approx(ratio, rel=0.01)

@@ -24,9 +24,11 @@ from contourlab.analysis.backlash.lure import BacklashLoop, LimitCycle, dead_zon
 from contourlab.analysis.linear.tick_map import poles_of
 from contourlab.arrays import Array, Complex, Index
 from contourlab.errors import ParameterError
+from contourlab.native.kernel import kernel
 
 DEGREE = 18
 """Degree of the Taylor polynomial, used up to a norm of 1: the remainder is 1/19! = 8e-18."""
+MOST_HALVINGS = 1100
 
 
 def exponentials(matrix: Array, times: ArrayLike) -> Array:
@@ -51,21 +53,35 @@ def exponentials(matrix: Array, times: ArrayLike) -> Array:
     >>> exponentials(np.array([[0.0, 1.0], [0.0, 0.0]]), 3.0).tolist()
     [[1.0, 3.0], [0.0, 1.0]]
     """
-    scaled = matrix * np.asarray(times, dtype=float)[..., None, None]
-    norm = float(np.abs(scaled).sum(axis=-1).max(initial=0.0))
-    halvings = max(0, int(np.ceil(np.log2(max(norm, 1e-300)))))
-    scaled = scaled * 2.0**-halvings
-    # Horner's rule for exp(X) - 1 = X (1 + X/2 (1 + X/3 (...))).
-    eye = np.eye(len(matrix))
-    inner = np.broadcast_to(eye, scaled.shape)
-    for k in range(DEGREE, 1, -1):
-        inner = eye + scaled @ inner / k
-    less_one = scaled @ inner
-    # Overflow gives inf or nan: the caller detects the divergence.
-    with np.errstate(over="ignore", invalid="ignore"):
-        for _ in range(halvings):
-            less_one = 2.0 * less_one + less_one @ less_one
-    return np.asarray(eye + less_one)
+    at, whole = np.asarray(times, dtype=float), np.ascontiguousarray(matrix, dtype=float)
+    found = np.empty((at.size, *whole.shape))
+    exponentiate(whole, at.ravel(), float(np.abs(whole).sum(axis=1).max()), found, np.empty((2, *whole.shape)))
+    return found.reshape(*at.shape, *whole.shape)
+
+
+@kernel("f8[:,:] f8[:] f8 f8[:,:,:] f8[:,:,:]")
+def exponentiate(matrix, times, norm, found, memory):  # type: ignore[no-untyped-def]
+    """Write exp(matrix t) at each time into `found`; `memory` (2, n, n) is for products."""
+    n, scaled, product = matrix.shape[0], memory[0], memory[1]
+    for k in range(times.size):
+        power, part, halvings = found[k], times[k], 0
+        # Overflow gives inf or nan: the caller detects the divergence.
+        while norm * abs(part) > 1.0 and halvings < MOST_HALVINGS:
+            part, halvings = 0.5 * part, halvings + 1
+        for i, j in np.ndindex(n, n):
+            scaled[i, j] = matrix[i, j] * part
+            power[i, j] = scaled[i, j] / DEGREE
+        # Horner's rule for exp(X) - 1 = X (1 + X/2 (1 + X/3 (...))), then the squares of exp(X): exp(2 X) - 1 = 2 Y + Y Y.
+        for divisor in range(DEGREE - 1, -halvings, -1):
+            for i, j in np.ndindex(n, n):
+                total = scaled[i, j] if divisor > 0 else 2.0 * power[i, j]
+                for m in range(n):
+                    total += (scaled[i, m] if divisor > 0 else power[i, m]) * power[m, j]
+                product[i, j] = total / max(divisor, 1)
+            for i, j in np.ndindex(n, n):
+                power[i, j] = product[i, j]
+        for i in range(n):
+            power[i, i] += 1.0
 
 
 BELOW, GAP, ABOVE = -1, 0, 1
@@ -94,7 +110,7 @@ class Flow:
         self.size = loop.n + int(self.twisted) + 1
         self.matrices = {mode: self._matrix(mode) for mode in (BELOW, GAP, ABOVE)}
         self.guards = {mode: self._guards(mode) for mode in (BELOW, GAP, ABOVE)}
-        self._chunks: dict[tuple[int, int], tuple[Array, Array]] = {}
+        self._chunks: dict[tuple[int, int], tuple[Array, Array, Array]] = {}
 
     @cached_property
     def unit(self) -> float:
@@ -198,13 +214,12 @@ class Flow:
         """
         level = max(level, int(np.ceil(np.log2(self.unit / limit))) - 1)
         while True:
-            propagator, samples = self._chunk(mode, level)
+            propagator, series, sizes = self._chunk(mode, level)
             with np.errstate(over="ignore", invalid="ignore"):
-                coefficients = samples @ w @ _TO_CHEBYSHEV.T
-                floor = 8.0 * ROUNDING * (np.abs(samples).max(axis=1) @ np.abs(w))
-                noise = 1e-12 * np.abs(coefficients).max(axis=1) + floor
-                smooth = np.abs(coefficients[:, -3:]).max(axis=1) <= noise
-            if level >= DEEPEST or (smooth.all() and np.isfinite(coefficients).all() and np.isfinite(propagator).all()):
+                coefficients = series @ w
+                size = np.abs(coefficients)
+                noise = 1e-12 * size.max(axis=1) + 8.0 * ROUNDING * (sizes @ np.abs(w))
+            if level >= DEEPEST or ((size[:, -3:].max(axis=1) <= noise) & np.isfinite(noise)).all():
                 break
             level += 1
         span = self.unit * 2.0**-level
@@ -232,30 +247,62 @@ class Flow:
 
     def _polish(self, w: Array, mode: int, row: Array, at: float, span: float) -> float:
         """Refine an instant on the exponential itself."""
-        for _ in range(4):
+        for _ in range(8):
             there = self.exponential(mode, at) @ w
             slope = float(row @ self.matrices[mode] @ there)
             step = float(row @ there) / slope if slope > 0.0 else 0.0
-            if abs(step) > 1e-3 * span:
+            if abs(step) > 0.05 * span:
                 break
             at -= step
             if abs(step) <= 4.0 * ROUNDING * at:
                 break
         return at
 
-    def _chunk(self, mode: int, level: int) -> tuple[Array, Array]:
-        """Return exp(M d), and rows (n_guard, NODES, n_w) of the guards at the nodes, for d = unit 2^-level."""
+    def _chunk(self, mode: int, level: int) -> tuple[Array, Array, Array]:
+        """Return exp(M d), Chebyshev series (n_guard, NODES, n_w) of the guards, and their sizes (n_guard, n_w), for d = unit 2^-level."""
         key = mode, level
         if key not in self._chunks:
             span = self.unit * 2.0**-level
-            steps = self.exponential(mode, 0.5 * span * (_PLACES + 1.0))
-            rows = np.array([row for row, _ in self.guards[mode]])
-            self._chunks[key] = self.exponential(mode, span), np.einsum("gi,kij->gkj", rows, steps)
+            steps = self.exponential(mode, np.append(0.5 * span * (_PLACES + 1.0), span))
+            with np.errstate(over="ignore", invalid="ignore"):
+                samples = np.einsum("gi,kij->gkj", np.array([row for row, _ in self.guards[mode]]), steps[:-1])
+                sizes = np.abs(samples).max(axis=1) if np.isfinite(steps).all() else np.full((len(samples), self.size), np.nan)
+                self._chunks[key] = steps[-1], _TO_CHEBYSHEV @ samples, sizes
         return self._chunks[key]
 
 
+CELLS = 32
+CELL = math.pi / CELLS
+_ORDERS = np.arange(NODES)
+_EDGES = math.pi - CELL * np.arange(CELLS + 1)
+"""Angles of places cos(angle) on [-1, 1]. Over the angle a Chebyshev series is a sum of cosines, whose derivatives have simple bounds."""
+_AT_EDGES = np.cos(np.outer(_EDGES, _ORDERS))
+_SLOPES = _ORDERS * np.sin(np.outer(_EDGES[:-1] - 0.5 * CELL, _ORDERS))
+_FIRST_BEND = -(_ORDERS**2) * np.cos((math.pi - 0.5 * CELL) * _ORDERS)
+
+
 def _rises(series: Array, noise: float) -> list[float]:
-    """Return where a Chebyshev series rises through 0 on [-1, 1], in order; rises that end below `noise` do not count."""
+    """Return where a Chebyshev series rises through 0 on [-1, 1], in order; rises that end below `noise` do not count.
+
+    If bounds on the series between a few places prove the first rise, only that one is returned, to about a hundredth.
+    """
+    size = np.abs(series)
+    values, bend = _AT_EDGES @ series, float(_ORDERS**2 @ size)
+    above, far = values > 0.0, np.abs(values) > max(0.125 * CELL**2 * bend, noise)
+    one_way, rising = np.abs(_SLOPES @ series) > 0.5 * CELL * bend, ~above[:-1] & above[1:]
+    unknown = ~((above[1:] == above[:-1]) & far[1:] & far[:-1]) & ~(one_way & ~rising)
+    # At -1, where a mode starts on its own guard, the slope over the angle is 0.
+    unknown[0] &= not _FIRST_BEND @ series < -0.5 * CELL * float(_ORDERS**3 @ size)
+    if not unknown.any():
+        return []
+    first = int(np.argmax(unknown))
+    if first and rising[first] and one_way[first] and far[first + 1]:
+        return [math.cos(_EDGES[first] - CELL * values[first] / (values[first] - values[first + 1]))]
+    return _all_rises(series, noise)
+
+
+def _all_rises(series: Array, noise: float) -> list[float]:
+    """Return the rises of `_rises` from all roots of the series."""
     from numpy.polynomial import chebyshev
 
     kept = np.trim_zeros(np.where(np.abs(series) > 1e-17 * np.abs(series).max(), series, 0.0), "b")

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.analysis.linear.sampled_loop import linear_axis, linear_controller
-from contourlab.analysis.linear.tick_map import poles_of, tick_map
+from contourlab.analysis.linear.tick_map import live_states, tick_map
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.components.estimator.local import Tangent
@@ -103,7 +103,7 @@ class DividedLoop:
 
         for k in range(repeat):
             product = at(tuple((k - t.taken) % t.spacing == 0 for t in timings)) @ product
-        return float(np.abs(poles_of(product)).max(initial=0.0) ** (1.0 / repeat))
+        return float(_radius(product) ** (1.0 / repeat))
 
     def _tick(self, timings: Sequence[LinkTiming], fresh: tuple[bool, ...]) -> Array:
         """Return the matrix of a tick over the states, the messages in transit, signal by signal, and the last values received."""
@@ -128,6 +128,18 @@ class DividedLoop:
                 matrix[rows, rows - 1] = 1.0
         matrix[held:] = received
         return matrix
+
+
+def _radius(matrix: Array) -> float:
+    """Return the largest magnitude of `poles_of` a tick matrix; sets of states that do not act on one another go one by one."""
+    from scipy.sparse.csgraph import connected_components
+
+    moved = matrix != np.eye(len(matrix))
+    kept = np.flatnonzero(moved.any(axis=1) & moved.any(axis=0))
+    kept = kept[live_states(matrix[np.ix_(kept, kept)] != 0.0)]
+    count, sets = connected_components(matrix[np.ix_(kept, kept)] != 0.0, connection="strong")
+    blocks = [kept[sets == i] for i in range(count)]
+    return max((float(np.abs(np.linalg.eigvals(matrix[np.ix_(own, own)])).max()) for own in blocks), default=0.0)
 
 
 def divided_loop(machine: Machine, controller: Controller, tangent: ArrayLike | None = None) -> DividedLoop:

@@ -14,7 +14,7 @@ from contourlab.errors import DivergenceError, ParameterError
 from contourlab.features.link.cost import WAYS, DivisionCost, allowed_error, divided, division_cost, undivided_error
 from contourlab.features.link.options import SEEDS, Link
 from contourlab.features.link.result import LinkResult, SchemeCost
-from contourlab.features.link.sweep import FEW, LinkSetting
+from contourlab.features.link.sweep import CHUNK, FEW, LinkSetting
 from contourlab.features.run.source import Source, scenario_asked
 from contourlab.findings import finding
 from contourlab.metrics.run_figures import goal_named
@@ -111,7 +111,8 @@ def _ready(case: Case, options: Link, figure: str, stages: Stages) -> _Scheme:
     divisions = _controllers(case.controller, options).items()
     divided = [(label, LinkSetting(replace(setting, controller=made), figure, math.nan, seeds)) for label, made in divisions]
     scheme = _Scheme(case, setting, figure, divided)
-    return replace(scheme, fits=affordable(scheme.undivided, setting.reference)) if options.quick else scheme
+    run = lambda motion: replace(setting, reference=motion).batch(setting.as_it_is(CHUNK), [figure], threads=1)  # noqa: E731
+    return replace(scheme, fits=affordable(run, setting.reference)) if options.quick else scheme
 
 
 def _chosen(schemes: Sequence[_Scheme], options: Link) -> Iterator[_Scheme]:

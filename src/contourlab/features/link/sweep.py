@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import ClassVar
 
 import numpy as np
@@ -18,7 +19,6 @@ from contourlab.errors import ComponentError, ParameterError, check_known, refus
 from contourlab.features.link.options import SEEDS
 from contourlab.features.run.causes import perfect_sensing, undisturbed, unlimited, without_friction
 from contourlab.feed.reference import Judged
-from contourlab.loop import Controller, Machine
 from contourlab.metrics.run_figures import goal_named
 from contourlab.study import Setting
 
@@ -245,13 +245,25 @@ class LinkSetting:
 
     def __post_init__(self) -> None:
         self.figure = goal_named(self.figure, "figure").name
-        machine, controller = self.divided.machine, self.divided.controller
-        links = [(name, way, getattr(axis.link, way)) for name, axis in controller.axes.items() if axis.link for way in ("down", "up")]
+        axes = self.divided.controller.axes.items()
+        links = [(name, way, getattr(axis.link, way)) for name, axis in axes if axis.link for way in ("down", "up")]
         self.networks = {(name, way): link for name, way, link in links if isinstance(link, Network)}
         if not self.networks:
             raise ParameterError("controller.axes", "without a network", 'divided, with a link of kind "network" in at least one direction')
-        self.ideal = undisturbed(unlimited(perfect_sensing(without_friction(machine, controller)[0])))
-        self.loops = tuple(_linear(machine, controller))
+        self.ideal = undisturbed(unlimited(perfect_sensing(without_friction(self.divided.machine, self.divided.controller)[0])))
+
+    @cached_property
+    def loops(self) -> tuple[DividedLoop, ...]:
+        """Linear models along each axis and the diagonal; empty without a model, or if the axes have different links."""
+        machine, controller = self.divided.machine, self.divided.controller
+        links = [mine.link for mine in controller.axes.values() if mine.link is not None]
+        if any(link != links[0] for link in links):
+            return ()
+        n = len(machine.axes)
+        directions = [np.ones(n)] if controller.coupling is None else [*np.eye(n), np.ones(n)]
+        with suppress(ComponentError):
+            return tuple(divided_loop(machine, controller, along) for along in directions)
+        return ()
 
     def by_chance(self, quantity: str) -> bool:
         """Return whether jitter or loss is drawn at random while a quantity is varied."""
@@ -319,17 +331,6 @@ class LinkSetting:
             return math.nan
 
 
-def _linear(machine: Machine, controller: Controller) -> Iterator[DividedLoop]:
-    """Yield the linear model along each axis and the diagonal; nothing if there is no model or the axes have different links."""
-    links = [mine.link for mine in controller.axes.values() if mine.link is not None]
-    if any(link != links[0] for link in links):
-        return
-    n = len(machine.axes)
-    directions = [np.ones(n)] if controller.coupling is None else [*np.eye(n), np.ones(n)]
-    with suppress(ComponentError):
-        yield from [divided_loop(machine, controller, along) for along in directions]
-
-
 def swept(setting: LinkSetting, quantity: str, longest: float) -> LinkSweep:
     """Sweep a quantity of the links from its smallest value.
 
@@ -370,18 +371,19 @@ def swept(setting: LinkSetting, quantity: str, longest: float) -> LinkSweep:
 def _tested(setting: LinkSetting, quantity: str, values: Array, surely: float, table: Array) -> Array:
     """Return a table, whose rows are `COLUMNS`, with the results at further values; they replace those at equal values.
 
-    A large linear model is evaluated only at the value `surely`. No model is evaluated from the first unstable value on.
+    A large linear model is evaluated only at the value `surely`. No model is evaluated from the first unstable value on, nor, in a quick
+    sweep, from the first value whose error is too large.
     """
     errors = setting.errors(quantity, values)
+    worst = np.where(np.isnan(errors).any(axis=1), math.nan, errors.max(axis=1))
     growth = np.full(len(values), math.nan)
     unstable = table[0, table[3] >= 1.0].min(initial=math.inf)
     for j, value in enumerate(values.tolist()):
-        if value >= unstable:
+        if value >= unstable or (setting.few and not worst[j] <= setting.allowed):
             break
         growth[j] = setting.growth(quantity, value, LARGEST if value == surely else LARGE)
         if growth[j] >= 1.0:
             unstable = value
-    worst = np.where(np.isnan(errors).any(axis=1), math.nan, errors.max(axis=1))
     new = np.array([values, worst, np.median(errors, axis=1), growth, setting.repeats(quantity, values)])
     joined = np.hstack([new, table])
     return np.asarray(joined[:, np.unique(joined[0], return_index=True)[1]])

@@ -17,6 +17,7 @@ from contourlab.app.results import proposed, staged
 from contourlab.app.session import QUIET, Answer, Session, interrupt, question
 from contourlab.components.friction.laws import NoFriction
 from contourlab.errors import DivergenceError, ScenarioError
+from contourlab.features.learn import LearnedTable
 from contourlab.features.learn import learn as learn_machine
 from contourlab.features.run.options import Compare, Learn, Run
 from contourlab.features.run.outcome import Outcome, run_case
@@ -320,6 +321,8 @@ def run_schemes(
     """
     session.will_write(scenario.inputs, *_outputs(scenario, bool(session.saving.get("pdf"))))
     cases, outcomes = scenario.cases(), list[Outcome]()
+    for file in {case.learning.table for case in cases if case.learning is not None and case.learning.table is not None}:
+        LearnedTable.load(file)  # refuse one that cannot be read before anything runs
     diverged: dict[str, DivergenceError] = {}
     stages, stopped = session.stages(), False
     stages.expect(_work(cases, interval))

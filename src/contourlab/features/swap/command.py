@@ -9,6 +9,8 @@ from itertools import chain, product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from contourlab.app.options import positive
 from contourlab.app.quick import affordable, too_slow
 from contourlab.app.session import QUIET, Session, question
@@ -40,6 +42,8 @@ SEARCHES = "searches"
 """Folder of the checkpoint, inside the folder of the results."""
 LEAST = 200
 """Smallest budget of a search within the coverage."""
+RUNNING = 0.5
+"""Share of the time of a quick answer for runs; margins and the search itself take about as long."""
 PLACES = 8
 """Points of a region at which J* is searched."""
 
@@ -109,10 +113,10 @@ def _quick_budget(variants: Variants, most: int) -> int:
 
     Twice, J* of each variant and the shared design, which has twice the budget, are searched from the beginning.
     """
-    column = variants.space.columns(variants.space.start[None])
+    columns = variants.space.columns(np.tile(variants.space.start, (LANES, 1)))
     first = variants.runners[0]
-    run = lambda motion: replace(first.setting, reference=motion).batch(column, first.figures)  # noqa: E731
-    batches = affordable(run, first.setting.reference, variants.threads)
+    run = lambda motion: replace(first.setting, reference=motion).batch(columns, first.figures, threads=1)  # noqa: E731
+    batches = RUNNING * affordable(run, first.setting.reference, variants.threads)
     fits = batches * LANES / (2 * 3 * len(variants))
     if fits < 4 * LANES:
         raise too_slow(4 * LANES, fits)

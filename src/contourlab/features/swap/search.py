@@ -13,10 +13,9 @@ import numpy as np
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import ParameterError
 from contourlab.features.swap.variants import BROKEN, Variant, Variants, losses
-from contourlab.loop.batch import LANES
 from contourlab.study import Found, Space
 from contourlab.study.checkpoint import Checkpoint
-from contourlab.study.search import POPULATION, restarted
+from contourlab.study.search import restarted
 from contourlab.threads import in_threads
 
 WarmStart = tuple[Mapping[str, float], ...]
@@ -258,7 +257,7 @@ class SwapSearch:
 
         def made(budget: int) -> dict[str, Array]:
             def alone(i: int) -> Found:
-                return restarted(variants.objective_of(i), variants.best_points[i][None], budget, seed + i, SHARED, size=LANES)
+                return restarted(variants.objective_of(i), variants.best_points[i][None], budget, seed + i, SHARED, quick=True)
 
             found = in_threads(alone, range(len(variants)), variants.threads)
             return {"values": variants.in_si(np.array([one.value for one in found]))}
@@ -285,8 +284,8 @@ class SwapSearch:
             optima, own = variants.best_points, np.array([name in chosen for name in variants.space.names])
             starts = [self.inherit_best(chosen).points, *(np.where(own, optima, point) for point in optima[: STARTS - 3]), optima]
             rows = np.array([shared.gathered(start) for start in (*starts, variants.everywhere(variants.space.start))])
-            rows, size = (rows[:1], LANES) if self.settings.quick else (rows, POPULATION)
-            found = restarted(objective, rows, budget, self.settings.seed + 10 * self.searches + 5, SHARED, target, size)
+            quick, seed = self.settings.quick, self.settings.seed + 10 * self.searches + 5
+            found = restarted(objective, rows[:1] if quick else rows, budget, seed, SHARED, target, quick=quick)
             points = shared.spread(found.point[None])
             return {"points": points[:, 0], "values": variants.kept(points)[:, 0]}
 

@@ -102,6 +102,7 @@ class Variants:
     best: Array = field(init=False)
     best_points: Array = field(init=False)
     tried: int = field(init=False, default=0)
+    _asked: dict[bytes, Array] = field(init=False, repr=False, default_factory=dict)
     _lock: threading.Lock = field(init=False, repr=False, default_factory=threading.Lock)
 
     def __post_init__(self) -> None:
@@ -157,9 +158,14 @@ class Variants:
         return [number.short for number in self.space.numbers if number.name in names]
 
     def kept(self, points: Array) -> Array:
-        """Return J as `values` does; infinite where a guard is broken."""
-        values, broken = self.values(points)
-        return np.where(broken > 0.0, np.inf, values)
+        """Return J as `values` does; infinite where a guard is broken. Points that were asked before do not run again."""
+        rows = np.moveaxis(points, 1, 0).reshape(points.shape[1], -1)
+        keys = [row.tobytes() for row in rows]
+        new = [at for at, key in enumerate(keys) if key not in self._asked and key not in keys[:at]]
+        if new:
+            values, broken = self.values(points[:, new])
+            self._asked |= zip((keys[at] for at in new), np.where(broken > 0.0, np.inf, values).T, strict=True)
+        return np.array([self._asked[key] for key in keys]).T
 
     def controller_at(self, point: Array, local: Iterable[str] = ()) -> Controller:
         """Return the controller of a point; `local` are the parameters, by dotted name, that move with their axis."""
@@ -229,11 +235,14 @@ class Variants:
     def state(self) -> dict[str, Array]:
         """Return the state that searches change."""
         counts = np.array([self.tried, *(runner.runs for runner in self.runners)])
-        return {"best": self.best.copy(), "best_points": self.best_points.copy(), "counts": counts}
+        asked = np.frombuffer(b"".join(self._asked)).reshape(-1, self.best_points.size)
+        answers = np.array([*self._asked.values()]).reshape(-1, len(self))
+        return {"best": self.best.copy(), "best_points": self.best_points.copy(), "counts": counts, "asked": asked, "answers": answers}
 
     def restore(self, state: Mapping[str, Array]) -> None:
         """Restore a state."""
         self.best, self.best_points = state["best"], state["best_points"]
+        self._asked = {row.tobytes(): answer for row, answer in zip(state["asked"], state["answers"], strict=True)}
         self.tried, *runs = state["counts"].tolist()
         for runner, count in zip(self.runners, runs, strict=True):
             runner.runs = count
