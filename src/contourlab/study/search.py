@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
+import threading
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
@@ -168,8 +169,9 @@ def restarted(
 def _strategy(start: Array, seed: int, population: int, spread: float) -> Any:
     import logging
 
-    # The package takes these for pictures and tests of ranks, and does without where they are missing: three quarters of a second.
-    unused = [name for name in ("matplotlib", "scipy.stats") if name not in sys.modules]
+    # The package takes these for pictures and tests of ranks, and does without where they are missing: three quarters of a second. Another
+    # thread could miss them.
+    unused = [name for name in ("matplotlib", "scipy.stats") if name not in sys.modules and threading.active_count() == 1]
     sys.modules.update(dict.fromkeys(unused))  # type: ignore[arg-type]
     try:
         with warnings.catch_warnings():
