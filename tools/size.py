@@ -11,18 +11,18 @@ from collections import Counter
 from pathlib import Path
 
 BUDGETS = {
-    "analysis": 4295,
+    "analysis": 4378,
     "app": 850,
     "cli": 469,
     "components": 5027,
     "contours": 1553,
-    "engine": 3259,
-    "features": 17522,
+    "engine": 3260,
+    "features": 17547,
     "feed": 2202,
     "findings": 55,
-    "geometry": 1967,
+    "geometry": 1962,
     "logs": 1634,
-    "loop": 2120,
+    "loop": 2184,
     "metrics": 1035,
     "native": 253,
     "papers": 3363,
@@ -30,8 +30,8 @@ BUDGETS = {
     "rendering": 2395,
     "result": 402,
     "scenario": 1881,
-    "study": 1396,
-    "without papers": 51241,
+    "study": 1395,
+    "without papers": 51436,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 
