@@ -17,12 +17,12 @@ BUDGETS = {
     "components": 5027,
     "contours": 1553,
     "engine": 3260,
-    "features": 17547,
+    "features": 17558,
     "feed": 2202,
     "findings": 55,
     "geometry": 1962,
     "logs": 1634,
-    "loop": 2184,
+    "loop": 2187,
     "metrics": 1035,
     "native": 253,
     "papers": 3363,
@@ -31,7 +31,7 @@ BUDGETS = {
     "result": 402,
     "scenario": 1881,
     "study": 1395,
-    "without papers": 51436,
+    "without papers": 51450,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

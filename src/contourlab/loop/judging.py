@@ -235,7 +235,8 @@ class DoubtfulSamples:
                 if not tick.size:
                     break
                 feet = path.foot_point(points, around, large[lane])
-                final = np.abs(feet.arc_length - around) <= window[lane]
+                # A foot point at the end of the window lies beyond it by rounding: where the window is known, all are final.
+                final = (np.abs(feet.arc_length - around) <= window[lane]) | (self._reach is not None)
                 self._add(name, (feet.signed if path.is_planar else feet.distance)[final], k + tick[final], lane[final])
                 np.minimum.at(self._most[name], lane[final], large[lane[final]])
                 tick, lane, around, points = tick[~final], lane[~final], around[~final], points[~final]
@@ -249,9 +250,12 @@ class DoubtfulSamples:
         for name, path in self._paths.items():
             window = self._window(name)
             self.left_over |= window > self._most[name]
+            kept = ~self.left_over & (self._group.state_of(WATCH)[0, : self._n] < 0.0)
             for tick, lane, around, points in self._waiting[name]:
-                feet = path.foot_point(points, around, window[lane])
-                self._add(name, feet.signed if path.is_planar else feet.distance, tick, lane)
+                own = kept[lane]
+                if own.any():
+                    feet = path.foot_point(points[own], around[own], window[lane[own]])
+                    self._add(name, feet.signed if path.is_planar else feet.distance, tick[own], lane[own])
 
     def _add(self, name: str, error: Array, tick: Index, lane: Index) -> None:
         """Add exact errors (n,) to the states of a judge, in the order of the ticks."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -129,6 +130,22 @@ def test_samples_are_judged_at_once_at_the_end_or_in_a_second_run(
         errors = cl.summarise(cl.judge(run, reference), reference).contour_error
         for figure in ("rms", "mean", "max", "integral"):
             assert found.figures[f"contour_error_{figure}"][i] == pytest.approx(getattr(errors, figure), rel=1e-7, abs=1e-10), (figure, i)
+
+
+def test_a_tool_far_behind_on_a_hatch_has_the_nearest_place_in_its_window() -> None:
+    """The nearest line of a hatch is often at the end of the window, where rounding decides whether a place lies in it."""
+    turns = [(x, 1e-4 * i) for i in range(60) for x in ((0.0, 2e-3) if i % 2 == 0 else (2e-3, 0.0))]
+    corners = [*turns, (-1e-3, turns[-1][1]), (-1e-3, 0.0), (0.0, 0.0)]
+    path = cl.Path([cl.Line(a, b) for a, b in pairwise(corners)], closed=True)
+    machine, controller = stage(sensor=make("sensor", "ideal")), control(coupled=False)
+    reference, head = cl.uniform(path, 0.1, 1, machine.servo_period), "controller.axes.y.controller."
+    values = {"position_gain": 14.0, "integral_gain": 0.0, "model_gain": 1e6}
+    named = {head + name: value for name, value in values.items()}
+    found = cl.simulate_batch(machine, controller, reference, {name: [value] for name, value in named.items()})
+    run = cl.simulate(*with_values(machine, controller, named), reference)
+    errors = cl.summarise(cl.judge(run, reference), reference).contour_error
+    assert found.figures["contour_error_max"][0] == pytest.approx(errors.max, rel=1e-7)
+    assert found.figures["contour_error_rms"][0] == pytest.approx(errors.rms, rel=1e-7)
 
 
 def test_a_contour_that_ends_where_it_starts_is_judged_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from importlib.metadata import version
 from pathlib import Path
+from threading import Event
 from time import perf_counter
 from typing import Any
 
@@ -539,10 +540,18 @@ def _chunks(study: Study, numbers: Sequence[int], pool: Workers | None, executor
         return
     together = max(GPU_LANES // study.design.chunk, 1) if executor.gpu and not study.signals else 1
 
+    ended = Event()
+
     def simulated(first: int) -> list[Chunk]:
         chosen = numbers[first : first + together]
         count = sum(len(study.design.numbers(number)) for number in chosen)
-        return run_chunks(study, chosen, executor.workers, lambda share: tell(int(share * count)), gpu=executor.gpu)
+
+        def advance(share: float) -> None:
+            if ended.is_set():
+                raise KeyboardInterrupt
+            tell(int(share * count))
+
+        return run_chunks(study, chosen, executor.workers, advance, gpu=executor.gpu)
 
     firsts = range(0, len(numbers), together)
     if not executor.gpu:
@@ -551,12 +560,15 @@ def _chunks(study: Study, numbers: Sequence[int], pool: Workers | None, executor
         return
     with ThreadPoolExecutor(1) as ahead:  # the next chunks run while these are written
         running = [ahead.submit(simulated, first) for first in firsts[:1]]
-        for first in firsts[1:]:
-            ready = running.pop().result()
-            running.append(ahead.submit(simulated, first))
-            yield from ready
-        for last in running:
-            yield from last.result()
+        try:
+            for first in firsts[1:]:
+                ready = running.pop().result()
+                running.append(ahead.submit(simulated, first))
+                yield from ready
+            for last in running:
+                yield from last.result()
+        finally:
+            ended.set()
 
 
 def rerun(folder: str | Path, number: int, settings: Worst, session: Session) -> Runs:

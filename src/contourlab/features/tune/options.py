@@ -20,7 +20,7 @@ class Tune(Workers, Seeded, Varied, Margins, Motion):
     limited: float = option(0.0, "Largest share of the time at a drive limit, 0 to 1.", least=0.0, most=1.0)
     command: float | None = option(None, "Largest command, relative to the drive limit.", above=0.0)
     passes: int = option(1, "Largest number of passes of the sequential procedure.", least=1, most=100, advanced=True)
-    lanes: int = option(32, "Values tried per line search.", least=8, most=1024, advanced=True)
+    lanes: int = option(32, "Most values tried per line search; a small budget allows fewer.", least=8, most=1024, advanced=True)
     plateau: str = option(
         "robust", "Which of equally good values to take: robust, largest or best.", choices=("robust", "best", "largest"), advanced=True
     )

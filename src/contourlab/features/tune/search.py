@@ -408,8 +408,10 @@ def _ranked(problem: Problem, points: Array) -> Array:
     usable = np.isfinite(ranked) & (excess <= 0.0)
     for first in range(0, len(points), POPULATION):
         part = np.arange(first, min(first + POPULATION, len(points)))
-        worst[part] = ranked[part].max(where=np.isfinite(ranked[part]), initial=-math.inf)
-        ranked[part] = np.where(excess[part] > 0.0, worst[part] * (2.0 + excess[part]), ranked[part])
+        finite = ranked[part][np.isfinite(ranked[part])]
+        if finite.size:
+            worst[part] = finite.max()
+            ranked[part] = np.where(excess[part] > 0.0, worst[part] * (2.0 + excess[part]), ranked[part])
         order = part[np.argsort(ranked[part], kind="stable")]
         turns.append((order[usable[order]], KEPT))
     axes = {axis for name in problem.space.names for axis in axes_of(name, guards.machine)}

@@ -75,7 +75,8 @@ class TuneSettings(Tune):
         return LineRule(self.lanes, self.plateau, self.within)
 
     def line_rule(self, lines: int) -> LineRule:
-        """Return how each of so many lines is searched; before a global search, all lines together take no more runs than that."""
+        """Return how each of so many lines is searched; before a global search, all together take no more runs than that,
+        but 8 values per line at the least."""
         return self.rule if self.method == "sequential" else self.rule.within_budget(self.budget, self.passes * lines)
 
     @property
