@@ -46,13 +46,12 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_collection_finish() -> None:
-    """Keep the garbage collector away from modules and tests, which all live until the end, and let it run seldom.
+    """Keep the garbage collector away from modules and tests, which all live until the end.
 
-    It would walk through them, and through what compilers keep, again and again: four percent of the time of all tests.
+    It would walk through them again and again.
     """
     gc.collect()
     gc.freeze()
-    gc.set_threshold(10_000, 20, 50)
 
 
 @pytest.hookimpl(trylast=True)
