@@ -8,16 +8,15 @@ processor time counts.
 from __future__ import annotations
 
 import argparse
-import json
 import math
 import os
 import platform
 import sys
 import time
 from dataclasses import dataclass, field
-from pathlib import Path as File
 from typing import Any
 
+import figures_file
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import make_interp_spline
@@ -29,7 +28,6 @@ from contourlab.geometry import BSpline, Path
 from contourlab.geometry.view import view_of
 
 Array = NDArray[np.float64]
-HERE = File(__file__).resolve().parent
 TICKS, PERIOD, LAG, AXES, LANES = 20_000, 1e-3, 2e-4, (2, 3, 5), 32
 AGAINST = "newton, 2 iterations"
 NOTHING = "a node that does nothing"
@@ -170,9 +168,7 @@ def main() -> int:
             one.once()
     print(f"{platform.platform()}, Python {platform.python_version()}, {os.cpu_count()} processors; {TICKS} ticks")
     table = shown(rows)
-    out = HERE / "out"
-    out.mkdir(exist_ok=True)
-    (out / "couplings.json").write_text(json.dumps({"platform": platform.platform(), "rows": table}, indent=2), encoding="utf-8")
+    figures_file.write("couplings.json", table)
     return 0
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import itertools
-import json
 import math
 import os
 import platform
@@ -17,6 +16,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import backlash
+import figures_file
 import numpy as np
 import references
 
@@ -31,7 +31,6 @@ from contourlab.components.plant.plant import RigidAxis
 from contourlab.errors import EngineError
 from contourlab.geometry.view import view_of
 
-HERE = Path(__file__).resolve().parent
 PERIOD, STEPS, RADIUS, FREQUENCY, WEIGHT = 1e-4, 40_000, 20.0, 0.5, 0.75
 PATH = cl.contour("circle", radius=1e-3 * RADIUS)
 RATE = 2.0 * math.pi * FREQUENCY
@@ -381,9 +380,7 @@ def main() -> int:
         bench_plain(bench)
         bench_others(bench)
     bench.notes()
-    out = HERE / "out"
-    out.mkdir(exist_ok=True)
-    (out / "bench.json").write_text(json.dumps({"platform": platform.platform(), "rows": bench.rows}, indent=2), encoding="utf-8")
+    figures_file.write("bench.json", bench.rows)
     return 0
 
 

@@ -10,7 +10,6 @@ and noise (`tests/helpers/made_commission.py`). The figures go to benchmarks/out
 from __future__ import annotations
 
 import argparse
-import json
 import os
 import platform
 import shlex
@@ -20,6 +19,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+import figures_file
 from sweep import cost
 
 HERE = Path(__file__).resolve().parent
@@ -76,9 +76,7 @@ def main() -> int:
             times = measure(command, files, cache, options.repeat)
             print(f"{study:12}{''.join(f'{seconds:8.1f}' for seconds in times.values())}  {command}", flush=True)
             rows.append({"name": study, "command": command, **times})
-    out = HERE / "out"
-    out.mkdir(exist_ok=True)
-    (out / "studies.json").write_text(json.dumps({"platform": platform.platform(), "rows": rows}, indent=2), encoding="utf-8")
+    figures_file.write("studies.json", rows)
     return 0
 
 

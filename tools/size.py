@@ -11,7 +11,7 @@ from collections import Counter
 from pathlib import Path
 
 BUDGETS = {
-    "analysis": 4378,
+    "analysis": 4376,
     "app": 850,
     "cli": 469,
     "components": 5027,
@@ -22,7 +22,7 @@ BUDGETS = {
     "findings": 55,
     "geometry": 1962,
     "logs": 1634,
-    "loop": 2187,
+    "loop": 2191,
     "metrics": 1035,
     "native": 253,
     "papers": 3363,
@@ -31,7 +31,7 @@ BUDGETS = {
     "result": 402,
     "scenario": 1881,
     "study": 1395,
-    "without papers": 51450,
+    "without papers": 51452,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

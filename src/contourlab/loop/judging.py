@@ -172,6 +172,11 @@ UNSURE = _ROW["unsure"]
 """State of a judge that counts its doubtful samples."""
 
 
+def _judged_paths(reference: Reference) -> dict[str, Path]:
+    """Return the path of each judge."""
+    return {JUDGE: reference.path, PART: reference.programmed}
+
+
 class DoubtfulSamples:
     """The exact judge of a group's doubtful samples, while the group runs.
 
@@ -197,7 +202,7 @@ class DoubtfulSamples:
     """
 
     def __init__(self, group: Group, positions: Sequence[str], reference: Reference, reach: Mapping[str, Array] | None = None) -> None:
-        paths, schedule = {JUDGE: reference.path, PART: reference.programmed}, group.schedule
+        paths, schedule = _judged_paths(reference), group.schedule
         self._nodes = {node.name: node for node in schedule.nodes if node.name in (*paths, PLACE)}
         self._paths = {name: path for name, path in paths.items() if name in self._nodes}
         self.rows = [schedule.row(signal) for signal in (*positions, *(f"{name}.doubt" for name in self._paths))]
@@ -226,9 +231,12 @@ class DoubtfulSamples:
         ticks, lanes = slice(k, k + len(log)), slice(self._n)
         running = self._group.state_of(WATCH)[0, lanes] < 0.0
         for j, (name, path) in enumerate(self._paths.items(), self._n_axis):
-            node, window = self._nodes[name], self._window(name)
-            counted = node.tables["counts"][ticks, None] * log[:, j, lanes] > 0.0
-            tick, lane = np.nonzero(counted & running & ~self.left_over)
+            node = self._nodes[name]
+            counted = (node.tables["counts"][ticks, None] * log[:, j, lanes] > 0.0) & running
+            if not counted.any():
+                continue
+            window = self._window(name)
+            tick, lane = np.nonzero(counted & ~self.left_over)
             around = (self._nodes[PLACE].tables["place"][ticks] if name == PART else arc_length)[tick]
             points = log[tick, : self._n_axis, lane]
             for large in (np.full(self._n, node.parameters["window"]), 2.0 * window) if self._reach is None else (window,):
@@ -272,8 +280,7 @@ class DoubtfulSamples:
 
 def wider(schedule: Schedule, machine: Machine, reference: Reference) -> Schedule:
     """Return a schedule whose judges look for foot points as far as any variant that has not failed may need."""
-    paths = {JUDGE: reference.path, PART: reference.programmed}
-    nodes = []
+    paths, nodes = _judged_paths(reference), []
     for node in schedule.nodes:
         if node.name in paths:
             numbers, cells = room_for(paths[node.name], most_error(machine), float(node.parameters["planning"]))

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.analysis.linear.sampled_loop import linear_axis, linear_controller
-from contourlab.analysis.linear.tick_map import live_states, tick_map
+from contourlab.analysis.linear.tick_map import loop_states, tick_map
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.components.estimator.local import Tangent
@@ -134,9 +134,7 @@ def _radius(matrix: Array) -> float:
     """Return the largest magnitude of `poles_of` a tick matrix; sets of states that do not act on one another go one by one."""
     from scipy.sparse.csgraph import connected_components
 
-    moved = matrix != np.eye(len(matrix))
-    kept = np.flatnonzero(moved.any(axis=1) & moved.any(axis=0))
-    kept = kept[live_states(matrix[np.ix_(kept, kept)] != 0.0)]
+    kept = loop_states(matrix)
     count, sets = connected_components(matrix[np.ix_(kept, kept)] != 0.0, connection="strong")
     blocks = [kept[sets == i] for i in range(count)]
     return max((float(np.abs(np.linalg.eigvals(matrix[np.ix_(own, own)])).max()) for own in blocks), default=0.0)
