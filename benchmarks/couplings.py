@@ -62,7 +62,7 @@ def figure(n_axis: int) -> Path:
 
 
 def signals(path: Path) -> dict[str, Array]:
-    """Return the signals of a lap: the tool is late by a lag and off the path by some micrometres."""
+    """Return the signals of a lap: the tool is late by a lag and off the path by some micrometres; drives accept each command."""
     s = np.linspace(0.0, path.length, TICKS, endpoint=False)
     rng = np.random.default_rng(1)
     reference, tangent = path.position(s), path.tangent(s)
@@ -77,6 +77,8 @@ def signals(path: Path) -> dict[str, Array]:
         "contour_error_estimate": np.linalg.norm(error, axis=1)[:, None],
         "tangent": tangent,
         "arc_length": s[:, None],
+        "command": lag,
+        "accepted": lag,
     }
 
 

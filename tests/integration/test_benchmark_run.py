@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import math
 from pathlib import Path
 from types import ModuleType
 
@@ -56,3 +57,14 @@ def test_the_row_of_a_gpu_stands_beside_the_processor(a_gpu: None, bench: Module
     processor, gpu = rows.rows
     assert gpu["reference"] == processor["name"]
     assert gpu["rms"] == processor["rms"]
+
+
+@pytest.mark.slow
+def test_each_estimator_and_coupling_has_its_row(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(FOLDER)
+    couplings = importlib.import_module("couplings")
+    rows = couplings.rows_for(2, 1)
+    for row in rows:
+        row.once()
+    assert [row.name for row in rows] == [couplings.NOTHING, *couplings.ESTIMATORS, *couplings.COUPLINGS]
+    assert all(0.0 < row.best < math.inf for row in rows)
