@@ -83,7 +83,7 @@ def save(value: Machine | Controller | Axis | Scenario, file: str | File, machin
     try:
         text = dump(value, machine)
     except TypeError as error:
-        wanted = "a Machine, an Axis, a Scenario, or a Controller with its machine"
+        wanted = "a Machine, an Axis, a Scenario, or a Controller with its machine: save(controller, file, machine)"
         raise ParameterError("value", f"a {type(value).__name__}", wanted) from error
     write_text_atomic(file, text)
 
