@@ -5,8 +5,11 @@ or a piece of the table of another curve, with a bracketed Newton iteration that
 these; ties go to the one nearest to the progress, which selects the right branch where the path crosses itself.
 
 Distances to junctions alone find the leaves in reach. A part of the path with length L, whose ends lie d and e from the point, is nowhere
-closer than (d + e - L) / 2. It is excluded if something is closer. The search halves parts, the better half first, until single leaves
-remain: a few out of thousands, after some tens of distances.
+closer than (d + e - L) / 2. It is excluded if something is closer. The search halves parts until single leaves remain: a few out of
+thousands, after some tens of distances.
+
+Samples in succession share such a list. Each leaf of it, and all that is left out, is as far from a sample as it was from an earlier one,
+less what the samples have travelled since. So most samples try one leaf. What they find does not depend on the samples before.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
@@ -23,7 +26,7 @@ from contourlab.errors import GeometryError, refuse
 from contourlab.geometry.blend import Blends, by_length
 from contourlab.geometry.curve import CurveSequence
 from contourlab.geometry.line_and_arc import Arcs, Lines
-from contourlab.geometry.table import path_table
+from contourlab.geometry.table import table_pieces
 from contourlab.native.kernel import kernel
 from contourlab.threads import in_threads
 
@@ -35,6 +38,8 @@ _TABLE_SLACK = 1e-8
 """More than the error of the table [m]."""
 _TURN = 0.35
 """Largest turn [rad] of a cell: it has a single closest point."""
+_AHEAD = 6.0
+"""Steps from sample to sample that a list of leaves lasts, about; most leaves on each side in it."""
 _MOST_STEPS = 60
 _SQUARE = 1e-16
 """Square of the last Newton step, relative to the length of the piece [m]: what is left is about the square over the length."""
@@ -84,12 +89,12 @@ def _leaves(path: CurveSequence) -> _Leaves:
         return path.__dict__["_leaves"]  # type: ignore[no-any-return]
     m, axes = len(path.curves), path.n_axis
     kind, slot = np.full(m, _OTHER), np.zeros(m, dtype=np.int64)
-    lines, arcs = np.zeros((1, 2 * axes)), np.zeros((1, 4 + 3 * axes))
+    lines, arcs = np.zeros((1, 2, axes)), np.zeros((1, 4 + 3 * axes))
     shape: tuple[Array, ...] = (np.zeros((1, 6, axes)), np.zeros((1, 5)), np.zeros((1, 4, 1)))
     for batch, numbers in path.kinds:
         slot[numbers] = np.arange(numbers.size)
         if isinstance(batch, Lines):
-            kind[numbers], lines = _LINE, np.concatenate([batch.start, batch.direction]).T.copy()
+            kind[numbers], lines = _LINE, np.stack([batch.start.T, batch.direction.T], axis=1).copy()
         elif isinstance(batch, Arcs):
             kind[numbers[batch.direct]] = _ARC
             each = (batch.radius, batch.start_angle, batch.rate, batch.length, *batch.centre, *batch.u, *batch.v)
@@ -99,11 +104,10 @@ def _leaves(path: CurveSequence) -> _Leaves:
     direct = kind <= _ARC
     owner, start, pieces, bend = np.arange(m), path.breaks, np.zeros((1, axes, 6)), np.zeros(m)
     if not direct.all():
-        table = path_table(path, 1e-9 * min(path.length, 1.0))
-        owner = np.minimum(np.searchsorted(path.breaks, table.start[:-1], side="right") - 1, m - 1)
+        owner, begin, coefficients, _ = table_pieces(path, 1e-9 * min(path.length, 1.0))
         kept = np.flatnonzero(~direct[owner] | (np.diff(owner, prepend=-1) > 0))
-        owner, start, pieces = owner[kept], np.append(table.start[kept], path.length), table.coefficients[kept]
-        h = np.diff(table.start)[kept, None, None] * np.linspace(0.0, 1.0, 5)[:, None]
+        owner, start, pieces = owner[kept], np.append(begin[kept], path.length), coefficients[kept]
+        h = np.diff(begin)[kept, None, None] * np.linspace(0.0, 1.0, 5)[:, None]
         c = np.moveaxis(pieces, 2, 0)[:, :, None, :]
         bend = np.linalg.norm(2.0 * c[2] + h * (6.0 * c[3] + h * (12.0 * c[4] + h * 20.0 * c[5])), axis=2).max(axis=1)
     junctions, along = path.junctions
@@ -167,36 +171,36 @@ def _least(along, closed, a, b, from_a, from_b):
     return 0.5 * (from_a + from_b - (_up_to(along, closed, b) - _up_to(along, closed, a)))
 
 
-def _on_line(points, i, lines, k, low, high, spot):
-    """Find the closest point of a line; write it and the tangent to `spot`, return its arc length."""
-    s, axes = 0.0, points.shape[1]
-    for j in range(axes):
-        s += (points[i, j] - lines[k, j]) * lines[k, axes + j]
+def _on_line(points, i, lines, k, low, high):
+    """Return the arc length of the closest point of a line, and the squared distance."""
+    s, square = 0.0, 0.0
+    for j in range(points.shape[1]):
+        s += (points[i, j] - lines[k, 0, j]) * lines[k, 1, j]
     s = min(max(s, low), high)
-    for j in range(axes):
-        spot[0, j, 0], spot[1, j, 0] = lines[k, j] + s * lines[k, axes + j], lines[k, axes + j]
-    return s
+    for j in range(points.shape[1]):
+        square += (points[i, j] - (lines[k, 0, j] + s * lines[k, 1, j])) ** 2
+    return s, square
 
 
-def _arc_at(arcs, k, s, spot):
-    """Write the point and the tangent of a flat arc to `spot`."""
+def _arc_at(arcs, k, s, spot, column):
+    """Write the point and the tangent of a flat arc to a column of `spot`."""
     axes = spot.shape[1]
     angle = arcs[k, 1] + arcs[k, 2] * s
     c, d = arcs[k, 0] * math.cos(angle), arcs[k, 0] * math.sin(angle)
     for j in range(axes):
         u, v = arcs[k, 4 + axes + j], arcs[k, 4 + 2 * axes + j]
-        spot[0, j, 0], spot[1, j, 0] = c * u + d * v + arcs[k, 4 + j], arcs[k, 2] * (c * v - d * u)
+        spot[0, j, column], spot[1, j, column] = c * u + d * v + arcs[k, 4 + j], arcs[k, 2] * (c * v - d * u)
 
 
-def _gap(points, i, spot):
-    """Return the squared distance of a point from the place in `spot`."""
+def _gap(points, i, spot, column):
+    """Return the squared distance of a point from the place in a column of `spot`."""
     square = 0.0
     for j in range(points.shape[1]):
-        square += (points[i, j] - spot[0, j, 0]) ** 2
+        square += (points[i, j] - spot[0, j, column]) ** 2
     return square
 
 
-def _on_arc(points, i, arcs, k, low, high, middle, spot):
+def _on_arc(points, i, arcs, k, low, high, middle, spot, column):
     """Find the closest point of a flat arc: on the spoke through the point, in the turn nearest to the progress, or else the nearer end."""
     x, y, axes = 0.0, 0.0, points.shape[1]
     for j in range(axes):
@@ -212,12 +216,17 @@ def _on_arc(points, i, arcs, k, low, high, middle, spot):
     elif s > high >= s - turn >= low:
         s -= turn
     if not low <= s <= high:
-        _arc_at(arcs, k, low, spot)
-        square = _gap(points, i, spot)
-        _arc_at(arcs, k, high, spot)
-        s = low if square <= _gap(points, i, spot) else high
-    _arc_at(arcs, k, s, spot)
+        _arc_at(arcs, k, low, spot, column)
+        square = _gap(points, i, spot, column)
+        _arc_at(arcs, k, high, spot, column)
+        s = low if square <= _gap(points, i, spot, column) else high
+    _arc_at(arcs, k, s, spot, column)
     return s
+
+
+def _tied(square, least):
+    """Return whether two squared distances are equal but for rounding."""
+    return square <= least * (1.0 + 1e-12) + 1e-30 and least <= square * (1.0 + 1e-12) + 1e-30
 
 
 def _slope(points, i, pieces, at, h):
@@ -230,6 +239,15 @@ def _slope(points, i, pieces, at, h):
         second = 2.0 * c2 + h * (6.0 * c3 + h * (12.0 * c4 + h * 20.0 * c5))
         square, slope, bend = square + gap * gap, slope + first * gap, bend + first * first + second * gap
     return square, slope, bend
+
+
+def _at_start(points, i, pieces, at):
+    """Return squared distance of a point from the start of a piece, and half its slope."""
+    square, slope = 0.0, 0.0
+    for j in range(points.shape[1]):
+        gap = pieces[at, j, 0] - points[i, j]
+        square, slope = square + gap * gap, slope + pieces[at, j, 1] * gap
+    return square, slope
 
 
 def _on_piece(points, i, pieces, at, a, b, slope_a, slope_b, curvature):
@@ -246,15 +264,15 @@ def _on_piece(points, i, pieces, at, a, b, slope_a, slope_b, curvature):
     return h
 
 
-def _on_blend(points, i, coefficients, borders, inverse, k, s, a, b, size, spot):
-    """Find the closest point of a blend between a and b, from s; write it and the tangent to `spot`, return its arc length."""
+def _on_blend(points, i, coefficients, borders, inverse, k, s, a, b, size, spot, column):
+    """Find the closest point of a blend between a and b, from s; write it and the tangent to a column of `spot`, return its arc length."""
     axes = points.shape[1]
     for _ in range(_MOST_STEPS):
-        by_length(k, s, 2, coefficients, borders, inverse, spot, 0)
+        by_length(k, s, 2, coefficients, borders, inverse, spot, column)
         slope, bend = 0.0, 0.0
         for j in range(axes):
-            gap = spot[0, j, 0] - points[i, j]
-            slope, bend = slope + spot[1, j, 0] * gap, bend + spot[1, j, 0] ** 2 + spot[2, j, 0] * gap
+            gap = spot[0, j, column] - points[i, j]
+            slope, bend = slope + spot[1, j, column] * gap, bend + spot[1, j, column] ** 2 + spot[2, j, column] * gap
         a, b = s if slope < 0.0 else a, s if slope > 0.0 else b
         after = s - slope / bend if bend > 0.0 else math.inf
         inside = a <= after <= b
@@ -262,23 +280,23 @@ def _on_blend(points, i, coefficients, borders, inverse, k, s, a, b, size, spot)
         s += moved
         if moved == 0.0 or (inside and bend > 0.1 and moved * moved <= _SQUARE * size):
             for j in range(axes):
-                first, second = spot[1, j, 0], spot[2, j, 0]
-                spot[0, j, 0] += moved * (first + 0.5 * moved * second)
-                spot[1, j, 0] = first + moved * second
+                first, second = spot[1, j, column], spot[2, j, column]
+                spot[0, j, column] += moved * (first + 0.5 * moved * second)
+                spot[1, j, column] = first + moved * second
             break
     return s
 
 
 _SIGNATURE = (
-    "f8[:,:] f8[:] f8[:] i8 f8 f8[:] f8[:,:,:] f8[:] f8[:] f8[:,:] i8[:,:] f8[:] f8[:,:] f8[:,:] f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:,:] "
-    "f8[:] f8[:,:] f8[:] f8[:] i8[:,:] f8[:,:] i8[:] i8[:,:] f8[:,:] f8[:,:,:]"
+    "f8[:,:] f8[:] f8[:] i8 f8 f8[:] f8[:,:,:] f8[:] f8[:] f8[:,:] i8[:,:] f8[:] f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:,:] "
+    "f8[:] f8[:,:] f8[:] f8[:] i8[:,:] f8[:,:] i8[:] i8[:,:] f8[:,:] f8[:,:,:] i8[:,:] f8[:]"
 )
 
 
 @kernel(_SIGNATURE)
 def search(
     points, around, window, closed, length, breaks, tangents, start, along, corner, leaf, bend, lines, arcs, coefficients, borders, inverse,
-    pieces, place, foot, distance, signed, pairs, guess, state, ends, depths, spot,
+    pieces, place, foot, distance, signed, pairs, guess, state, ends, depths, spot, near, close,
 ):  # fmt: skip
     """Find foot points from sample state[0] on: `place`, `foot`, `distance`, `signed`.
 
@@ -286,102 +304,149 @@ def search(
     distance, length of the piece). `state` is set to the next sample, the number of pairs, and the number of leaves searched.
     """
     axes, n, count, i, hint = points.shape[1], leaf.shape[0], 0, state[0], 0
+    listed, travel, beyond, low_end, high_end, bound, best_at, lead, column = 0, 0.0, 0.0, math.inf, -math.inf, math.inf, math.inf, 0, 0
     while i < points.shape[0]:
-        begun, least, aside, won, won_at, won_lap, bound, top = count, math.inf, math.inf, -1, 0.0, 0, math.inf, 1
+        begun, least, aside, won, won_at, best, on, step = count, math.inf, math.inf, -1, 0.0, math.inf, 0, 0.0
         first, last = around[i] - window[i], around[i] + window[i]
         if closed:  # half a lap on either side is the whole path
             first, last = max(first, around[i] - 0.5 * length), min(last, around[i] + 0.5 * length)
         else:
             first, last = min(max(first, 0.0), length), min(max(last, 0.0), length)
-        ends[0, 0] = _number(start, length, closed, first, hint)
-        hint = ends[0, 0] % n
-        ends[0, 1] = _number(start, length, closed, last, hint) + 1
-        depths[0, 2] = 0.0
-        if ends[0, 1] - ends[0, 0] > 1:
+        for j in range(axes if i > state[0] else 0):
+            step += (points[i, j] - points[i - 1, j]) ** 2
+        step = math.sqrt(step)
+        travel += step
+        # The foot point of the sample before is not further away than this.
+        bound = bound + step if first <= best_at <= last else math.inf
+        if not (low_end <= first and last <= high_end and bound <= beyond - travel):
+            before, room = near[lead, 0] if listed else -1, _AHEAD * step
+            if before < 0 or not room < min(window[i], 0.5 * length, _AHEAD * (start[before + 1] - start[before])):
+                room = 0.0  # so many leaves would be listed that a list for each sample takes less
+            low_end, high_end = first - room - _SLACK, last + room + _SLACK
+            if not closed:
+                low_end, high_end = max(low_end, 0.0), min(high_end, length)
+            listed, travel, beyond, top, lead = 0, 0.0, math.inf, 1, 0
+            ends[0, 0] = _number(start, length, closed, low_end, hint)
+            hint = ends[0, 0] % n
+            ends[0, 1] = _number(start, length, closed, high_end, hint) + 1
             depths[0, 0], depths[0, 1] = _away(corner, closed, points, i, ends[0, 0]), _away(corner, closed, points, i, ends[0, 1])
-        while top:
-            top -= 1
-            a, b = ends[top, 0], ends[top, 1]
-            from_a, from_b = depths[top, 0], depths[top, 1]
-            if depths[top, 2] > bound:
-                continue
-            if b - a > 1:
+            depths[0, 2] = _least(along, closed, ends[0, 0], ends[0, 1], depths[0, 0], depths[0, 1])
+            while top:
+                top -= 1
+                a, b = ends[top, 0], ends[top, 1]
+                from_a, from_b, lower = depths[top, 0], depths[top, 1], depths[top, 2]
+                if lower > bound + room:
+                    beyond = min(beyond, lower)
+                    continue
+                if b - a == 1:
+                    lap = a // n if closed else 0
+                    near[listed, 0], near[listed, 1], close[listed] = a - lap * n, lap, lower
+                    lead = listed if near[listed, 0] == before else lead
+                    listed += 1
+                    continue
                 middle = (a + b) // 2
                 away = _away(corner, closed, points, i, middle)
-                # A junction in the window lies on the path: the closest point is not further away.
-                bound = min(bound, away + _SLACK)
-                left, right = _least(along, closed, a, middle, from_a, away), _least(along, closed, middle, b, away, from_b)
-                later, sooner = (top, top + 1) if left > right else (top + 1, top)
-                ends[later, 0], ends[later, 1] = a, middle
-                depths[later, 0], depths[later, 1], depths[later, 2] = from_a, away, left
-                ends[sooner, 0], ends[sooner, 1] = middle, b
-                depths[sooner, 0], depths[sooner, 1], depths[sooner, 2] = away, from_b, right
+                lap = middle // n if closed else 0
+                if first <= lap * length + start[middle - lap * n] <= last:
+                    # A junction in the window lies on the path: the closest point is not further away.
+                    bound = min(bound, away + _SLACK)
+                ends[top, 0], ends[top, 1] = middle, b
+                depths[top, 0], depths[top, 1], depths[top, 2] = away, from_b, _least(along, closed, middle, b, away, from_b)
+                ends[top + 1, 0], ends[top + 1, 1] = a, middle
+                depths[top + 1, 0], depths[top + 1, 1], depths[top + 1, 2] = from_a, away, _least(along, closed, a, middle, from_a, away)
                 top += 2
-                continue
-            state[2] += 1
-            lap = a // n if closed else 0
-            at = a - lap * n
-            c, kind, k = leaf[at, 0], leaf[at, 1], leaf[at, 2]
-            offset, span = lap * length + breaks[c], breaks[c + 1] - breaks[c]
-            low, high = min(max(first - offset, 0.0), span), min(max(last - offset, 0.0), span)
-            cell, cells, begin, h_a, h_b, step, square_b, slope_b = 0, 1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-            if kind > _ARC:
-                begin = start[at] - breaks[c]
+        for again in range(2):
+            ties = False
+            for turn in range(listed):
+                # The leaf of the sample before comes first: most others are further away than its closest point.
+                e = turn if again else lead if turn == 0 else turn - 1 if turn <= lead else turn
+                at, lap = near[e, 0], near[e, 1]
+                behind = lap * length + start[at + 1] <= first and (closed or at < n - 1)
+                if close[e] - travel > bound or lap * length + start[at] > last or behind:
+                    continue
+                state[2] += 1
+                c, kind, k = leaf[at, 0], leaf[at, 1], leaf[at, 2]
+                offset, span = lap * length + breaks[c], breaks[c + 1] - breaks[c]
+                low, high = min(max(first - offset, 0.0), span), min(max(last - offset, 0.0), span)
+                if kind <= _ARC:
+                    if kind == _LINE:
+                        s, square = _on_line(points, i, lines, k, low, high)
+                    else:
+                        s = _on_arc(points, i, arcs, k, low, high, min(max(around[i] - offset, low), high), spot, 1 - column)
+                        square = _gap(points, i, spot, 1 - column)
+                    away, clear = abs(offset + s - around[i]), math.sqrt(square)
+                    level = _tied(square, least)
+                    ties = ties or level
+                    if (level and away < aside) or (not level and square < least):
+                        aside, won, won_at, column, bound = away, e, s, 1 - column, min(bound, clear + _SLACK)
+                    least = min(least, square)
+                    # What the window hides of the line or arc may be nearer.
+                    close[e] = max(close[e], clear - (span - (high - low)) + travel)
+                    continue
+                begin, clear = start[at] - breaks[c], math.inf
                 h_a, h_b = max(low - begin, 0.0), min(high, start[at + 1] - breaks[c]) - begin
                 if h_b < h_a:
                     continue
+                hidden = start[at + 1] - start[at] - (h_b - h_a)
                 # Both ends of the window are closest points too: cells -1 and `cells`.
                 cells = max(math.ceil((h_b - h_a) * bend[at] / _TURN), 1)
-                cell, step = -1 if begin + h_a <= low else 0, (h_b - h_a) / cells
-                square_b, slope_b, _ = _slope(points, i, pieces, at, h_a)
-                h_b = h_a
-            more = 1 if kind > _ARC and start[at + 1] - breaks[c] >= high else 0
-            while cell < cells + more:
-                s, s_a, s_b, square = 0.0, low, low, 0.0
-                if kind == _LINE:
-                    s = _on_line(points, i, lines, k, low, high, spot)
-                elif kind == _ARC:
-                    s = _on_arc(points, i, arcs, k, low, high, min(max(around[i] - offset, low), high), spot)
-                elif cell < 0 or cell == cells:
-                    s = low if cell < 0 else high
-                    s_a, s_b, square = s, s, square_b
+                cell, width, more = -1 if begin + h_a <= low else 0, (h_b - h_a) / cells, 1 if start[at + 1] - breaks[c] >= high else 0
+                # A piece ends as the next begins.
+                joined = more == 0 and at + 1 < n and leaf[at + 1, 0] == c
+                if h_a == 0.0:
+                    square_b, slope_b = _at_start(points, i, pieces, at)
                 else:
-                    h_a, square_a, slope_a = h_b, square_b, slope_b
-                    h_b = h_a + step
-                    square_b, slope_b, _ = _slope(points, i, pieces, at, h_b)
-                    nearest = 0.5 * (math.sqrt(square_a) + math.sqrt(square_b) - step)
-                    # Two pieces may each see their common end just beyond the closest point: one candidate too many does no harm.
-                    tiny = 1e-9 * (math.sqrt(square_a) + math.sqrt(square_b)) + 1e-13
-                    if nearest > bound + _TABLE_SLACK or slope_a > tiny or slope_b < -tiny:
-                        cell += 1
+                    square_b, slope_b, _ = _slope(points, i, pieces, at, h_a)
+                h_b = h_a
+                while cell < cells + more:
+                    if cell < 0 or cell == cells:
+                        s, square = low if cell < 0 else high, square_b
+                        s_a, s_b, apart = s, s, math.sqrt(square_b) > bound + _TABLE_SLACK
+                    else:
+                        h_a, square_a, slope_a = h_b, square_b, slope_b
+                        h_b = h_a + width
+                        if joined and cell + 1 == cells:
+                            square_b, slope_b = _at_start(points, i, pieces, at + 1)
+                        else:
+                            square_b, slope_b, _ = _slope(points, i, pieces, at, h_b)
+                        nearest = 0.5 * (math.sqrt(square_a) + math.sqrt(square_b) - width)
+                        clear = min(clear, nearest)
+                        # Two pieces may each see their common end just beyond the closest point: one candidate too many does no harm.
+                        tiny = 1e-9 * (math.sqrt(square_a) + math.sqrt(square_b)) + 1e-13
+                        apart = nearest > bound + _TABLE_SLACK or slope_a > tiny or slope_b < -tiny
+                        if not apart:
+                            s = begin + _on_piece(points, i, pieces, at, h_a, h_b, slope_a, slope_b, bend[at])
+                            s_a, s_b = max(begin + h_a - 1e-7 * length, low), min(begin + h_b + 1e-7 * length, high)
+                            s = min(max(s, s_a), s_b)
+                            if kind == _OTHER:
+                                square, _, _ = _slope(points, i, pieces, at, s - begin)
+                    cell += 1
+                    if apart:
                         continue
-                    s = begin + _on_piece(points, i, pieces, at, h_a, h_b, slope_a, slope_b, bend[at])
-                    s_a, s_b = max(begin + h_a - 1e-7 * length, low), min(begin + h_b + 1e-7 * length, high)
-                    s = min(max(s, s_a), s_b)
                     if kind == _OTHER:
-                        square, _, _ = _slope(points, i, pieces, at, s - begin)
-                cell += 1
-                if kind == _BLEND:
-                    s = _on_blend(points, i, coefficients, borders, inverse, k, s, s_a, s_b, start[at + 1] - start[at], spot)
-                elif kind == _OTHER:
-                    if count == pairs.shape[0]:
-                        state[0], state[1] = i, begun
-                        return
-                    away = math.sqrt(square)
-                    pairs[count, 0], pairs[count, 1] = i, c
-                    guess[count, 0], guess[count, 1], guess[count, 2], guess[count, 3] = lap, s, s_a, s_b
-                    guess[count, 4], guess[count, 5] = away, start[at + 1] - start[at]
-                    count, bound = count + 1, min(bound, away + _TABLE_SLACK)
-                    continue
-                square = _gap(points, i, spot)
-                away = abs(offset + s - around[i])
-                tied = square <= least * (1.0 + 1e-12) + 1e-30 and least <= square * (1.0 + 1e-12) + 1e-30
-                if (tied and away < aside) or (not tied and square < least):
-                    aside, won, won_at, won_lap = away, c, s, lap
-                    for j in range(axes):
-                        spot[0, j, 1], spot[1, j, 1] = spot[0, j, 0], spot[1, j, 0]
-                    bound = min(bound, math.sqrt(square) + _SLACK)
-                least = min(least, square)
+                        if count == pairs.shape[0]:
+                            state[0], state[1] = i, begun
+                            return
+                        away = math.sqrt(square)
+                        pairs[count, 0], pairs[count, 1] = i, c
+                        guess[count, 0], guess[count, 1], guess[count, 2], guess[count, 3] = lap, s, s_a, s_b
+                        guess[count, 4], guess[count, 5] = away, start[at + 1] - start[at]
+                        count += 1
+                        if away + _TABLE_SLACK < best:
+                            best, best_at, on, bound = away + _TABLE_SLACK, offset + s, e, min(bound, away + _TABLE_SLACK)
+                        continue
+                    s = _on_blend(points, i, coefficients, borders, inverse, k, s, s_a, s_b, start[at + 1] - start[at], spot, 1 - column)
+                    square, away = _gap(points, i, spot, 1 - column), abs(offset + s - around[i])
+                    level = _tied(square, least)
+                    ties = ties or level
+                    if (level and away < aside) or (not level and square < least):
+                        aside, won, won_at, column, bound = away, e, s, 1 - column, min(bound, math.sqrt(square) + _SLACK)
+                    least = min(least, square)
+                close[e] = max(close[e], clear - _TABLE_SLACK - hidden + travel)
+            if again or not (ties or count > begun + 1):
+                break
+            # Where several points are nearest, their order decides: it must not depend on the samples before.
+            count, least, aside, won = begun, math.inf, math.inf, -1
         kept = begun
         for pair in range(begun, count):
             if guess[pair, 4] <= bound + _TABLE_SLACK:
@@ -393,20 +458,26 @@ def search(
         count = kept
         place[i], distance[i], signed[i] = math.inf, math.inf, math.nan
         if won >= 0:
-            square, across = 0.0, 0.0
+            at, square = near[won, 0], 0.0
+            c, kind, k = leaf[at, 0], leaf[at, 1], leaf[at, 2]
             for j in range(axes):
-                gap = points[i, j] - spot[0, j, 1]
-                foot[i, j], square = spot[0, j, 1], square + gap * gap
-            place[i], distance[i] = won_lap * length + breaks[won] + won_at, math.sqrt(square)
+                if kind == _LINE:
+                    spot[0, j, column], spot[1, j, column] = lines[k, 0, j] + won_at * lines[k, 1, j], lines[k, 1, j]
+                gap = points[i, j] - spot[0, j, column]
+                foot[i, j], square = spot[0, j, column], square + gap * gap
+            place[i], distance[i] = near[won, 1] * length + breaks[c] + won_at, math.sqrt(square)
             if axes == 2:
-                m, t_0, t_1 = breaks.size - 1, spot[1, 0, 1], spot[1, 1, 1]
+                m, t_0, t_1 = breaks.size - 1, spot[1, 0, column], spot[1, 1, column]
                 # At a corner the bisector decides the side.
-                if won_at >= breaks[won + 1] - breaks[won] and (closed or won + 1 < m):
-                    t_0, t_1 = t_0 + tangents[(won + 1) % m, 0, 0], t_1 + tangents[(won + 1) % m, 0, 1]
-                if won_at <= 0.0 and (closed or won > 0):
-                    t_0, t_1 = t_0 + tangents[(won - 1) % m, 1, 0], t_1 + tangents[(won - 1) % m, 1, 1]
+                if won_at >= breaks[c + 1] - breaks[c] and (closed or c + 1 < m):
+                    t_0, t_1 = t_0 + tangents[(c + 1) % m, 0, 0], t_1 + tangents[(c + 1) % m, 0, 1]
+                if won_at <= 0.0 and (closed or c > 0):
+                    t_0, t_1 = t_0 + tangents[(c - 1) % m, 1, 0], t_1 + tangents[(c - 1) % m, 1, 1]
                 across = t_0 * (points[i, 1] - foot[i, 1]) - t_1 * (points[i, 0] - foot[i, 0])
                 signed[i] = math.copysign(distance[i], across)
+            if distance[i] + _SLACK < best:
+                best, best_at, on = distance[i] + _SLACK, place[i], won
+        bound, lead = best, on
         i += 1
     state[0], state[1] = i, count
 
@@ -461,7 +532,6 @@ def foot_point(path: CurveSequence, points: ArrayLike, around: ArrayLike, window
     if reach.shape not in ((), s.shape) or not (reach > 0.0).all():
         raise GeometryError(f"window = {window!r}: must be > 0 m, one for all points or one for each")
     reach = np.broadcast_to(reach, s.shape)
-    refuse(not (np.isfinite(p).all() and np.isfinite(s).all()), GeometryError, "points and progress must be finite")
     found = FootPoint(np.empty(s.size), np.empty(p.shape), np.empty(s.size), np.empty(s.size))
     chunks = [slice(i, i + _CHUNK) for i in range(0, s.size, _CHUNK)]
     _leaves(path)  # once, not in each thread
@@ -474,9 +544,12 @@ def searched(path: CurveSequence, points: Array, around: Array, window: Array, f
     """Fill `found` with foot points; return the number of leaves that were searched."""
     n, pairs, guesses = len(points), [np.zeros((0, 2), dtype=np.int64)], [np.zeros((0, 6))]
     given = tuple(map(np.ascontiguousarray, (points, around, window)))
+    refuse(not (np.isfinite(given[0]).all() and np.isfinite(given[1]).all()), GeometryError, "points and progress must be finite")
     leaves, room, state = _leaves(path), 64, np.zeros(3, dtype=np.int64)
     room += 0 if (leaves.leaf[:, 1] < _OTHER).all() else 4 * n
-    scratch = np.empty((_DEPTH, 2), dtype=np.int64), np.empty((_DEPTH, 3)), np.empty((3, path.n_axis, 2))
+    most = 2 * len(leaves.leaf) + 4
+    ends, near = np.empty((_DEPTH, 2), dtype=np.int64), np.empty((most, 2), dtype=np.int64)
+    scratch = ends, np.empty((_DEPTH, 3)), np.empty((3, path.n_axis, 2)), near, np.empty(most)
     while state[0] < n:
         before, pair, guess = int(state[0]), np.empty((room, 2), dtype=np.int64), np.empty((room, 6))
         search(*given, *leaves, *found, pair, guess, state, *scratch)

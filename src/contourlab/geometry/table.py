@@ -109,6 +109,13 @@ def path_table(path: CurveSequence, tolerance: float, pieces: int = 1) -> PathTa
     GeometryError
         If the tolerance is not positive, or below the rounding of a curve.
     """
+    _, start, coefficients, bound = table_pieces(path, tolerance, pieces)
+    cell, inverse, halvings = _cells(start, path.length)
+    return PathTable(start, coefficients, cell, inverse, bound, path.length, path.closed, halvings)
+
+
+def table_pieces(path: CurveSequence, tolerance: float, pieces: int = 1) -> tuple[Index, Array, Array, float]:
+    """Return curve, start and coefficients of the pieces of a table, and the bound of its error; arguments as of `path_table`."""
     refuse(not tolerance > 0.0, GeometryError, f"tolerance = {tolerance!r}: must be > 0 m")
     longest = path.length / max(pieces, 1) * (1.0 + 1e-12)
     parts, bound = [], 0.0
@@ -121,9 +128,7 @@ def path_table(path: CurveSequence, tolerance: float, pieces: int = 1) -> PathTa
         order = np.lexsort([a, index])
         index, a, b = index[order], a[order], b[order]
     coefficients = _hermite(path.at(index, a, 2), path.at(index, b, 2), b - a)
-    start = np.concatenate([path.breaks[index] + a, [path.length]])
-    cell, inverse, halvings = _cells(start, path.length)
-    return PathTable(start, coefficients, cell, inverse, bound, path.length, path.closed, halvings)
+    return index, np.concatenate([path.breaks[index] + a, [path.length]]), coefficients, bound
 
 
 def _hermite(low: Array, high: Array, h: Array) -> Array:

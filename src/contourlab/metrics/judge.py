@@ -22,15 +22,21 @@ from contourlab.errors import DivergenceError, ResultError
 from contourlab.feed import Reference
 from contourlab.geometry import Path
 from contourlab.result import Result, Signal
+from contourlab.threads import in_threads
 
 MARGIN = 1e-4
 _STILL = 0.9
-_BLOCK = 1 << 16
+_BLOCK, _CHUNK = 1 << 16, 1 << 15
 
 
 def furthest(off: Array) -> float:
     """Return the largest length [m] of some differences (n, n_axis) [m]."""
-    return float(np.linalg.norm(off, axis=1).max(initial=0.0))
+    return math.sqrt(_squares(off).max(initial=0.0))
+
+
+def _squares(off: Array) -> Array:
+    """Return the squared lengths (n,) [m^2] of some differences (n, n_axis) [m]."""
+    return np.asarray(np.einsum("ij,ij->i", off, off))
 
 
 def reach(path: Path, error: float) -> float:
@@ -101,14 +107,23 @@ def judge(result: Result, reference: Reference, *, error: float = 0.0, planning:
 
 def planning_deviation(reference: Reference, wanted: Array, along: Array) -> tuple[Array, Array]:
     """Return the planning deviation (n,) [m] of some samples of a reference, and the arc length (n,) [m] of their foot points."""
-    place = reference.programmed_arc_length(along)
-    window = np.full(place.size, 0.02 * reference.programmed.length)
-    if reference.correspondence is not None:
-        # The error of the corresponding place is at most the length that one curve replaces there: a corner or a merged piece. The foot
-        # point is not further away than that place, and the margin covers a path that bends back.
-        off = np.linalg.norm(wanted - reference.programmed.position(place), axis=1)
-        window = reference.correspondence.span(along) + 3.0 * off + 1e-9
-    return _errors(reference.programmed, wanted, place, window)
+    deviation, foot = np.empty(len(along)), np.empty(len(along))
+
+    def fill(some: slice) -> None:
+        """Fill one block, whose memory stays in the caches."""
+        place = reference.programmed_arc_length(along[some])
+        window = np.full(place.size, 0.02 * reference.programmed.length)
+        if reference.correspondence is not None:
+            # The error of the corresponding place is at most the length that one curve replaces there: a corner or a merged piece. The
+            # foot point is not further away than that place, and the margin covers a path that bends back.
+            off = wanted[some] - reference.programmed.position(place)
+            window = reference.correspondence.span(along[some]) + 3.0 * np.sqrt(_squares(off)) + 1e-9
+        deviation[some], foot[some] = _errors(reference.programmed, wanted[some], place, window)
+
+    first, *others = (slice(i, i + _CHUNK) for i in range(0, max(len(along), 1), _CHUNK))
+    fill(first)  # prepares the path for all threads
+    in_threads(fill, others)
+    return deviation, foot
 
 
 def stands_still(reference: Reference, error: ArrayLike) -> Flags:

@@ -85,6 +85,34 @@ def test_the_closest_point_is_that_of_all_curves(name: str, part: float) -> None
     assert (np.abs(found.arc_length - around) <= reach + 1e-12).all()
 
 
+def driven(path: Path, n: int = 3000) -> tuple[Array, Array]:
+    """Return a tool along a path: it stops, creeps, races and turns back, 10 um off or exactly on the path."""
+    rng = np.random.default_rng(11)
+    pace = 1e-5 * np.repeat(rng.choice([0.0, 0.02, 1.0, 1.0, 3.0, 30.0, -1.0], n // 50), 50)
+    around = 0.3 * path.length + np.cumsum(pace)
+    off = np.repeat(rng.choice([0.0, 1.0, 1.0], n // 50), 50)[:, None] * np.sin(0.02 * np.arange(n)[:, None] + np.arange(path.n_axis))
+    return path.position(around) + 1e-5 * off, around
+
+
+def retraced() -> Path:
+    """Return lines there and back: some are as far from a point as others but for rounding, and those as far as others again."""
+    i = np.arange(240)
+    return polygon(np.column_stack([1e-3 * (i % 2), 3e-18 * np.random.default_rng(1).integers(0, 5, 240)]), False)
+
+
+@pytest.mark.parametrize("name", [*PATHS, "retraced"])
+def test_what_a_sample_finds_does_not_depend_on_those_before(name: str) -> None:
+    path = retraced() if name == "retraced" else PATHS[name]
+    points, around = driven(path)
+    whole = path.foot_point(points, around, 5e-3)
+    for start in (0, 7, 500, 1041, 2222):
+        cut = path.foot_point(points[start : start + 600], around[start : start + 600], 5e-3)
+        for values, same in zip(whole, cut, strict=True):
+            np.testing.assert_array_equal(values[start : start + 600], same)
+    alone = np.array([path.foot_point(points[i], around[i], 5e-3).arc_length[0] for i in range(0, 3000, 10)])
+    np.testing.assert_allclose(whole.arc_length[::10], alone, rtol=0.0, atol=1e-12)
+
+
 def searched_leaves(path: Path, points: Array, around: Array, window: float) -> float:
     """Return the mean number of curves that are searched for a point."""
     n = around.size
