@@ -165,4 +165,4 @@ def planning_memory(n_line: int) -> int:
 def test_a_long_program_takes_a_few_kilobytes_a_line() -> None:
     # About 22 samples per line with some 200 bytes each: three derivatives by three axes, limits, and the state of the recursions.
     planning_memory(200)  # first run: loads and compiles
-    assert planning_memory(6000) - planning_memory(4000) < 2000 * 7000
+    assert planning_memory(14_000) - planning_memory(10_000) < 4000 * 7000

@@ -17,7 +17,7 @@ pytest.importorskip("blark", reason="blark is not installed")
 def commands(file: Path, case: str, text: str) -> tuple[np.ndarray, np.ndarray]:
     """Return the commands of the function block and of plain Python on one run."""
     file.write_text(text)
-    block, run = FunctionBlock(file), excited(exported(case), 60)
+    block, run = FunctionBlock(file), excited(exported(case), 120)
     assert block(enable=False) == 0.0
     fed = (dict(zip(map(input_name, run.names), row, strict=True)) for row in run.inputs.tolist())
     return np.array([block(enable=True, **row) for row in fed]), run.command
