@@ -2,6 +2,7 @@
 
 import ctypes
 import gc
+import math
 import os
 import signal
 import subprocess
@@ -11,7 +12,7 @@ from collections.abc import Iterator
 import one_thread  # noqa: F401
 import pytest
 from host_gpu import HostGpu
-from hypothesis import settings
+from hypothesis import is_hypothesis_test, settings
 from once import once
 from processor_time import ProcessorTimes
 from schemas import check_results
@@ -27,8 +28,10 @@ os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 # Background processes of a shell, and their children, ignore Ctrl-C; tests send it.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
-QUICK_EXAMPLES = 25
+EXAMPLES = 30
 """Examples of a property test that names no number of its own; with --slow it tries 100."""
+QUICK_SHARE = 0.4
+"""Share of its examples that a property test tries without --slow."""
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -39,19 +42,20 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_configure(config: pytest.Config) -> None:
     config.pluginmanager.register(ProcessorTimes(), "processor times")
     # Deadlines measure the machine, not the code. CI runs the same examples every time, so its answer depends on the commit alone.
-    count = 100 if config.getoption("--slow") else QUICK_EXAMPLES
+    count = 100 if config.getoption("--slow") else EXAMPLES
     same = {"derandomize": True, "database": None} if os.environ.get("CI") else {}
     settings.register_profile("contourlab", deadline=None, max_examples=count, **same)
     settings.load_profile("contourlab")
 
 
-def pytest_collection_finish() -> None:
-    """Keep the garbage collector away from modules and tests, which all live until the end.
+def pytest_collection() -> None:
+    """Keep the garbage collector away from modules and tests, which all live until the end: it would walk through them again and again."""
+    gc.disable()
 
-    It would walk through them again and again.
-    """
-    gc.collect()
+
+def pytest_collection_finish() -> None:
     gc.freeze()
+    gc.enable()
 
 
 @pytest.hookimpl(trylast=True)
@@ -63,6 +67,10 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     for item in items:
         if "reproduction" in getattr(item, "fixturenames", ()):  # takes a minute
             item.add_marker("slow")
+    # Each function once: its cases share it.
+    for test in {item.obj for item in items if is_hypothesis_test(getattr(item, "obj", None))}:
+        every = test._hypothesis_internal_use_settings
+        test._hypothesis_internal_use_settings = settings(every, max_examples=math.ceil(QUICK_SHARE * every.max_examples))
     slow = [item for item in items if item.get_closest_marker("slow")]
     items[:] = [item for item in items if not item.get_closest_marker("slow")]
     config.hook.pytest_deselected(items=slow)

@@ -6,6 +6,7 @@ import os
 import re
 import tomllib
 from collections.abc import Mapping
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -68,6 +69,12 @@ def kind_of(file: str | os.PathLike[str]) -> str:
     return foreign or ("a log" if re.match(_LOGS, head) else _of_text(head))
 
 
+@lru_cache(32)
+def toml_of(text: str) -> Mapping[str, Any]:
+    """Return the content of TOML, which nobody changes: its kind and its values are asked for one after the other."""
+    return tomllib.loads(text)
+
+
 def _of_toml(content: Mapping[str, Any]) -> str:
     """Return what a TOML file is, from its top-level keys."""
     if "plant" in content:
@@ -82,7 +89,7 @@ def _of_toml(content: Mapping[str, Any]) -> str:
 
 def _of_text(head: bytes) -> str:
     try:
-        return _of_toml(tomllib.loads(head.decode("utf-8-sig")))
+        return _of_toml(toml_of(head.decode("utf-8-sig")))
     except (ValueError, RecursionError):  # no UTF-8, or no TOML
         pass
     if _MOTION.search(head):

@@ -49,7 +49,7 @@ def rub(friction: Any, v: float, z: float) -> tuple[float, float]:
 
 
 def solved(plant: TwoInertia, load: Any, motor: Any) -> Array:
-    """Return both positions at the end of each tick, from an independent implicit solver."""
+    """Return both positions at the end of each tick, from an independent solver."""
     d = plant.constants()
 
     def slope(t: float, y: Array, push: float) -> list[float]:
@@ -61,7 +61,7 @@ def solved(plant: TwoInertia, load: Any, motor: Any) -> Array:
 
     y, found = np.zeros(6), []
     for u in COMMAND:
-        options: Any = {"method": "Radau", "rtol": 1e-9, "atol": 1e-14, "max_step": 1.25e-4}
+        options: Any = {"method": "DOP853", "rtol": 1e-10, "atol": 1e-15, "max_step": 1.25e-4}
         y = solve_ivp(slope, (0.0, 1e-3), y, args=(d.force_value * u,), **options).y[:, -1]
         found.append(y[[0, 2]])
     return np.array(found)

@@ -15,7 +15,7 @@ from reference_data import SHARED, part_programs
 
 from contourlab.cli.main import main
 from contourlab.errors import ProgramError
-from contourlab.features.limits.command import moves_of
+from contourlab.features.check.canon import Listed
 from contourlab.program import Reading
 
 PROGRAM = "G21 G90 G17 G61\nG0 X10 Y0\n(a comment)\nG1 X30 F1200 ; cut\nG3 X30 Y0 I-30 J0\nM2\n"
@@ -31,6 +31,10 @@ def printed(capsys: pytest.CaptureFixture[str], *words: str, code: int = 0) -> d
     assert main([*words, "--json"]) == code
     result: dict[str, Any] = json.loads(capsys.readouterr().out)
     return result
+
+
+def moves_of(program: Path, reading: Reading) -> list[dict[str, Any]]:
+    return list(Listed(program, reading))
 
 
 def write_sine(file: str, digits: int = 6) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -32,6 +33,7 @@ def moved(u: np.ndarray, friction: float = 0.0) -> np.ndarray:
     return np.round(1.695 * first_order_motion(u, PERIOD, 10.1, friction, friction)[1] / 1e-7) * 1e-7
 
 
+@cache
 def good(model: str) -> Log:
     """Return a log that identifies the model, its command in volts, 10 V for full scale."""
     if model == "friction":
@@ -111,8 +113,17 @@ REFUSED: dict[str, tuple[Callable[[Log], Log], str]] = {
 }
 
 
-@pytest.mark.parametrize("model", [*MODELS, "two-inertia"])
-@pytest.mark.parametrize("case", REFUSED)
+BY_THE_READER = ("time goes back", "two records")
+"""What no model sees: without --slow, one is asked."""
+
+
+@pytest.mark.parametrize(
+    ("model", "case"),
+    [
+        pytest.param(model, case, marks=[pytest.mark.slow] if case in BY_THE_READER and model != "rigid" else [])
+        for model in (*MODELS, "two-inertia") for case in REFUSED
+    ],
+)  # fmt: skip
 def test_logs_without_information_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str], model: str, case: str) -> None:
     spoil, words = REFUSED[case]
     code, _, said = identified(tmp_path, model, spoil(good(model)), capsys)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import sys
 from collections.abc import Callable, Mapping
+from functools import cache
 from importlib import import_module
 from typing import Annotated, Any
 
@@ -71,6 +72,7 @@ def home_of(name: str) -> str:
     return HOMES.get(name, f"contourlab.features.{name}.options")
 
 
+@cache
 def command_of(name: str) -> Any:
     """Return a command, or the group of commands of that name."""
     found = import_module(home_of(name)).COMMANDS[name]
@@ -79,7 +81,7 @@ def command_of(name: str) -> Any:
     made = Group(name=name, help=found.help, context_settings=HELP, rich_markup_mode="rich", no_args_is_help=True)
     members = found.members
     lines = {each: line_of(one) for each, one in members.items()}
-    made.hold(lines, lambda each: _command(each, f"{name} {each}", members[each]), found.default)
+    made.hold(lines, cache(lambda each: _command(each, f"{name} {each}", members[each])), found.default)
     return made
 
 

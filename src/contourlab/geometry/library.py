@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import math
 from collections.abc import Callable
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -157,7 +158,8 @@ def lissajous(axes: float = 3, amplitude: float = 0.02, lowest: float = 1, phase
 
 _CONTOURS = (circle, ellipse, lemniscate, diamond, star, butterfly, line_line_circle, square, rectangle, racetrack, polygon, spiral, helix,
              lissajous)  # fmt: skip
-_MAKERS: dict[str, Callable[..., Path]] = {maker.__name__.replace("_", "-"): maker for maker in _CONTOURS}
+# A path keeps what it finds of itself, such as its parameter over arc length: studies ask for the same ones again.
+_MAKERS: dict[str, Callable[..., Path]] = {maker.__name__.replace("_", "-"): lru_cache(8, typed=True)(maker) for maker in _CONTOURS}
 _LENGTHS = ("radius", "a", "b", "side", "width", "height", "corner_radius", "length", "inner_radius", "pitch", "amplitude")
 _UNITS = {**dict.fromkeys(_LENGTHS, "m"), "start_angle": "rad", "phase": "rad"}
 

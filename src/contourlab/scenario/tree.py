@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 
 from contourlab.components.contract import FAMILIES
 from contourlab.errors import ContourlabError, ScenarioError
-from contourlab.file_kinds import mistaken
+from contourlab.file_kinds import mistaken, toml_of
 from contourlab.scenario.toml_text import BARE
 
 DEFAULT = "default"
@@ -182,7 +182,7 @@ def read_tree(file: Path, *wanted: str) -> Table:
 def parse_tree(text: str, name: str) -> Table:
     """Read TOML text; messages call it `name`."""
     try:
-        values = tomllib.loads(text)
+        values = toml_of(text)
     except tomllib.TOMLDecodeError as error:
         raise ScenarioError(f"is not valid TOML: {error}", file=name) from error
     except (RecursionError, ValueError) as error:

@@ -115,7 +115,7 @@ def test_on_line_estimates_differ_from_the_judge_by_their_closed_form_error(kind
         "tangent": radius - (radius - exact) * np.cos(place - tool),
         "koren-lo": exact - exact**2 / (2.0 * radius),
     }.get(kind, exact)
-    assert found == pytest.approx(expected, abs=1e-16)
+    np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-16)
 
 
 @pytest.mark.parametrize("n_axis", [2, 3, 5])

@@ -142,7 +142,7 @@ def test_each_variant_of_a_batch_over_gaps_starts_as_alone(start: float) -> None
         )
         assert alone["motor_position"][0, 0] - alone["axis_position"][0, 0] == pytest.approx(0.5 * start * gap, abs=1e-15)
         for name in ("motor_position", "axis_position"):
-            assert found.signals[name][:, :, i] == pytest.approx(alone[name], abs=1e-10)
+            np.testing.assert_allclose(found.signals[name][:, :, i], alone[name], rtol=0.0, atol=1e-10)
 
 
 def test_the_gap_along_the_travel_follows_its_table_and_holds_beyond() -> None:

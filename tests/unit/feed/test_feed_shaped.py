@@ -57,7 +57,7 @@ def moving(reference: Reference) -> np.ndarray:
 @pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.slow)])
 def test_any_jerk_limit_is_respected_without_a_stop(jerk: float, seed: int, demand: Demand) -> None:
     limits = AxisLimits([0.5, 0.5], [2.0, 1.5], jerk)
-    reference = plan(route_from_path(fillets(25, seed), 0.1), limits, 1e-3)
+    reference = plan(route_from_path(fillets(10, seed), 0.1), limits, 1e-3)
     assert max(demand(reference, limits)) <= 1.001
     assert limit_report(reference, limits).ok()
     assert np.all(moving(reference) > 0.0)

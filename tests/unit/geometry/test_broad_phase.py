@@ -20,20 +20,20 @@ def polygon(points: Array, closed: bool) -> Path:
     return Path([Line(tuple(a), tuple(b)) for a, b in pairwise(joints)], closed=closed)
 
 
-def walk(n_axis: int, closed: bool, n: int = 120) -> Path:
+def walk(n_axis: int, closed: bool, n: int = 60) -> Path:
     rng = np.random.default_rng(n_axis + 10 * closed)
     return polygon(0.003 * np.cumsum(rng.normal(size=(n, n_axis)), axis=0), closed)
 
 
 def beads() -> Path:
     """Return consecutive half circles, left and right: segments far longer than wide."""
-    return Path([Arc((0.002 * i, 0.0), 0.001, np.pi, np.pi * (-1) ** i) for i in range(80)])
+    return Path([Arc((0.002 * i, 0.0), 0.001, np.pi, np.pi * (-1) ** i) for i in range(40)])
 
 
 def wavy() -> Path:
     """Return splines with lines between, each curve as long as ten of the walk's."""
     curves: list[Curve] = []
-    for i in range(20):
+    for i in range(12):
         x = 0.03 * i
         points = np.array([(x, 0.0), (x + 0.01, 0.02), (x + 0.01, -0.02), (x + 0.02, 0.0)])
         curves.append(BSpline(3, points, [0, 0, 0, 0, 1, 1, 1, 1]))
@@ -136,7 +136,7 @@ def test_from_the_centre_of_a_wheel_all_spokes_are_searched() -> None:
 @pytest.mark.parametrize("kind", ["lines", "splines"])
 def test_from_the_centre_of_a_wheel_the_progress_decides(kind: str) -> None:
     """Among hundreds of places at the same distance."""
-    n = 300 if kind == "lines" else 100
+    n = 300 if kind == "lines" else 60
     angle = np.linspace(0.0, 2.0 * np.pi, n, endpoint=False)
     rim = 0.05 * np.column_stack([np.cos(angle), np.sin(angle)])
     if kind == "lines":
@@ -154,7 +154,7 @@ def test_from_the_centre_of_a_wheel_the_progress_decides(kind: str) -> None:
 def test_the_middle_of_a_symmetric_blend_is_the_foot_of_its_corner() -> None:
     """There two pieces of the table meet, and the closest point lies on neither side for certain."""
     rng = np.random.default_rng(9)
-    for _ in range(200):
+    for _ in range(80):
         corner, turn, size = rng.uniform(-1.0, 1.0, 2), rng.uniform(0.05, 3.1), 10.0 ** rng.uniform(-7.0, -2.0)
         first = rng.uniform(0.0, 2.0 * np.pi)
         came, goes = ([np.cos(angle), np.sin(angle)] for angle in (first, first + turn))

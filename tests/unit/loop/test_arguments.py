@@ -15,6 +15,7 @@ from stages import PERIOD, make, with_axis
 import contourlab as cl
 from contourlab.components.contract import param
 from contourlab.errors import ParameterError
+from contourlab.geometry import Path
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop import Learned
 from contourlab.loop.batch import _check_together
@@ -35,7 +36,8 @@ def test_a_view_of_another_path_is_refused(view: Any, machine: cl.Machine, contr
 
 
 def test_a_view_of_an_equal_path_is_taken(machine: cl.Machine, controller: cl.Controller) -> None:
-    reference, equal = (cl.uniform(cl.contour("circle", radius=5e-3), 0.1, 1, PERIOD) for _ in range(2))
+    made = cl.contour("circle", radius=5e-3)
+    reference, equal = (cl.uniform(Path(made.curves, made.closed), 0.1, 1, PERIOD) for _ in range(2))
     assert equal.path is not reference.path
     given, own = (cl.simulate(machine, controller, reference, view=view) for view in (view_of(equal.path), None))
     np.testing.assert_array_equal(given["axis_position"], own["axis_position"])

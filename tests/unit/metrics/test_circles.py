@@ -91,7 +91,7 @@ def test_minimum_zone_is_less_than_least_squares() -> None:
     assert found.circular_deviation == pytest.approx(searched_zone(points), rel=1e-4)
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(3))
 def test_minimum_zone_against_a_search(seed: int) -> None:
     rng = np.random.default_rng(seed)
     angle = 2.0 * np.pi * np.arange(400) / 400

@@ -24,7 +24,7 @@ from contourlab.errors import ComponentError
 
 KINDS = [kind for kind in components() if kind.family != "learning"]
 PAIRS = [(plant, friction) for plant in components("plant") for friction in components("friction")]
-TICKS = 300
+TICKS = 150
 
 
 def named(kind: type[Component]) -> str:

@@ -69,11 +69,11 @@ PRIMITIVES: dict[str, Callable[..., Any]] = {
 OF_BOTH = ("copysign", "minimum", "maximum", "uniform")
 
 
-def same(found: Any, wanted: Any) -> None:
+def same(found: Any, wanted: Any, name: str = "") -> None:
     """Polynomials and the mathematical library differ in their last digits; what is not finite, and signs, may not."""
-    np.testing.assert_allclose(found, wanted, rtol=1e-14, atol=2e-16, equal_nan=True)
+    np.testing.assert_allclose(found, wanted, rtol=1e-14, atol=2e-16, equal_nan=True, err_msg=name)
     finite = np.isfinite(wanted) & (np.abs(wanted) != 0.0)
-    np.testing.assert_array_equal(np.signbit(found)[finite], np.signbit(wanted)[finite])
+    np.testing.assert_array_equal(np.signbit(found)[finite], np.signbit(wanted)[finite], err_msg=name)
 
 
 @pytest.mark.parametrize("name", PRIMITIVES)
@@ -126,15 +126,15 @@ def test_each_table_has_its_own_size_and_each_lane_its_own_index(width: int) -> 
 
 
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
-@pytest.mark.parametrize("name", PRIMITIVES)
-def test_c99_gives_what_plain_python_gives(name: str, tmp_path: Path) -> None:
+def test_c99_gives_what_plain_python_gives(tmp_path: Path) -> None:
     """With a trap for undefined behaviour, such as a NaN that becomes a whole number."""
-    schedule = schedule_of(PRIMITIVES[name])
-    source = c99.source_of(graph_of(schedule.nodes[0].step), "step")
+    schedules = [schedule_of(primitive) for primitive in PRIMITIVES.values()]
     rows = ", ".join(f"{{{c99.literal(a)}, {c99.literal(b)}}}" for a, b in FED)
-    main = f"""
+    files = [f"step{n}.c" for n in range(len(schedules))]
+    for n, (file, schedule) in enumerate(zip(files, schedules, strict=True)):
+        run_it = f"""
 #include <stdio.h>
-int main(void)
+void run{n}(void)
 {{
     static const double table[] = {{{", ".join(map(repr, TABLE.tolist()))}}}, fed[][2] = {{{rows}}};
     const double *const tables[] = {{table}};
@@ -142,18 +142,21 @@ int main(void)
     double ring[8] = {{0.0}}, none[1], out[1];
     for (int k = 0; k < {len(FED)}; ++k) {{
         ring[k & 7] = fed[k][0];
-        step(none, none, fed[k], k, k * {PERIOD!r}, {PERIOD!r}, tables, sizes, ring, 7, none, out);
+        step{n}(none, none, fed[k], k, k * {PERIOD!r}, {PERIOD!r}, tables, sizes, ring, 7, none, out);
         printf("%a\\n", out[0]);
     }}
-    return 0;
 }}
 """
-    (tmp_path / "step.c").write_text(source + main)
+        (tmp_path / file).write_text(c99.source_of(graph_of(schedule.nodes[0].step), f"step{n}") + run_it)
+    calls = [f"run{n}();" for n in range(len(files))]
+    declared = [f"void run{n}(void);" for n in range(len(files))]
+    (tmp_path / "main.c").write_text("\n".join([*declared, "int main(void) {", *calls, "return 0; }"]))
     flags = ["-std=c99", "-O1", "-ffp-contract=off", "-fsanitize=undefined,float-cast-overflow", "-fsanitize-undefined-trap-on-error"]
-    subprocess.run(["gcc", *flags, "-o", "step", "step.c", "-lm"], cwd=tmp_path, check=True)
-    done = subprocess.run([tmp_path / "step"], capture_output=True, text=True, check=True)
+    subprocess.run(["gcc", *flags, "-o", "steps", "main.c", *files, "-lm"], cwd=tmp_path, check=True)
+    done = subprocess.run([tmp_path / "steps"], capture_output=True, text=True, check=True)
     found = [float.fromhex(line) if "nan" not in line else NAN for line in done.stdout.split()]
-    same(found, run(schedule, FED, 1, InterpretedGroup)[:, 0])
+    for name, schedule, of_one in zip(PRIMITIVES, schedules, np.reshape(found, (len(schedules), len(FED))), strict=True):
+        same(of_one, run(schedule, FED, 1, InterpretedGroup)[:, 0], name)
 
 
 @pytest.mark.parametrize("form", [lambda u, par, clock: lookup(par.table, u), lambda u, par, clock: delayed(par.ring, clock, floor(u))])

@@ -173,7 +173,7 @@ def test_a_swing_from_the_line_before_is_no_circle_if_a_turn_remains(turns: floa
     assert (np.abs(run.deviation).max() < 1e-8) == (turns > 1.0)
 
 
-@pytest.mark.parametrize("feed", [0.01, 0.03, 0.05, 0.1])
+@pytest.mark.parametrize("feed", [*(pytest.param(feed, marks=pytest.mark.slow) for feed in (0.01, 0.1)), 0.03, 0.05])
 @pytest.mark.parametrize("gaps", [(20e-6, 8e-6), pytest.param((5e-6, 5e-6), marks=pytest.mark.slow)])
 def test_a_circle_too_fast_for_a_load_is_named(feed: float, gaps: tuple[float, float], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(made_circles, "FEED", feed)

@@ -53,8 +53,13 @@ def test_fmpy_finds_no_fault_and_simulates_it(tmp_path: Path, version: str) -> N
 
 
 @needs_compiler
-@pytest.mark.parametrize("version", fmi.VERSIONS)
-@pytest.mark.parametrize("case", PARTS)
+@pytest.mark.parametrize(
+    ("case", "version"),
+    [
+        pytest.param(case, version, marks=[pytest.mark.slow] if (n + m) % 2 else [])
+        for n, case in enumerate(PARTS) for m, version in enumerate(fmi.VERSIONS)
+    ],
+)  # fmt: skip
 def test_it_computes_the_commands_of_plain_python(tmp_path: Path, case: str, version: str) -> None:
     fmpy = pytest.importorskip("fmpy", reason="fmpy is not installed")
     file, run = written(tmp_path, case, version), excited(exported(case))

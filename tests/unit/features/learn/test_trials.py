@@ -154,7 +154,7 @@ def test_the_response_to_a_table_is_that_of_a_run(target: str, kind: str) -> Non
     ]
     response = input_response(machine, controller, target, n)
     expected = np.convolve(table[:, 0], response[:, 0])[:n]
-    assert (moved[1] - moved[0])[:, 0] == pytest.approx(expected, abs=1e-9 * np.abs(expected).max())
+    np.testing.assert_allclose((moved[1] - moved[0])[:, 0], expected, rtol=0.0, atol=1e-9 * np.abs(expected).max())
 
 
 def test_an_unstable_loop_has_no_response() -> None:

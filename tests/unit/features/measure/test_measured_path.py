@@ -54,7 +54,7 @@ def test_progress_stays_on_its_branch(name: str, part: tuple[float, float], late
 def test_a_shift_is_found_from_a_partial_run_too(name: str, part: tuple[float, float]) -> None:
     """On these paths 10 um to the left is no shift, except for the part that the normals do not average out; rests have no weight."""
     _, tool = tool_on(PATHS[name], part, 20e-6)
-    rest = np.repeat(tool[-1:], 20_000, axis=0)
+    rest = np.repeat(tool[-1:], 5000, axis=0)
     assert fitted_shift(PATHS[name], np.vstack([tool, rest]) + np.array([0.1, -0.05])) == pytest.approx([0.1, -0.05], abs=11e-6)
 
 
