@@ -176,7 +176,9 @@ def poles_of_each(matrices: Array) -> Complex:
     poles[~finite] = np.inf
     # A gain of zero in one variant takes states out of its loop, so variants of the same form go together.
     form = np.concatenate([matrices != 0.0, matrices == np.eye(matrices.shape[1])], axis=1).reshape(len(matrices), -1)
-    _, first, kind = np.unique(np.packbits(form, axis=1), axis=0, return_index=True, return_inverse=True)
+    first, kind = np.arange(len(form))[:1], np.zeros(len(form), dtype=np.intp)
+    if (form != form[:1]).any():
+        _, first, kind = np.unique(np.packbits(form, axis=1), axis=0, return_index=True, return_inverse=True)
     for k, i in enumerate(first):
         rows, kept = np.flatnonzero((kind == k) & finite), loop_states(matrices[i])
         poles[rows, : kept.size] = np.linalg.eigvals(matrices[np.ix_(rows, kept, kept)])

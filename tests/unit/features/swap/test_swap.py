@@ -15,6 +15,7 @@ from contourlab.components.plant.plant import MassDamper, RigidAxis
 from contourlab.errors import ContourlabError, ParameterError
 from contourlab.features.swap import search as searches
 from contourlab.features.swap.beyond import coverage, network_cost
+from contourlab.features.swap.command import quick_budget
 from contourlab.features.swap.report import SwapResult, drawing, judged_exactly, matrices, text_of
 from contourlab.features.swap.search import SharedSpace, SwapSearch, SwapSettings, merged
 from contourlab.features.swap.study import SwapStudy, swap_study
@@ -80,6 +81,21 @@ def test_a_quick_study_finds_local_parameters_where_one_controller_is_not_enough
     quick = swap_study(variants, (AHEAD,), SwapSettings(budget=300, quick=True))
     assert not quick.full and not quick.unsure
     assert quick.recommended is not None and quick.recommended.local == {AHEAD}
+
+
+def test_a_quick_study_takes_what_fits_and_refuses_what_does_not(monkeypatch: pytest.MonkeyPatch) -> None:
+    variants = variants_under([("strong", rigid("other", 2.0))])
+
+    def budget(runs: float, most: int = 8000) -> int:
+        monkeypatch.setattr("contourlab.features.swap.command.affordable_candidates", lambda *_: runs)
+        return quick_budget(variants, most)
+
+    each = 2 * 2 * 3 * 2.0  # half of the time runs; twice, two variants have a search alone and one of twice the budget together
+    assert [budget(each * fits) for fits in (129.0, 255.0, 256.0, 5000.0, 1e6)] == [128, 128, 256, 4096, 8000]
+    assert budget(each * 5000.0, 1000) == 1000
+    with pytest.raises(ParameterError) as refused:
+        budget(each * 127.0)
+    assert refused.value.name == "--quick"
 
 
 @pytest.mark.slow
