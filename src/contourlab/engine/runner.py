@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Sequence
 from itertools import accumulate, pairwise, product
 from time import perf_counter
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags, Index, aligned
 from contourlab.engine.gpu import Gpu
-from contourlab.engine.step import Bank, Port, Schedule, pack, record, rows, unpack
+from contourlab.engine.step import Bank, Node, Port, Schedule, pack, record, rows, unpack
 from contourlab.engine.translate.maths import LANES, SINGLE
 from contourlab.engine.translate.step_graph import Rows
 from contourlab.engine.translate.tick_loop import VECTOR
@@ -67,10 +69,22 @@ class Group:
         memory[: len(values)] = np.array([value if isinstance(value, _NUMBER) else 0.0 for value in values])[:, None]
         for row, value in enumerate(values):
             if not isinstance(value, _NUMBER):
-                part = np.asarray(value, dtype=float)
-                part = part[self.lanes] if part.ndim else part[None]
-                memory[row] = np.concatenate([part, np.repeat(part[-1:], self.width - part.size)])
+                memory[row] = self._in_lanes(value)
         return memory
+
+    def _in_lanes(self, value: ArrayLike) -> Array:
+        """Return a value of each lane, from one for each variant or one for all."""
+        part = np.asarray(value, dtype=float)
+        part = part[self.lanes] if part.ndim else part[None]
+        return np.concatenate([part, np.repeat(part[-1:], self.width - part.size)])
+
+    def take(self, nodes: Sequence[Node]) -> None:
+        """Take the parameters of nodes that differ from those of the schedule in values only."""
+        for values, node in zip(self.parameters, nodes, strict=True):
+            for row, name in zip(values, node.step.parameters, strict=True):
+                value = node.parameters[name]
+                row[:] = value if isinstance(value, _NUMBER) else self._in_lanes(value)
+        self.refresh()
 
     def snapshot(self) -> tuple[int, Array]:
         """Return everything that changes while ticks run."""
