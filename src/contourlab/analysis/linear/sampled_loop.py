@@ -218,7 +218,7 @@ def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, ca
         If a component is not linear, or a delay is longer than `LONGEST` ticks.
     """
     machine, made = bare_axis(axis, controller, servo_period, carried_mass)
-    return loop_of(machine, made, tick_map(opened_schedule(machine, made)))
+    return loop_of(machine, made, tick_map(opened(whole_schedule(machine, made), axis.name)))
 
 
 def bare_axis(axis: Axis, controller: AxisController, servo_period: float, carried_mass: float = 0.0) -> tuple[Machine, Controller]:
@@ -230,24 +230,19 @@ def bare_axis(axis: Axis, controller: AxisController, servo_period: float, carri
     return Machine("axis", (linear_axis(axis, carried_mass),), servo_period), Controller({axis.name: linear})
 
 
-def opened_schedule(machine: Machine, controller: Controller, columns: Mapping[str, Array] | None = None) -> Schedule:
-    """Return the schedule of a bare axis with its loop cut open; with `columns`, for variants.
+def whole_schedule(machine: Machine, controller: Controller, columns: Mapping[str, Array] | None = None) -> Schedule:
+    """Return the schedule of a bare axis; with `columns`, for variants."""
+    return build(machine, controller, ALONG, np.zeros(1), overrides=columns).schedule
+
+
+def opened(whole: Schedule, name: str) -> Schedule:
+    """Return the schedule of a bare axis with its loop cut open.
 
     Raises
     ------
     ComponentError
         If a delay is longer than `LONGEST` ticks.
     """
-    return _opened(machine, _closed_schedule(machine, controller, columns))
-
-
-def _closed_schedule(machine: Machine, controller: Controller, columns: Mapping[str, Array] | None) -> Schedule:
-    return build(machine, controller, ALONG, np.zeros(1), overrides=columns).schedule
-
-
-def _opened(machine: Machine, whole: Schedule) -> Schedule:
-    """Return the schedule of a bare axis with its loop cut open."""
-    name = machine.axis_names[0]
     if sum(node.ring_length for node in whole.nodes) > LONGEST:
         raise ComponentError(f"axis {name}: a delay of more than {LONGEST} servo periods is too long for the analysis")
     # The command is cut after the controller, the estimate before it, and a load input is added.
@@ -420,11 +415,11 @@ class AxisLanes:
         n = len(next(iter(overrides.values()), (0.0,)))
         # The loop of one axis has no estimator of the coupling.
         used = {name: np.asarray(values, dtype=float) for name, values in overrides.items() if name in self._known}
-        whole, jit = _closed_schedule(self.machine, self.bare, used), jit_enabled()
+        whole, jit = whole_schedule(self.machine, self.bare, used), jit_enabled()
         form = (n, jit, *used, *(node.ring_length for node in whole.nodes))
         probes = self._probes.pop(form, None)  # no other thread takes them meanwhile
         if probes is None:
-            probes = lane_probes(_opened(self.machine, whole), n if used else 1, jit)
+            probes = lane_probes(opened(whole, self.machine.axis_names[0]), n if used else 1, jit)
         else:
             for probe in probes:
                 probe.take(_running(whole))
