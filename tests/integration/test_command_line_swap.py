@@ -19,7 +19,7 @@ from contourlab.scenario.load import load_controller, load_machine, load_module
 from contourlab.study import Runner, Setting
 
 PLAIN = '[plant]\nkind = "rigid-axis"\ngain = "1000 mm/s^2/full_scale"\n[drive]\nkind = "saturation"\nlimit = "1 full_scale"\n'
-WORDS = ["--parameter", "model_gain=300 mm/s^2/full_scale..4000 mm/s^2/full_scale", "--budget", "400"]
+WORDS = ["--parameter", "model_gain=300 mm/s^2/full_scale..4000 mm/s^2/full_scale", "--budget", "200"]
 BRIEF = ["--budget", "100", "--plots", "svg", "--ways", "one", "--longest", "1 ms"]
 
 REGION = ["--region", "axes.x.plant.gain=500 mm/s^2/full_scale..500000 mm/s^2/full_scale"]
@@ -81,7 +81,7 @@ def test_one_local_parameter_restores_what_a_stronger_axis_loses(typed: Path, ca
 def test_json_and_exit_code_if_the_loss_cannot_be_restored(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
     # Only a parameter of y is free, which stays in the base: its best value compensates x and differs by variant.
     words = ["--parameter", "y.model_gain=300 mm/s^2/full_scale..4000 mm/s^2/full_scale", "--floor", "0.001 um*s", "--plots", "svg"]
-    assert main(["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *words, "--budget", "200", "--json"]) == 1
+    assert main(["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *words, "--budget", "100", "--json"]) == 1
     found = json.loads(capsys.readouterr().out)
     assert found["floor"] == pytest.approx(1e-9) and found["local"] is None
     assert found["verdict"]["code"] == "CL702" and found["swap_loss"] > 0.03
@@ -214,7 +214,7 @@ def test_the_quick_answer_holds_the_loss_of_the_whole_study(contourlab: Run, tmp
 
 @pytest.mark.slow
 def test_a_network_that_is_too_late_is_part_of_the_verdict(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    words = [*WORDS, "--local", "x.model_gain", "--division", "drive", "--ways", "both", "--delay", "20 ms", "--json"]
+    words = [*WORDS, "--budget", "100", "--local", "x.model_gain", "--division", "drive", "--ways", "both", "--delay", "20 ms", "--json"]
     assert main(["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *words]) == 1
     found = json.loads(capsys.readouterr().out)
     (cost,) = found["networks"]
@@ -228,7 +228,7 @@ def test_a_network_that_is_too_late_is_part_of_the_verdict(typed: Path, capsys: 
 def test_links_of_the_scenario_decide_what_stays_in_the_base(typed: Path, capsys: pytest.CaptureFixture[str]) -> None:
     linked = SCENARIO.replace("[contour]", '[controller.axes."*".link]\ndivision = "drive"\n[contour]', 1)
     (typed / "circle.toml").write_text(linked)
-    words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, "--json"]
+    words = ["swap", "circle.toml", "--axis", "x", "--with", "strong.toml", *WORDS, "--budget", "100", "--json"]
     assert main([*words, "--local", "x.model_gain"]) == 2
     assert "a parameter of a swapped axis" in capsys.readouterr().err
     assert main(words) == 1

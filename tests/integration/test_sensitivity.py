@@ -30,7 +30,8 @@ def circle(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_a_quick_study_agrees_with_the_full_one_within_its_intervals(
     circle: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("contourlab.features.sensitivity.command.affordable", lambda *_: 40.0)  # batches: fewer than the full study has
+    fits = 1280.0  # fewer than the full study has
+    monkeypatch.setattr("contourlab.features.sensitivity.command.affordable_candidates", lambda *_: fits)
     words = ["sensitivity", str(circle), *TWO, "--parts", "sobol,morris", "--json"]
     found = []
     for more in (["--quick", "--out", "quick"], ["--out", "full"]):

@@ -3,13 +3,21 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from time import process_time
+from typing import TYPE_CHECKING
 
+import numpy as np
+
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference
 from contourlab.feed.reference import CHUNK, WHOLE, Judged
+from contourlab.loop.batch import LANES
+
+if TYPE_CHECKING:
+    from contourlab.study import Setting
 
 PLANNED = 40.0
 """Time planned for a quick answer on two cores [s]: a minute, less a third for reading, planning, compiling and writing."""
@@ -35,6 +43,24 @@ def affordable(run: Callable[[Reference], object], reference: Reference, threads
     total = PLANNED * min(threads or os.cpu_count() or 1, CORES)
     cost = _timed(run, short) * reference.n_sample / few
     return total / (_timed(run, reference) if cost < 0.01 * total else cost)
+
+
+def affordable_candidates(setting: Setting, one: Mapping[str, Array], figures: Iterable[str], threads: int | None = None) -> float:
+    """Return how many candidates fit into the time of a quick answer, in batches whose lanes are all filled.
+
+    Parameters
+    ----------
+    setting : Setting
+    one : mapping of str to ndarray (1,)
+        Values [SI] of one candidate: those that the study varies.
+    figures : iterable of str
+        See `contourlab.study.Runner`.
+    threads : int, optional
+        See `affordable`.
+    """
+    columns = {name: np.repeat(values, LANES) for name, values in one.items()}
+    run = lambda motion: replace(setting, reference=motion).batch(columns, figures, threads=1)  # noqa: E731
+    return LANES * affordable(run, setting.reference, threads)
 
 
 def beginning(reference: Reference, n_sample: int) -> Reference:

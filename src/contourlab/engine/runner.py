@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Sequence
 from itertools import accumulate, pairwise, product
 from time import perf_counter
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags, Index, aligned
 from contourlab.engine.gpu import Gpu
-from contourlab.engine.step import Bank, Port, Schedule, pack, record, rows, unpack
+from contourlab.engine.step import Bank, Node, Port, Schedule, pack, record, rows, unpack
 from contourlab.engine.translate.maths import LANES, SINGLE
 from contourlab.engine.translate.step_graph import Rows
 from contourlab.engine.translate.tick_loop import VECTOR
@@ -46,6 +48,7 @@ class Group:
     def __init__(self, schedule: Schedule, width: int, lanes: slice | Index) -> None:
         self.schedule, self.width, self.lanes = schedule, width, lanes
         self.tick = 0
+        self.loops: dict[tuple[int, ...], Any] = {}  # machine code by the rows that it records
         nodes = schedule.nodes
         values = _rows_of(schedule.externals, {})
         values += [value for node in nodes for value in _rows_of(node.step.outputs, node.start)]
@@ -66,10 +69,22 @@ class Group:
         memory[: len(values)] = np.array([value if isinstance(value, _NUMBER) else 0.0 for value in values])[:, None]
         for row, value in enumerate(values):
             if not isinstance(value, _NUMBER):
-                part = np.asarray(value, dtype=float)
-                part = part[self.lanes] if part.ndim else part[None]
-                memory[row] = np.concatenate([part, np.repeat(part[-1:], self.width - part.size)])
+                memory[row] = self._in_lanes(value)
         return memory
+
+    def _in_lanes(self, value: ArrayLike) -> Array:
+        """Return a value of each lane, from one for each variant or one for all."""
+        part = np.asarray(value, dtype=float)
+        part = part[self.lanes] if part.ndim else part[None]
+        return np.concatenate([part, np.repeat(part[-1:], self.width - part.size)])
+
+    def take(self, nodes: Sequence[Node]) -> None:
+        """Take the parameters of nodes that differ from those of the schedule in values only."""
+        for values, node in zip(self.parameters, nodes, strict=True):
+            for row, name in zip(values, node.step.parameters, strict=True):
+                value = node.parameters[name]
+                row[:] = value if isinstance(value, _NUMBER) else self._in_lanes(value)
+        self.refresh()
 
     def snapshot(self) -> tuple[int, Array]:
         """Return everything that changes while ticks run."""
@@ -126,11 +141,10 @@ class CompiledGroup(Group):
         self._tables = [np.ascontiguousarray(node.tables[name], dtype=float) for node in schedule.nodes for name in node.step.tables]
         self._tables_at = np.array([(table.ctypes.data, table.size) for table in self._tables], dtype=np.int64)
         self._data = self.memory.ctypes.data, self._tables_at.ctypes.data
-        self._loops: dict[tuple[int, ...], Any] = {}
 
     def restore(self, saved: tuple[int, Array]) -> None:
         super().restore(saved)
-        self._loops.clear()  # a value that its steps read may have changed since
+        self.loops.clear()  # a value that its steps read may have changed since
 
     def run(self, external: Array, log_rows: list[int], out: Array | None = None) -> Array:
         external = np.asarray(external, dtype=float)
@@ -148,9 +162,9 @@ class CompiledGroup(Group):
     def _loop(self, log_rows: tuple[int, ...], gpu: Gpu | None = None) -> Any:
         from contourlab.engine.fused import tick_loop_of
 
-        if log_rows not in self._loops:
-            self._loops[log_rows] = tick_loop_of(self.schedule, self.places, log_rows, self.width, self._maths, gpu)
-        return self._loops[log_rows]
+        if log_rows not in self.loops:
+            self.loops[log_rows] = tick_loop_of(self.schedule, self.places, log_rows, self.width, self._maths, gpu)
+        return self.loops[log_rows]
 
 
 class _PastOf:
@@ -287,4 +301,6 @@ def groups_of(schedule: Schedule, variants: Index, jit: bool, *, width: int | No
     full, single = np.split(variants, [variants.size - left])
     width = width or VECTOR
     groups = [make_group(schedule, width, full[i : i + width], jit) for i in range(0, full.size, width)]
+    for group in groups[1:]:
+        group.loops = groups[0].loops  # looked up once
     return groups + [CompiledGroup(schedule, 1, single[i : i + 1], like_lanes=True) for i in range(left)]

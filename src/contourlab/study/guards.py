@@ -12,7 +12,7 @@ import numpy as np
 
 from contourlab.analysis.linear.contour_transfer import internal_stability
 from contourlab.analysis.linear.margins import Margins, RoughMargins
-from contourlab.analysis.linear.sampled_loop import LaneLoops, SampledLoop, lane_loops, margin_factors, sampled_loop, unstable_by
+from contourlab.analysis.linear.sampled_loop import AxisLanes, LaneLoops, SampledLoop, lane_loops, margin_factors, sampled_loop, unstable_by
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.errors import ComponentError, ParameterError, refuse
@@ -105,11 +105,13 @@ class Guards:
     bounds: Bounds = field(default_factory=Bounds)
     unknown: dict[str, str] = field(default_factory=dict)
     _sampled: dict[str, SampledLoop] = field(default_factory=dict, init=False, repr=False)
+    _lanes: dict[str, AxisLanes] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
         for loop in self._loops(self.machine, self.controller):
             try:
                 self._sampled[loop[0].name] = sampled_loop(*loop)
+                self._lanes[loop[0].name] = AxisLanes(*loop)
             except ComponentError as error:
                 self.unknown[loop[0].name] = str(error)
 
@@ -134,19 +136,18 @@ class Guards:
         worst = np.full(len(next(iter(columns.values()))), -math.inf)
         factors = margin_factors(10.0 ** (self.bounds.gain_margin / 20.0), math.radians(self.bounds.phase_margin))
         known = {} if known is None else known
-        for axis, slots, period, carried in self._loops(self.machine, self.controller):
+        for axis, _, _, carried in self._loops(self.machine, self.controller):
             head = f"controller.axes.{axis.name}."
             own = {name: np.asarray(values, dtype=float) for name, values in columns.items() if name.startswith(head)}
             key = (id(axis), carried, *((name, values.tobytes()) for name, values in own.items()))
             if key not in known:
-                known[key] = unstable_by(lane_loops(axis, slots, period, carried, own), factors)
+                known[key] = unstable_by(self._lanes[axis.name](own), factors)
             worst = np.maximum(worst, known[key])
         return worst
 
     def lanes(self, columns: Mapping[str, Array], axes: Collection[str]) -> list[LaneLoops]:
         """Return the loops of the given axes, each for all designs (n,)."""
-        chosen = (loop for loop in self._loops(self.machine, self.controller) if loop[0].name in axes)
-        return [lane_loops(*loop, columns) for loop in chosen]
+        return [loops(columns) for name, loops in self._lanes.items() if name in axes]
 
     def missing(self, lanes: Sequence[LaneLoops], n: int) -> tuple[Array, Array]:
         """Return for each of n designs the largest relative shortfall of margins, and the smallest distance of a loop from -1."""

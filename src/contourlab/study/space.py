@@ -117,7 +117,11 @@ class DesignVariable:
         made = np.clip(with_digits(values, self.display_unit, self.low, self.high), self.least, self.most)
         if not math.isfinite(self.value):
             return made
-        return np.where(made == with_digits(self.value, self.display_unit), self.value, made)
+        return np.where(made == self._own_written, self.value, made)
+
+    @cached_property
+    def _own_written(self) -> Array:
+        return with_digits(self.value, self.display_unit)
 
     def physical(self, place: ArrayLike) -> Array:
         """Return the values [SI] at positions from 0 (lower bound) to 1 (upper bound)."""

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from contourlab.analysis.linear.sampled_loop import lane_loops, margin_factors, sampled_loop, unstable_by
+from contourlab.analysis.linear.sampled_loop import AxisLanes, lane_loops, margin_factors, sampled_loop, unstable_by
 from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.loop.parameters import with_values
 from contourlab.papers.ghaffari.setup import TABLE_3, Reading, controller, machine
@@ -44,6 +44,21 @@ def test_lanes_agree_with_the_margins_of_each_loop(delay: float) -> None:
         assert radius[i] == pytest.approx(np.abs(exact.poles).max(), abs=1e-6)
         assert kept[i] == (not bounds.broken(exact.margins()))
     assert 0 < kept.sum() < N
+
+
+def test_a_prepared_loop_gives_the_bits_of_a_new_one() -> None:
+    """Whatever it was asked before: other values, another number of them, other parameters, a longer delay."""
+    stage, made, columns = candidates(2e-3)
+    place = stage.axis("2"), made.axes["2"], stage.servo_period, 0.0
+    prepared = AxisLanes(*place)
+    gains = {name: values for name, values in columns.items() if ".axes.2.controller." in name}
+    some = {name: values[:7] for name, values in gains.items()}
+    turned = {name: values[::-1] for name, values in gains.items()}
+    delays = {"axes.2.drive.delay": np.linspace(1e-3, 9e-3, N)}
+    for asked in (gains, turned, some, columns, gains, delays, {name: 0.5 * values for name, values in delays.items()}, turned):
+        one, other = prepared(asked), lane_loops(*place, asked)
+        assert all(np.array_equal(getattr(one, name), getattr(other, name)) for name in "abc")
+    assert not np.array_equal(prepared(gains).a, prepared(turned).a)
 
 
 def test_a_guard_checks_all_axes_and_caches_the_result() -> None:

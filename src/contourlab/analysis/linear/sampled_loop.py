@@ -21,10 +21,20 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.analysis.linear.margins import Margins, RoughMargins, frequency_grid, margins, rough_margins
-from contourlab.analysis.linear.tick_map import DelayForm, TickMap, lane_matrices, live_states, poles_of, poles_of_each, tick_map
+from contourlab.analysis.linear.tick_map import (
+    DelayForm,
+    Probe,
+    TickMap,
+    lane_matrices,
+    lane_probes,
+    live_states,
+    poles_of,
+    poles_of_each,
+    tick_map,
+)
 from contourlab.arrays import Array, Complex, Flags, Index
 from contourlab.components.contract import Component
-from contourlab.engine.step import Port, Schedule
+from contourlab.engine.step import Node, Port, Schedule
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.geometry import Line, Path
 from contourlab.loop.judging import WATCH
@@ -61,6 +71,8 @@ class AxisResponse:
     compensated: Complex
 
 
+ALONG = Path([Line((0.0,), (1.0,))])
+"""Any path: a single axis has no estimator."""
 LONGEST = 1000
 """Longest delay [ticks]; beyond it the poles take longer to compute than a run."""
 INPUTS = ("in.command", "in.disturbance_estimate", *(f"in.{name}" for name in EXTERNALS), "in.load")
@@ -206,7 +218,7 @@ def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, ca
         If a component is not linear, or a delay is longer than `LONGEST` ticks.
     """
     machine, made = bare_axis(axis, controller, servo_period, carried_mass)
-    return loop_of(machine, made, tick_map(opened_schedule(machine, made)))
+    return loop_of(machine, made, tick_map(opened(whole_schedule(machine, made), axis.name)))
 
 
 def bare_axis(axis: Axis, controller: AxisController, servo_period: float, carried_mass: float = 0.0) -> tuple[Machine, Controller]:
@@ -218,28 +230,35 @@ def bare_axis(axis: Axis, controller: AxisController, servo_period: float, carri
     return Machine("axis", (linear_axis(axis, carried_mass),), servo_period), Controller({axis.name: linear})
 
 
-def opened_schedule(machine: Machine, controller: Controller, columns: Mapping[str, Array] | None = None) -> Schedule:
-    """Return the schedule of a bare axis with its loop cut open; with `columns`, for variants.
+def whole_schedule(machine: Machine, controller: Controller, columns: Mapping[str, Array] | None = None) -> Schedule:
+    """Return the schedule of a bare axis; with `columns`, for variants."""
+    return build(machine, controller, ALONG, np.zeros(1), overrides=columns).schedule
+
+
+def opened(whole: Schedule, name: str) -> Schedule:
+    """Return the schedule of a bare axis with its loop cut open.
 
     Raises
     ------
     ComponentError
         If a delay is longer than `LONGEST` ticks.
     """
-    name = machine.axis_names[0]
-    whole = build(machine, controller, Path([Line((0.0,), (1.0,))]), np.zeros(1), overrides=columns).schedule
     if sum(node.ring_length for node in whole.nodes) > LONGEST:
         raise ComponentError(f"axis {name}: a delay of more than {LONGEST} servo periods is too long for the analysis")
     # The command is cut after the controller, the estimate before it, and a load input is added.
     cuts = {"controller": {"disturbance_estimate": INPUTS[1]}, "plant": {"load": INPUTS[-1]}}
     nodes = []
-    for node in whole.nodes:
+    for node in _running(whole):
         wires = {port: wire for port, wire in cuts.get(node.name.rpartition(".")[2], {}).items() if port in node.wires}
         wires |= {port: INPUTS[0] for port, wire in node.wires.items() if wire == f"{name}.controller.command"}
-        if node.name != WATCH:
-            nodes.append(replace(node, wires={**node.wires, **wires}))
+        nodes.append(replace(node, wires={**node.wires, **wires}))
     externals = (*whole.externals, *(Port(signal.removeprefix("in.")) for signal in (*INPUTS[:2], INPUTS[-1])))
     return Schedule(tuple(nodes), externals, whole.period, len(nodes) - 1)
+
+
+def _running(whole: Schedule) -> list[Node]:
+    """Return the nodes of a schedule that act on the run."""
+    return [node for node in whole.nodes if node.name != WATCH]
 
 
 def loop_of(machine: Machine, controller: Controller, opened: TickMap) -> SampledLoop:
@@ -284,6 +303,10 @@ def without_limit(part: Component) -> Component:
 
 GRID = np.exp(1j * np.pi * np.geomspace(1e-4, 1.0, 200))
 """Where `LaneLoops.margins` computes the loop gain, in the z plane: up to the Nyquist frequency."""
+
+
+MOST_FORMS = 8
+"""Most forms of the open loop of an axis whose machine code is kept."""
 
 
 class LaneLoops:
@@ -373,20 +396,45 @@ def lane_loops(
     ComponentError
         If a step is not linear, or a delay is too long for the analysis.
     """
-    n = len(next(iter(overrides.values()), (0.0,)))
-    machine, bare = bare_axis(axis, controller, servo_period, carried_mass)
-    known = parameters_of(machine, bare)
-    # The loop of one axis has no estimator of the coupling.
-    used = {name: np.asarray(values, dtype=float) for name, values in overrides.items() if name in known}
-    schedule = opened_schedule(machine, bare, used)
-    a, b = lane_matrices(schedule, n if used else 1, jit_enabled())
-    b = b[:, :, [schedule.row(signal) for signal in INPUTS[:2]]]
-    c = _sent(axis.name, bare, TickMap(a[0], b[0], schedule))
-    moved = np.asarray((a != np.eye(a.shape[1])).any(axis=0))
-    driven: Flags = np.asarray((b != 0.0).any(axis=(0, 2)))
-    read: Flags = np.asarray(c.any(axis=0))
-    kept = np.flatnonzero((moved.any(axis=1) | driven) & (moved.any(axis=0) | read))
-    # A cut signal enters at the tick in which it leaves: keep a command even if no past state drives it.
-    kept = kept[live_states((a[:, kept][:, :, kept] != 0.0).any(axis=0), driven[kept], read[kept])]
-    shapes = (n, kept.size, kept.size), (n, kept.size, 2), (n, 2, kept.size)
-    return LaneLoops(*map(np.broadcast_to, (a[:, kept][:, :, kept], b[:, kept], c[:, kept]), shapes))
+    return AxisLanes(axis, controller, servo_period, carried_mass)(overrides)
+
+
+class AxisLanes:
+    """The open loop of one axis, prepared for many sets of parameters; arguments as of `sampled_loop`.
+
+    A search asks for the same parameters again and again: the schedule is cut and its machine code is looked up only once.
+    """
+
+    def __init__(self, axis: Axis, controller: AxisController, servo_period: float, carried_mass: float) -> None:
+        self.machine, self.bare = bare_axis(axis, controller, servo_period, carried_mass)
+        self._known = parameters_of(self.machine, self.bare)
+        self._probes: dict[tuple[object, ...], list[Probe]] = {}
+
+    def __call__(self, overrides: Mapping[str, Array]) -> LaneLoops:
+        """Return the open loops, as `lane_loops` does."""
+        n = len(next(iter(overrides.values()), (0.0,)))
+        # The loop of one axis has no estimator of the coupling.
+        used = {name: np.asarray(values, dtype=float) for name, values in overrides.items() if name in self._known}
+        whole, jit = whole_schedule(self.machine, self.bare, used), jit_enabled()
+        form = (n, jit, *used, *(node.ring_length for node in whole.nodes))
+        probes = self._probes.pop(form, None)  # no other thread takes them meanwhile
+        if probes is None:
+            probes = lane_probes(opened(whole, self.machine.axis_names[0]), n if used else 1, jit)
+        else:
+            for probe in probes:
+                probe.take(_running(whole))
+        a, b = lane_matrices(probes, n if used else 1)
+        if len(self._probes) == MOST_FORMS:
+            self._probes.clear()
+        self._probes[form] = probes
+        schedule = probes[0].group.schedule
+        b = b[:, :, [schedule.row(signal) for signal in INPUTS[:2]]]
+        c = _sent(self.machine.axis_names[0], self.bare, TickMap(a[0], b[0], schedule))
+        moved = np.asarray((a != np.eye(a.shape[1])).any(axis=0))
+        driven: Flags = np.asarray((b != 0.0).any(axis=(0, 2)))
+        read: Flags = np.asarray(c.any(axis=0))
+        kept = np.flatnonzero((moved.any(axis=1) | driven) & (moved.any(axis=0) | read))
+        # A cut signal enters at the tick in which it leaves: keep a command even if no past state drives it.
+        kept = kept[live_states((a[:, kept][:, :, kept] != 0.0).any(axis=0), driven[kept], read[kept])]
+        shapes = (n, kept.size, kept.size), (n, kept.size, 2), (n, 2, kept.size)
+        return LaneLoops(*map(np.broadcast_to, (a[:, kept][:, :, kept], b[:, kept], c[:, kept]), shapes))

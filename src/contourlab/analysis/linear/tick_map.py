@@ -6,6 +6,7 @@ included. Its eigenvalues are the poles of the sampled loop, not of a continuous
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -13,7 +14,7 @@ import numpy as np
 
 from contourlab.arrays import Array, Complex, Flags, Index
 from contourlab.engine.runner import make_group
-from contourlab.engine.step import Schedule, rows
+from contourlab.engine.step import Node, Schedule, rows
 from contourlab.engine.translate.tick_loop import VECTOR
 from contourlab.errors import ComponentError
 from contourlab.native.kernel import kernel
@@ -58,7 +59,12 @@ class Probe:
         self.before = np.concatenate([*states, *rings, signals])
         # Roll ring buffers back by one, so that every tick reads the same entries.
         self.behind = np.concatenate([*states, *(np.roll(ring, -1) for ring in rings), signals])
-        self.size = self.before.size
+        self.size, self._no_log = self.before.size, np.empty((1, 0, width))
+        self.at_rest = self.after(np.zeros(self.size), np.zeros(self.n_input))
+
+    def take(self, nodes: Sequence[Node]) -> None:
+        """Take the parameters of nodes that differ from those of the schedule in values only."""
+        self.group.take(nodes)
         self.at_rest = self.after(np.zeros(self.size), np.zeros(self.n_input))
 
     def __call__(self, state: Array, inputs: Array) -> Array:
@@ -69,7 +75,7 @@ class Probe:
         """Return the state (n, width) after a tick."""
         self.group.memory[self.before] = state[:, None]
         self.group.tick = 0
-        self.group.run(inputs[None, :], [])
+        self.group.run(inputs[None, :], [], self._no_log)
         return np.asarray(self.group.memory[self.behind])
 
     def state_matrix(self) -> Array:
@@ -138,18 +144,20 @@ def tick_map(schedule: Schedule) -> TickMap:
     return TickMap(np.ascontiguousarray(a[:, :, 0]), np.ascontiguousarray(b[:, :, 0]), schedule)
 
 
-def lane_matrices(schedule: Schedule, n: int, jit: bool) -> tuple[Array, Array]:
-    """Return A (n, m, m) and B (n, m, n_external) of the n variants of a schedule, computed together.
+def lane_probes(schedule: Schedule, n: int, jit: bool) -> list[Probe]:
+    """Return probes of the n variants of a schedule."""
+    return [Probe(schedule, -(-min(n - first, TOGETHER) // VECTOR) * VECTOR, first, jit) for first in range(0, n, TOGETHER)]
+
+
+def lane_matrices(probes: Sequence[Probe], n: int) -> tuple[Array, Array]:
+    """Return A (n, m, m) and B (n, m, n_external) of n variants, computed together.
 
     Raises
     ------
     ComponentError
         If a step is not linear; it names the node.
     """
-    parts = []
-    for first in range(0, n, TOGETHER):
-        width = -(-min(n - first, TOGETHER) // VECTOR) * VECTOR
-        parts.append(Probe(schedule, width, first, jit).matrices())
+    parts = [probe.matrices() for probe in probes]
     a, b = (np.concatenate([np.moveaxis(part[i], 2, 0) for part in parts])[:n] for i in (0, 1))
     return a, b
 
@@ -176,7 +184,9 @@ def poles_of_each(matrices: Array) -> Complex:
     poles[~finite] = np.inf
     # A gain of zero in one variant takes states out of its loop, so variants of the same form go together.
     form = np.concatenate([matrices != 0.0, matrices == np.eye(matrices.shape[1])], axis=1).reshape(len(matrices), -1)
-    _, first, kind = np.unique(np.packbits(form, axis=1), axis=0, return_index=True, return_inverse=True)
+    first, kind = np.arange(len(form))[:1], np.zeros(len(form), dtype=np.intp)
+    if (form != form[:1]).any():
+        _, first, kind = np.unique(np.packbits(form, axis=1), axis=0, return_index=True, return_inverse=True)
     for k, i in enumerate(first):
         rows, kept = np.flatnonzero((kind == k) & finite), loop_states(matrices[i])
         poles[rows, : kept.size] = np.linalg.eigvals(matrices[np.ix_(rows, kept, kept)])

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from contourlab.app.json_values import HIDDEN
-from contourlab.app.quick import affordable
+from contourlab.app.quick import affordable_candidates
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError, refuse
@@ -31,7 +31,6 @@ from contourlab.features.sensitivity.study import (
 )
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
-from contourlab.loop.batch import LANES
 from contourlab.loop.simulate import ToolPosition
 from contourlab.metrics.run_figures import CONTOUR
 from contourlab.rendering.charts import Bars, Matrix, Multiples, Series, Tile
@@ -349,10 +348,7 @@ def sensitivity(*source: Source, settings: SensitivityOptions, session: Session 
             setting.single()
         if settings.quick:
             stages.begin("timing a run")
-            batches = affordable(
-                lambda motion: replace(setting, reference=motion).batch(present, figures), setting.reference, executor.workers
-            )
-            plan = settings.quickly(len(drawn), LANES * batches)
+            plan = settings.quickly(len(drawn), affordable_candidates(setting, present, figures, executor.workers))
         stages.expect(plan.work(len(drawn)))
         study = sensitivity_study(space, runs, plan, drawn, _failure_level(setting, plan), stages.begin)
     reused = () if kept is None else kept.findings("runs", runs.reused)

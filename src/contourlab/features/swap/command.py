@@ -9,10 +9,8 @@ from itertools import chain, product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from contourlab.app.options import positive
-from contourlab.app.quick import affordable, too_slow
+from contourlab.app.quick import affordable_candidates, too_slow
 from contourlab.app.session import QUIET, Session, question
 from contourlab.errors import ParameterError, ScenarioError, refuse
 from contourlab.features.link.sweep import FEW
@@ -89,7 +87,7 @@ def swap(*source: Source, settings: Swap, session: Session = QUIET) -> SwapResul
     with settings.pool.started(settings.plugin) as pool:
         if search.quick:
             stages.begin("timing a run")
-            search = replace(search, budget=_quick_budget(variants, search.budget))
+            search = replace(search, budget=quick_budget(variants, search.budget))
         variants.run_in(pool)
         checkpoint = Checkpoint(searches, _identity(variants, candidates, search)) if session.saving else None
         stages.expect(_work(len(variants), len(candidates), search.quick))
@@ -108,16 +106,14 @@ def swap(*source: Source, settings: Swap, session: Session = QUIET) -> SwapResul
         return SwapResult(study, judged_exactly(study), networks, covered, linear, settings.from_, findings, inputs)
 
 
-def _quick_budget(variants: Variants, most: int) -> int:
+def quick_budget(variants: Variants, most: int) -> int:
     """Return the candidates of a search that fit into a quick study, rounded down to a power of 2 so that it hardly depends on the timing.
 
     Twice, J* of each variant and the shared design, which has twice the budget, are searched from the beginning.
     """
-    columns = variants.space.columns(np.tile(variants.space.start, (LANES, 1)))
-    first = variants.runners[0]
-    run = lambda motion: replace(first.setting, reference=motion).batch(columns, first.figures, threads=1)  # noqa: E731
-    batches = RUNNING * affordable(run, first.setting.reference, variants.threads)
-    fits = batches * LANES / (2 * 3 * len(variants))
+    space, first = variants.space, variants.runners[0]
+    fits = RUNNING * affordable_candidates(first.setting, space.columns(space.start), first.figures, variants.threads)
+    fits /= 2 * 3 * len(variants)
     if fits < 4 * LANES:
         raise too_slow(4 * LANES, fits)
     return min(most, 1 << int(math.log2(fits)))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 from dataclasses import replace
 from pathlib import Path
 
@@ -15,6 +16,7 @@ from contourlab.components.plant.plant import MassDamper, RigidAxis
 from contourlab.errors import ContourlabError, ParameterError
 from contourlab.features.swap import search as searches
 from contourlab.features.swap.beyond import coverage, network_cost
+from contourlab.features.swap.command import quick_budget
 from contourlab.features.swap.report import SwapResult, drawing, judged_exactly, matrices, text_of
 from contourlab.features.swap.search import SharedSpace, SwapSearch, SwapSettings, merged
 from contourlab.features.swap.study import SwapStudy, swap_study
@@ -50,7 +52,7 @@ def variants_under(others: list[tuple[str, Axis]], texts: tuple[str, ...] = (FRE
     )
 
 
-def studied(others: list[tuple[str, Axis]], budget: int = 700, **settings: object) -> SwapStudy:
+def studied(others: list[tuple[str, Axis]], budget: int = 200, **settings: object) -> SwapStudy:
     variants = variants_under(others)
     candidates = tuple(name for name in variants.space.names if variants.members[0].module(name))
     return swap_study(variants, candidates, SwapSettings(budget=budget, **settings))  # type: ignore[arg-type]
@@ -67,7 +69,7 @@ def test_a_quick_study_holds_its_own_uncertainty() -> None:
     variants = variants_under(others)
     candidates = tuple(name for name in variants.space.names if variants.members[0].module(name))
     quick = swap_study(variants, candidates, SwapSettings(budget=400, quick=True))
-    whole = studied(others)
+    whole = studied(others, 700)
     assert quick.uncertainty is not None and abs(quick.base.swap_loss - whole.base.swap_loss) <= quick.uncertainty < 0.03
     assert not quick.unsure and quick.verdict.code == whole.verdict.code
     near = replace(quick, settings=replace(quick.settings, full=quick.base.swap_loss + 0.5 * quick.uncertainty))
@@ -82,11 +84,26 @@ def test_a_quick_study_finds_local_parameters_where_one_controller_is_not_enough
     assert quick.recommended is not None and quick.recommended.local == {AHEAD}
 
 
+def test_a_quick_study_takes_what_fits_and_refuses_what_does_not(monkeypatch: pytest.MonkeyPatch) -> None:
+    variants = variants_under([("strong", rigid("other", 2.0))])
+
+    def budget(runs: float, most: int = 8000) -> int:
+        monkeypatch.setattr("contourlab.features.swap.command.affordable_candidates", lambda *_: runs)
+        return quick_budget(variants, most)
+
+    each = 2 * 2 * 3 * 2.0  # half of the time runs; twice, two variants have a search alone and one of twice the budget together
+    assert [budget(each * fits) for fits in (129.0, 255.0, 256.0, 5000.0, 1e6)] == [128, 128, 256, 4096, 8000]
+    assert budget(each * 5000.0, 1000) == 1000
+    with pytest.raises(ParameterError) as refused:
+        budget(each * 127.0)
+    assert refused.value.name == "--quick"
+
+
 @pytest.mark.slow
 def test_a_copy_of_the_axis_loses_nothing() -> None:
     variants = variants_under([("strong", rigid("other", 2.0))])
     copy = Variant("x = copy", variants.members[0].machine.swapped("x", rigid("other", 1.0)), (("x", "copy"),))
-    study = swap_study(replace(variants, members=(variants.members[0], copy)), (AHEAD,), SwapSettings(budget=700))
+    study = swap_study(replace(variants, members=(variants.members[0], copy)), (AHEAD,), SwapSettings(budget=200))
     assert study.full and study.base.swap_loss < 1e-3
     assert study.recommended is not None and study.recommended.local == frozenset()
     assert study.verdict.code == "CL700"
@@ -336,30 +353,38 @@ def all_results(study: SwapStudy) -> list[object]:
     return [choices, optima, best, study.crossed.tobytes()]
 
 
+@pytest.fixture(scope="module")
+def uninterrupted(tmp_path_factory: pytest.TempPathFactory) -> tuple[SwapStudy, Checkpoint]:
+    return kept_study(tmp_path_factory.mktemp("whole"))
+
+
 @pytest.mark.slow
-def test_an_interrupted_study_continues_with_the_same_bits(tmp_path: Path) -> None:
+def test_an_interrupted_study_continues_with_the_same_bits(uninterrupted: tuple[SwapStudy, Checkpoint], tmp_path: Path) -> None:
     """Each start finds the stages of all before it, and is stopped after one more."""
-    whole, kept = kept_study(tmp_path / "whole")
-    stages = len(list(kept.home.iterdir()))
+    whole, kept = uninterrupted
+    stages, home = len(list(kept.home.iterdir())), tmp_path / kept.home.name
     assert kept.reused == 0 and stages >= 5
-    folder = tmp_path / "stopped"
     for after in range(1, stages):
         with pytest.raises(KeyboardInterrupt):
-            kept_study(folder, stop_after=after)
-        assert len(list((folder / kept.home.relative_to(tmp_path / "whole")).iterdir())) == after
-    resumed, kept = kept_study(folder)
+            kept_study(tmp_path, stop_after=after)
+        assert len(list(home.iterdir())) == after
+    resumed, kept = kept_study(tmp_path)
     assert kept.reused == stages - 1 and all_results(resumed) == all_results(whole)
 
 
 @pytest.mark.slow
-def test_searches_of_another_study_are_ignored_and_damaged_ones_repeated(tmp_path: Path) -> None:
-    whole, first = kept_study(tmp_path)
+def test_searches_of_another_study_are_ignored_and_damaged_ones_repeated(
+    uninterrupted: tuple[SwapStudy, Checkpoint], tmp_path: Path
+) -> None:
+    whole, first = uninterrupted
+    home = tmp_path / first.home.name
+    shutil.copytree(first.home, home)
     other, second = kept_study(tmp_path, model="two")
     assert second.reused == 0 and second.others == 1 and all_results(other) == all_results(whole)
-    file = sorted(first.home.iterdir())[0]
+    file = sorted(home.iterdir())[0]
     file.write_bytes(file.read_bytes()[:-40])
     again, kept = kept_study(tmp_path)
-    assert kept.damaged == 1 and kept.reused == len(list(first.home.iterdir())) - 1 and all_results(again) == all_results(whole)
+    assert kept.damaged == 1 and kept.reused == len(list(home.iterdir())) - 1 and all_results(again) == all_results(whole)
 
 
 @pytest.mark.slow
