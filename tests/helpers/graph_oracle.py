@@ -109,7 +109,12 @@ class Oracle:
     """
 
     def __init__(
-        self, made: TickGraph, memory: Sequence[float], tables: Sequence[Sequence[float]], rings: Mapping[int, tuple[int, int]], period: float
+        self,
+        made: TickGraph,
+        memory: Sequence[float],
+        tables: Sequence[Sequence[float]],
+        rings: Mapping[int, tuple[int, int]],
+        period: float,
     ) -> None:
         self.made, self.tables, self.rings, self.period = made, tables, rings, period
         self.memory: list[Any] = [self.known(value) for value in memory]
