@@ -103,11 +103,20 @@ class Oracle:
     memory : sequence of float
         The lane's column of the memory of a group.
     tables : sequence of sequence of float
+    rings : mapping of int to (int, int)
+        By number, the first row of memory and the length.
     period : float [s]
     """
 
-    def __init__(self, made: TickGraph, memory: Sequence[float], tables: Sequence[Sequence[float]], period: float) -> None:
-        self.made, self.tables, self.period = made, tables, period
+    def __init__(
+        self,
+        made: TickGraph,
+        memory: Sequence[float],
+        tables: Sequence[Sequence[float]],
+        rings: Mapping[int, tuple[int, int]],
+        period: float,
+    ) -> None:
+        self.made, self.tables, self.rings, self.period = made, tables, rings, period
         self.memory: list[Any] = [self.known(value) for value in memory]
         self.values: dict[int, Any] = {id(before): self.memory[row] for before, row, _ in made.carried}
         self.k, self.fed = 0, ()
@@ -190,15 +199,17 @@ class Oracle:
         if kind == "select":
             return args[1] if args[0] else args[2]
         if kind == "size":
-            return self.known(float(len(self.tables[extra[1]])))
+            return self.known(float(len(self.tables[extra[1]]) if extra[0] == "table" else self.rings[extra[1]][1]))
         if kind == "lookup":
             return self.known(self.tables[op.args[0].extra][self.index(args[0])])
         if kind == "bit":
             return bool(self.index(args[0]) & extra)
         if kind == "store_ring":
-            self.memory[extra[0] + self.k % extra[1]] = args[0]
+            first, length = self.rings[extra]
+            self.memory[first + self.k % length] = args[0]
         elif kind == "delayed":
-            return self.memory[extra[0] + self.index(args[0]) % extra[1]]
+            first, length = self.rings[extra]
+            return self.memory[first + self.index(args[0]) % length]
         elif kind == "table":
             return None
         else:

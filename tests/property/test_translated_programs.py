@@ -22,7 +22,7 @@ from contourlab.engine.runner import CompiledGroup, GpuGroup, Group, Interpreted
 from contourlab.engine.step import Schedule, Step
 from contourlab.engine.translate import llvm_ir, tick_loop
 from contourlab.engine.translate.maths import EXACT, LANES, SINGLE
-from contourlab.engine.translate.step_graph import TickGraph, graph_of, tick_graph
+from contourlab.engine.translate.step_graph import Rows, TickGraph, graph_of, tick_graph
 from contourlab.errors import EngineError
 
 N_LANE, TICKS, FIRST, PROGRAMS = 32, 3, 4711, 8
@@ -51,6 +51,7 @@ class Case:
         kind = id(primitives), contract
         if kind not in self.graphs:
             places, rows = Group(self.schedule, 1, slice(0, 1)).places, (self.schedule.row("s.y"),)
+            places = Rows(places.states, places.parameters)
             self.graphs[kind] = tick_graph(self.schedule, places, rows, primitives, contract=contract)
         return self.graphs[kind]
 
@@ -98,7 +99,8 @@ def cases_of(seeds: range, folder: Path) -> list[Case]:
 
 def oracle_runs(case: Case, kind: type[Oracle], group: CompiledGroup, primitives: Any, lane: int, ticks: int = TICKS) -> list[Any]:
     """Return what an oracle of the graph as compiled logs for a lane of a group that has not run."""
-    oracle = kind(case.graph(primitives), group.memory[:, lane].tolist(), [TABLE], case.schedule.period)
+    rings = {1: (group.places.rings[0], len(group.rings[0]))}
+    oracle = kind(case.graph(primitives), group.memory[:, lane].tolist(), [TABLE], rings, case.schedule.period)
     return [oracle.tick(FIRST + k, fed)[0] for k, fed in enumerate(case.fed[:ticks].tolist())]  # floats, which overflow in silence
 
 

@@ -52,7 +52,7 @@ def tick_loop_of(
     ----------
     schedule : Schedule
     places : Rows
-        Where the memory of a group has everything.
+        Where the memory of a group has everything. The loop serves rings of any length: a delay is no reason to compile again.
     log_rows : tuple of int
         Rows of signals to record.
     width : int
@@ -67,6 +67,7 @@ def tick_loop_of(
         If a step uses what cannot be translated; names file and line.
     """
     roots = [function for node in schedule.nodes for function in node.step.functions]
+    places = Rows(places.states, places.parameters)
     layout = [(_layout(node.step), node.repeat) for node in schedule.nodes]
     of_lanes, device = primitives is maths.LANES, "" if gpu is None else gpu.code
     wiring = (schedule.sources, schedule.record_point, places, log_rows, width, of_lanes, VECTOR, device)

@@ -139,7 +139,9 @@ class CompiledGroup(Group):
         super().__init__(schedule, width, lanes)
         self._maths = LANES if width > 1 or like_lanes else SINGLE
         self._tables = [np.ascontiguousarray(node.tables[name], dtype=float) for node in schedule.nodes for name in node.step.tables]
-        self._tables_at = np.array([(table.ctypes.data, table.size) for table in self._tables], dtype=np.int64)
+        words = [(table.ctypes.data, table.size) for table in self._tables]
+        words += [(first, len(ring)) for first, ring in zip(self.places.rings, self.rings, strict=False) if len(ring)]
+        self._tables_at = np.array(words, dtype=np.int64).reshape(-1, 2)
         self._data = self.memory.ctypes.data, self._tables_at.ctypes.data
 
     def restore(self, saved: tuple[int, Array]) -> None:
@@ -247,7 +249,7 @@ class GpuGroup(CompiledGroup):
         self._rows, *self._table_memory = (gpu.memory(array.size) for array in (self.memory, *self._tables))
         for memory, values in zip((self._rows, *self._table_memory), (self.memory, *self._tables), strict=True):
             memory.write(values)
-        self._tables_at[:] = [(memory.address, table.size) for memory, table in zip(self._table_memory, self._tables, strict=True)]
+        self._tables_at[: len(self._tables), 0] = [memory.address for memory in self._table_memory]
         self._table_list = gpu.memory(self._tables_at.size)
         self._table_list.write(self._tables_at)
 

@@ -15,7 +15,7 @@ from types import FunctionType
 from typing import Any
 
 import numpy as np
-from numba import carray, cfunc, njit, types
+from numba import cfunc, njit, types
 from numba.core.registry import cpu_target
 from numba.core.runtime import rtsys
 
@@ -30,6 +30,12 @@ _KINDS: dict[str, tuple[Any, Any, Any]] = {
     "i8": (types.int64, ctypes.c_int64, np.int64),
     "f8": (types.float64, ctypes.c_double, np.float64),
 }
+_ARRAY = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64, ctypes.c_int64, ctypes.c_void_p)
+"""How Numba's functions take an array: its owner (twice, none here), the number and the size of its elements, its address; then its shape
+and its strides follow."""
+_ended = (ctypes.c_void_p * 2)()
+_ENDED = ctypes.addressof(_ended), ctypes.addressof(_ended) + ctypes.sizeof(ctypes.c_void_p)
+"""Where Numba's functions leave their result and their exception; kernels have neither."""
 
 
 def compiled(function: Any, signature: str, *, sources: Iterable[str], options: dict[str, Any] | None = None) -> Callable[..., None]:
@@ -57,24 +63,12 @@ def compiled(function: Any, signature: str, *, sources: Iterable[str], options: 
     words = (function.__name__, signature, settings, *sources, inspect.getsource(compiled), store.toolchain())
     key = hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
     prototype: Any = ctypes.CFUNCTYPE(None, *(kind[1] for kind in kinds))
-    build = cfunc(types.void(*(kind[0] for kind in kinds)), **chosen)
-    return prototype(store.address(key, lambda: build(function), function.__name__.strip("_")))  # type: ignore[no-any-return]
 
+    def build() -> tuple[Any, str]:
+        made: Any = cfunc(types.void(*(kind[0] for kind in kinds)), **chosen)(function)
+        return made._library, made._wrapper_name
 
-def _wrapper(function: Any, kinds: list[str]) -> str:
-    """Return the source of a C function that builds arrays from addresses and lengths and calls the kernel."""
-    names, lines, passed = [], [], []
-    for i, kind in enumerate(kinds):
-        dims = kind.count(":")
-        if not dims:
-            names.append(f"a{i}")
-            passed.append(f"a{i}")
-            continue
-        sizes = [f"n{i}_{d}" for d in range(dims)]
-        names += [f"p{i}", *sizes]
-        lines.append(f"    a{i} = carray(p{i}, ({', '.join(sizes)},))")
-        passed.append(f"a{i}")
-    return "\n".join([f"def {function.__name__}({', '.join(names)}):", *lines, f"    inner({', '.join(passed)})"]) + "\n"
+    return prototype(store.address(key, build, function.__name__.strip("_")))  # type: ignore[no-any-return]
 
 
 def _called(function: Any) -> dict[str, Any]:
@@ -97,17 +91,15 @@ def _twin(function: Any, done: dict[Any, Any]) -> Any:
     return done[function]
 
 
-def _build(function: Any, kinds: list[str]) -> Any:
-    scope: dict[str, Any] = {"carray": carray, "inner": _twin(function, {})}
-    exec(compile(_wrapper(function, kinds), f"<{function.__name__}>", "exec"), scope)
-    arguments: list[Any] = []
-    for kind in kinds:
-        base, dims = _KINDS[kind[:2]][0], kind.count(":")
-        arguments += [types.CPointer(base), *(types.int64,) * dims] if dims else [base]
-    found = cfunc(types.void(*arguments), **OPTIONS)(scope[function.__name__])
-    if "NRT_MemInfo_alloc" in found._library.get_llvm_str():
+def _build(function: Any, kinds: list[str]) -> tuple[Any, str]:
+    """Compile a kernel alone: a C function around it would optimise all of it again."""
+    takes = [types.Array(_KINDS[kind[:2]][0], kind.count(":"), "C") if ":" in kind else _KINDS[kind][0] for kind in kinds]
+    twin = _twin(function, {})
+    twin.compile(types.void(*takes))
+    (made,) = twin.overloads.values()
+    if "NRT_MemInfo_alloc" in made.library.get_llvm_str():
         raise EngineError(f"kernel {function.__name__} makes an array, a list or a dict: hand it the memory that it needs")
-    return found
+    return made.library, made.fndesc.llvm_func_name
 
 
 def compiled_kernel(function: Any, signature: str) -> Callable[..., None]:
@@ -116,15 +108,15 @@ def compiled_kernel(function: Any, signature: str) -> Callable[..., None]:
     sources = [inspect.getsource(sys.modules[name]) for name in (*sorted(_modules(function)), __name__)]
     words = (function.__name__, signature, *sources, store.toolchain())
     key = hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
-    c_types: list[Any] = []
+    c_types: list[Any] = [ctypes.c_void_p] * 2
     for kind in kinds:
-        c_types += [ctypes.c_void_p, *(ctypes.c_int64,) * kind.count(":")] if ":" in kind else [_KINDS[kind][1]]
-    prototype: Any = ctypes.CFUNCTYPE(None, *c_types)
+        c_types += _ARRAY + (ctypes.c_int64,) * (2 * kind.count(":")) if ":" in kind else (_KINDS[kind][1],)
+    prototype: Any = ctypes.CFUNCTYPE(ctypes.c_int32, *c_types)
     rtsys.initialize(cpu_target.target_context)  # code that passes arrays counts references
     run = prototype(store.address(key, lambda: _build(function, kinds), function.__name__.strip("_")))
 
     def call(*arguments: Any) -> None:
-        words: list[Any] = []
+        words: list[Any] = [*_ENDED]
         for i, (kind, value) in enumerate(zip(kinds, arguments, strict=True)):
             dims = kind.count(":")
             if not dims:
@@ -132,7 +124,7 @@ def compiled_kernel(function: Any, signature: str) -> Callable[..., None]:
                 continue
             if value.dtype != _KINDS[kind[:2]][2] or value.ndim != dims or not value.flags.c_contiguous:
                 raise TypeError(f"{function.__name__}: argument {i} must be a contiguous array {kind}, not {value.dtype} {value.shape}")
-            words += [value.ctypes.data, *value.shape]
+            words += [None, None, value.size, value.itemsize, value.ctypes.data, *value.shape, *value.strides]
         run(*words)
 
     return call

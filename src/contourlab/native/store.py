@@ -101,7 +101,7 @@ def address(key: str, build: Callable[[], Any], name: str) -> int:
     ----------
     key : str
     build : callable
-        Returns a Numba cfunc.
+        Returns a library of Numba and the symbol of its function.
     name : str
         Kept with the code, for people.
     """
@@ -116,12 +116,11 @@ def _loaded(key: str, build: Callable[[], Any], name: str) -> int:
         with contextlib.suppress(RuntimeError, ValueError, UnicodeError):
             return _restored(*parts)
     with without_collector():
-        compiled = build()
-    _alive.append(compiled)
-    library = compiled._library
+        library, symbol = build()
+    _alive.append(library)
     title, _, (code, shared) = library.serialize_using_object_code()
-    write(key, [compiled._wrapper_name.encode(), name.encode(), title.encode(), code, shared])
-    return int(library.get_pointer_to_function(compiled._wrapper_name))
+    write(key, [symbol.encode(), name.encode(), title.encode(), code, shared])
+    return int(library.get_pointer_to_function(symbol))
 
 
 def _restored(symbol: bytes, _: bytes, title: bytes, code: bytes, shared: bytes) -> int:

@@ -166,20 +166,28 @@ def restarted(
     return replace(reached, runs=runs, course=np.vstack(course))
 
 
+@dataclass(eq=False)
+class _Spared:
+    """Says, to one thread alone, that packages are missing which cma takes for pictures and tests of ranks: three quarters of a second."""
+
+    thread: int
+
+    def find_spec(self, name: str, path: object = None, target: object = None) -> None:
+        if name in ("matplotlib", "scipy.stats") and threading.get_ident() == self.thread:
+            raise ModuleNotFoundError(name, name=name)
+
+
 def _strategy(start: Array, seed: int, population: int, spread: float) -> Any:
     import logging
 
-    # The package takes these for pictures and tests of ranks, and does without where they are missing: three quarters of a second. Another
-    # thread could miss them.
-    unused = [name for name in ("matplotlib", "scipy.stats") if name not in sys.modules and threading.active_count() == 1]
-    sys.modules.update(dict.fromkeys(unused))  # type: ignore[arg-type]
+    finder = _Spared(threading.get_ident())
+    sys.meta_path.insert(0, finder)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of the package, on optional plotting
             import cma
     finally:
-        for name in unused:
-            del sys.modules[name]
+        sys.meta_path.remove(finder)
     logging.getLogger("cma").setLevel(logging.ERROR)
     generator = np.random.default_rng(seed)
     options = {"bounds": [0.0, 1.0], "popsize": population, "verbose": -9, "tolfun": 0.0, "tolfunhist": 0.0}

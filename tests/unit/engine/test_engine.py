@@ -118,6 +118,27 @@ def test_lanes_differ_in_ring_delay():
         assert np.array_equal(log[:, lane], np.maximum(np.arange(1.0, 41.0) - lane, 0.0))
 
 
+@pytest.mark.parametrize("width", [1, 16])
+def test_one_loop_serves_rings_of_any_length(width):
+    def late(par, x, inp, clock):
+        return (), (lookup(par.table, 1.0) * delayed(par.ring, clock, par.n),)
+
+    step = Step("late", late, ("n",), tables=("table",), ring="u", inputs=(Port("u"),), outputs=(Port("y"),))
+    fed, loops = np.arange(1.0, 301.0)[:, None], set()
+    for first, second in ((0, 1), (6, 33), (200, 2), (0, 0)):
+        nodes = (
+            Node("a", step, {"u": "in.u"}, {"n": float(first)}, {"table": np.array([0.0, 2.0])}, ring_length=first + 1),
+            Node("b", step, {"u": "a.y"}, {"n": float(second)}, {"table": np.array([0.0, 3.0])}, ring_length=second + 1),
+        )
+        schedule = Schedule(nodes, (Port("u"),), 1.0, 2)
+        group = make_group(schedule, width, slice(0, width), jit=True)
+        log = group.run(fed, [schedule.row("b.y")])
+        assert np.array_equal(log[:, 0, 0], 6.0 * np.maximum(fed[:, 0] - first - second, 0.0))
+        assert np.array_equal(log[:, 0], np.repeat(log[:, 0, :1], width, axis=1))
+        loops |= set(map(id, group._loops.values()))
+    assert len(loops) == 1
+
+
 @pytest.mark.parametrize(("jit", "width"), FORMS)
 def test_vectors_and_tables(jit, width):
     def mix(par, x, inp, clock):

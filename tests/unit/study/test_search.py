@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import threading
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 
 from contourlab.errors import ParameterError
 from contourlab.study import search
+from contourlab.study.search import _Spared
 
 STARTS = np.array([[0.9, 0.1, 0.9], [0.1, 0.9, 0.5]])
 
@@ -18,6 +22,15 @@ def bowl(points: np.ndarray) -> np.ndarray:
 def valley(points: np.ndarray) -> np.ndarray:
     x, y, z = (4.0 * points - 2.0).T
     return 100.0 * (y - x * x) ** 2 + (1.0 - x) ** 2 + 100.0 * (z - y * y) ** 2 + (1.0 - y) ** 2
+
+
+def test_what_the_search_spares_itself_no_other_thread_misses() -> None:
+    finder = _Spared(threading.get_ident())
+    with pytest.raises(ModuleNotFoundError):
+        finder.find_spec("scipy.stats")
+    finder.find_spec("scipy.linalg")
+    with ThreadPoolExecutor(1) as other:
+        other.submit(finder.find_spec, "scipy.stats").result()
 
 
 def test_finds_the_minimum_of_a_bowl() -> None:

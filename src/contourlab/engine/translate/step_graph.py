@@ -127,12 +127,15 @@ _UNROLLED = 2
 
 @dataclass(frozen=True)
 class Rows:
-    """Rows of memory: the first of each node's states, parameters and ring, and the length of each ring."""
+    """Rows of memory: the first of each node's states, parameters and ring, and the length of each ring.
+
+    Without rings a graph serves rings of any length, and names them by number.
+    """
 
     states: Sequence[int]
     parameters: Sequence[int]
-    rings: Sequence[int]
-    ring_lengths: Sequence[int]
+    rings: Sequence[int] = ()
+    ring_lengths: Sequence[int] = ()
 
 
 @dataclass
@@ -151,6 +154,8 @@ class TickGraph:
         Rows of signals and their values after the tick.
     log : list of Op
         Values to record.
+    rings : list of int or (int, int)
+        The number of each ring, which begins where those of the tables end; or its first row and its length.
     """
 
     graph: Graph
@@ -158,6 +163,7 @@ class TickGraph:
     carried: list[tuple[Op, int, Op]] = field(default_factory=list)
     signals: list[tuple[int, Op]] = field(default_factory=list)
     log: list[Op] = field(default_factory=list)
+    rings: list[Any] = field(default_factory=list)
 
 
 class _Builder:
@@ -193,7 +199,9 @@ class _Builder:
         self.tables += len(step.tables)
         taken = [graph.constant(s) if isinstance(s, float) else self.signal(s) for s in self.schedule.sources[i]]
         if step.ring:
-            values.append(Op("ring", (), TABLE, (self.places.rings[i], self.places.ring_lengths[i])))
+            places, number = self.places, len(self.made.rings) + sum(len(node.step.tables) for node in self.schedule.nodes)
+            self.made.rings.append((places.rings[i], places.ring_lengths[i]) if places.rings else number)
+            values.append(Op("ring", (), TABLE, self.made.rings[-1]))
             graph.effect("store_ring", [taken[ring_row(step)]], values[-1].extra)
         par, inputs = step.par_type(*values), record_of(step.inputs, taken)
         states = [Op("before", (), "f", self.places.states[i] + r) for r in range(rows(step.own_states))]

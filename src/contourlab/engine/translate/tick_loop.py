@@ -30,6 +30,15 @@ class _LoopWriter(Writer):
     """Writes the operations of a tick; each row of memory has `width` numbers."""
 
     members = ("%mem", "%mem")
+    rings: dict[int, tuple[str, str, str]]
+    """By number: where a ring is, and the mask of an index, also for each lane."""
+
+    def ring(self, number: int) -> tuple[str, str, str]:
+        """Read the place and the length of a ring."""
+        row, length = (self._of_table("i64", 2 * number + i) for i in range(2))
+        mask = self.let(f"sub i64 {length}, 1")
+        place = self.let(f"mul i64 {row}, {self.width}")
+        return self.let(f"getelementptr double, ptr %mem, i64 {place}"), mask, self.spread(mask, "i64")
 
     def row(self, row: int) -> str:
         return str(row * self.width)
@@ -53,21 +62,17 @@ class _LoopWriter(Writer):
         return self.spread(self.let(f"load double, ptr {place}, align 8"))
 
     def _store_ring(self, op: Op, args: Sequence[str]) -> str:
-        first, length = op.extra
-        slot = self.let(f"and i64 %k, {length - 1}")
-        slot = self.let(f"mul i64 {slot}, {self.width}")
-        self.store(args[0], "%mem", self.let(f"add i64 {slot}, {first * self.width}"))
+        ring, mask, _ = self.rings[op.extra]
+        self.store(args[0], ring, self.let(f"mul i64 {self.let(f'and i64 %k, {mask}')}, {self.width}"))
         return ""
 
     def _delayed(self, op: Op, args: Sequence[str]) -> str:
-        first, length = op.extra
-        index = self.let(f"and {self.whole} {self.truncated(args[0])}, {self.spread_constant('i64', str(length - 1))}")
+        ring, _, mask = self.rings[op.extra]
+        index = self.let(f"and {self.whole} {self.truncated(args[0])}, {mask}")
         index = self.let(f"mul {self.whole} {index}, {self.spread_constant('i64', str(self.width))}")
-        if self.lanes == 1:
-            start = str(first * self.width)
-        else:
-            start = f"<{', '.join(f'i64 {first * self.width + lane}' for lane in range(self.lanes))}>"
-        return self.gather("%mem", self.let(f"add {self.whole} {index}, {start}"))
+        if self.lanes > 1:
+            index = self.let(f"add {self.whole} {index}, <{', '.join(f'i64 {lane}' for lane in range(self.lanes))}>")
+        return self.gather(ring, index)
 
 
 def source_of(made: TickGraph, lanes: int, width: int, *, gpu: bool = False) -> str:
@@ -85,6 +90,7 @@ def source_of(made: TickGraph, lanes: int, width: int, *, gpu: bool = False) -> 
     w.put("%mem = getelementptr double, ptr %memory, i64 %lane", "%log = getelementptr double, ptr %logs, i64 %lane")
     w.put("%some = icmp sgt i64 %n_tick, 0", "br i1 %some, label %enter, label %done")
     w.start("enter")
+    w.rings = {number: w.ring(number) for number in made.rings}
     starts = [w.load("%mem", w.row(row)) for _, row, _ in made.carried]
     w.block(made.graph.top)
     w.put("br label %ticks")

@@ -186,7 +186,8 @@ def test_portable_assembly_of_a_gpu_loads_from_inside_only() -> None:
 
     schedule = schedule_of(lambda a, b, par, clock: lookup(par.table, a))
     group = CompiledGroup(schedule, 64, slice(0, 64))
-    made = step_graph.tick_graph(schedule, group.places, [schedule.n_row - 1], maths.LANES)
+    places = step_graph.Rows(group.places.states, group.places.parameters)
+    made = step_graph.tick_graph(schedule, places, [schedule.n_row - 1], maths.LANES)
     source = tick_loop.source_of(made, 1, 64, gpu=True)
     (index,) = [line.split()[4] for line in source.splitlines() if "fptosi" in line]
     assert any(line.split()[:3] == [index, "=", "select"] for line in source.splitlines())
