@@ -33,6 +33,7 @@ _KINDS: dict[str, tuple[Any, Any, Any]] = {
 _ARRAY = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64, ctypes.c_int64, ctypes.c_void_p)
 """How Numba's functions take an array: its owner (twice, none here), the number and the size of its elements, its address; then its shape
 and its strides follow."""
+_WORDS = {ctypes.c_void_p: "ptr", ctypes.c_int64: "i64", ctypes.c_double: "double"}
 _ended = (ctypes.c_void_p * 2)()
 _ENDED = ctypes.addressof(_ended), ctypes.addressof(_ended) + ctypes.sizeof(ctypes.c_void_p)
 """Where Numba's functions leave their result and their exception; kernels have neither."""
@@ -91,6 +92,14 @@ def _twin(function: Any, done: dict[Any, Any]) -> Any:
     return done[function]
 
 
+def _taken(kinds: list[str]) -> list[Any]:
+    """Return how a kernel takes its arguments, after the places of result and exception."""
+    taken: list[Any] = [ctypes.c_void_p] * 2
+    for kind in kinds:
+        taken += _ARRAY + (ctypes.c_int64,) * (2 * kind.count(":")) if ":" in kind else (_KINDS[kind][1],)
+    return taken
+
+
 def _build(function: Any, kinds: list[str]) -> tuple[Any, str]:
     """Compile a kernel alone: a C function around it would optimise all of it again."""
     takes = [types.Array(_KINDS[kind[:2]][0], kind.count(":"), "C") if ":" in kind else _KINDS[kind][0] for kind in kinds]
@@ -99,6 +108,9 @@ def _build(function: Any, kinds: list[str]) -> tuple[Any, str]:
     (made,) = twin.overloads.values()
     if "NRT_MemInfo_alloc" in made.library.get_llvm_str():
         raise EngineError(f"kernel {function.__name__} makes an array, a list or a dict: hand it the memory that it needs")
+    arguments = made.library.get_function(made.fndesc.llvm_func_name).arguments
+    if [str(one.type) for one in arguments] != [_WORDS[one] for one in _taken(kinds)]:
+        raise EngineError(f"kernel {function.__name__}: this Numba hands over arguments in another way; install the one of constraints.txt")
     return made.library, made.fndesc.llvm_func_name
 
 
@@ -108,10 +120,7 @@ def compiled_kernel(function: Any, signature: str) -> Callable[..., None]:
     sources = [inspect.getsource(sys.modules[name]) for name in (*sorted(_modules(function)), __name__)]
     words = (function.__name__, signature, *sources, store.toolchain())
     key = hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
-    c_types: list[Any] = [ctypes.c_void_p] * 2
-    for kind in kinds:
-        c_types += _ARRAY + (ctypes.c_int64,) * (2 * kind.count(":")) if ":" in kind else (_KINDS[kind][1],)
-    prototype: Any = ctypes.CFUNCTYPE(ctypes.c_int32, *c_types)
+    prototype: Any = ctypes.CFUNCTYPE(ctypes.c_int32, *_taken(kinds))
     rtsys.initialize(cpu_target.target_context)  # code that passes arrays counts references
     run = prototype(store.address(key, lambda: _build(function, kinds), function.__name__.strip("_")))
 
