@@ -11,27 +11,27 @@ from collections import Counter
 from pathlib import Path
 
 BUDGETS = {
-    "analysis": 4376,
-    "app": 850,
-    "cli": 469,
+    "analysis": 4410,
+    "app": 860,
+    "cli": 471,
     "components": 5027,
     "contours": 1553,
-    "engine": 3260,
-    "features": 17558,
+    "engine": 3281,
+    "features": 17547,
     "feed": 2202,
     "findings": 55,
-    "geometry": 1962,
+    "geometry": 2023,
     "logs": 1634,
     "loop": 2191,
-    "metrics": 1035,
-    "native": 253,
+    "metrics": 1044,
+    "native": 247,
     "papers": 3363,
     "program": 2250,
     "rendering": 2395,
     "result": 402,
     "scenario": 1881,
-    "study": 1395,
-    "without papers": 51452,
+    "study": 1404,
+    "without papers": 51585,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 
