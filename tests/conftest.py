@@ -12,7 +12,7 @@ from collections.abc import Iterator
 import one_thread  # noqa: F401
 import pytest
 from host_gpu import HostGpu
-from hypothesis import is_hypothesis_test, settings
+from hypothesis import settings
 from once import once
 from processor_time import ProcessorTimes
 from schemas import check_results
@@ -68,7 +68,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         if "reproduction" in getattr(item, "fixturenames", ()):  # takes a minute
             item.add_marker("slow")
     # Each function once: its cases share it.
-    for test in {item.obj for item in items if is_hypothesis_test(getattr(item, "obj", None))}:
+    for test in {item.obj for item in items if getattr(getattr(item, "obj", None), "is_hypothesis_test", False)}:
         every = test._hypothesis_internal_use_settings
         test._hypothesis_internal_use_settings = settings(every, max_examples=math.ceil(QUICK_SHARE * every.max_examples))
     slow = [item for item in items if item.get_closest_marker("slow")]

@@ -11,27 +11,27 @@ from collections import Counter
 from pathlib import Path
 
 BUDGETS = {
-    "analysis": 4410,
+    "analysis": 4411,
     "app": 860,
     "cli": 471,
     "components": 5027,
     "contours": 1553,
-    "engine": 3281,
+    "engine": 3282,
     "features": 17547,
     "feed": 2202,
     "findings": 55,
-    "geometry": 2023,
+    "geometry": 2037,
     "logs": 1634,
     "loop": 2191,
-    "metrics": 1044,
-    "native": 247,
+    "metrics": 1045,
+    "native": 248,
     "papers": 3363,
     "program": 2250,
     "rendering": 2395,
     "result": 402,
     "scenario": 1881,
     "study": 1404,
-    "without papers": 51585,
+    "without papers": 51603,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

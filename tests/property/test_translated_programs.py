@@ -68,7 +68,7 @@ class ExactGroup(CompiledGroup):
         if width not in case.loops:
             code = llvm_ir.object_code(tick_loop.source_of(case.graph(EXACT, contract=False), min(width, tick_loop.VECTOR), width))
             case.loops[width] = llvm_ir.loaded(code, "run", tick_loop.SIGNATURE)
-        self._loops[(self.schedule.row("s.y"),)] = case.loops[width]
+        self.loops[(self.schedule.row("s.y"),)] = case.loops[width]
 
 
 def assert_bits(found: Any, wanted: Any) -> None:

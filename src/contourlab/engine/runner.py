@@ -164,9 +164,10 @@ class CompiledGroup(Group):
     def _loop(self, log_rows: tuple[int, ...], gpu: Gpu | None = None) -> Any:
         from contourlab.engine.fused import tick_loop_of
 
-        if log_rows not in self.loops:
-            self.loops[log_rows] = tick_loop_of(self.schedule, self.places, log_rows, self.width, self._maths, gpu)
-        return self.loops[log_rows]
+        loop = self.loops.get(log_rows)
+        if loop is None:
+            loop = self.loops[log_rows] = tick_loop_of(self.schedule, self.places, log_rows, self.width, self._maths, gpu)
+        return loop
 
 
 class _PastOf:

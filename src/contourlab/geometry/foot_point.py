@@ -41,6 +41,8 @@ _TURN = 0.35
 _AHEAD = 6.0
 """Steps from sample to sample that a list of leaves lasts, about; most leaves on each side in it."""
 _MOST_STEPS = 60
+_MOST_LISTED, _MOST_TRIED, _FARTHEST = 64, 32, 1e5
+"""A list ends after the sample for which it has more leaves, or which tried more, and after more travel [m], whose rounding would count."""
 _SQUARE = 1e-16
 """Square of the last Newton step, relative to the length of the piece [m]: what is left is about the square over the length."""
 
@@ -305,6 +307,8 @@ def search(
     """
     axes, n, count, i, hint = points.shape[1], leaf.shape[0], 0, state[0], 0
     listed, travel, beyond, low_end, high_end, bound, best_at, lead, column = 0, 0.0, 0.0, math.inf, -math.inf, math.inf, math.inf, 0, 0
+    tried = 0
+    slack = min(_SLACK, 0.125 * length)  # a list has at most 2.25 laps
     while i < points.shape[0]:
         begun, least, aside, won, won_at, best, on, step = count, math.inf, math.inf, -1, 0.0, math.inf, 0, 0.0
         first, last = around[i] - window[i], around[i] + window[i]
@@ -318,11 +322,11 @@ def search(
         travel += step
         # The foot point of the sample before is not further away than this.
         bound = bound + step if first <= best_at <= last else math.inf
-        if not (low_end <= first and last <= high_end and bound <= beyond - travel):
+        if not (low_end <= first and last <= high_end and bound <= beyond - travel and travel <= _FARTHEST and tried <= _MOST_TRIED):
             before, room = near[lead, 0] if listed else -1, _AHEAD * step
             if before < 0 or not room < min(window[i], 0.5 * length, _AHEAD * (start[before + 1] - start[before])):
                 room = 0.0  # so many leaves would be listed that a list for each sample takes less
-            low_end, high_end = first - room - _SLACK, last + room + _SLACK
+            low_end, high_end = first - room - slack, last + room + slack
             if not closed:
                 low_end, high_end = max(low_end, 0.0), min(high_end, length)
             listed, travel, beyond, top, lead = 0, 0.0, math.inf, 1, 0
@@ -341,8 +345,8 @@ def search(
                 if b - a == 1:
                     lap = a // n if closed else 0
                     near[listed, 0], near[listed, 1], close[listed] = a - lap * n, lap, lower
-                    lead = listed if near[listed, 0] == before else lead
                     listed += 1
+                    room = 0.0 if listed >= _MOST_LISTED else room
                     continue
                 middle = (a + b) // 2
                 away = _away(corner, closed, points, i, middle)
@@ -355,6 +359,17 @@ def search(
                 ends[top + 1, 0], ends[top + 1, 1] = a, middle
                 depths[top + 1, 0], depths[top + 1, 1], depths[top + 1, 2] = from_a, away, _least(along, closed, a, middle, from_a, away)
                 top += 2
+            # The first were listed before the bound was known.
+            kept, lead = 0, 0
+            for e in range(listed):
+                if close[e] > bound + room:
+                    beyond = min(beyond, close[e])
+                    continue
+                near[kept, 0], near[kept, 1], close[kept] = near[e, 0], near[e, 1], close[e]
+                lead = kept if near[e, 0] == before else lead
+                kept += 1
+            listed = kept
+        tried = state[2]
         for again in range(2):
             ties = False
             for turn in range(listed):
@@ -447,6 +462,7 @@ def search(
                 break
             # Where several points are nearest, their order decides: it must not depend on the samples before.
             count, least, aside, won = begun, math.inf, math.inf, -1
+        tried = state[2] - tried
         kept = begun
         for pair in range(begun, count):
             if guess[pair, 4] <= bound + _TABLE_SLACK:
@@ -482,7 +498,7 @@ def search(
     state[0], state[1] = i, count
 
 
-_CHUNK = 1 << 15
+CHUNK = 1 << 15
 
 
 class FootPoint(NamedTuple):
@@ -533,7 +549,7 @@ def foot_point(path: CurveSequence, points: ArrayLike, around: ArrayLike, window
         raise GeometryError(f"window = {window!r}: must be > 0 m, one for all points or one for each")
     reach = np.broadcast_to(reach, s.shape)
     found = FootPoint(np.empty(s.size), np.empty(p.shape), np.empty(s.size), np.empty(s.size))
-    chunks = [slice(i, i + _CHUNK) for i in range(0, s.size, _CHUNK)]
+    chunks = [slice(i, i + CHUNK) for i in range(0, s.size, CHUNK)]
     _leaves(path)  # once, not in each thread
     in_threads(lambda some: searched(path, p[some], s[some], reach[some], FootPoint(*(part[some] for part in found))), chunks)
     assert np.isfinite(found.distance).all()  # a wrong search must not become a figure
@@ -547,7 +563,7 @@ def searched(path: CurveSequence, points: Array, around: Array, window: Array, f
     refuse(not (np.isfinite(given[0]).all() and np.isfinite(given[1]).all()), GeometryError, "points and progress must be finite")
     leaves, room, state = _leaves(path), 64, np.zeros(3, dtype=np.int64)
     room += 0 if (leaves.leaf[:, 1] < _OTHER).all() else 4 * n
-    most = 2 * len(leaves.leaf) + 4
+    most = 3 * len(leaves.leaf) + 4
     ends, near = np.empty((_DEPTH, 2), dtype=np.int64), np.empty((most, 2), dtype=np.int64)
     scratch = ends, np.empty((_DEPTH, 3)), np.empty((3, path.n_axis, 2)), near, np.empty(most)
     while state[0] < n:

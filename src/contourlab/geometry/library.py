@@ -214,4 +214,5 @@ def contour(name: str, **parameters: float) -> Path:
     for given in parameters:
         if given not in known:
             raise GeometryError(f"contour {name} has no parameter {given!r}: {hint(given, known)}")
-    return _MAKERS[name](**parameters)
+    # An array of one number cannot be looked up.
+    return _MAKERS[name](**{key: np.asarray(value)[()] for key, value in parameters.items()})

@@ -21,12 +21,13 @@ from contourlab.arrays import Array, Flags
 from contourlab.errors import DivergenceError, ResultError
 from contourlab.feed import Reference
 from contourlab.geometry import Path
+from contourlab.geometry.foot_point import CHUNK
 from contourlab.result import Result, Signal
 from contourlab.threads import in_threads
 
 MARGIN = 1e-4
 _STILL = 0.9
-_BLOCK, _CHUNK = 1 << 16, 1 << 15
+_BLOCK = 1 << 16
 
 
 def furthest(off: Array) -> float:
@@ -120,7 +121,7 @@ def planning_deviation(reference: Reference, wanted: Array, along: Array) -> tup
             window = reference.correspondence.span(along[some]) + 3.0 * np.sqrt(_squares(off)) + 1e-9
         deviation[some], foot[some] = _errors(reference.programmed, wanted[some], place, window)
 
-    first, *others = (slice(i, i + _CHUNK) for i in range(0, max(len(along), 1), _CHUNK))
+    first, *others = (slice(i, i + CHUNK) for i in range(0, max(len(along), 1), CHUNK))
     fill(first)  # prepares the path for all threads
     in_threads(fill, others)
     return deviation, foot

@@ -36,7 +36,7 @@ and its strides follow."""
 _WORDS = {ctypes.c_void_p: "ptr", ctypes.c_int64: "i64", ctypes.c_double: "double"}
 _ended = (ctypes.c_void_p * 2)()
 _ENDED = ctypes.addressof(_ended), ctypes.addressof(_ended) + ctypes.sizeof(ctypes.c_void_p)
-"""Where Numba's functions leave their result and their exception; kernels have neither."""
+"""Where Numba's functions leave a result, which kernels do not have, and an exception, which their status tells too."""
 
 
 def compiled(function: Any, signature: str, *, sources: Iterable[str], options: dict[str, Any] | None = None) -> Callable[..., None]:
@@ -125,15 +125,16 @@ def compiled_kernel(function: Any, signature: str) -> Callable[..., None]:
     run = prototype(store.address(key, lambda: _build(function, kinds), function.__name__.strip("_")))
 
     def call(*arguments: Any) -> None:
-        words: list[Any] = [*_ENDED]
+        handed: list[Any] = [*_ENDED]
         for i, (kind, value) in enumerate(zip(kinds, arguments, strict=True)):
             dims = kind.count(":")
             if not dims:
-                words.append(value)
+                handed.append(value)
                 continue
             if value.dtype != _KINDS[kind[:2]][2] or value.ndim != dims or not value.flags.c_contiguous:
                 raise TypeError(f"{function.__name__}: argument {i} must be a contiguous array {kind}, not {value.dtype} {value.shape}")
-            words += [None, None, value.size, value.itemsize, value.ctypes.data, *value.shape, *value.strides]
-        run(*words)
+            handed += [None, None, value.size, value.itemsize, value.ctypes.data, *value.shape, *value.strides]
+        if run(*handed):
+            raise EngineError(f"kernel {function.__name__} raised an error: run its plain function to see it")
 
     return call

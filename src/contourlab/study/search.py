@@ -181,13 +181,13 @@ def _strategy(start: Array, seed: int, population: int, spread: float) -> Any:
     import logging
 
     finder = _Spared(threading.get_ident())
-    sys.meta_path.insert(0, finder)
+    sys.meta_path = [finder, *sys.meta_path]  # a new list: other threads may be walking through the old one
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of the package, on optional plotting
             import cma
     finally:
-        sys.meta_path.remove(finder)
+        sys.meta_path = [one for one in sys.meta_path if one is not finder]
     logging.getLogger("cma").setLevel(logging.ERROR)
     generator = np.random.default_rng(seed)
     options = {"bounds": [0.0, 1.0], "popsize": population, "verbose": -9, "tolfun": 0.0, "tolfunhist": 0.0}

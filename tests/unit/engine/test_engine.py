@@ -135,7 +135,7 @@ def test_one_loop_serves_rings_of_any_length(width):
         log = group.run(fed, [schedule.row("b.y")])
         assert np.array_equal(log[:, 0, 0], 6.0 * np.maximum(fed[:, 0] - first - second, 0.0))
         assert np.array_equal(log[:, 0], np.repeat(log[:, 0, :1], width, axis=1))
-        loops |= set(map(id, group._loops.values()))
+        loops |= set(map(id, group.loops.values()))
     assert len(loops) == 1
 
 

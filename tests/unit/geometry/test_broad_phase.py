@@ -165,3 +165,29 @@ def test_the_middle_of_a_symmetric_blend_is_the_foot_of_its_corner() -> None:
         points = corner + (middle - corner) * rng.uniform(-3.0, 0.5, (20, 1))
         found = path.foot_point(points, np.full(20, 0.4 * path.length), path.length)
         np.testing.assert_allclose(found.distance, np.linalg.norm(points - middle, axis=1), rtol=1e-9, atol=1e-15)
+
+
+def test_a_tiny_closed_path_has_a_foot_for_every_point() -> None:
+    """The window of a search is wider than such a path by its slack."""
+    for size in (1e-9, 1e-10, 1e-12):
+        path = polygon(size * np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]), True)
+        around = np.linspace(0.0, 1.0, 2000) * path.length
+        assert path.foot_point(path.position(around), around, 0.02 * path.length).distance.max() < 1e-9
+
+
+def test_rounding_of_a_long_way_hides_no_curve() -> None:
+    path = Path([Line((0.0, 0.0), (1.0, 0.3))])
+    far = 1e4 * np.where(np.arange(4000) % 2 == 0, 1.0, -1.0)[:, None] * [0.6, 0.8]
+    points = np.vstack([far, 0.01 * np.random.default_rng(0).normal(size=(200, 2)).repeat(20, axis=0)])
+    way = np.array([1.0, 0.3])
+    ends = np.clip(points @ way / (way @ way), 0.0, 1.0)[:, None] * way
+    found = path.foot_point(points, np.full(len(points), 0.3), path.length)
+    np.testing.assert_allclose(found.distance, np.linalg.norm(points - ends, axis=1), rtol=1e-12, atol=1e-12)
+
+
+def test_a_long_line_beside_a_hatch_searches_few_leaves() -> None:
+    hatch = [(x, 0.1 + 1e-4 * row) for row in range(40) for x in np.linspace(0.0, 0.1, 200)[:: 1 - 2 * (row % 2)]]
+    path = polygon(np.array([(-0.5, 0.0995), (0.3, 0.0995), *hatch]), False)
+    for step in (1e-3, 1e-2, 0.1):
+        around = np.abs((np.arange(2000) * step / 0.8 + 1.0) % 2.0 - 1.0) * 0.8
+        assert searched_leaves(path, path.position(around) + 1e-5, around, path.length) < 3.0

@@ -162,3 +162,7 @@ def test_a_wrong_name_suggests_the_nearest_or_lists_the_valid_ones() -> None:
 def test_a_value_out_of_range_is_refused(name: str, parameters: dict[str, float], message: str) -> None:
     with pytest.raises(GeometryError, match=message):
         contour(name, **parameters)
+
+
+def test_an_array_of_one_number_is_a_parameter() -> None:
+    assert contour("circle", radius=np.array(0.02)).length == contour("circle", radius=0.02).length

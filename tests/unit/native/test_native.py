@@ -34,6 +34,18 @@ def greedy(out, factor):  # type: ignore[no-untyped-def]
     out[0] = made[0]
 
 
+@kernel("i8[:] i8")
+def stepped(out, step):  # type: ignore[no-untyped-def]
+    for i in range(0, out.size, step):
+        out[i] = i
+
+
+def test_a_kernel_that_raises_says_so() -> None:
+    stepped(np.zeros(4, np.int64), 2)
+    with pytest.raises(EngineError):
+        stepped(np.zeros(4, np.int64), 0)
+
+
 def test_a_kernel_agrees_with_its_source() -> None:
     table = np.random.default_rng(3).normal(size=(5, 3))
     plain, native = np.empty(5), np.empty(5)

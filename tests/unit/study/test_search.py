@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 from concurrent.futures import ThreadPoolExecutor
 
@@ -31,6 +32,19 @@ def test_what_the_search_spares_itself_no_other_thread_misses() -> None:
     finder.find_spec("scipy.linalg")
     with ThreadPoolExecutor(1) as other:
         other.submit(finder.find_spec, "scipy.stats").result()
+
+
+def test_a_search_leaves_the_list_of_finders_as_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Another thread may be walking through it, and would skip one."""
+
+    class Walked(list[object]):
+        def insert(self, *_: object) -> None:
+            raise AssertionError
+
+        remove = insert
+
+    monkeypatch.setattr(sys, "meta_path", Walked(sys.meta_path))
+    search(bowl, STARTS, budget=100, tolerance=0.0)
 
 
 def test_finds_the_minimum_of_a_bowl() -> None:

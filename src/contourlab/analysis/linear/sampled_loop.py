@@ -35,6 +35,7 @@ from contourlab.analysis.linear.tick_map import (
 from contourlab.arrays import Array, Complex, Flags, Index
 from contourlab.components.contract import Component
 from contourlab.engine.step import Node, Port, Schedule
+from contourlab.engine.translate.tick_loop import VECTOR
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.geometry import Line, Path
 from contourlab.loop.judging import WATCH
@@ -218,7 +219,7 @@ def sampled_loop(axis: Axis, controller: AxisController, servo_period: float, ca
         If a component is not linear, or a delay is longer than `LONGEST` ticks.
     """
     machine, made = bare_axis(axis, controller, servo_period, carried_mass)
-    return loop_of(machine, made, tick_map(opened(whole_schedule(machine, made), axis.name)))
+    return loop_of(machine, made, tick_map(cut_open(whole_schedule(machine, made), axis.name)))
 
 
 def bare_axis(axis: Axis, controller: AxisController, servo_period: float, carried_mass: float = 0.0) -> tuple[Machine, Controller]:
@@ -235,7 +236,7 @@ def whole_schedule(machine: Machine, controller: Controller, columns: Mapping[st
     return build(machine, controller, ALONG, np.zeros(1), overrides=columns).schedule
 
 
-def opened(whole: Schedule, name: str) -> Schedule:
+def cut_open(whole: Schedule, name: str) -> Schedule:
     """Return the schedule of a bare axis with its loop cut open.
 
     Raises
@@ -416,15 +417,15 @@ class AxisLanes:
         # The loop of one axis has no estimator of the coupling.
         used = {name: np.asarray(values, dtype=float) for name, values in overrides.items() if name in self._known}
         whole, jit = whole_schedule(self.machine, self.bare, used), jit_enabled()
-        form = (n, jit, *used, *(node.ring_length for node in whole.nodes))
+        form = (-(-n // VECTOR), jit, *used, *(node.ring_length for node in whole.nodes))
         probes = self._probes.pop(form, None)  # no other thread takes them meanwhile
         if probes is None:
-            probes = lane_probes(opened(whole, self.machine.axis_names[0]), n if used else 1, jit)
+            probes = lane_probes(cut_open(whole, self.machine.axis_names[0]), n if used else 1, jit)
         else:
             for probe in probes:
                 probe.take(_running(whole))
         a, b = lane_matrices(probes, n if used else 1)
-        if len(self._probes) == MOST_FORMS:
+        if len(self._probes) >= MOST_FORMS:
             self._probes.clear()
         self._probes[form] = probes
         schedule = probes[0].group.schedule
