@@ -215,4 +215,4 @@ def contour(name: str, **parameters: float) -> Path:
         if given not in known:
             raise GeometryError(f"contour {name} has no parameter {given!r}: {hint(given, known)}")
     # An array of one number cannot be looked up.
-    return _MAKERS[name](**{key: np.asarray(value)[()] for key, value in parameters.items()})
+    return _MAKERS[name](**{key: np.asarray(value).item() for key, value in parameters.items()})
