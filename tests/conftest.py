@@ -29,7 +29,7 @@ os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 EXAMPLES = 30
-"""Examples of a property test that names no number of its own; with --slow it tries 100."""
+"""Examples of a property test that names no number of its own, before the share below; with --slow it tries 100."""
 QUICK_SHARE = 0.4
 """Share of its examples that a property test tries without --slow."""
 

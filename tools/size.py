@@ -30,8 +30,8 @@ BUDGETS = {
     "rendering": 2395,
     "result": 402,
     "scenario": 1881,
-    "study": 1404,
-    "without papers": 51603,
+    "study": 1409,
+    "without papers": 51608,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

@@ -121,6 +121,7 @@ def planning_deviation(reference: Reference, wanted: Array, along: Array) -> tup
             window = reference.correspondence.span(along[some]) + 3.0 * np.sqrt(_squares(off)) + 1e-9
         deviation[some], foot[some] = _errors(reference.programmed, wanted[some], place, window)
 
+    # Each block is one chunk of the search, which then starts no threads of its own.
     first, *others = (slice(i, i + CHUNK) for i in range(0, max(len(along), 1), CHUNK))
     fill(first)  # prepares the path for all threads
     in_threads(fill, others)

@@ -1,7 +1,7 @@
 """Compile a plain function over numbers and arrays to machine code.
 
-The function is compiled unchanged to a C function and kept in `store` under a key made of its sources, so that the next process only loads
-it.
+The function is compiled unchanged, to a C function or, for a kernel, to Numba's own, and kept in `store` under a key made of its sources,
+so that the next process only loads it.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _KINDS: dict[str, tuple[Any, Any, Any]] = {
 _ARRAY = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64, ctypes.c_int64, ctypes.c_void_p)
 """How Numba's functions take an array: its owner (twice, none here), the number and the size of its elements, its address; then its shape
 and its strides follow."""
-_WORDS = {ctypes.c_void_p: "ptr", ctypes.c_int64: "i64", ctypes.c_double: "double"}
+_LLVM_TYPES = {ctypes.c_void_p: "ptr", ctypes.c_int64: "i64", ctypes.c_double: "double"}
 _ended = (ctypes.c_void_p * 2)()
 _ENDED = ctypes.addressof(_ended), ctypes.addressof(_ended) + ctypes.sizeof(ctypes.c_void_p)
 """Where Numba's functions leave a result, which kernels do not have, and an exception, which their status tells too."""
@@ -109,7 +109,7 @@ def _build(function: Any, kinds: list[str]) -> tuple[Any, str]:
     if "NRT_MemInfo_alloc" in made.library.get_llvm_str():
         raise EngineError(f"kernel {function.__name__} makes an array, a list or a dict: hand it the memory that it needs")
     arguments = made.library.get_function(made.fndesc.llvm_func_name).arguments
-    if [str(one.type) for one in arguments] != [_WORDS[one] for one in _taken(kinds)]:
+    if [str(one.type) for one in arguments] != [_LLVM_TYPES[one] for one in _taken(kinds)]:
         raise EngineError(f"kernel {function.__name__}: this Numba hands over arguments in another way; install the one of constraints.txt")
     return made.library, made.fndesc.llvm_func_name
 

@@ -177,25 +177,35 @@ class _Spared:
             raise ModuleNotFoundError(name, name=name)
 
 
-def _strategy(start: Array, seed: int, population: int, spread: float) -> Any:
+_LOADING = threading.Lock()
+
+
+def _package() -> Any:
+    """Return cma; the first of the threads that ask loads it."""
     import logging
 
-    finder = _Spared(threading.get_ident())
-    sys.meta_path = [finder, *sys.meta_path]  # a new list: other threads may be walking through the old one
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of the package, on optional plotting
-            import cma
-    finally:
-        sys.meta_path = [one for one in sys.meta_path if one is not finder]
-    logging.getLogger("cma").setLevel(logging.ERROR)
+    with _LOADING:
+        if "cma" not in sys.modules:
+            finder = _Spared(threading.get_ident())
+            sys.meta_path = [finder, *sys.meta_path]  # a new list: other threads may be walking through the old one
+            try:
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore")  # of the package, on optional plotting
+                    import cma  # noqa: F401
+            finally:
+                sys.meta_path = [one for one in sys.meta_path if one is not finder]
+            logging.getLogger("cma").setLevel(logging.ERROR)
+    return sys.modules["cma"]
+
+
+def _strategy(start: Array, seed: int, population: int, spread: float) -> Any:
     generator = np.random.default_rng(seed)
     options = {"bounds": [0.0, 1.0], "popsize": population, "verbose": -9, "tolfun": 0.0, "tolfunhist": 0.0}
     # Use a separate generator: otherwise the package seeds numpy's global generator.
     options |= {"seed": np.nan, "randn": lambda *shape: generator.standard_normal(shape)}
     # On a bound the transformation of the box has zero slope. The package needs two dimensions: a lone parameter gets an idle one.
     inside = [*np.clip(start, 1e-3, 1.0 - 1e-3), *([0.5] if start.size == 1 else [])]
-    return cma.CMAEvolutionStrategy(inside, spread, options)
+    return _package().CMAEvolutionStrategy(inside, spread, options)
 
 
 def _finite(values: Array) -> Array:

@@ -43,8 +43,11 @@ def test_a_search_leaves_the_list_of_finders_as_it_is(monkeypatch: pytest.Monkey
 
         remove = insert
 
-    monkeypatch.setattr(sys, "meta_path", Walked(sys.meta_path))
+    finders = list(sys.meta_path)
+    monkeypatch.setattr(sys, "meta_path", Walked(finders))
+    monkeypatch.delitem(sys.modules, "cma", raising=False)  # so that it is loaded again
     search(bowl, STARTS, budget=100, tolerance=0.0)
+    assert "cma" in sys.modules and sys.meta_path == finders
 
 
 def test_finds_the_minimum_of_a_bowl() -> None:

@@ -416,15 +416,15 @@ class AxisLanes:
         n = len(next(iter(overrides.values()), (0.0,)))
         # The loop of one axis has no estimator of the coupling.
         used = {name: np.asarray(values, dtype=float) for name, values in overrides.items() if name in self._known}
-        whole, jit = whole_schedule(self.machine, self.bare, used), jit_enabled()
-        form = (-(-n // VECTOR), jit, *used, *(node.ring_length for node in whole.nodes))
+        whole, jit, different = whole_schedule(self.machine, self.bare, used), jit_enabled(), n if used else 1
+        form = (-(-different // VECTOR), jit, *used, *(node.ring_length for node in whole.nodes))
         probes = self._probes.pop(form, None)  # no other thread takes them meanwhile
         if probes is None:
-            probes = lane_probes(cut_open(whole, self.machine.axis_names[0]), n if used else 1, jit)
+            probes = lane_probes(cut_open(whole, self.machine.axis_names[0]), different, jit)
         else:
             for probe in probes:
                 probe.take(_running(whole))
-        a, b = lane_matrices(probes, n if used else 1)
+        a, b = lane_matrices(probes, different)
         if len(self._probes) >= MOST_FORMS:
             self._probes.clear()
         self._probes[form] = probes
