@@ -150,14 +150,15 @@ class CompiledGroup(Group):
 
     def run(self, external: Array, log_rows: list[int], out: Array | None = None) -> Array:
         external = np.asarray(external, dtype=float)
-        strides = [stride // external.itemsize for stride in external.strides]
         log = aligned((len(external), len(log_rows), self.width)) if out is None else out
-        # The tick loop has no strides for the log, and stores whole cache lines.
-        assert log.flags.c_contiguous and (self.width == 1 or not log.size or log.ctypes.data % 64 == 0)
-        data = *self._data, external.ctypes.data
+        of_tick, of_row, _ = log.strides
+        # The tick loop stores row after row, and vectors in whole cache lines.
+        assert not log.size or (of_tick == len(log_rows) * of_row and (self.width == 1 or (log.ctypes.data | of_row) % 64 == 0))
+        strides = [stride // external.itemsize for stride in external.strides]
+        data = *self._data, external.ctypes.data, *strides, log.ctypes.data, of_row // log.itemsize
         loop = self._loop(tuple(log_rows))
         for lane in range(0, self.width, VECTOR):
-            loop(*data, *strides, log.ctypes.data, self.tick, len(external), self.schedule.period, lane)
+            loop(*data, self.tick, len(external), self.schedule.period, lane)
         self.tick += len(external)
         return log
 
@@ -266,11 +267,12 @@ class GpuGroup(CompiledGroup):
         while k < len(external):
             part, began = log[k : k + ticks], perf_counter()
             of_tick = fed.address + k * external.strides[0]
-            places = (self._rows.address, self._table_list.address, of_tick, external.shape[1], 1, logged.address)
+            places = (self._rows.address, self._table_list.address, of_tick, external.shape[1], 1, logged.address, self.width)
             words = map(ctypes.c_int64, (*places, self.tick, len(part)))
             gpu.run(function, self.width, [*words, ctypes.c_double(self.schedule.period)])
             if part.size:
-                logged.read(part)
+                logged.read(seen := np.empty(part.shape))
+                part[:] = seen
             self.tick, k = self.tick + len(part), k + len(part)
             ticks = max(min(2 * ticks, int(ticks * CALL / (perf_counter() - began)), most), 1)
         self._rows.read(self.memory[: self._n_live])
@@ -294,16 +296,14 @@ ALONE = 2
 """Most variants that are left over from whole lanes and run each alone: that is quicker than lanes that are mostly empty."""
 
 
-def groups_of(schedule: Schedule, variants: Index, jit: bool, *, width: int | None = None) -> list[Group]:
-    """Return groups for variants (n,) in order, with the numbers of lanes.
-
-    All have `width` lanes, a multiple of 16; by default they have 16, and variants that are left over may run alone.
-    """
-    left = variants.size % VECTOR if width is None and jit else 0
+def groups_of(schedule: Schedule, variants: Index, jit: bool) -> list[Group]:
+    """Return groups of 16 lanes for variants (n,) in order, with the numbers of lanes; those that are left over may run alone."""
+    if not jit:
+        return [InterpretedGroup(schedule, variants.size, variants)]
+    left = variants.size % VECTOR
     left = left if left <= ALONE else 0
     full, single = np.split(variants, [variants.size - left])
-    width = width or VECTOR
-    groups = [make_group(schedule, width, full[i : i + width], jit) for i in range(0, full.size, width)]
+    groups: list[Group] = [CompiledGroup(schedule, VECTOR, full[i : i + VECTOR]) for i in range(0, full.size, VECTOR)]
     for group in groups[1:]:
         group.loops = groups[0].loops  # looked up once
     return groups + [CompiledGroup(schedule, 1, single[i : i + 1], like_lanes=True) for i in range(left)]

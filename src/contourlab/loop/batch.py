@@ -9,6 +9,7 @@ from contextlib import nullcontext, suppress
 from copy import copy
 from dataclasses import dataclass
 from functools import partial
+from itertools import accumulate, pairwise
 from typing import Any
 
 import numpy as np
@@ -18,11 +19,10 @@ from contourlab.arrays import Array, Index, aligned
 from contourlab.components.contract import Component
 from contourlab.components.plant.plant import Plant
 from contourlab.engine.gpu import gpu_of_process, lanes_of
-from contourlab.engine.runner import Group, groups_of, make_group, memory_rows
+from contourlab.engine.runner import ALONE, Group, groups_of, make_group, memory_rows
 from contourlab.engine.step import Node, Step
 from contourlab.engine.translate.outer import Reads
 from contourlab.engine.translate.step_graph import graph_of
-from contourlab.engine.translate.tick_loop import VECTOR
 from contourlab.errors import ParameterError, refuse
 from contourlab.feed import Reference
 from contourlab.figures import number
@@ -72,7 +72,7 @@ class BatchResult:
         Samples of a variant that failed whose foot point is in doubt; 0 for all others, whose figures are those of `judge`.
     signals : mapping of str to ndarray (n_sample, n, n_variant)
         The requested signals: views of `log`.
-    log : ndarray (n_group, n_sample, n_row, n_lane) [SI]
+    log : ndarray (n_sample, n_row, n_lane) [SI]
         Memory of the signals, in the layout of the lanes.
     variants : mapping of str to ndarray (n_variant,)
         The parameters that differ [SI].
@@ -262,14 +262,14 @@ def simulate_batch(
         lanes = lanes_of(n, sum(memory_rows(loop.schedule)))
         groups = [make_group(loop.schedule, lanes, slice(i, i + lanes), compiled, device) for i in range(0, n, lanes)]
     else:
-        # The signals of one group need no copy; groups of 64 lanes still fit into the caches.
-        count = max(-(-n // 64), min(workers, -(-n // VECTOR)))
-        groups = groups_of(loop.schedule, np.arange(n), compiled, width=VECTOR * -(-n // (VECTOR * count)) if keep else None)
+        groups = groups_of(loop.schedule, np.arange(n), compiled)
     doubts = [exactly(group) for group in groups] if judged and device is None else []
     for name in keep:
         refuse(name not in loop.signals, ParameterError, "keep", name, "one of " + ", ".join(loop.signals))
     rows = [loop.schedule.row(signal) for name in keep for signal in loop.signals[name]]
-    shape = (len(groups), reference.n_sample, len(rows), groups[0].width)
+    width = sum(group.width for group in groups)
+    width += -width % 8 if width > ALONE else 0  # vectors are stored in whole cache lines
+    shape = (reference.n_sample, len(rows), width)
     log = reuse.log if reuse is not None and reuse.log.shape == shape else aligned(shape)
     failed = _advance_all(groups, feed, rows, log, 1 if gpu else workers, progress, doubts)[:n]
     sums = {name: sums_of(groups, name, n) for name in judged}
@@ -314,9 +314,10 @@ def _advance_all(
     The doubtful samples of each group are judged after every cut.
     """
     broken = [np.full(group.width, -1.0) for group in groups]
+    lanes = [slice(*edges) for edges in pairwise(accumulate((group.width for group in groups), initial=0))]
 
     def advance(g: int, external: Array, arc_length: Array, k: int) -> None:
-        here = log[g, k : k + len(external)] if rows else None
+        here = log[k : k + len(external), :, lanes[g]] if rows else None
         if doubts:
             every = [*rows, *doubts[g].rows]
             seen = aligned((min(CUT, len(external)), len(every), groups[g].width))
@@ -457,7 +458,5 @@ def _check_substeps(machine: Machine, columns: Mapping[str, Array]) -> None:
 
 
 def _split(kept: Array, n: int, keep: Sequence[str], loop: Loop) -> dict[str, Array]:
-    parts = np.split(kept, np.cumsum([0, *(len(loop.signals[name]) for name in keep)])[1:-1], axis=2)
-    # One group is a view; several are concatenated.
-    joined = (part[0] if len(part) == 1 else np.concatenate(list(part), axis=2) for part in parts)
-    return {name: part[:, :, :n] for name, part in zip(keep, joined, strict=False)}
+    edges = accumulate((len(loop.signals[name]) for name in keep), initial=0)
+    return {name: kept[:, first:last, :n] for name, (first, last) in zip(keep, pairwise(edges), strict=True)}

@@ -12,11 +12,11 @@ from contourlab.engine.translate.step_graph import TickGraph
 VECTOR = 16
 """Lanes that run together: two of the longest registers; with more of them the processor runs out of registers."""
 SIGNATURE = ctypes.CFUNCTYPE(
-    None, *(ctypes.c_void_p,) * 3, *(ctypes.c_int64,) * 2, ctypes.c_void_p, *(ctypes.c_int64,) * 2, ctypes.c_double, ctypes.c_int64
+    None, *(ctypes.c_void_p,) * 3, *(ctypes.c_int64,) * 2, ctypes.c_void_p, *(ctypes.c_int64,) * 3, ctypes.c_double, ctypes.c_int64
 )
 _TAKES = (
     "ptr noalias %memory, ptr noalias %tables, ptr noalias %external, i64 %tick_stride, i64 %signal_stride, "
-    "ptr noalias %logs, i64 %first, i64 %n_tick, double %period"
+    "ptr noalias %logs, i64 %log_stride, i64 %first, i64 %n_tick, double %period"
 )
 _HEAD = f"define void @run({_TAKES}, i64 %lane) #0 {{"
 _PLACES = ("tid", "ctaid", "ntid")
@@ -43,10 +43,13 @@ class _LoopWriter(Writer):
     def row(self, row: int) -> str:
         return str(row * self.width)
 
-    def record(self, value: str, entry: int) -> None:
-        """Store a number of each lane in the log; vectors bypass the processor's caches, which the log would flush."""
-        place = self.let(f"getelementptr double, ptr %entry_of_log, i64 {entry * self.width}")
+    def record(self, value: str, place: str) -> str:
+        """Store a number of each lane in the log; return the place of the next row.
+
+        Vectors bypass the processor's caches, which the log would flush.
+        """
         self.put(f"store {self.number} {value}, ptr {place}, {'align 8' if self.lanes == 1 else 'align 64, !nontemporal !0'}")
+        return self.let(f"getelementptr double, ptr {place}, i64 %log_stride")
 
     def _parameter(self, op: Op, args: Sequence[str]) -> str:
         return self.load("%mem", self.row(op.extra))
@@ -76,10 +79,10 @@ class _LoopWriter(Writer):
 
 
 def source_of(made: TickGraph, lanes: int, width: int, *, gpu: bool = False) -> str:
-    """Return the LLVM IR of ``run(memory, tables, external, tick_stride, signal_stride, logs, first, n_tick, period, lane)``.
+    """Return the LLVM IR of ``run(memory, tables, external, tick_stride, signal_stride, logs, log_stride, first, n_tick, period, lane)``.
 
-    It runs `n_tick` ticks of the `lanes` that begin at `lane`, records into ``logs`` (n_tick, n_log, width), and leaves states and signals
-    of the last tick in memory. For a GPU it has no argument `lane`: each thread runs the lane of its number.
+    It runs `n_tick` ticks of the `lanes` that begin at `lane`, records into ``logs`` (n_tick, n_log, log_stride), and leaves states and
+    signals of the last tick in memory. For a GPU it has no argument `lane`: each thread runs the lane of its number.
     """
     w = _LoopWriter(lanes, width)
     w.start("entry")
@@ -102,10 +105,9 @@ def source_of(made: TickGraph, lanes: int, width: int, *, gpu: bool = False) -> 
     w.put("%k = add i64 %first, %step", "%tick = sitofp i64 %k to double", "%time = fmul double %tick, %period")
     w.put("%fed_at = mul i64 %step, %tick_stride", "%fed = getelementptr double, ptr %external, i64 %fed_at")
     w.block(made.body)
-    w.put(f"%logged = mul i64 %step, {len(made.log) * width}")
-    w.put("%entry_of_log = getelementptr double, ptr %log, i64 %logged")
-    for j, op in enumerate(made.log):
-        w.record(w.value(op), j)
+    row_of_log = "%row_of_log"
+    for op in made.log:
+        row_of_log = w.record(w.value(op), row_of_log)
     w.put("br label %latch")
     w.start("latch")
     w.put("%next = add i64 %step, 1", "%more = icmp slt i64 %next, %n_tick", "br i1 %more, label %ticks, label %leave")
@@ -113,6 +115,7 @@ def source_of(made: TickGraph, lanes: int, width: int, *, gpu: bool = False) -> 
         f"  %c{i} = phi {w.number} [ {start}, %enter ], [ {w.value(after)}, %latch ]"
         for i, ((_, _, after), start) in enumerate(zip(made.carried, starts, strict=True))
     ]
+    w.lines.insert(at, f"  %row_of_log = phi ptr [ %log, %enter ], [ {row_of_log}, %latch ]")
     w.start("leave")
     for row, op in [*((row, after) for _, row, after in made.carried), *made.signals]:
         w.store(w.value(op), "%mem", w.row(row))
