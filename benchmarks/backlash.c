@@ -5,8 +5,9 @@
 #include <stddef.h>
 
 typedef struct {
-    double force, motor_mobility, load_mobility, stiffness, damper, half_gap, unwinding;    /* plant */
-    double coulomb, breakaway, inverse_stribeck;                                            /* friction of the load */
+    double force, motor_mobility, load_mobility, motor_decay, load_decay;                   /* plant: masses and viscous damping */
+    double stiffness, damper, half_gap, unwinding;                                          /* its shaft */
+    double coulomb, breakaway, inverse_stribeck, viscous;                                   /* friction of the load */
     double difference_weight, velocity_weight, filter, estimate_weight, inverse_gain;       /* filtered difference, observer */
     double position_gain, velocity_gain, integral_rate, forward_velocity, forward_acceleration; /* cascade */
 } axis_t;
@@ -67,7 +68,7 @@ static inline double falling_exp(double x) { return x > -700.0 ? exp(x) : 0.0; }
 
 static inline double friction(const axis_t *a, double speed) {
     double ratio = speed * a->inverse_stribeck;
-    return a->coulomb + (a->breakaway - a->coulomb) * falling_exp(-ratio * ratio);
+    return a->coulomb + (a->breakaway - a->coulomb) * falling_exp(-ratio * ratio) + a->viscous * speed;
 }
 
 static inline double shaft(const axis_t *a, double side, motion_t y) {
@@ -78,7 +79,8 @@ static inline double shaft(const axis_t *a, double side, motion_t y) {
 /* Accelerations while the load slides in the direction `way`; 0: it is held. */
 static inline pair_t rates(const axis_t *a, double side, double way, double push, motion_t y) {
     double torque = shaft(a, side, y), load = torque - way * friction(a, way * y.load_velocity);
-    return (pair_t){a->motor_mobility * (push - torque), way == 0.0 ? 0.0 : a->load_mobility * load};
+    return (pair_t){a->motor_mobility * (push - torque) - a->motor_decay * y.motor_velocity,
+                    way == 0.0 ? 0.0 : a->load_mobility * load - a->load_decay * y.load_velocity};
 }
 
 static inline motion_t ahead(motion_t y, motion_t slope, pair_t rate, double h) {

@@ -121,8 +121,8 @@ def backlash(machine: cl.Machine, controller: cl.Controller, radius: float, rate
     for axis in machine.axes:
         servo = controller.axes[axis.name]
         for part, names in (
-            (axis.plant, "force_value motor_mobility load_mobility stiffness_value damper_value half_gap unwinding"),
-            (axis.friction, "coulomb breakaway inverse_stribeck"),
+            (axis.plant, "force_value motor_mobility load_mobility motor_decay load_decay stiffness_value damper_value half_gap unwinding"),
+            (axis.friction, "coulomb breakaway inverse_stribeck viscous"),
             (servo.velocity, "weight"),
             (servo.observer, "velocity_weight filter_bandwidth estimate_weight inverse_gain"),
             (servo.controller, "position_gain velocity_gain integral_rate velocity_feedforward acceleration_feedforward"),

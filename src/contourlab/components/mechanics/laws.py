@@ -1,6 +1,6 @@
 """Forces of friction and of a shaft with backlash between two masses, and the location of events within a step.
 
-`side` is 1 or -1 if the shaft presses on the forward or backward flank, 0 in the gap, `UNKNOWN` if each evaluation looks it up.
+`side` is 1 or -1 if the shaft presses on the forward or backward flank, 0 in the gap.
 A state is a tuple (motor position, motor velocity, load position, load velocity), all at the load. A guard falls to zero where the contact
 changes: at the first zero of the cubic through its values and slopes at both ends of a step.
 """
@@ -11,7 +11,7 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
-from contourlab.primitives import clip, exp, fabs, select, sqrt
+from contourlab.primitives import exp, fabs, select, sqrt
 
 NEVER = 2.0
 """Past the end of a step."""
@@ -79,9 +79,6 @@ def _lowest(d0: float, c2: float, c3: float) -> float:
     return select(radicand < 0.0, NEVER, select(over == 0.0, NEVER, top / select(over == 0.0, 1.0, over)))
 
 
-UNKNOWN = 2.0
-
-
 @cache
 def friction_of(friction: Any) -> tuple[Callable[..., Any], Callable[..., Any], bool]:
     """Return the resistance ``(par, v, way)``, the force held at rest ``(par)``, and whether a body can be held at all."""
@@ -105,22 +102,24 @@ def friction_of(friction: Any) -> tuple[Callable[..., Any], Callable[..., Any], 
 
 
 @cache
-def shaft_of(gap: Any) -> Callable[..., Any]:
+def shaft_of(gap: Any, known: bool = True) -> Callable[..., Any]:
     """Return ``shaft(par, side, y)``: the force on the motor, and that on the load.
 
     ``gap(par, position)`` is half of the free travel at the load's position, and its slope. A gap that narrows pushes the load, so that the
-    shaft stays conservative.
+    shaft stays conservative. Unless `side` is `known`, each evaluation looks it up, and leaves the damping out.
     """
 
     def shaft(par: Any, side: float, y: Any) -> tuple[float, float]:
         half, slope = gap(par, y[2])
         theta = y[0] - y[2]
-        known = fabs(side) < 1.5
-        flank = select(known, side, select(theta > half, 1.0, select(theta < -half, -1.0, 0.0)))
-        twist = theta - select(known, side * half, clip(theta, -half, half))
-        force = par.stiffness_value * twist + select(known, par.damper_value * (y[1] - y[3] * (1.0 + flank * slope)), 0.0)
-        force = select(flank == 0.0, 0.0, force)
-        return force, force * (1.0 + flank * slope)
+        if not known:
+            side = select(theta > half, 1.0, select(theta < -half, -1.0, 0.0))
+        turned = 1.0 if slope == 0.0 else 1.0 + side * slope
+        force = par.stiffness_value * (theta - side * half)
+        if known:
+            force = force + par.damper_value * (y[1] - y[3] * turned)
+        force = select(side == 0.0, 0.0, force)
+        return force, force * turned
 
     return shaft
 

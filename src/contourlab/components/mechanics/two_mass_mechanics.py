@@ -30,7 +30,6 @@ from functools import cache
 from typing import Any
 
 from contourlab.components.mechanics.laws import (
-    UNKNOWN,
     body_guard,
     contact_guard_of,
     first_dip,
@@ -56,9 +55,9 @@ def _way(v: float, push: float, held: float, released: float) -> float:
 
 
 @cache
-def _slide_of(gap: Any, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
+def _slide_of(shaft: Any, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
     """Return ``slide(par, side, ways, push, y, h)``: where a smooth stretch ends, and the accelerations at its start and its end."""
-    shaft, resist_motor, resist_load = shaft_of(gap), friction_of(motor)[0], friction_of(load)[0]
+    resist_motor, resist_load = friction_of(motor)[0], friction_of(load)[0]
 
     def rates(par: Any, side: float, ways: Any, push: Any, y: Any) -> Any:
         back, forth = shaft(par, side, y)
@@ -116,10 +115,14 @@ def body_event_of(friction: Any, view: Any, why: float) -> Callable[..., Any]:
         if sticks:
             most = held(view(par))
             toward = select(net[1] > 0.0, 1.0, -1.0)
-            first, last = body_guard(way, v[0], net[0], toward, most), body_guard(way, v[1], net[1], toward, most)
-            d0, d1 = body_guard(way, a[0], rise[0], toward, 0.0), body_guard(way, a[1], rise[1], toward, 0.0)
-            # Two reversals within a step: friction would push the body between them.
-            at = first_zero(first, last, h * d0, h * d1) if last < 0.0 else first_dip(way * v[0], way * v[1], h * d0, h * d1)
+            last = body_guard(way, v[1], net[1], toward, most)
+            if last < 0.0:
+                first = body_guard(way, v[0], net[0], toward, most)
+                d0, d1 = body_guard(way, a[0], rise[0], toward, 0.0), body_guard(way, a[1], rise[1], toward, 0.0)
+                at = first_zero(first, last, h * d0, h * d1)
+            else:
+                # Two reversals within a step: friction would push the body between them.
+                at = first_dip(way * v[0], way * v[1], h * (way * a[0]), h * (way * a[1]))
             if at < u:
                 u, reason, loose = at, why, select(way == 0.0, toward, 0.0)
         return u, reason, loose
@@ -131,7 +134,7 @@ def body_event_of(friction: Any, view: Any, why: float) -> Callable[..., Any]:
 def _stretch_of(gap: Any, physical: bool, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
     """Return ``stretch(par, side, twist, released, push, y, h)``: the state at the next event or the end, and the time left."""
     shaft, (guard, falling), ways_at = shaft_of(gap), contact_guard_of(gap, physical), ways_of(motor, load, motor_view, load_view)
-    slide = _slide_of(gap, motor, load, motor_view, load_view)
+    slide = _slide_of(shaft, motor, load, motor_view, load_view)
     motor_event, load_event = body_event_of(motor, motor_view, MOTOR), body_event_of(load, load_view, LOAD)
 
     def net_of(par: Any, side: float, push: Any, y: Any) -> Any:
@@ -174,13 +177,14 @@ def _stretch_of(gap: Any, physical: bool, motor: Any, load: Any, motor_view: Any
 @cache
 def _ending_of(gap: Any, motor: Any, load: Any, motor_view: Any, load_view: Any) -> Callable[..., Any]:
     """Return ``ending(par, push, y, h)``: the rest of a step without events, bodies stopped at reversals; and the side at its end."""
-    shaft, ways_at, slide = shaft_of(gap), ways_of(motor, load, motor_view, load_view), _slide_of(gap, motor, load, motor_view, load_view)
+    shaft, ways_at = shaft_of(gap, known=False), ways_of(motor, load, motor_view, load_view)
+    slide = _slide_of(shaft, motor, load, motor_view, load_view)
     motor_sticks, load_sticks = friction_of(motor)[2], friction_of(load)[2]
 
     def ending(par: Any, push: Any, y: Any, h: float) -> Any:
-        back, forth = shaft(par, UNKNOWN, y)
+        back, forth = shaft(par, 0.0, y)
         ways = ways_at(par, (push[0] - back, push[1] + forth), y, (0.0, 0.0))
-        (pm, vm, pl, vl), _, _ = slide(par, UNKNOWN, ways, push, y, h)
+        (pm, vm, pl, vl), _, _ = slide(par, 0.0, ways, push, y, h)
         if motor_sticks:
             vm = select(ways[0] * vm < 0.0, 0.0, vm)
         if load_sticks:
