@@ -23,6 +23,7 @@ from contourlab.engine.runner import ALONE, Group, groups_of, make_group, memory
 from contourlab.engine.step import Node, Step
 from contourlab.engine.translate.outer import Reads
 from contourlab.engine.translate.step_graph import graph_of
+from contourlab.engine.translate.tick_loop import VECTOR
 from contourlab.errors import ParameterError, refuse
 from contourlab.feed import Reference
 from contourlab.figures import number
@@ -158,7 +159,7 @@ LANES = 32
 
 def lanes_each(n: int, workers: int) -> int:
     """Return how many of n variants each worker takes, in whole groups of lanes."""
-    return LANES * -(-n // (LANES * workers))
+    return VECTOR * -(-n // (VECTOR * workers))
 
 
 def simulate_batch(
