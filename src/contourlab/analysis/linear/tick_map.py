@@ -193,6 +193,29 @@ def poles_of_each(matrices: Array) -> Complex:
     return poles
 
 
+SQUARINGS, GROWN = 14, 1e6
+"""Most squarings of a matrix to prove that it is stable, and the largest norm on the way: beyond it rounding might matter."""
+
+
+def proved_stable(matrices: Array | Complex) -> Flags:
+    """Return for which matrices (n_variant, n, n) a power has a norm below 1: all their eigenvalues lie inside the unit circle.
+
+    This takes a fraction of the time of eigenvalues. It leaves open whether the others are stable.
+    """
+    power, left, grown = matrices, np.arange(len(matrices)), np.zeros(len(matrices))
+    proved = np.zeros(len(matrices), dtype=bool)
+    for _ in range(SQUARINGS):
+        power = power @ power
+        parts = power.view(float)
+        norm = np.sqrt(np.einsum("vij,vij->v", parts, parts))
+        grown = np.maximum(grown, norm)
+        going = (norm >= 0.5) & (grown < GROWN)
+        if not going.all():
+            proved[left[norm < 0.5]] = True
+            power, left, grown = power[going], left[going], grown[going]
+    return proved
+
+
 def loop_states(matrix: Array) -> Index:
     """Return the states of a tick matrix that belong to the loop: not those that only store a value, and sums that nothing reads."""
     moved = matrix != np.eye(len(matrix))
