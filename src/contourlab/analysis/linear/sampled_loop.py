@@ -442,12 +442,11 @@ class AxisLanes:
         else:
             for probe in probes:
                 probe.take(_running(whole))
-        a, b = lane_matrices(probes, different)
+        schedule = probes[0].group.schedule
+        a, b = lane_matrices(probes, different, [schedule.row(signal) for signal in INPUTS[:2]])
         if len(self._probes) >= MOST_FORMS:
             self._probes.clear()
         self._probes[form] = probes
-        schedule = probes[0].group.schedule
-        b = b[:, :, [schedule.row(signal) for signal in INPUTS[:2]]]
         c = _sent(self.machine.axis_names[0], self.bare, TickMap(a[0], b[0], schedule))
         moved = np.asarray((a != np.eye(a.shape[1])).any(axis=0))
         driven: Flags = np.asarray((b != 0.0).any(axis=(0, 2)))
