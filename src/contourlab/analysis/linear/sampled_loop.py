@@ -390,11 +390,12 @@ def unstable_by(loops: LaneLoops, factors: Sequence[complex]) -> Array:
 
     Where all are stable, the result is negative; it is -1 where that is proved without the poles.
     """
-    balanced, read = loops.balanced(), np.flatnonzero(loops.a.any(axis=(0, 1)))  # the outputs, which no state reads, have no pole
-    proved = np.all([proved_stable(balanced.closed(factor)[0][:, read[:, None], read]) for factor in factors], axis=0)
-    excess, left = np.full(proved.size, -1.0), np.flatnonzero(~proved)
-    if left.size:
-        excess[left] = np.max([loops[left].radius(factor) for factor in factors], axis=0) - 1.0
+    excess, balanced = np.full(len(loops.a), -1.0), loops.balanced()
+    read = np.flatnonzero(loops.a.any(axis=(0, 1)))  # the outputs, which no state reads, have no pole
+    for factor in factors:
+        left = np.flatnonzero(~proved_stable(balanced.closed(factor)[0][:, read[:, None], read]))
+        if left.size:
+            excess[left] = np.maximum(excess[left], loops[left].radius(factor) - 1.0)
     return excess
 
 

@@ -176,7 +176,9 @@ class Variants:
             axes[name] = replace(axis, local=tuple(dotted.removeprefix(head) for dotted in sorted(local) if dotted.startswith(head)))
         return replace(controller, axes=axes)
 
-    def values(self, points: Array, only: Sequence[int] | None = None, *, whole: bool = False) -> tuple[Array, Array]:
+    def values(
+        self, points: Array, only: Sequence[int] | None = None, *, whole: bool = False, shared: bool = False
+    ) -> tuple[Array, Array]:
         """Return J of points on each variant, and how far they break the guards (0 if they keep them).
 
         Parameters
@@ -187,6 +189,8 @@ class Variants:
             Indices of variants.
         whole : bool
             Whether to run also points that break a margin.
+        shared : bool
+            Whether a point that breaks a margin on one variant runs on none: a shared design must keep it on all.
 
         Returns
         -------
@@ -197,7 +201,7 @@ class Variants:
         known: dict[tuple[object, ...], Array] = {}
         columns = [self.space.columns(rows) for rows in points]
         excess = [self.guards[i].excess(column, known) for column, i in zip(columns, which, strict=True)]
-        run = [np.full(len(over), True) if whole else over < 0.0 for over in excess]
+        run = [np.full(len(over), True) if whole else (np.max(excess, axis=0) if shared else over) < 0.0 for over in excess]
         chosen = [{name: values[r] for name, values in column.items()} for column, r in zip(columns, run, strict=True)]
         judged = [self._judged(*args) for args in zip(which, points, excess, run, self._figures(which, chosen), strict=True)]
         with self._lock:
