@@ -339,7 +339,7 @@ class LaneLoops:
             size, units = size * ratio[:, None, :] / ratio[:, :, None], units * ratio
         return LaneLoops(self.a * units[:, None, :] / units[:, :, None], self.b / units[:, :, None], self.c * units[:, None, :])
 
-    def closed(self, factor: complex) -> tuple[Array | Complex, Array | Complex]:
+    def closed(self, factor: complex) -> tuple[Any, Any]:
         """Return A of the closed loops with the command multiplied by a factor, and I - C B (n_variant, 2, 2), what passes at once."""
         b = self.b * (np.array([factor, 1.0]).real if np.isreal(factor) else np.array([factor, 1.0]))
         direct = np.eye(2) - self.c @ b

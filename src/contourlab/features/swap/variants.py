@@ -199,7 +199,8 @@ class Variants:
         """
         which = range(len(self)) if only is None else only
         known: dict[tuple[object, ...], Array] = {}
-        columns = [self.space.columns(rows) for rows in points]
+        first = self.space.columns(points[0])
+        columns = [first if np.array_equal(rows, points[0]) else self.space.columns(rows) for rows in points]
         excess = [self.guards[i].excess(column, known) for column, i in zip(columns, which, strict=True)]
         run = [np.full(len(over), True) if whole else (np.max(excess, axis=0) if shared else over) < 0.0 for over in excess]
         chosen = [{name: values[r] for name, values in column.items()} for column, r in zip(columns, run, strict=True)]
