@@ -275,7 +275,7 @@ class SwapSearch:
         best = variants.best.copy()  # fixed, so that all candidates of a generation are ranked against the same J*
 
         def objective(rows: Array) -> Array:
-            values, broken = variants.values(shared.spread(rows), shared=True)
+            values, broken = variants.values(shared.spread(rows))
             lost = losses(np.where(np.isfinite(values), values, 0.0).T, best, variants.floor)
             whole = (lost.max(axis=1) + EVENNESS * lost.mean(axis=1)) / (1.0 + EVENNESS)
             return np.asarray(np.where((broken > 0.0).any(axis=0), BROKEN * (1.0 + broken.sum(axis=0)), whole))

@@ -178,7 +178,7 @@ class Variants:
             axes[name] = replace(axis, local=tuple(dotted.removeprefix(head) for dotted in sorted(local) if dotted.startswith(head)))
         return replace(controller, axes=axes)
 
-    def values(self, points: Array, only: Sequence[int] | None = None, *, whole: bool = False, shared: bool = False) -> tuple[Array, Array]:
+    def values(self, points: Array, only: Sequence[int] | None = None, *, whole: bool = False) -> tuple[Array, Array]:
         """Return J of points on each variant, and how far they break the guards (0 if they keep them).
 
         Parameters
@@ -189,8 +189,6 @@ class Variants:
             Indices of variants.
         whole : bool
             Whether to run also points that break a margin.
-        shared : bool
-            Whether a point that breaks a margin on one variant runs on none: a shared design must keep it on all.
 
         Returns
         -------
@@ -202,7 +200,7 @@ class Variants:
         first = self.space.columns(points[0])
         columns = [first if np.array_equal(rows, points[0]) else self.space.columns(rows) for rows in points]
         excess = [self.guards[i].excess(column, known) for column, i in zip(columns, which, strict=True)]
-        run = [np.full(len(over), True) if whole else (np.max(excess, axis=0) if shared else over) < 0.0 for over in excess]
+        run = [np.full(len(over), True) if whole else over < 0.0 for over in excess]
         chosen = [{name: values[r] for name, values in column.items()} for column, r in zip(columns, run, strict=True)]
         judged = [self._judged(*args) for args in zip(which, points, excess, run, self._figures(which, chosen), strict=True)]
         with self._lock:
@@ -216,7 +214,7 @@ class Variants:
         if self.numbers:
             every = {name: np.concatenate([column[name] for column in columns]) for name in columns[0]}
             every |= {name: np.repeat([self.numbers[i][name] for i in which], sizes) for name in self.numbers[0]}
-            figures = self.runners[0](every, threads=threads) if sum(sizes) else {}
+            figures = self.runners[which[0]](every, threads=threads) if sum(sizes) else {}  # each search of one variant has its own
             parts = {name: np.split(values, np.cumsum(sizes)[:-1]) for name, values in figures.items()}
             return [{name: part[at] for name, part in parts.items()} for at in range(len(which))]
         sides = min(threads, len(which))  # one variant has too few lanes for all processors

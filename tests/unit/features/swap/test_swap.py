@@ -245,17 +245,6 @@ def test_variants_that_differ_in_numbers_give_the_same_bits_in_one_batch() -> No
     assert numbers_of([variants.members[0].machine, variants.members[0].machine.swapped("x", other)], variants.setting.controller) == ()
 
 
-def test_a_shared_design_that_breaks_a_margin_on_one_variant_runs_on_none() -> None:
-    variants = replace(variants_under([("strong", rigid("other", 8.0))], ("velocity_gain",)), bounds=Bounds(6.0, 30.0))
-    points = np.tile(np.linspace(0.0, 1.0, 12)[:, None], (2, 1, 2))
-    apart, _ = variants.values(points)
-    together, broken = variants.values(points, shared=True)
-    kept = np.isfinite(apart).all(axis=0)
-    assert np.isfinite(apart).any(axis=0).sum() > kept.sum() > 0
-    assert np.array_equal(together[:, kept], apart[:, kept]) and not np.isfinite(together[:, ~kept]).any()
-    assert np.array_equal((broken > 0.0).any(axis=0), ~kept)
-
-
 def test_guards_count_as_constraints() -> None:
     variants = variants_under([("strong", rigid("other", 2.0))])
     strict = replace(variants, bounds=Bounds(40.0, 0.0, 1.0))
