@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from contourlab.analysis.linear.sampled_loop import AxisLanes, lane_loops, margin_factors, sampled_loop, unstable_by
+from contourlab.analysis.linear.sampled_loop import AxisLanes, LaneLoops, lane_loops, margin_factors, sampled_loop, unstable_by
 from contourlab.analysis.linear.tick_map import proved_stable
 from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.loop.parameters import with_values
@@ -58,6 +58,10 @@ def test_a_proof_of_stability_agrees_with_the_poles() -> None:
         excess = unstable_by(loops, factors)
         assert np.array_equal(excess < 0.0, radius < 1.0) and np.array_equal(excess[radius >= 1.0], radius[radius >= 1.0] - 1.0)
         assert 0 < (excess == -1.0).sum() < N
+    huge = LaneLoops(np.stack([loops.a[0], 1e200 * loops.a[0], loops.a[0]]), loops.b[:3], loops.c[:3])
+    assert unstable_by(huge, (1.0,))[1] > 1.0 and np.array_equal(
+        unstable_by(huge, (1.0,))[[0, 2]] < 0.0, huge[np.array([0, 2])].radius(1.0) < 1.0
+    )
     rng = np.random.default_rng(5)
     radius = 1.0 + np.array([*-np.geomspace(1e-12, 0.5, 100), *np.geomspace(1e-12, 0.5, 100)])
     turned = np.linalg.qr(rng.normal(size=(200, 6, 6)))[0]

@@ -390,10 +390,12 @@ def unstable_by(loops: LaneLoops, factors: Sequence[complex]) -> Array:
 
     Where all are stable, the result is negative; it is -1 where that is proved without the poles.
     """
-    excess, balanced = np.full(len(loops.a), -1.0), loops.balanced()
-    read = np.flatnonzero(loops.a.any(axis=(0, 1)))  # the outputs, which no state reads, have no pole
-    for factor in factors:
-        left = np.flatnonzero(~proved_stable(balanced.closed(factor)[0][:, read[:, None], read]))
+    excess, read = np.full(len(loops.a), -1.0), np.flatnonzero(loops.a.any(axis=(0, 1)))  # outputs, which no state reads, have no pole
+    with np.errstate(invalid="ignore", over="ignore"):  # loops that are not finite
+        balanced = loops.balanced()
+        proofs = [proved_stable(balanced.closed(factor)[0][:, read[:, None], read]) for factor in factors]
+    for factor, proved in zip(factors, proofs, strict=True):
+        left = np.flatnonzero(~proved)
         if left.size:
             excess[left] = np.maximum(excess[left], loops[left].radius(factor) - 1.0)
     return excess
