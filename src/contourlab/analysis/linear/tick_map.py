@@ -61,10 +61,9 @@ class Probe:
         self.behind = np.concatenate([*states, *(np.roll(ring, -1) for ring in rings), signals])
         self.size, self._no_log = self.before.size, np.empty((1, 0, width))
         # A tick overwrites all signals: of the last tick it reads those of the node itself and of later ones.
-        nodes = zip(schedule.sources, schedule.first_row, strict=True)
+        nodes, size = zip(schedule.sources, schedule.first_row, strict=True), self.size - len(signals)
         late = {row for sources, own in nodes for row in sources if isinstance(row, int) and row >= own}
-        first = self.size - len(signals)
-        self.read = [*range(first), *(first + row for row in sorted(late))]
+        self.read = [*range(size), *(size + row for row in sorted(late))]
         self.at_rest = self.after(np.zeros(self.size), np.zeros(self.n_input))
 
     def take(self, nodes: Sequence[Node]) -> None:
@@ -206,8 +205,7 @@ def proved_stable(matrices: Array | Complex) -> Flags:
 
     This takes a fraction of the time of eigenvalues. It leaves open whether the others are stable.
     """
-    power, left, grown = matrices, np.arange(len(matrices)), np.zeros(len(matrices))
-    proved = np.zeros(len(matrices), dtype=bool)
+    power, left, grown, proved = matrices, np.arange(len(matrices)), np.zeros(len(matrices)), np.zeros(len(matrices), dtype=bool)
     for _ in range(SQUARINGS):
         power = power @ power
         parts = power.view(float)
