@@ -71,7 +71,7 @@ def _make(evaluate: Any, n_axis: int, corners: bool) -> Any:
         gap = sub(q, position)
         return s, fabs(s - before), dot(gap, gap), gap, q1
 
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+    def judged(par: Any, x: Any, inp: Any, clock: Any, apart: float, reach: float) -> Any:
         position, centre = inp.position, inp.arc_length
         low, high, start = centre - par.window, centre + par.window, centre
         s, moved, square, gap, q1 = seek(par, x.foot, position, centre, low, high)
@@ -113,29 +113,35 @@ def _make(evaluate: Any, n_axis: int, corners: bool) -> Any:
             signed, square = select(at_edge, distance, signed), select(at_edge, corner_square, square)
             s, sure = select(at_edge, edge, s), select(at_edge, 1.0, sure)
             clear = select(at_edge, lookup(par.corner_row, row + 3.0), clear)
-        behind = sub(inp.reference, position)
-        apart = dot(behind, behind)
-        reach = maximum(x.reach, apart)
         further = maximum(fabs(s - centre) - (MARGIN + par.planning), 0.0)
         sure = select(further * further <= 9.0 * reach, select(fabs(s - centre) <= par.window, sure, 0.0), 0.0)
         doubt = select(square < clear, select(apart <= par.error * par.error, 1.0 - sure, 1.0), 1.0)
-        counts = lookup(par.counts, clock.k)
-        judged = select(doubt > 0.5, 0.0, counts)
-        magnitude, tracking = judged * fabs(signed), counts * apart
+        sure = 1.0 - doubt
+        magnitude = sure * fabs(signed)
         record = magnitude > x.largest
         return (
             select(doubt > 0.5, centre, s),
-            x.count + counts,
+            x.count + 1.0,
             x.sum_magnitude + magnitude,
             x.sum_square + magnitude * magnitude,
-            x.sum_signed + judged * signed,
+            x.sum_signed + sure * signed,
             select(record, magnitude, x.largest),
             select(record, clock.k, x.largest_at),
-            x.sum_tracking + tracking,
-            maximum(x.largest_tracking, tracking),
-            x.unsure + counts * doubt,
+            x.sum_tracking + apart,
+            maximum(x.largest_tracking, apart),
+            x.unsure + doubt,
             reach,
         ), (signed, doubt)
+
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        behind = sub(inp.reference, inp.position)
+        apart = dot(behind, behind)
+        reach = maximum(x.reach, apart)
+        if lookup(par.counts, clock.k) > 0.5:
+            after, out = judged(par, x, inp, clock, apart, reach)
+        else:
+            after, out = (inp.arc_length, *x[1:-1], reach), (0.0, 0.0)
+        return after, out
 
     return step
 

@@ -8,7 +8,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from contourlab.analysis.linear.sampled_loop import AxisLanes, lane_loops, margin_factors, sampled_loop, unstable_by
+from contourlab.analysis.linear.sampled_loop import AxisLanes, LaneLoops, lane_loops, margin_factors, sampled_loop, unstable_by
+from contourlab.analysis.linear.tick_map import proved_stable
 from contourlab.components.drive.saturation import DelayedSaturation
 from contourlab.loop.parameters import with_values
 from contourlab.papers.ghaffari.setup import TABLE_3, Reading, controller, machine
@@ -44,6 +45,32 @@ def test_lanes_agree_with_the_margins_of_each_loop(delay: float) -> None:
         assert radius[i] == pytest.approx(np.abs(exact.poles).max(), abs=1e-6)
         assert kept[i] == (not bounds.broken(exact.margins()))
     assert 0 < kept.sum() < N
+
+
+def test_a_proof_of_stability_agrees_with_the_poles() -> None:
+    """Of loops on both sides of the limit, and of matrices whose powers grow far before they fall, or whose radius is close to 1."""
+    stage, made, columns = candidates(2e-3)
+    mine = {name: values for name, values in columns.items() if ".axes.2." in name}
+    loops = lane_loops(stage.axis("2"), made.axes["2"], stage.servo_period, 0.0, mine)
+    for gain, phase in ((1.0, 0.0), (1.2, 10.0), (1.5, 25.0)):
+        factors = margin_factors(gain, math.radians(phase))
+        radius = np.max([loops.radius(factor) for factor in factors], axis=0)
+        excess = unstable_by(loops, factors)
+        assert np.array_equal(excess < 0.0, radius < 1.0) and np.array_equal(excess[radius >= 1.0], radius[radius >= 1.0] - 1.0)
+        assert 0 < (excess == -1.0).sum() < N
+    huge = LaneLoops(np.stack([loops.a[0], 1e200 * loops.a[0], loops.a[0]]), loops.b[:3], loops.c[:3])
+    assert unstable_by(huge, (1.0,))[1] > 1.0 and np.array_equal(
+        unstable_by(huge, (1.0,))[[0, 2]] < 0.0, huge[np.array([0, 2])].radius(1.0) < 1.0
+    )
+    rng = np.random.default_rng(5)
+    radius = 1.0 + np.array([*-np.geomspace(1e-12, 0.5, 100), *np.geomspace(1e-12, 0.5, 100)])
+    turned = np.linalg.qr(rng.normal(size=(200, 6, 6)))[0]
+    upper = np.triu(rng.normal(size=(200, 6, 6)) * 10.0 ** rng.uniform(-2.0, 5.0, (200, 1, 1)), 1) + radius[:, None, None] * np.diag(
+        [1.0] + [0.4] * 5
+    )
+    for scale in (1.0, 1j):
+        proved = proved_stable(scale * (turned @ upper @ np.swapaxes(turned, 1, 2)))
+        assert not proved[100:].any() and proved[:100].sum() > 10
 
 
 def test_a_prepared_loop_gives_the_bits_of_a_new_one() -> None:

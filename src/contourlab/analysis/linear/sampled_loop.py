@@ -30,6 +30,7 @@ from contourlab.analysis.linear.tick_map import (
     live_states,
     poles_of,
     poles_of_each,
+    proved_stable,
     tick_map,
 )
 from contourlab.arrays import Array, Complex, Flags, Index
@@ -328,12 +329,21 @@ class LaneLoops:
         """Return the loops of some variants."""
         return LaneLoops(self.a[variants], self.b[variants], self.c[variants])
 
-    def _closed(self, factor: complex) -> tuple[Complex, Complex]:
-        """Return the poles (n_variant, n) with the command multiplied by a factor, and the determinant of what passes at once."""
-        turned = np.array([factor, 1.0]).real if np.isreal(factor) else np.array([factor, 1.0])
-        b = self.b * turned
+    def balanced(self) -> LaneLoops:
+        """Return the same loops with other units of the states, in which rows and columns of A are about as large."""
+        units, size = np.ones(self.a.shape[:2]), np.abs(self.a + self.b @ (self.c @ self.a))
+        for _ in range(2):
+            with np.errstate(divide="ignore", invalid="ignore"):
+                ratio = np.sqrt(size.sum(axis=2) / size.sum(axis=1))
+            ratio[~((ratio > 0.0) & np.isfinite(ratio))] = 1.0
+            size, units = size * ratio[:, None, :] / ratio[:, :, None], units * ratio
+        return LaneLoops(self.a * units[:, None, :] / units[:, :, None], self.b / units[:, :, None], self.c * units[:, None, :])
+
+    def closed(self, factor: complex) -> tuple[Any, Any]:
+        """Return A of the closed loops with the command multiplied by a factor, and I - C B (n_variant, 2, 2), what passes at once."""
+        b = self.b * (np.array([factor, 1.0]).real if np.isreal(factor) else np.array([factor, 1.0]))
         direct = np.eye(2) - self.c @ b
-        return poles_of_each(self.a + b @ np.linalg.solve(direct, self.c @ self.a)), np.linalg.det(direct)
+        return self.a + b @ np.linalg.solve(direct, self.c @ self.a), direct
 
     def radius(self, factor: complex) -> Array:
         """Return the largest magnitude of the closed loop's poles (n_variant,) with the command multiplied by a factor.
@@ -341,7 +351,7 @@ class LaneLoops:
         A complex factor of magnitude 1 acts as a lag at positive frequencies and as a lead at negative ones, or the reverse: the loop is
         stable only if it tolerates both.
         """
-        return np.asarray(np.abs(self._closed(factor)[0]).max(axis=1, initial=0.0))
+        return np.asarray(np.abs(poles_of_each(self.closed(factor)[0])).max(axis=1, initial=0.0))
 
     def margins(self) -> RoughMargins:
         """Return the margins by linear interpolation on a frequency grid, accurate to a few tenths of a decibel and of a degree.
@@ -349,7 +359,7 @@ class LaneLoops:
         Good enough to guide a search; check its result with `SampledLoop.margins`.
         """
         # 1 + L is the ratio of two characteristic polynomials: with the command closed, and opened.
-        (closed, through), (opened, bare) = self._closed(1.0), self._closed(0.0)
+        (closed, through), (opened, bare) = ((poles_of_each(a), np.linalg.det(direct)) for a, direct in map(self.closed, (1.0, 0.0)))
         above, below = (np.ones((len(closed), GRID.size), dtype=complex) for _ in range(2))
         with np.errstate(invalid="ignore", divide="ignore", over="ignore"):  # loops that are not finite
             for zero, pole in zip(closed.T, opened.T, strict=True):
@@ -376,8 +386,19 @@ def margin_factors(gain: float, phase: float) -> tuple[complex, ...]:
 
 
 def unstable_by(loops: LaneLoops, factors: Sequence[complex]) -> Array:
-    """Return how far (n_variant,) the largest pole over some factors lies outside the unit circle; negative where all are stable."""
-    return np.asarray(np.max([loops.radius(factor) for factor in factors], axis=0) - 1.0)
+    """Return how far (n_variant,) the largest pole over some factors lies outside the unit circle.
+
+    Where all are stable, the result is negative; it is -1 where that is proved without the poles.
+    """
+    excess, read = np.full(len(loops.a), -1.0), np.flatnonzero(loops.a.any(axis=(0, 1)))  # outputs, which no state reads, have no pole
+    with np.errstate(invalid="ignore", over="ignore"):  # loops that are not finite
+        balanced = loops.balanced()
+        proofs = [proved_stable(balanced.closed(factor)[0][:, read[:, None], read]) for factor in factors]
+    for factor, proved in zip(factors, proofs, strict=True):
+        left = np.flatnonzero(~proved)
+        if left.size:
+            excess[left] = np.maximum(excess[left], loops[left].radius(factor) - 1.0)
+    return excess
 
 
 def lane_loops(
@@ -424,12 +445,11 @@ class AxisLanes:
         else:
             for probe in probes:
                 probe.take(_running(whole))
-        a, b = lane_matrices(probes, different)
+        schedule = probes[0].group.schedule
+        a, b = lane_matrices(probes, different, [schedule.row(signal) for signal in INPUTS[:2]])
         if len(self._probes) >= MOST_FORMS:
             self._probes.clear()
         self._probes[form] = probes
-        schedule = probes[0].group.schedule
-        b = b[:, :, [schedule.row(signal) for signal in INPUTS[:2]]]
         c = _sent(self.machine.axis_names[0], self.bare, TickMap(a[0], b[0], schedule))
         moved = np.asarray((a != np.eye(a.shape[1])).any(axis=0))
         driven: Flags = np.asarray((b != 0.0).any(axis=(0, 2)))

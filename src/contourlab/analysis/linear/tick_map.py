@@ -60,6 +60,10 @@ class Probe:
         # Roll ring buffers back by one, so that every tick reads the same entries.
         self.behind = np.concatenate([*states, *(np.roll(ring, -1) for ring in rings), signals])
         self.size, self._no_log = self.before.size, np.empty((1, 0, width))
+        # A tick overwrites all signals: of the last tick it reads those of the node itself and of later ones.
+        nodes, size = zip(schedule.sources, schedule.first_row, strict=True), self.size - len(signals)
+        late = {row for sources, own in nodes for row in sources if isinstance(row, int) and row >= own}
+        self.read = [*range(size), *(size + row for row in sorted(late))]
         self.at_rest = self.after(np.zeros(self.size), np.zeros(self.n_input))
 
     def take(self, nodes: Sequence[Node]) -> None:
@@ -80,31 +84,30 @@ class Probe:
 
     def state_matrix(self) -> Array:
         """Return A (n, n, width)."""
-        a, none, first = np.zeros((self.size, self.size, self.group.width)), np.zeros(self.n_input), self.size - len(self.group.signals)
-        for i, unit in enumerate(np.eye(self.size)):
-            # Externals are overwritten at every tick: their old values have no effect.
-            if not first <= i < first + self.n_input:
-                a[:, i] = self(unit, none)
+        a, none = np.zeros((self.size, self.size, self.group.width)), np.zeros(self.n_input)
+        for i in self.read:
+            a[:, i] = self(np.eye(1, self.size, i)[0], none)
         return a
 
-    def matrices(self) -> tuple[Array, Array]:
-        """Return A (n, n, width) and B (n, n_external, width)."""
+    def matrices(self, inputs: Sequence[int] | None = None) -> tuple[Array, Array]:
+        """Return A (n, n, width) and B (n, n_input, width); `inputs` are the rows of some externals, instead of all."""
+        units = np.eye(self.n_input) if inputs is None else np.eye(self.n_input)[inputs]
         try:
             a = self.state_matrix()
-            b = np.stack([self(np.zeros(self.size), unit) for unit in np.eye(self.n_input)], axis=1)
-            self._check_linear(a, b)
+            b = np.stack([self(np.zeros(self.size), unit) for unit in units], axis=1)
+            self._check_linear(a, b, units)
         except ArithmeticError as fault:
             raise ComponentError(f"a step cannot be run from a unit state, so the loop has no frequency response: {fault}") from fault
         return a, b
 
-    def _check_linear(self, a: Array, b: Array) -> None:
+    def _check_linear(self, a: Array, b: Array, units: Array) -> None:
         """Raise `ComponentError` unless the tick agrees with A x + B u at two random points."""
         rng = np.random.default_rng(1)
         for _ in range(2):
-            x, u = rng.normal(size=self.size), rng.normal(size=self.n_input)
+            x, u = rng.normal(size=self.size), rng.normal(size=len(units))
             expected = np.einsum("ijl,j->il", a, x) + np.einsum("ijl,j->il", b, u)
             scale = np.einsum("ijl,j->il", np.abs(a), np.abs(x)) + np.einsum("ijl,j->il", np.abs(b), np.abs(u))
-            wrong = np.flatnonzero(~(np.abs(self(x, u) - expected) <= 1e-9 * scale).all(axis=1))
+            wrong = np.flatnonzero(~(np.abs(self(x, u @ units) - expected) <= 1e-9 * scale).all(axis=1))
             if wrong.size:
                 raise ComponentError(f"{self._owners()[wrong[0]]} is not linear, so the loop has no frequency response")
 
@@ -149,15 +152,15 @@ def lane_probes(schedule: Schedule, n: int, jit: bool) -> list[Probe]:
     return [Probe(schedule, -(-min(n - first, TOGETHER) // VECTOR) * VECTOR, first, jit) for first in range(0, n, TOGETHER)]
 
 
-def lane_matrices(probes: Sequence[Probe], n: int) -> tuple[Array, Array]:
-    """Return A (n, m, m) and B (n, m, n_external) of n variants, computed together.
+def lane_matrices(probes: Sequence[Probe], n: int, inputs: Sequence[int] | None = None) -> tuple[Array, Array]:
+    """Return A (n, m, m) and B (n, m, n_input) of n variants, computed together; `inputs` as of `Probe.matrices`.
 
     Raises
     ------
     ComponentError
         If a step is not linear; it names the node.
     """
-    parts = [probe.matrices() for probe in probes]
+    parts = [probe.matrices(inputs) for probe in probes]
     a, b = (np.concatenate([np.moveaxis(part[i], 2, 0) for part in parts])[:n] for i in (0, 1))
     return a, b
 
@@ -191,6 +194,28 @@ def poles_of_each(matrices: Array) -> Complex:
         rows, kept = np.flatnonzero((kind == k) & finite), loop_states(matrices[i])
         poles[rows, : kept.size] = np.linalg.eigvals(matrices[np.ix_(rows, kept, kept)])
     return poles
+
+
+SQUARINGS, GROWN = 14, 1e6
+"""Most squarings of a matrix to prove that it is stable, and the largest norm on the way: beyond it rounding might matter."""
+
+
+def proved_stable(matrices: Array | Complex) -> Flags:
+    """Return for which matrices (n_variant, n, n) a power has a norm below 1: all their eigenvalues lie inside the unit circle.
+
+    This takes a fraction of the time of eigenvalues. It leaves open whether the others are stable.
+    """
+    power, left, grown, proved = matrices, np.arange(len(matrices)), np.zeros(len(matrices)), np.zeros(len(matrices), dtype=bool)
+    for _ in range(SQUARINGS):
+        power = power @ power
+        parts = power.view(float)
+        norm = np.sqrt(np.einsum("vij,vij->v", parts, parts))
+        grown = np.maximum(grown, norm)
+        going = (norm >= 0.5) & (grown < GROWN)
+        if not going.all():
+            proved[left[norm < 0.5]] = True
+            power, left, grown = power[going], left[going], grown[going]
+    return proved
 
 
 def loop_states(matrix: Array) -> Index:

@@ -14,8 +14,9 @@ from numpy.typing import ArrayLike
 from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError, refuse
 from contourlab.loop import Axis, Controller, Machine
+from contourlab.loop.batch import checked_variants
 from contourlab.loop.machine import AXIS_SLOTS
-from contourlab.loop.parameters import with_values
+from contourlab.loop.parameters import parameters_of, with_values
 from contourlab.metrics.run_figures import GOALS, goal_named
 from contourlab.study import Runner, Setting, Space
 from contourlab.study.executors import Workers
@@ -115,6 +116,7 @@ class Variants:
         figures = (self.objective, "limited_share")
         self.runners = tuple(Runner(replace(self.setting, machine=v.machine), figures, self.threads, self.gpu) for v in self)
         self.guards = tuple(Guards(v.machine, self.setting.controller, self.bounds) for v in self)
+        self.numbers = numbers_of([v.machine for v in self], self.setting.controller)
         self.best = np.full(len(self), np.inf)
         self.best_points = self.everywhere(self.space.start)
 
@@ -195,7 +197,8 @@ class Variants:
         """
         which = range(len(self)) if only is None else only
         known: dict[tuple[object, ...], Array] = {}
-        columns = [self.space.columns(rows) for rows in points]
+        first = self.space.columns(points[0])
+        columns = [first if np.array_equal(rows, points[0]) else self.space.columns(rows) for rows in points]
         excess = [self.guards[i].excess(column, known) for column, i in zip(columns, which, strict=True)]
         run = [np.full(len(over), True) if whole else over < 0.0 for over in excess]
         chosen = [{name: values[r] for name, values in column.items()} for column, r in zip(columns, run, strict=True)]
@@ -206,17 +209,23 @@ class Variants:
         return np.array([values for values, _ in judged]), np.array([broken for _, broken in judged])
 
     def _figures(self, which: Sequence[int], columns: Sequence[dict[str, Array]]) -> list[dict[str, Array]]:
-        """Return the figures of runs on each variant; run the variants in parallel, because one has too few lanes for all processors."""
-        threads = self.threads or os.cpu_count() or 1
-        sides = min(threads, len(which))
+        """Return the figures of runs on each variant: as one batch if only numbers differ, else the variants in parallel."""
+        threads, sizes = self.threads or os.cpu_count() or 1, [next(iter(column.values())).size for column in columns]
+        if self.numbers:
+            every = {name: np.concatenate([column[name] for column in columns]) for name in columns[0]}
+            every |= {name: np.repeat([self.numbers[i][name] for i in which], sizes) for name in self.numbers[0]}
+            figures = self.runners[which[0]](every, threads=threads) if sum(sizes) else {}  # each search of one variant has its own
+            parts = {name: np.split(values, np.cumsum(sizes)[:-1]) for name, values in figures.items()}
+            return [{name: part[at] for name, part in parts.items()} for at in range(len(which))]
+        sides = min(threads, len(which))  # one variant has too few lanes for all processors
 
-        def figures(at: int, own: int) -> dict[str, Array]:
-            return self.runners[which[at]](columns[at], threads=own) if next(iter(columns[at].values())).size else {}
+        def run(at: int, own: int) -> dict[str, Array]:
+            return self.runners[which[at]](columns[at], threads=own) if sizes[at] else {}
 
         # The first runs of a machine compile its components, one after another.
         if sides < 2 or any(self.runners[i].runs == 0 for i in which):
-            return [figures(at, threads) for at in range(len(which))]
-        return in_threads(lambda at: figures(at, -(-threads // sides)), range(len(which)), sides)
+            return [run(at, threads) for at in range(len(which))]
+        return in_threads(lambda at: run(at, -(-threads // sides)), range(len(which)), sides)
 
     def _judged(self, i: int, points: Array, excess: Array, run: Flags, figures: dict[str, Array]) -> tuple[Array, Array]:
         """Return J of the points of a variant and how far they break the guards; keep the best."""
@@ -259,6 +268,23 @@ class Variants:
             return np.asarray(np.where(broken[0] > 0.0, BROKEN * (1.0 + broken[0]), values[0] / self.floor))
 
         return objective
+
+
+def numbers_of(machines: Sequence[Machine], controller: Controller) -> tuple[dict[str, float], ...]:
+    """Return the parameters [SI] of each machine that differ between them, by dotted names; empty if they differ in other things too."""
+    known = [parameters_of(machine, controller).items() for machine in machines]
+    tables = [{name: float(getattr(*place)) for name, place in one if name.startswith("axes.")} for one in known]
+    if any(table.keys() != tables[0].keys() for table in tables):
+        return ()
+    differ = [name for name in tables[0] if len({table[name] for table in tables}) > 1]
+    numbers = tuple({name: table[name] for name in differ} for table in tables)
+    try:
+        made = [with_values(machines[0], controller, own)[0] for own in numbers]
+        checked_variants(machines[0], controller, {name: [own[name] for own in numbers] for name in differ})
+    except ParameterError:
+        return ()
+    pairs = [pair for one, other in zip(made, machines, strict=True) for pair in zip(one.axes, other.axes, strict=True)]
+    return numbers if all(_alike(one, other) for one, other in pairs) else ()
 
 
 # --- making the variants -----------------------------------------------------------------------------------------------------------------

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from contourlab.components.controller.position import PositionController
-from contourlab.components.friction.laws import NoFriction
+from contourlab.components.friction.laws import Coulomb, NoFriction
 from contourlab.components.plant.plant import MassDamper, RigidAxis
 from contourlab.errors import ContourlabError, ParameterError
 from contourlab.features.swap import search as searches
@@ -20,7 +20,7 @@ from contourlab.features.swap.command import quick_budget
 from contourlab.features.swap.report import SwapResult, drawing, judged_exactly, matrices, text_of
 from contourlab.features.swap.search import SharedSpace, SwapSearch, SwapSettings, merged
 from contourlab.features.swap.study import SwapStudy, swap_study
-from contourlab.features.swap.variants import Variant, Variants, losses, variants_of
+from contourlab.features.swap.variants import Variant, Variants, losses, numbers_of, variants_of
 from contourlab.feed import uniform
 from contourlab.geometry import contour
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine
@@ -229,6 +229,20 @@ def test_same_study_on_any_number_of_threads() -> None:
 def test_given_sets_replace_the_search() -> None:
     study = studied([("strong", rigid("other", 2.0))], budget=100, local=(frozenset({AHEAD}),))
     assert [len(choice.local) for choice in study.choices] == [0, 1]
+
+
+def test_variants_that_differ_in_numbers_give_the_same_bits_in_one_batch() -> None:
+    variants = variants_under([("strong", rigid("other", 2.0)), ("weak", rigid("other", 0.7))])
+    assert variants.numbers == tuple({"axes.x.plant.gain": gain} for gain in (1.0, 2.0, 0.7))
+    apart = replace(variants)
+    apart.numbers = ()
+    points = np.random.default_rng(2).random((3, 5, 2))
+    for only in (None, (2, 0)):
+        assert np.array_equal(
+            variants.values(points if only is None else points[:2], only), apart.values(points if only is None else points[:2], only)
+        )
+    other = replace(rigid("other", 1.0), friction=Coulomb(coulomb=0.01))
+    assert numbers_of([variants.members[0].machine, variants.members[0].machine.swapped("x", other)], variants.setting.controller) == ()
 
 
 def test_guards_count_as_constraints() -> None:
