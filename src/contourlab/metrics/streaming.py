@@ -72,7 +72,12 @@ def _make(evaluate: Any, n_axis: int, corners: bool) -> Any:
         return s, fabs(s - before), dot(gap, gap), gap, q1
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        position, centre = inp.position, inp.arc_length
+        position, centre, counts = inp.position, inp.arc_length, lookup(par.counts, clock.k)
+        behind = sub(inp.reference, position)
+        apart = dot(behind, behind)
+        reach = maximum(x.reach, apart)
+        if counts < 0.5:
+            return (centre, *x[1:-1], reach), (0.0, 0.0)
         low, high, start = centre - par.window, centre + par.window, centre
         s, moved, square, gap, q1 = seek(par, x.foot, position, centre, low, high)
         number, edge, back, on, away = 0.0, 0.0, 1.0, 1.0, gap
@@ -113,13 +118,9 @@ def _make(evaluate: Any, n_axis: int, corners: bool) -> Any:
             signed, square = select(at_edge, distance, signed), select(at_edge, corner_square, square)
             s, sure = select(at_edge, edge, s), select(at_edge, 1.0, sure)
             clear = select(at_edge, lookup(par.corner_row, row + 3.0), clear)
-        behind = sub(inp.reference, position)
-        apart = dot(behind, behind)
-        reach = maximum(x.reach, apart)
         further = maximum(fabs(s - centre) - (MARGIN + par.planning), 0.0)
         sure = select(further * further <= 9.0 * reach, select(fabs(s - centre) <= par.window, sure, 0.0), 0.0)
         doubt = select(square < clear, select(apart <= par.error * par.error, 1.0 - sure, 1.0), 1.0)
-        counts = lookup(par.counts, clock.k)
         judged = select(doubt > 0.5, 0.0, counts)
         magnitude, tracking = judged * fabs(signed), counts * apart
         record = magnitude > x.largest

@@ -15,9 +15,9 @@ Series Analysis 16, 1995.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -189,12 +189,12 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
     predicted = output(values)
     white, robust, correlation = np.zeros(len(names)), np.zeros(len(names)), np.eye(len(names))
     free_names, stuck = (tuple(name for name, is_free in zip(names, inside, strict=True) if is_free == wanted) for wanted in (True, False))
-    slopes = _slopes(output, values, low, high, scale)[:, inside]
+    slopes = _slopes_of(output, values, low, high, scale)[:, inside]
     white[inside], robust[inside], correlation[np.ix_(inside, inside)], condition = _covariance(slopes, predicted - measured, free_names)
     return OutputFit(names, values, white, robust, correlation, condition, stuck, measured, predicted, fit_percent(measured, predicted))
 
 
-def _slopes(output: Callable[[Array], Array], at: Array, low: Array, high: Array, scale: Array) -> Array:
+def _slopes_of(output: Callable[[Array], Array], at: Array, low: Array, high: Array, scale: Array) -> Array:
     """Return the sensitivities (n, p) by differences within the bounds, wide enough to bridge the kinks of sticking."""
     columns = []
     for i, step in enumerate(np.diag(1e-4 * np.maximum(np.abs(at), scale))):
@@ -326,6 +326,8 @@ def coloured_deviations(columns: Array, residual: Array, inverse: Array, window:
 Residuals = Callable[[Array], Array]
 """Points (k, p) to residuals (k, n), all in one call; the row of a point that fails is not finite."""
 
+TOGETHER = 32
+"""Candidates that are evaluated in one call: more would not fit into the caches."""
 DAMPINGS = 10.0 ** np.arange(-3.0, 5.0)
 """Factors on the damping, tried in parallel."""
 
@@ -405,10 +407,35 @@ def descend(
     r = residuals(x[None])[0]
     if not np.isfinite(r).all():
         raise ParameterError("start", f"{x}", "parameters that can be simulated: the run diverges there")
+    return _in_step(residuals, [_descent(x, r, low, high, size, chosen)], [1.0])[0]
+
+
+_End = TypeVar("_End")
+_Search: TypeAlias = Generator[Array, Array, _End]
+"""Asks for the residuals (k, n) of points (k, p) until it ends with a result."""
+
+
+def _in_step(residuals: Residuals, searches: Sequence[_Search[_End]], sizes: Sequence[float]) -> list[_End]:
+    """Run searches together: the points that all of them ask for are evaluated in one call. Each sees residuals over its size."""
+    asked, ends = {i: next(search) for i, search in enumerate(searches)}, dict[int, _End]()
+    while asked:
+        left = residuals(np.concatenate(list(asked.values())))
+        for i, points in list(asked.items()):
+            own, left = left[: len(points)] / sizes[i], left[len(points) :]
+            try:
+                asked[i] = searches[i].send(own)
+            except StopIteration as end:
+                ends[i] = end.value
+                del asked[i]
+    return [ends[i] for i in range(len(searches))]
+
+
+def _descent(x: Array, r: Array, low: Array, high: Array, size: Array, chosen: DescentSettings) -> _Search[Descent]:
+    """Descend from a point with residual r."""
     damping, cost, converged, done = 1e-3, float(r @ r), False, 0
     width = chosen.difference * size
     for _ in range(2):  # the size of the differences depends on the slopes
-        slopes = jacobian(residuals, x, r, low, high, width)
+        slopes = yield from _slopes(x, r, low, high, width)
         width = _widths(slopes, chosen, size)
     while done < chosen.most_iterations and not converged:
         done += 1
@@ -418,8 +445,8 @@ def descend(
             break
         factors = damping * DAMPINGS
         trials = _trials(x, r, slopes, free, low, high, factors)
-        left = residuals(trials)
-        costs = np.where(np.isfinite(left).all(axis=1), (np.nan_to_num(left) ** 2).sum(axis=1), math.inf)
+        left = yield trials
+        costs = _costs(left)
         best = int(np.argmin(costs))
         if costs[best] >= cost:
             if damping > 1e6:
@@ -429,9 +456,14 @@ def descend(
         converged = cost - costs[best] <= chosen.least_gain * cost
         x, r, cost = trials[best], left[best], float(costs[best])
         damping = float(np.clip(0.1 * factors[best], 1e-9, 1e6))
-        slopes = jacobian(residuals, x, r, low, high, width)
+        slopes = yield from _slopes(x, r, low, high, width)
         width = _widths(slopes, chosen, size)
     return Descent(x, r, cost, slopes, _held(x, slopes.T @ r, low, high), done, converged)
+
+
+def _costs(left: Array) -> Array:
+    """Return the sums of squares (k,) of residuals (k, n); infinite where one is not finite."""
+    return np.nan_to_num((left**2).sum(axis=1), nan=math.inf, posinf=math.inf)
 
 
 def _widths(slopes: Array, chosen: DescentSettings, size: Array) -> Array:
@@ -472,12 +504,17 @@ def jacobian(residuals: Residuals, x: Array, r: Array, low: Array, high: Array, 
         Residual at x.
     low, high, step : ndarray (p,)
     """
+    return _in_step(residuals, [_slopes(x, r, low, high, step)], [1.0])[0]
+
+
+def _slopes(x: Array, r: Array, low: Array, high: Array, step: Array) -> _Search[Array]:
+    """Find the slopes of `jacobian`."""
     p = x.size
     up, down = np.minimum(x + step, high), np.maximum(x - step, low)
     points = np.repeat(x[None], 2 * p, axis=0)
     points[np.arange(p), np.arange(p)] = up
     points[p + np.arange(p), np.arange(p)] = down
-    around = residuals(points)
+    around = yield points
     slopes = np.zeros((r.size, p))
     for i in range(p):
         above, below = around[i], around[p + i]
@@ -511,8 +548,7 @@ def spread_starts(
     away = line[1] + qmc.Sobol(x.size, seed=0).random(candidates) * (line[2] - line[1]) - line[0]
     placed = line[0] + reach * away
     points = np.clip(np.where(ratio, np.exp(np.where(ratio, placed, 0.0)), placed), low, high)
-    left = residuals(points)
-    costs = np.where(np.isfinite(left).all(axis=1), (np.nan_to_num(left) ** 2).sum(axis=1), math.inf)
+    costs = np.concatenate([_costs(residuals(points[i : i + TOGETHER])) for i in range(0, candidates, TOGETHER)])
     order = [i for i in np.argsort(costs, kind="stable")[: count - 1] if math.isfinite(costs[i])]
     return np.vstack([x[None], points[order]])
 
@@ -649,19 +685,30 @@ Model = Callable[[Sequence[Mapping[str, float]]], Array]
 """Outputs (m, n) of a model for m sets of its parameters."""
 
 
-def descended(model: Model, measured: Array, free: Mapping[str, Free], settings: DescentSettings | None = None) -> OutputFit:
-    """Fit a model's output (n,) in steps that bridge its kinks; deviations are those of the jackknife over parts of the record."""
-    names, (start, low, high, scale) = tuple(free), arrays_of(free)
+def descended(
+    model: Model, measured: Array, starts: Sequence[Mapping[str, Free]], settings: DescentSettings | None = None
+) -> tuple[OutputFit, list[Array]]:
+    """Fit a model's output (n,) from several starts in steps that bridge its kinks; return the best end, and the values (p,) of all.
 
-    def predicted(points: Array) -> Array:
-        return model([dict(zip(names, x.tolist(), strict=True)) for x in points])
+    The deviations are those of the jackknife over parts of the record.
+    """
+    names, (_, low, high, scale) = tuple(starts[0]), arrays_of(starts[0])
+    points = np.array([arrays_of(start)[0] for start in starts])
 
-    size = float(np.sqrt(np.mean((predicted(start[None]) - measured) ** 2)))
-    result = descend(lambda points: (predicted(points) - measured) / size, start, low, high, scale, settings)
-    inside = (result.values > low) & (result.values < high)
+    def residuals(points: Array) -> Array:
+        return model([dict(zip(names, x.tolist(), strict=True)) for x in points]) - measured
+
+    left = residuals(points)
+    sizes = [float(np.sqrt(np.mean(r**2))) for r in left]
+    chosen = settings or DescentSettings()
+    searches = [_descent(x, r / size, low, high, scale, chosen) for x, r, size in zip(points, left, sizes, strict=True)]
+    ends = _in_step(residuals, searches, sizes)
+    fits = [fit_percent(measured, measured + size * end.residual) for end, size in zip(ends, sizes, strict=True)]
+    best = int(np.argmax(fits))
+    end, output = ends[best], measured + sizes[best] * ends[best].residual
+    inside = (end.values > low) & (end.values < high)
     deviations = np.zeros(len(names))
-    deviations[inside] = np.max([parted_deviations(result.jacobian[:, inside], result.residual, parts) for parts in PARTS], axis=0)
+    deviations[inside] = np.max([parted_deviations(end.jacobian[:, inside], end.residual, parts) for parts in PARTS], axis=0)
     stuck = tuple(name for name, is_free in zip(names, inside, strict=True) if not is_free)
-    output = measured + size * result.residual
-    fit = fit_percent(measured, output)
-    return OutputFit(names, result.values, deviations, deviations, np.eye(len(names)), 1.0, stuck, measured, output, fit)
+    fit = OutputFit(names, end.values, deviations, deviations, np.eye(len(names)), 1.0, stuck, measured, output, fits[best])
+    return fit, [end.values for end in ends]
