@@ -310,9 +310,8 @@ class Schedule:
     @cached_property
     def begin(self) -> tuple[Array, dict[int, Array]]:
         """Values of the rows of signals, states and parameters at the start: those of all variants, and by row those of each variant."""
-        values = _rows_of(self.externals, {})
-        values += [value for node in self.nodes for value in _rows_of(node.step.outputs, node.start)]
-        values += [value for node in self.nodes for value in _rows_of(node.step.states, node.initial)]
+        given = [*((node.step.outputs, node.start) for node in self.nodes), *((node.step.states, node.initial) for node in self.nodes)]
+        values = [value for table, known in ((self.externals, {}), *given) for value in _rows_of(table, known)]
         values += [node.parameters[name] for node in self.nodes for name in node.step.parameters]
         own = {row: value for row, value in enumerate(values) if not isinstance(value, _NUMBER)}
         return np.array([0.0 if row in own else value for row, value in enumerate(values)]), own

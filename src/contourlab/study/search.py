@@ -115,11 +115,10 @@ def search(
     try:
         while running and values.min() > target and runs + population * len(running) <= budget:
             asked = np.array([strategies[i].ask() for i in running])
-            # All at once: the package takes longer for each of them than its run does.
-            inside = np.clip(box.repair(asked.ravel()), 0.0, 1.0).reshape(asked.shape)
-            tried = inside[:, :, : starts.shape[1]]
-            reached = np.split(_finite(objective(np.concatenate(tried))), len(running))
-            for i, rows, own, mine in zip(running, asked, tried, reached, strict=True):
+            # All at once: one by one, this takes the package as long as their runs.
+            tried = np.clip(box.repair(asked.ravel()), 0.0, 1.0).reshape(-1, asked.shape[2])[:, : starts.shape[1]]
+            reached = np.split(_finite(objective(tried)), len(running))
+            for i, rows, own, mine in zip(running, asked, np.split(tried, len(running)), reached, strict=True):
                 strategies[i].tell(list(rows), _ranked(mine).tolist())
                 at = int(np.argmin(mine))
                 if mine[at] < values[i]:
@@ -203,7 +202,7 @@ def _package() -> Any:
 
 def _strategy(start: Array, box: Any, seed: int, population: int, spread: float) -> Any:
     generator = np.random.default_rng(seed)
-    options = {"maxstd": 1.0 / 3.0, "popsize": population, "verbose": -9, "tolfun": 0.0, "tolfunhist": 0.0}
+    options: dict[str, Any] = {"maxstd": 1.0 / 3.0, "popsize": population, "verbose": -9, "tolfun": 0.0, "tolfunhist": 0.0}
     # Use a separate generator: otherwise the package seeds numpy's global generator.
     options |= {"seed": np.nan, "randn": lambda *shape: generator.standard_normal(shape)}
     # On a bound the transformation of the box has zero slope. The package needs two dimensions: a lone parameter gets an idle one.

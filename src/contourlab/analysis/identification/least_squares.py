@@ -189,12 +189,12 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
     predicted = output(values)
     white, robust, correlation = np.zeros(len(names)), np.zeros(len(names)), np.eye(len(names))
     free_names, stuck = (tuple(name for name, is_free in zip(names, inside, strict=True) if is_free == wanted) for wanted in (True, False))
-    slopes = _slopes_of(output, values, low, high, scale)[:, inside]
+    slopes = _slopes(output, values, low, high, scale)[:, inside]
     white[inside], robust[inside], correlation[np.ix_(inside, inside)], condition = _covariance(slopes, predicted - measured, free_names)
     return OutputFit(names, values, white, robust, correlation, condition, stuck, measured, predicted, fit_percent(measured, predicted))
 
 
-def _slopes_of(output: Callable[[Array], Array], at: Array, low: Array, high: Array, scale: Array) -> Array:
+def _slopes(output: Callable[[Array], Array], at: Array, low: Array, high: Array, scale: Array) -> Array:
     """Return the sensitivities (n, p) by differences within the bounds, wide enough to bridge the kinks of sticking."""
     columns = []
     for i, step in enumerate(np.diag(1e-4 * np.maximum(np.abs(at), scale))):
@@ -400,14 +400,13 @@ def descend(
     ----------
     Nocedal & Wright, "Numerical Optimization", 2nd ed., sections 10.3 (Levenberg-Marquardt) and 16.7 (projected gradient).
     """
-    chosen = settings or DescentSettings()
     x, low, high, size = (np.array(v, dtype=float) for v in (start, lower, upper, scale))
     if not (np.all(low <= x) and np.all(x <= high) and np.all(size > 0.0)):
         raise ParameterError("start", f"{x}", f"within {low} and {high}, scales above zero")
     r = residuals(x[None])[0]
     if not np.isfinite(r).all():
         raise ParameterError("start", f"{x}", "parameters that can be simulated: the run diverges there")
-    return _in_step(residuals, [_descent(x, r, low, high, size, chosen)], [1.0])[0]
+    return in_step(residuals, [_descent(x, r, low, high, size, settings)])[0]
 
 
 _End = TypeVar("_End")
@@ -415,7 +414,7 @@ _Search: TypeAlias = Generator[Array, Array, _End]
 """Asks for the residuals (k, n) of points (k, p) until it ends with a result."""
 
 
-def _in_step(residuals: Residuals, searches: Sequence[_Search[_End]], sizes: Sequence[float]) -> list[_End]:
+def in_step(residuals: Residuals, searches: Sequence[_Search[_End]], sizes: Sequence[float] = (1.0,)) -> list[_End]:
     """Run searches together: the points that all of them ask for are evaluated in one call. Each sees residuals over its size."""
     asked, ends = {i: next(search) for i, search in enumerate(searches)}, dict[int, _End]()
     while asked:
@@ -430,12 +429,13 @@ def _in_step(residuals: Residuals, searches: Sequence[_Search[_End]], sizes: Seq
     return [ends[i] for i in range(len(searches))]
 
 
-def _descent(x: Array, r: Array, low: Array, high: Array, size: Array, chosen: DescentSettings) -> _Search[Descent]:
+def _descent(x: Array, r: Array, low: Array, high: Array, size: Array, settings: DescentSettings | None) -> _Search[Descent]:
     """Descend from a point with residual r."""
+    chosen = settings or DescentSettings()
     damping, cost, converged, done = 1e-3, float(r @ r), False, 0
     width = chosen.difference * size
     for _ in range(2):  # the size of the differences depends on the slopes
-        slopes = yield from _slopes(x, r, low, high, width)
+        slopes = yield from jacobian(x, r, low, high, width)
         width = _widths(slopes, chosen, size)
     while done < chosen.most_iterations and not converged:
         done += 1
@@ -456,14 +456,14 @@ def _descent(x: Array, r: Array, low: Array, high: Array, size: Array, chosen: D
         converged = cost - costs[best] <= chosen.least_gain * cost
         x, r, cost = trials[best], left[best], float(costs[best])
         damping = float(np.clip(0.1 * factors[best], 1e-9, 1e6))
-        slopes = yield from _slopes(x, r, low, high, width)
+        slopes = yield from jacobian(x, r, low, high, width)
         width = _widths(slopes, chosen, size)
     return Descent(x, r, cost, slopes, _held(x, slopes.T @ r, low, high), done, converged)
 
 
 def _costs(left: Array) -> Array:
     """Return the sums of squares (k,) of residuals (k, n); infinite where one is not finite."""
-    return np.nan_to_num((left**2).sum(axis=1), nan=math.inf, posinf=math.inf)
+    return np.asarray(np.nan_to_num((left**2).sum(axis=1), nan=math.inf, posinf=math.inf))
 
 
 def _widths(slopes: Array, chosen: DescentSettings, size: Array) -> Array:
@@ -494,8 +494,8 @@ def _trials(x: Array, r: Array, slopes: Array, free: Flags, low: Array, high: Ar
     return np.clip(moved, low, high)
 
 
-def jacobian(residuals: Residuals, x: Array, r: Array, low: Array, high: Array, step: Array) -> Array:
-    """Return the slopes of the residuals (n, p) at x by central differences; one-sided at a bound and next to a point that fails.
+def jacobian(x: Array, r: Array, low: Array, high: Array, step: Array) -> _Search[Array]:
+    """Search the slopes of the residuals (n, p) at x by central differences; one-sided at a bound and next to a point that fails.
 
     Parameters
     ----------
@@ -504,11 +504,6 @@ def jacobian(residuals: Residuals, x: Array, r: Array, low: Array, high: Array, 
         Residual at x.
     low, high, step : ndarray (p,)
     """
-    return _in_step(residuals, [_slopes(x, r, low, high, step)], [1.0])[0]
-
-
-def _slopes(x: Array, r: Array, low: Array, high: Array, step: Array) -> _Search[Array]:
-    """Find the slopes of `jacobian`."""
     p = x.size
     up, down = np.minimum(x + step, high), np.maximum(x - step, low)
     points = np.repeat(x[None], 2 * p, axis=0)
@@ -686,23 +681,21 @@ Model = Callable[[Sequence[Mapping[str, float]]], Array]
 
 
 def descended(
-    model: Model, measured: Array, starts: Sequence[Mapping[str, Free]], settings: DescentSettings | None = None
+    model: Model, measured: Array, free: Mapping[str, Free], points: Array, settings: DescentSettings | None = None
 ) -> tuple[OutputFit, list[Array]]:
-    """Fit a model's output (n,) from several starts in steps that bridge its kinks; return the best end, and the values (p,) of all.
+    """Fit a model's output (n,) from points (k, p), in steps that bridge its kinks; return the best end, and the values (p,) of all.
 
     The deviations are those of the jackknife over parts of the record.
     """
-    names, (_, low, high, scale) = tuple(starts[0]), arrays_of(starts[0])
-    points = np.array([arrays_of(start)[0] for start in starts])
+    names, (_, low, high, scale) = tuple(free), arrays_of(free)
 
     def residuals(points: Array) -> Array:
         return model([dict(zip(names, x.tolist(), strict=True)) for x in points]) - measured
 
     left = residuals(points)
     sizes = [float(np.sqrt(np.mean(r**2))) for r in left]
-    chosen = settings or DescentSettings()
-    searches = [_descent(x, r / size, low, high, scale, chosen) for x, r, size in zip(points, left, sizes, strict=True)]
-    ends = _in_step(residuals, searches, sizes)
+    searches = [_descent(x, r / size, low, high, scale, settings) for x, r, size in zip(points, left, sizes, strict=True)]
+    ends = in_step(residuals, searches, sizes)
     fits = [fit_percent(measured, measured + size * end.residual) for end, size in zip(ends, sizes, strict=True)]
     best = int(np.argmax(fits))
     end, output = ends[best], measured + sizes[best] * ends[best].residual

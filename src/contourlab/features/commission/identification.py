@@ -167,7 +167,7 @@ def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, s: int, fi
         "offset": Free(a * first["offset"], -10.0 * size, 10.0 * size, 0.1 * size),
     }
     free["delay"] = Free(0.0, -0.75 * period, (MOST_DELAY - 1) * period, period)
-    rigid, _ = descended(model, measured, [free])
+    rigid, _ = descended(model, measured, free, arrays_of(free)[:1])
     two = _with_shaft(model, measured, free, rigid)
     sure = two.deviation("resonance") < SURE * two["resonance"] and 4.0 * two.deviation("share") < two["share"]
     return two if sure and _explains(two, rigid) and not {"resonance", "share"} & {*two.at_bound} else rigid
@@ -184,17 +184,14 @@ def _with_shaft(model: Model, measured: Array, free: Mapping[str, Free], rigid: 
     start, low, high, _ = arrays_of(SHAFT)
     best, found = rigid, list[OutputFit]()
     for count, reach, settings in SEARCHES:
-        known = {name: replace(part, start=best[name]) for name, part in free.items()}
-        values = {name: part.start for name, part in known.items()}
+        known = {name: best[name] for name in free}
 
-        def left(points: Array, values: Values = values) -> Array:
-            return model([{**values, **dict(zip(SHAFT, x.tolist(), strict=True))} for x in points]) - measured
+        def left(points: Array, known: Values = known) -> Array:
+            return model([{**known, **dict(zip(SHAFT, x.tolist(), strict=True))} for x in points]) - measured
 
-        shafts = [
-            {name: replace(part, start=float(at)) for (name, part), at in zip(SHAFT.items(), point, strict=True)}
-            for point in spread_starts(left, start, low, high, count, 256, reach)
-        ]
-        end, values = descended(model, measured, [{**known, **shaft} for shaft in shafts], settings)
+        shafts = spread_starts(left, start, low, high, count, 256, reach)
+        points = np.column_stack([np.tile(list(known.values()), (len(shafts), 1)), shafts])
+        end, values = descended(model, measured, {**free, **SHAFT}, points, settings)
         ends = [*(fit.values for fit in found), *values]
         found.append(end)
         best = max(found, key=lambda fit: fit.fit)
