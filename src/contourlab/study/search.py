@@ -109,7 +109,7 @@ def search(
         raise ParameterError("search", f"{len(starts)} starts, {budget} points", "at least one start and one point")
     points, values, runs = starts.copy(), _finite(objective(starts)), len(starts)
     history, course = [values.copy()], [(float(runs), float(values.min()))]
-    box = _package().boundary_handler.BoundTransform([0.0, 1.0])
+    box = _package().BoundTransform([0.0, 1.0])
     strategies = [_strategy(start, box, seed + i, population, spread) for i, start in enumerate(starts)]
     running, interrupted = list(range(len(starts))), False
     try:
