@@ -28,7 +28,8 @@ def judge_step(view: PathView, n_axis: int, corners: bool = False) -> Step:
 
     Parameters of the node: ``error`` [m], the largest tracking error that is expected; ``planning`` [m], the largest planning deviation;
     ``window`` [m], how far from the reference foot points are; those of the view and of `contourlab.geometry.clearance`. The table
-    ``counts`` has 1 for each tick that is judged, else 0. `corners` says whether the path has corners or ends.
+    ``counts`` has 1 for each tick that is judged, else 0: only ``reach`` counts the others. `corners` says whether the path has corners
+    or ends.
 
     Notes
     -----
