@@ -1,4 +1,4 @@
-"""Compile the kernels of planner, sampler and judge, which every run needs; `make` calls it, so that the first run need not.
+"""Compile the kernels of planner, sampler, judge and linear models, which runs and studies need; `make` calls it, so that the first need not.
 
 Without it they are compiled when first used, in about twelve seconds.
 """
