@@ -1,4 +1,4 @@
-"""Compile the kernels of planner, sampler, judge and linear models, which runs and studies need; `make` calls it, so that the first need not.
+"""Compile the kernels of planner, sampler, judge and linear models, so that a first run or study need not; `make` calls it.
 
 Without it they are compiled when first used, in about twelve seconds.
 """
