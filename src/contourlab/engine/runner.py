@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags, Index, aligned
 from contourlab.engine.gpu import Gpu
-from contourlab.engine.step import Bank, Node, Port, Schedule, pack, record, rows, unpack
+from contourlab.engine.step import Bank, Node, Schedule, pack, record, rows, unpack
 from contourlab.engine.translate.maths import LANES, SINGLE
 from contourlab.engine.translate.step_graph import Rows
 from contourlab.engine.translate.tick_loop import VECTOR
@@ -49,28 +49,17 @@ class Group:
         self.schedule, self.width, self.lanes = schedule, width, lanes
         self.tick = 0
         self.loops: dict[tuple[int, ...], Any] = {}  # machine code by the rows that it records
-        nodes = schedule.nodes
-        values = _rows_of(schedule.externals, {})
-        values += [value for node in nodes for value in _rows_of(node.step.outputs, node.start)]
-        values += [value for node in nodes for value in _rows_of(node.step.states, node.initial)]
-        self._n_live = len(values)
-        values += [node.parameters[name] for node in nodes for name in node.step.parameters]
-        sizes = memory_rows(schedule)
-        self.memory = self._filled(values, sum(sizes))
-        first, n = tuple(accumulate(sizes, initial=0)), len(nodes)
+        same, own = schedule.begin
+        sizes, n = memory_rows(schedule), len(schedule.nodes)
+        self._n_live = sum(sizes[: n + 1])
+        self.memory = aligned((sum(sizes), width))
+        self.memory[: len(same)], self.memory[len(same) :] = same[:, None], 0.0
+        for row, value in own.items():
+            self.memory[row] = self._in_lanes(value)
+        first = tuple(accumulate(sizes, initial=0))
         parts = [self.memory[a:b] for a, b in pairwise(first)]
         self.signals, self.state, self.parameters, self.rings = parts[0], parts[1 : n + 1], parts[n + 1 : 2 * n + 1], parts[2 * n + 1 :]
         self.places = Rows(first[1 : n + 1], first[n + 1 : 2 * n + 1], first[2 * n + 1 :], tuple(map(len, self.rings)))
-
-    def _filled(self, values: list[Any], n_row: int) -> Array:
-        """Return memory (n_row, width) whose first rows hold `values`, one for all lanes or one for each variant."""
-        memory = aligned((n_row, self.width))
-        memory[len(values) :] = 0.0
-        memory[: len(values)] = np.array([value if isinstance(value, _NUMBER) else 0.0 for value in values])[:, None]
-        for row, value in enumerate(values):
-            if not isinstance(value, _NUMBER):
-                memory[row] = self._in_lanes(value)
-        return memory
 
     def _in_lanes(self, value: ArrayLike) -> Array:
         """Return a value of each lane, from one for each variant or one for all."""
@@ -124,12 +113,6 @@ def memory_rows(schedule: Schedule) -> list[int]:
     steps = [node.step for node in schedule.nodes]
     rings = [1 << max(node.ring_length - 1, 0).bit_length() if node.step.ring else 0 for node in schedule.nodes]
     return [schedule.n_row, *(step.n_state for step in steps), *(len(step.parameters) for step in steps), *rings]
-
-
-def _rows_of(ports: tuple[Port, ...], values: Any) -> list[Any]:
-    """Return the value of each row of some ports; zero where none is given."""
-    given = ((port, values.get(port.name)) for port in ports)
-    return [row for port, value in given for row in ((0.0,) * port.rows if value is None else value if port.size else (value,))]
 
 
 class CompiledGroup(Group):

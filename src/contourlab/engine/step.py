@@ -11,8 +11,10 @@ from __future__ import annotations
 from collections import namedtuple
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, cached_property
 from typing import Any
+
+import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import EngineError
@@ -305,6 +307,15 @@ class Schedule:
             raise EngineError(f"no signal {signal!r}; there are {', '.join(k for k in self.row_of if '[' not in k)}")
         return self.row_of[signal]
 
+    @cached_property
+    def begin(self) -> tuple[Array, dict[int, Array]]:
+        """Values of the rows of signals, states and parameters at the start: those of all variants, and by row those of each variant."""
+        given = [*((node.step.outputs, node.start) for node in self.nodes), *((node.step.states, node.initial) for node in self.nodes)]
+        values = [value for table, known in ((self.externals, {}), *given) for value in _rows_of(table, known)]
+        values += [node.parameters[name] for node in self.nodes for name in node.step.parameters]
+        own = {row: value for row, value in enumerate(values) if not isinstance(value, _NUMBER)}
+        return np.array([0.0 if row in own else value for row, value in enumerate(values)]), own
+
     def _sources(self, n: int, node: Node, owners: list[int]) -> tuple[int | float, ...]:
         found: list[int | float] = []
         for port in node.step.inputs:
@@ -323,6 +334,12 @@ class Schedule:
                     raise EngineError(f"node {node.name} reads {signal}, which is computed later: mark the wire as Late")
                 found.append(row)
         return tuple(found)
+
+
+def _rows_of(ports: tuple[Port, ...], values: Mapping[str, Any]) -> list[Any]:
+    """Return the value of each row of some ports; zero where none is given."""
+    given = ((port, values.get(port.name)) for port in ports)
+    return [row for port, value in given for row in ((0.0,) * port.rows if value is None else value if port.size else (value,))]
 
 
 def _spread(wire: Wire | tuple[Wire, ...], port: Port) -> tuple[Wire, ...]:

@@ -71,8 +71,13 @@ def _make(evaluate: Any, n_axis: int, corners: bool) -> Any:
         gap = sub(q, position)
         return s, fabs(s - before), dot(gap, gap), gap, q1
 
-    def judged(par: Any, x: Any, inp: Any, clock: Any, apart: float, reach: float) -> Any:
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         position, centre = inp.position, inp.arc_length
+        behind = sub(inp.reference, position)
+        apart = dot(behind, behind)
+        reach = maximum(x.reach, apart)
+        if lookup(par.counts, clock.k) < 0.5:
+            return (centre, *x[1:-1], reach), (0.0, 0.0)
         low, high, start = centre - par.window, centre + par.window, centre
         s, moved, square, gap, q1 = seek(par, x.foot, position, centre, low, high)
         number, edge, back, on, away = 0.0, 0.0, 1.0, 1.0, gap
@@ -132,16 +137,6 @@ def _make(evaluate: Any, n_axis: int, corners: bool) -> Any:
             x.unsure + doubt,
             reach,
         ), (signed, doubt)
-
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        behind = sub(inp.reference, inp.position)
-        apart = dot(behind, behind)
-        reach = maximum(x.reach, apart)
-        if lookup(par.counts, clock.k) > 0.5:
-            after, out = judged(par, x, inp, clock, apart, reach)
-        else:
-            after, out = (inp.arc_length, *x[1:-1], reach), (0.0, 0.0)
-        return after, out
 
     return step
 

@@ -109,14 +109,16 @@ def search(
         raise ParameterError("search", f"{len(starts)} starts, {budget} points", "at least one start and one point")
     points, values, runs = starts.copy(), _finite(objective(starts)), len(starts)
     history, course = [values.copy()], [(float(runs), float(values.min()))]
-    strategies = [_strategy(start, seed + i, population, spread) for i, start in enumerate(starts)]
+    box = _package().BoundTransform([0.0, 1.0])
+    strategies = [_strategy(start, box, seed + i, population, spread) for i, start in enumerate(starts)]
     running, interrupted = list(range(len(starts))), False
     try:
         while running and values.min() > target and runs + population * len(running) <= budget:
-            asked = [np.clip(np.asarray(strategies[i].ask()), 0.0, 1.0) for i in running]
-            tried = [rows[:, : starts.shape[1]] for rows in asked]
-            reached = np.split(_finite(objective(np.concatenate(tried))), len(running))
-            for i, rows, own, mine in zip(running, asked, tried, reached, strict=True):
+            asked = np.array([strategies[i].ask() for i in running])
+            # All at once: one by one, this takes the package as long as their runs.
+            tried = np.clip(box.repair(asked.ravel()), 0.0, 1.0).reshape(-1, asked.shape[2])[:, : starts.shape[1]]
+            reached = np.split(_finite(objective(tried)), len(running))
+            for i, rows, own, mine in zip(running, asked, np.split(tried, len(running)), reached, strict=True):
                 strategies[i].tell(list(rows), _ranked(mine).tolist())
                 at = int(np.argmin(mine))
                 if mine[at] < values[i]:
@@ -198,14 +200,14 @@ def _package() -> Any:
     return sys.modules["cma"]
 
 
-def _strategy(start: Array, seed: int, population: int, spread: float) -> Any:
+def _strategy(start: Array, box: Any, seed: int, population: int, spread: float) -> Any:
     generator = np.random.default_rng(seed)
-    options = {"bounds": [0.0, 1.0], "popsize": population, "verbose": -9, "tolfun": 0.0, "tolfunhist": 0.0}
+    options: dict[str, Any] = {"maxstd": 1.0 / 3.0, "popsize": population, "verbose": -9, "tolfun": 0.0, "tolfunhist": 0.0}
     # Use a separate generator: otherwise the package seeds numpy's global generator.
     options |= {"seed": np.nan, "randn": lambda *shape: generator.standard_normal(shape)}
     # On a bound the transformation of the box has zero slope. The package needs two dimensions: a lone parameter gets an idle one.
     inside = [*np.clip(start, 1e-3, 1.0 - 1e-3), *([0.5] if start.size == 1 else [])]
-    return _package().CMAEvolutionStrategy(inside, spread, options)
+    return _package().CMAEvolutionStrategy(box.inverse(np.array(inside)), spread, options)
 
 
 def _finite(values: Array) -> Array:

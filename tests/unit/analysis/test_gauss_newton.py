@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
 import pytest
 from scipy.signal import lfilter
 
 from contourlab.analysis.identification.least_squares import (
+    DAMPINGS,
     DescentSettings,
+    Free,
     descend,
+    descended,
     fit_covariance,
+    in_step,
     jacobian,
     parted_deviations,
     spread_starts,
@@ -63,8 +69,29 @@ def test_failed_points_are_avoided() -> None:
     found = descend(broken, [-1.2499, 1.0], [-5.0, -5.0], [5.0, 5.0], [1.0, 1.0], settings)
     assert found.values == pytest.approx([1.0, 1.0], abs=1e-2)
     at, bounds = np.array([-1.2499, 1.0]), np.array([[-5.0] * 2, [5.0] * 2, [0.01] * 2])
-    slopes = jacobian(broken, at, banana(at[None])[0], *bounds)
+    (slopes,) = in_step(broken, [jacobian(at, banana(at[None])[0], *bounds)])
     assert slopes == pytest.approx(np.array([[24.9, 10.0], [-1.0, 0.0]]), abs=0.01)  # one-sided: -20 x - 10 h
+
+
+def test_descents_from_several_starts_end_where_each_alone_does() -> None:
+    """Bit by bit, whatever the size of the residual at each start; the best end counts."""
+    times = np.linspace(0.0, 3.0, 200)
+    measured = 2.0 * np.exp(-0.7 * times)
+    free = {"height": Free(1.0, 0.0, 9.0), "rate": Free(0.1, 0.0, 9.0)}
+    calls = list[int]()
+
+    def model(points: Sequence[Mapping[str, float]]) -> np.ndarray:
+        calls.append(len(points))
+        return np.array([point["height"] * np.exp(-point["rate"] * times) for point in points])
+
+    starts = np.array([[0.5, 6.0], [1.0, 0.1], [6.0, 3.0]])
+    alone = [descended(model, measured, free, start[None])[0] for start in starts]
+    before = len(calls)
+    best, ends = descended(model, measured, free, starts)
+    assert len(calls) - before < before and max(calls[before:]) == 3 * len(DAMPINGS)
+    np.testing.assert_array_equal(ends, [one.values for one in alone])
+    assert best.fit == max(one.fit for one in alone)
+    assert best.values == pytest.approx([2.0, 0.7], abs=1e-3)
 
 
 def test_a_start_that_fails_or_lies_outside_is_refused() -> None:

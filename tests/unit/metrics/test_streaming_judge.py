@@ -45,7 +45,8 @@ def test_sums(analytic: bool) -> None:
     exact = judge(made_run(samples_on(path, along), tool), samples_on(path, along))
     start, stop = 100, 220
     sums, _, _ = streamed(path, along, tool, (start, stop), analytic)
-    e, t = exact["contour_error"][start:stop], np.linalg.norm(exact["tracking_error"][start:stop], axis=1)
+    away = np.linalg.norm(exact["tracking_error"], axis=1)
+    e, t = exact["contour_error"][start:stop], away[start:stop]
     assert sums["count"] == stop - start
     assert sums["sum_magnitude"] == pytest.approx(np.abs(e).sum(), abs=120e-10)
     assert sums["sum_square"] == pytest.approx((e**2).sum(), abs=1e-4 * 120e-10)
@@ -54,6 +55,7 @@ def test_sums(analytic: bool) -> None:
     assert sums["largest_at"] == start + int(np.argmax(np.abs(e)))
     assert sums["sum_tracking"] == pytest.approx((t**2).sum(), rel=1e-12)
     assert sums["largest_tracking"] == pytest.approx((t**2).max(), rel=1e-12)
+    assert sums["reach"] == pytest.approx((away**2).max(), rel=1e-12)  # of all samples, judged or not
 
 
 def test_side_of_a_clockwise_circle() -> None:

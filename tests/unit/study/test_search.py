@@ -11,7 +11,7 @@ import pytest
 
 from contourlab.errors import ParameterError
 from contourlab.study import search
-from contourlab.study.search import _Spared
+from contourlab.study.search import SPREAD, _Spared
 
 STARTS = np.array([[0.9, 0.1, 0.9], [0.1, 0.9, 0.5]])
 
@@ -48,6 +48,27 @@ def test_a_search_leaves_the_list_of_finders_as_it_is(monkeypatch: pytest.Monkey
     monkeypatch.delitem(sys.modules, "cma", raising=False)  # so that it is loaded again
     search(bowl, STARTS, budget=100, tolerance=0.0)
     assert "cma" in sys.modules and sys.meta_path == finders
+
+
+def test_points_are_those_of_the_package_within_bounds() -> None:
+    """Bit by bit: here the box is entered for all starts at once; the minimum lies outside."""
+    tried = list[np.ndarray]()
+
+    def corner(points: np.ndarray) -> np.ndarray:
+        tried.append(points.copy())
+        return ((points - np.array([-0.3, 1.2, 0.5])) ** 2).sum(axis=1)
+
+    search(corner, np.array([[0.9, 0.0, 0.3], [0.5, 0.5, 0.5]]), budget=1000, seed=3, population=16, tolerance=0.0)
+    generator = np.random.default_rng(3)
+    options = {"bounds": [0.0, 1.0], "popsize": 16, "verbose": -9, "tolfun": 0.0, "tolfunhist": 0.0, "seed": np.nan}
+    options |= {"randn": lambda *shape: generator.standard_normal(shape)}
+    package = sys.modules["cma"].CMAEvolutionStrategy([0.9, 1e-3, 0.3], SPREAD, options)
+    generations = [points[:16] for points in tried[1:]]
+    for points in generations:
+        asked = package.ask()
+        np.testing.assert_array_equal(asked, points)
+        package.tell(asked, corner(points).tolist())
+    assert len(generations) > 20 and (generations[-1][:, 0] < 0.1).any()
 
 
 def test_finds_the_minimum_of_a_bowl() -> None:

@@ -15,9 +15,9 @@ Series Analysis 16, 1995.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -326,6 +326,8 @@ def coloured_deviations(columns: Array, residual: Array, inverse: Array, window:
 Residuals = Callable[[Array], Array]
 """Points (k, p) to residuals (k, n), all in one call; the row of a point that fails is not finite."""
 
+TOGETHER = 32
+"""Candidates that are evaluated in one call: more would not fit into the caches."""
 DAMPINGS = 10.0 ** np.arange(-3.0, 5.0)
 """Factors on the damping, tried in parallel."""
 
@@ -398,17 +400,42 @@ def descend(
     ----------
     Nocedal & Wright, "Numerical Optimization", 2nd ed., sections 10.3 (Levenberg-Marquardt) and 16.7 (projected gradient).
     """
-    chosen = settings or DescentSettings()
     x, low, high, size = (np.array(v, dtype=float) for v in (start, lower, upper, scale))
     if not (np.all(low <= x) and np.all(x <= high) and np.all(size > 0.0)):
         raise ParameterError("start", f"{x}", f"within {low} and {high}, scales above zero")
     r = residuals(x[None])[0]
     if not np.isfinite(r).all():
         raise ParameterError("start", f"{x}", "parameters that can be simulated: the run diverges there")
+    return in_step(residuals, [_descent(x, r, low, high, size, settings)])[0]
+
+
+_End = TypeVar("_End")
+_Search: TypeAlias = Generator[Array, Array, _End]
+"""Asks for the residuals (k, n) of points (k, p) until it ends with a result."""
+
+
+def in_step(residuals: Residuals, searches: Sequence[_Search[_End]], sizes: Sequence[float] = (1.0,)) -> list[_End]:
+    """Run searches together: the points that all of them ask for are evaluated in one call. Each sees residuals over its size."""
+    asked, ends = {i: next(search) for i, search in enumerate(searches)}, dict[int, _End]()
+    while asked:
+        left = residuals(np.concatenate(list(asked.values())))
+        for i, points in list(asked.items()):
+            own, left = left[: len(points)] / sizes[i], left[len(points) :]
+            try:
+                asked[i] = searches[i].send(own)
+            except StopIteration as end:
+                ends[i] = end.value
+                del asked[i]
+    return [ends[i] for i in range(len(searches))]
+
+
+def _descent(x: Array, r: Array, low: Array, high: Array, size: Array, settings: DescentSettings | None) -> _Search[Descent]:
+    """Descend from a point with residual r."""
+    chosen = settings or DescentSettings()
     damping, cost, converged, done = 1e-3, float(r @ r), False, 0
     width = chosen.difference * size
     for _ in range(2):  # the size of the differences depends on the slopes
-        slopes = jacobian(residuals, x, r, low, high, width)
+        slopes = yield from jacobian(x, r, low, high, width)
         width = _widths(slopes, chosen, size)
     while done < chosen.most_iterations and not converged:
         done += 1
@@ -418,8 +445,8 @@ def descend(
             break
         factors = damping * DAMPINGS
         trials = _trials(x, r, slopes, free, low, high, factors)
-        left = residuals(trials)
-        costs = np.where(np.isfinite(left).all(axis=1), (np.nan_to_num(left) ** 2).sum(axis=1), math.inf)
+        left = yield trials
+        costs = _costs(left)
         best = int(np.argmin(costs))
         if costs[best] >= cost:
             if damping > 1e6:
@@ -429,9 +456,14 @@ def descend(
         converged = cost - costs[best] <= chosen.least_gain * cost
         x, r, cost = trials[best], left[best], float(costs[best])
         damping = float(np.clip(0.1 * factors[best], 1e-9, 1e6))
-        slopes = jacobian(residuals, x, r, low, high, width)
+        slopes = yield from jacobian(x, r, low, high, width)
         width = _widths(slopes, chosen, size)
     return Descent(x, r, cost, slopes, _held(x, slopes.T @ r, low, high), done, converged)
+
+
+def _costs(left: Array) -> Array:
+    """Return the sums of squares (k,) of residuals (k, n); infinite where one is not finite."""
+    return np.asarray(np.nan_to_num((left**2).sum(axis=1), nan=math.inf, posinf=math.inf))
 
 
 def _widths(slopes: Array, chosen: DescentSettings, size: Array) -> Array:
@@ -462,8 +494,8 @@ def _trials(x: Array, r: Array, slopes: Array, free: Flags, low: Array, high: Ar
     return np.clip(moved, low, high)
 
 
-def jacobian(residuals: Residuals, x: Array, r: Array, low: Array, high: Array, step: Array) -> Array:
-    """Return the slopes of the residuals (n, p) at x by central differences; one-sided at a bound and next to a point that fails.
+def jacobian(x: Array, r: Array, low: Array, high: Array, step: Array) -> _Search[Array]:
+    """Search the slopes of the residuals (n, p) at x by central differences; one-sided at a bound and next to a point that fails.
 
     Parameters
     ----------
@@ -477,7 +509,7 @@ def jacobian(residuals: Residuals, x: Array, r: Array, low: Array, high: Array, 
     points = np.repeat(x[None], 2 * p, axis=0)
     points[np.arange(p), np.arange(p)] = up
     points[p + np.arange(p), np.arange(p)] = down
-    around = residuals(points)
+    around = yield points
     slopes = np.zeros((r.size, p))
     for i in range(p):
         above, below = around[i], around[p + i]
@@ -511,8 +543,7 @@ def spread_starts(
     away = line[1] + qmc.Sobol(x.size, seed=0).random(candidates) * (line[2] - line[1]) - line[0]
     placed = line[0] + reach * away
     points = np.clip(np.where(ratio, np.exp(np.where(ratio, placed, 0.0)), placed), low, high)
-    left = residuals(points)
-    costs = np.where(np.isfinite(left).all(axis=1), (np.nan_to_num(left) ** 2).sum(axis=1), math.inf)
+    costs = np.concatenate([_costs(residuals(points[i : i + TOGETHER])) for i in range(0, candidates, TOGETHER)])
     order = [i for i in np.argsort(costs, kind="stable")[: count - 1] if math.isfinite(costs[i])]
     return np.vstack([x[None], points[order]])
 
@@ -649,19 +680,28 @@ Model = Callable[[Sequence[Mapping[str, float]]], Array]
 """Outputs (m, n) of a model for m sets of its parameters."""
 
 
-def descended(model: Model, measured: Array, free: Mapping[str, Free], settings: DescentSettings | None = None) -> OutputFit:
-    """Fit a model's output (n,) in steps that bridge its kinks; deviations are those of the jackknife over parts of the record."""
-    names, (start, low, high, scale) = tuple(free), arrays_of(free)
+def descended(
+    model: Model, measured: Array, free: Mapping[str, Free], points: Array, settings: DescentSettings | None = None
+) -> tuple[OutputFit, list[Array]]:
+    """Fit a model's output (n,) from points (k, p), in steps that bridge its kinks; return the best end, and the values (p,) of all.
 
-    def predicted(points: Array) -> Array:
-        return model([dict(zip(names, x.tolist(), strict=True)) for x in points])
+    The deviations are those of the jackknife over parts of the record.
+    """
+    names, (_, low, high, scale) = tuple(free), arrays_of(free)
 
-    size = float(np.sqrt(np.mean((predicted(start[None]) - measured) ** 2)))
-    result = descend(lambda points: (predicted(points) - measured) / size, start, low, high, scale, settings)
-    inside = (result.values > low) & (result.values < high)
+    def residuals(points: Array) -> Array:
+        return model([dict(zip(names, x.tolist(), strict=True)) for x in points]) - measured
+
+    left = residuals(points)
+    sizes = [float(np.sqrt(np.mean(r**2))) for r in left]
+    searches = [_descent(x, r / size, low, high, scale, settings) for x, r, size in zip(points, left, sizes, strict=True)]
+    ends = in_step(residuals, searches, sizes)
+    fits = [fit_percent(measured, measured + size * end.residual) for end, size in zip(ends, sizes, strict=True)]
+    best = int(np.argmax(fits))
+    end, output = ends[best], measured + sizes[best] * ends[best].residual
+    inside = (end.values > low) & (end.values < high)
     deviations = np.zeros(len(names))
-    deviations[inside] = np.max([parted_deviations(result.jacobian[:, inside], result.residual, parts) for parts in PARTS], axis=0)
+    deviations[inside] = np.max([parted_deviations(end.jacobian[:, inside], end.residual, parts) for parts in PARTS], axis=0)
     stuck = tuple(name for name, is_free in zip(names, inside, strict=True) if not is_free)
-    output = measured + size * result.residual
-    fit = fit_percent(measured, output)
-    return OutputFit(names, result.values, deviations, deviations, np.eye(len(names)), 1.0, stuck, measured, output, fit)
+    fit = OutputFit(names, end.values, deviations, deviations, np.eye(len(names)), 1.0, stuck, measured, output, fits[best])
+    return fit, [end.values for end in ends]

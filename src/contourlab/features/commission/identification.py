@@ -167,33 +167,39 @@ def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, s: int, fi
         "offset": Free(a * first["offset"], -10.0 * size, 10.0 * size, 0.1 * size),
     }
     free["delay"] = Free(0.0, -0.75 * period, (MOST_DELAY - 1) * period, period)
-    rigid = descended(model, measured, free)
+    rigid, _ = descended(model, measured, free, arrays_of(free)[:1])
     two = _with_shaft(model, measured, free, rigid)
     sure = two.deviation("resonance") < SURE * two["resonance"] and 4.0 * two.deviation("share") < two["share"]
-    # The criterion of Schwarz: the residual is smaller than by chance.
-    explains = 2.0 * measured.size * math.log((100.0 - rigid.fit) / max(100.0 - two.fit, 1e-9)) > len(SHAFT) * math.log(measured.size)
-    return two if sure and explains and not {"resonance", "share"} & {*two.at_bound} else rigid
+    return two if sure and _explains(two, rigid) and not {"resonance", "share"} & {*two.at_bound} else rigid
+
+
+def _explains(two: OutputFit, rigid: OutputFit) -> bool:
+    """Return whether two masses leave a residual smaller than by chance: the criterion of Schwarz."""
+    n = rigid.measured.size
+    return 2.0 * n * math.log((100.0 - rigid.fit) / max(100.0 - two.fit, 1e-9)) > len(SHAFT) * math.log(n)
 
 
 def _with_shaft(model: Model, measured: Array, free: Mapping[str, Free], rigid: OutputFit) -> OutputFit:
     """Fit two masses with a shaft between them from several starts."""
     start, low, high, _ = arrays_of(SHAFT)
-    best, ends = rigid, list[OutputFit]()
+    best, found = rigid, list[OutputFit]()
     for count, reach, settings in SEARCHES:
-        known = {name: replace(part, start=best[name]) for name, part in free.items()}
-        values = {name: part.start for name, part in known.items()}
+        known = {name: best[name] for name in free}
 
-        def left(points: Array, values: Values = values) -> Array:
-            return model([{**values, **dict(zip(SHAFT, x.tolist(), strict=True))} for x in points]) - measured
+        def left(points: Array, known: Values = known) -> Array:
+            return model([{**known, **dict(zip(SHAFT, x.tolist(), strict=True))} for x in points]) - measured
 
-        ends = ends and [best]
-        for point in spread_starts(left, start, low, high, count, 256, reach):
-            shaft = {name: replace(part, start=float(at)) for (name, part), at in zip(SHAFT.items(), point, strict=True)}
-            ends.append(descended(model, measured, {**known, **shaft}, settings))
-        best = max(ends, key=lambda end: end.fit)
+        shafts = spread_starts(left, start, low, high, count, 256, reach)
+        points = np.column_stack([np.tile(list(known.values()), (len(shafts), 1)), shafts])
+        end, values = descended(model, measured, {**free, **SHAFT}, points, settings)
+        ends = [*(fit.values for fit in found), *values]
+        found.append(end)
+        best = max(found, key=lambda fit: fit.fit)
         start = best.values[-len(SHAFT) :]
+        if not _explains(best, rigid):
+            break
     # Behind play a search does not always end at the same point: how far its ends differ is not known better.
-    return replace(best, robust_deviations=np.hypot(best.robust_deviations, np.std([end.values for end in ends], axis=0)))
+    return replace(best, robust_deviations=np.hypot(best.robust_deviations, np.std(ends, axis=0)))
 
 
 def _noise_at_rest(log: AxisLog) -> Array:
