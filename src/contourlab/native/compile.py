@@ -16,15 +16,15 @@ from typing import Any
 
 import numpy as np
 from numba import cfunc, njit, types
-from numba.core.registry import cpu_target
-from numba.core.runtime import rtsys
+from numba.core.errors import NumbaError
 
 from contourlab.errors import EngineError
 from contourlab.native import store
 
 OPTIONS: dict[str, Any] = {"error_model": "numpy", "boundscheck": False}
-INNER: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, "forceinline": True}
-"""For functions that only compiled code calls: wrappers for Python and C take half of the compile time."""
+INNER: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, "forceinline": True, "_nrt": False}
+"""For functions that only compiled code calls: wrappers for Python and C take half of the compile time. Nothing counts references to arrays,
+which took a third of the time of a short loop; so nothing may make one."""
 PROJECT = __name__.partition(".")[0] + "."
 _KINDS: dict[str, tuple[Any, Any, Any]] = {
     "i8": (types.int64, ctypes.c_int64, np.int64),
@@ -104,10 +104,12 @@ def _build(function: Any, kinds: list[str]) -> tuple[Any, str]:
     """Compile a kernel alone: a C function around it would optimise all of it again."""
     takes = [types.Array(_KINDS[kind[:2]][0], kind.count(":"), "C") if ":" in kind else _KINDS[kind][0] for kind in kinds]
     twin = _twin(function, {})
-    twin.compile(types.void(*takes))
+    try:
+        twin.compile(types.void(*takes))
+    except NumbaError as reason:
+        advice = "a kernel may not make an array, a list or a dict: hand it the memory that it needs"
+        raise EngineError(f"kernel {function.__name__} does not compile; {advice}") from reason
     (made,) = twin.overloads.values()
-    if "NRT_MemInfo_alloc" in made.library.get_llvm_str():
-        raise EngineError(f"kernel {function.__name__} makes an array, a list or a dict: hand it the memory that it needs")
     arguments = made.library.get_function(made.fndesc.llvm_func_name).arguments
     if [str(one.type) for one in arguments] != [_LLVM_TYPES[one] for one in _taken(kinds)]:
         raise EngineError(f"kernel {function.__name__}: this Numba hands over arguments in another way; install the one of constraints.txt")
@@ -121,7 +123,6 @@ def compiled_kernel(function: Any, signature: str) -> Callable[..., None]:
     words = (function.__name__, signature, *sources, store.toolchain())
     key = hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
     prototype: Any = ctypes.CFUNCTYPE(ctypes.c_int32, *_taken(kinds))
-    rtsys.initialize(cpu_target.target_context)  # code that passes arrays counts references
     run = prototype(store.address(key, lambda: _build(function, kinds), function.__name__.strip("_")))
 
     def call(*arguments: Any) -> None:
