@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike
 from contourlab.arrays import Array, Index
 from contourlab.errors import GeometryError, refuse
 from contourlab.geometry.blend import Blends, by_length
-from contourlab.geometry.curve import CurveSequence
+from contourlab.geometry.curve import CurveSequence, interval
 from contourlab.geometry.line_and_arc import Arcs, Lines
 from contourlab.geometry.table import table_pieces
 from contourlab.native.kernel import kernel
@@ -131,25 +131,8 @@ def _leaves(path: CurveSequence) -> _Leaves:
 
 def _number(start, length, closed, s, hint):
     """Return the leaf of an arc length, counted over laps; `hint` is one that may be near."""
-    n, lap = start.size - 1, 0
-    if closed:
-        lap = math.floor(s / length)
-        s -= lap * length
-    low, high = 0, n - 1
-    if start[hint] <= s:
-        low = hint
-        for _ in range(4):
-            low += 1 if low < n - 1 and start[low + 1] <= s else 0
-        high = low if low == n - 1 or s < start[low + 1] else high
-    else:
-        high = hint
-    while low < high:
-        middle = (low + high + 1) // 2
-        if start[middle] <= s:
-            low = middle
-        else:
-            high = middle - 1
-    return low + lap * n
+    lap = math.floor(s / length) if closed else 0
+    return interval(start, s - lap * length, hint) + lap * (start.size - 1)
 
 
 def _away(corner, closed, points, i, k):
@@ -498,6 +481,27 @@ def search(
     state[0], state[1] = i, count
 
 
+@kernel("f8[:,:] f8[:] i8 f8 f8[:] f8[:] i8[:,:] f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:,:] f8[:,:,:] f8[:]")
+def _gaps(points, along, closed, length, breaks, start, leaf, lines, arcs, coefficients, borders, inverse, pieces, spot, gap):
+    """Write the distance of each point from the place of the path at an arc length; a table stands for curves without a closed form."""
+    at = 0
+    for i in range(along.size):
+        s = along[i] - math.floor(along[i] / length) * length if closed else min(max(along[i], 0.0), length)
+        at = interval(start, s, at)
+        c, kind, k = leaf[at, 0], leaf[at, 1], leaf[at, 2]
+        if kind == _LINE:
+            _, square = _on_line(points, i, lines, k, s - breaks[c], s - breaks[c])
+        elif kind == _OTHER:
+            square, _, _ = _slope(points, i, pieces, at, s - start[at])
+        else:
+            if kind == _ARC:
+                _arc_at(arcs, k, s - breaks[c], spot, 0)
+            else:
+                by_length(k, s - breaks[c], 0, coefficients, borders, inverse, spot, 0)
+            square = _gap(points, i, spot, 0)
+        gap[i] = math.sqrt(square)
+
+
 CHUNK = 1 << 15
 
 
@@ -554,6 +558,15 @@ def foot_point(path: CurveSequence, points: ArrayLike, around: ArrayLike, window
     in_threads(lambda some: searched(path, p[some], s[some], reach[some], FootPoint(*(part[some] for part in found))), chunks)
     assert np.isfinite(found.distance).all()  # a wrong search must not become a figure
     return found
+
+
+def gaps(path: CurveSequence, points: Array, along: Array) -> Array:
+    """Return the distances (n,) [m] of points (n, n_axis) from the places of a path at arc lengths (n,), within 1 nm."""
+    leaves, gap = _leaves(path), np.empty(len(points))
+    shapes = leaves.lines, leaves.arcs, leaves.coefficients, leaves.borders, leaves.inverse, leaves.pieces
+    given = np.ascontiguousarray(points), along, leaves.closed, leaves.length, leaves.breaks, leaves.start, leaves.leaf
+    _gaps(*given, *shapes, np.empty((3, path.n_axis, 1)), gap)
+    return gap
 
 
 def searched(path: CurveSequence, points: Array, around: Array, window: Array, found: FootPoint) -> int:
