@@ -575,17 +575,15 @@ def searched(path: CurveSequence, points: Array, around: Array, window: Array, f
     given = tuple(map(np.ascontiguousarray, (points, around, window)))
     refuse(not (np.isfinite(given[0]).all() and np.isfinite(given[1]).all()), GeometryError, "points and progress must be finite")
     leaves, room, state = _leaves(path), 64, np.zeros(3, dtype=np.int64)
-    room += 0 if (leaves.leaf[:, 1] < _OTHER).all() else 4 * n
     most = 3 * len(leaves.leaf) + 4
     ends, near = np.empty((_DEPTH, 2), dtype=np.int64), np.empty((most, 2), dtype=np.int64)
     scratch = ends, np.empty((_DEPTH, 3)), np.empty((3, path.n_axis, 2)), near, np.empty(most)
     while state[0] < n:
-        before, pair, guess = int(state[0]), np.empty((room, 2), dtype=np.int64), np.empty((room, 6))
+        pair, guess = np.empty((room, 2), dtype=np.int64), np.empty((room, 6))
         search(*given, *leaves, *found, pair, guess, state, *scratch)
         pairs.append(pair[: state[1]])
         guesses.append(guess[: state[1]])
-        # A sample may have more closest points than `pair` holds.
-        room = 2 * room if state[0] == before else room
+        room *= 4  # it stops where they are full: curves other than lines, arcs and blends have some for each sample
     if sum(map(len, pairs)):
         _end(path, given, np.concatenate(pairs), np.concatenate(guesses), found)
     return int(state[2])
