@@ -109,9 +109,10 @@ def _leaves(path: CurveSequence) -> _Leaves:
         owner, begin, coefficients, _ = table_pieces(path, 1e-9 * min(path.length, 1.0))
         kept = np.flatnonzero(~direct[owner] | (np.diff(owner, prepend=-1) > 0))
         owner, start, pieces = owner[kept], np.append(begin[kept], path.length), coefficients[kept]
-        h = np.diff(begin)[kept, None, None] * np.linspace(0.0, 1.0, 5)[:, None]
-        c = np.moveaxis(pieces, 2, 0)[:, :, None, :]
-        bend = np.linalg.norm(2.0 * c[2] + h * (6.0 * c[3] + h * (12.0 * c[4] + h * 20.0 * c[5])), axis=2).max(axis=1)
+        h, square = np.diff(begin)[kept, None] * np.linspace(0.0, 1.0, 5), np.zeros((kept.size, 5))
+        for c in pieces.transpose(1, 2, 0)[..., None]:
+            square += (2.0 * c[2] + h * (6.0 * c[3] + h * (12.0 * c[4] + h * 20.0 * c[5]))) ** 2
+        bend = np.sqrt(square.max(axis=1))
     junctions, along = path.junctions
     corner = np.where(direct[owner, None], junctions[owner], pieces[:, :, 0])
     path.__dict__["_leaves"] = leaves = _Leaves(
