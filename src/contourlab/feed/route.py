@@ -29,7 +29,7 @@ def _spans(s, planned, programmed, span):  # type: ignore[no-untyped-def]
     """Write the length in `programmed` of the interval of `planned` around each s."""
     k = 0
     for i in range(s.size):
-        k = interval(planned, s[i], k)
+        k = interval(planned, s[i], k)  # type: ignore[no-untyped-call]
         span[i] = programmed[k + 1] - programmed[k]
 
 
@@ -74,8 +74,9 @@ class Correspondence:
     def span(self, s: ArrayLike) -> Array:
         """Return the length on the programmed path (n,) [m] of the node interval around each planned arc length (n,)."""
         along, _ = self._laps(s)
-        _spans(along, self.planned, self.programmed, found := np.empty(along.size))
-        return found
+        span = np.empty(along.size)
+        _spans(along, self.planned, self.programmed, span)
+        return span
 
     def after(self, first: Correspondence) -> Correspondence:
         """Compose: apply `first`, then this map."""

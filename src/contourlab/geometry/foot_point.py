@@ -210,9 +210,10 @@ def _on_arc(points, i, arcs, k, low, high, middle, spot, column):
     return s
 
 
-def _tied(square, least):
-    """Return whether two squared distances are equal but for rounding."""
-    return square <= least * (1.0 + 1e-12) + 1e-30 and least <= square * (1.0 + 1e-12) + 1e-30
+def _compared(square, away, least, aside):
+    """Return whether a place is as near as the nearest so far but for rounding, and whether it wins: nearer, or as near and less aside."""
+    level = square <= least * (1.0 + 1e-12) + 1e-30 and least <= square * (1.0 + 1e-12) + 1e-30
+    return level, away < aside if level else square < least
 
 
 def _slope(points, i, pieces, at, h):
@@ -374,9 +375,9 @@ def search(
                         s = _on_arc(points, i, arcs, k, low, high, min(max(around[i] - offset, low), high), spot, 1 - column)
                         square = _gap(points, i, spot, 1 - column)
                     away, clear = abs(offset + s - around[i]), math.sqrt(square)
-                    level = _tied(square, least)
+                    level, wins = _compared(square, away, least, aside)
                     ties = ties or level
-                    if (level and away < aside) or (not level and square < least):
+                    if wins:
                         aside, won, won_at, column, bound = away, e, s, 1 - column, min(bound, clear + _SLACK)
                     least = min(least, square)
                     # What the window hides of the line or arc may be nearer.
@@ -436,9 +437,9 @@ def search(
                         continue
                     s = _on_blend(points, i, coefficients, borders, inverse, k, s, s_a, s_b, start[at + 1] - start[at], spot, 1 - column)
                     square, away = _gap(points, i, spot, 1 - column), abs(offset + s - around[i])
-                    level = _tied(square, least)
+                    level, wins = _compared(square, away, least, aside)
                     ties = ties or level
-                    if (level and away < aside) or (not level and square < least):
+                    if wins:
                         aside, won, won_at, column, bound = away, e, s, 1 - column, min(bound, math.sqrt(square) + _SLACK)
                     least = min(least, square)
                 close[e] = max(close[e], clear - _TABLE_SLACK - hidden + travel)
@@ -563,10 +564,9 @@ def foot_point(path: CurveSequence, points: ArrayLike, around: ArrayLike, window
 
 def gaps(path: CurveSequence, points: Array, along: Array) -> Array:
     """Return the distances (n,) [m] of points (n, n_axis) from the places of a path at arc lengths (n,), within 1 nm."""
-    leaves, gap = _leaves(path), np.empty(len(points))
-    shapes = leaves.lines, leaves.arcs, leaves.coefficients, leaves.borders, leaves.inverse, leaves.pieces
-    given = np.ascontiguousarray(points), along, leaves.closed, leaves.length, leaves.breaks, leaves.start, leaves.leaf
-    _gaps(*given, *shapes, np.empty((3, path.n_axis, 1)), gap)
+    own, gap = _leaves(path), np.empty(len(points))
+    curves = own.closed, own.length, own.breaks, own.start, own.leaf, *own[-6:]
+    _gaps(np.ascontiguousarray(points), along, *curves, np.empty((3, path.n_axis, 1)), gap)
     return gap
 
 

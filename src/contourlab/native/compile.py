@@ -109,8 +109,7 @@ def _build(function: Any, kinds: list[str]) -> tuple[Any, str]:
     try:
         twin.compile(types.void(*takes))
     except NumbaError as reason:
-        advice = "a kernel may not make an array, a list or a dict: hand it the memory that it needs"
-        raise EngineError(f"kernel {function.__name__} does not compile; {advice}") from reason
+        raise EngineError(f"kernel {function.__name__} does not compile; it may not make an array, a list or a dict") from reason
     (made,) = twin.overloads.values()
     arguments = made.library.get_function(made.fndesc.llvm_func_name).arguments
     if [str(one.type) for one in arguments] != [_LLVM_TYPES[one] for one in _taken(kinds)]:

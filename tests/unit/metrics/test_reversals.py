@@ -167,7 +167,7 @@ def test_many_reversals_in_space_take_the_memory_of_one_run() -> None:
     points = np.column_stack([np.arange(n + 1.0), 0.2 * (np.arange(n + 1) % 2), np.zeros(n + 1)]) * 1e-3
     path = Path(Line.many(points[:-1], points[1:]))
     reference = samples_on(path, np.linspace(0.0, path.length, 60 * n))
-    result = judge(made_run(reference, reference.block(0, 60 * n).position + [0.0, 0.0, 1e-5]), reference)
+    result = judge(made_run(reference, reference.block(0, 60 * n).position + np.array([0.0, 0.0, 1e-5])), reference)
     tracemalloc.start()
     spikes = reversal_spikes(result, reference=reference)
     peak = tracemalloc.get_traced_memory()[1]
