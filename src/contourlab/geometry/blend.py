@@ -146,14 +146,10 @@ def parameter(s: float, borders: Array, inverse: Array) -> float:
     quarter = 3 if s >= borders[3] else 2 if s >= borders[2] else 1 if s >= borders[1] else 0
     low, high = borders[quarter], borders[quarter + 1]
     x = min(max((2.0 * s - low - high) / (high - low), -1.0), 1.0)
-    # Clenshaw's recursions for the even and the odd terms, in 2 x^2 - 1: two short chains of operations are faster than a long one.
-    twice = 4.0 * x * x - 2.0
-    even, even_before, odd, odd_before = 0.0, 0.0, 0.0, 0.0
-    for term in range(inverse.shape[1] - 2, 0, -2):
-        even, even_before = inverse[quarter, term] - even_before + twice * even, even
-        odd, odd_before = inverse[quarter, term + 1] - odd_before + twice * odd, odd
-    part = inverse[quarter, 0] - even_before + 0.5 * twice * even + x * (inverse[quarter, 1] - odd_before + twice * odd - odd)
-    part = 0.5 * (1.0 + part)
+    b1, b2 = 0.0, 0.0  # Clenshaw's recursion
+    for term in range(inverse.shape[1] - 1, 0, -1):
+        b1, b2 = 2.0 * x * b1 - b2 + inverse[quarter, term], b1
+    part = 0.5 * (1.0 + (x * b1 - b2 + inverse[quarter, 0]))
     return float(0.25 * (quarter + min(max(part, 0.0), 1.0)))
 
 
