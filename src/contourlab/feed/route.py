@@ -17,9 +17,20 @@ from contourlab.contours.drawing import spline_curves
 from contourlab.errors import FeedError, GeometryError, ProgramError, refuse
 from contourlab.feed.bounds import AxisLimits
 from contourlab.geometry import Arc, Curve, Line, Path
+from contourlab.geometry.curve import interval
 from contourlab.geometry.path import CORNER_ANGLE
+from contourlab.native.kernel import kernel
 from contourlab.program import Arc as ArcMove
 from contourlab.program import Dwell, Program, Spline, Traverse
+
+
+@kernel("f8[:] f8[:] f8[:] f8[:]")
+def _spans(s, planned, programmed, span):  # type: ignore[no-untyped-def]
+    """Write the length in `programmed` of the interval of `planned` around each s."""
+    k = 0
+    for i in range(s.size):
+        k = interval(planned, s[i], k)  # type: ignore[no-untyped-call]
+        span[i] = programmed[k + 1] - programmed[k]
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,8 +74,9 @@ class Correspondence:
     def span(self, s: ArrayLike) -> Array:
         """Return the length on the programmed path (n,) [m] of the node interval around each planned arc length (n,)."""
         along, _ = self._laps(s)
-        i = np.clip(np.searchsorted(self.planned, along, side="right") - 1, 0, self.planned.size - 2)
-        return np.asarray(np.diff(self.programmed)[i])
+        span = np.empty(along.size)
+        _spans(along, self.planned, self.programmed, span)
+        return span
 
     def after(self, first: Correspondence) -> Correspondence:
         """Compose: apply `first`, then this map."""

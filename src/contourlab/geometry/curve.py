@@ -182,6 +182,25 @@ def clenshaw(c: Array, x: Array) -> Array:
     return np.asarray(x * b1 - b2 + c[0])
 
 
+def interval(breaks, s, hint):  # type: ignore[no-untyped-def]
+    """Return the number of the last of rising intervals that starts at or before s, or of the first; `hint` is one that may be near."""
+    low, high = 0, breaks.size - 2
+    if breaks[hint] <= s:
+        low = hint
+        for _ in range(4):
+            low += 1 if low < high and breaks[low + 1] <= s else 0
+        high = low if low == high or s < breaks[low + 1] else high
+    else:
+        high = hint
+    while low < high:
+        middle = (low + high + 1) // 2
+        if breaks[middle] <= s:
+            low = middle
+        else:
+            high = middle - 1
+    return low
+
+
 def angle_between(a: Array, b: Array) -> Array:
     """Return the angles (n,) [rad] between unit vectors (n, n_axis), accurate for small and large angles."""
     return np.asarray(2.0 * np.arctan2(np.linalg.norm(b - a, axis=1), np.linalg.norm(a + b, axis=1)))

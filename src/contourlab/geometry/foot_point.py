@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike
 from contourlab.arrays import Array, Index
 from contourlab.errors import GeometryError, refuse
 from contourlab.geometry.blend import Blends, by_length
-from contourlab.geometry.curve import CurveSequence
+from contourlab.geometry.curve import CurveSequence, interval
 from contourlab.geometry.line_and_arc import Arcs, Lines
 from contourlab.geometry.table import table_pieces
 from contourlab.native.kernel import kernel
@@ -109,9 +109,10 @@ def _leaves(path: CurveSequence) -> _Leaves:
         owner, begin, coefficients, _ = table_pieces(path, 1e-9 * min(path.length, 1.0))
         kept = np.flatnonzero(~direct[owner] | (np.diff(owner, prepend=-1) > 0))
         owner, start, pieces = owner[kept], np.append(begin[kept], path.length), coefficients[kept]
-        h = np.diff(begin)[kept, None, None] * np.linspace(0.0, 1.0, 5)[:, None]
-        c = np.moveaxis(pieces, 2, 0)[:, :, None, :]
-        bend = np.linalg.norm(2.0 * c[2] + h * (6.0 * c[3] + h * (12.0 * c[4] + h * 20.0 * c[5])), axis=2).max(axis=1)
+        h, square = np.diff(begin)[kept, None] * np.linspace(0.0, 1.0, 5), np.zeros((kept.size, 5))
+        for c in pieces.transpose(1, 2, 0)[..., None]:
+            square += (2.0 * c[2] + h * (6.0 * c[3] + h * (12.0 * c[4] + h * 20.0 * c[5]))) ** 2
+        bend = np.sqrt(square.max(axis=1))
     junctions, along = path.junctions
     corner = np.where(direct[owner, None], junctions[owner], pieces[:, :, 0])
     path.__dict__["_leaves"] = leaves = _Leaves(
@@ -131,25 +132,8 @@ def _leaves(path: CurveSequence) -> _Leaves:
 
 def _number(start, length, closed, s, hint):
     """Return the leaf of an arc length, counted over laps; `hint` is one that may be near."""
-    n, lap = start.size - 1, 0
-    if closed:
-        lap = math.floor(s / length)
-        s -= lap * length
-    low, high = 0, n - 1
-    if start[hint] <= s:
-        low = hint
-        for _ in range(4):
-            low += 1 if low < n - 1 and start[low + 1] <= s else 0
-        high = low if low == n - 1 or s < start[low + 1] else high
-    else:
-        high = hint
-    while low < high:
-        middle = (low + high + 1) // 2
-        if start[middle] <= s:
-            low = middle
-        else:
-            high = middle - 1
-    return low + lap * n
+    lap = math.floor(s / length) if closed else 0
+    return interval(start, s - lap * length, hint) + lap * (start.size - 1)
 
 
 def _away(corner, closed, points, i, k):
@@ -226,9 +210,10 @@ def _on_arc(points, i, arcs, k, low, high, middle, spot, column):
     return s
 
 
-def _tied(square, least):
-    """Return whether two squared distances are equal but for rounding."""
-    return square <= least * (1.0 + 1e-12) + 1e-30 and least <= square * (1.0 + 1e-12) + 1e-30
+def _compared(square, away, least, aside):
+    """Return whether a place is as near as the nearest so far but for rounding, and whether it wins: nearer, or as near and less aside."""
+    level = square <= least * (1.0 + 1e-12) + 1e-30 and least <= square * (1.0 + 1e-12) + 1e-30
+    return level, away < aside if level else square < least
 
 
 def _slope(points, i, pieces, at, h):
@@ -390,9 +375,9 @@ def search(
                         s = _on_arc(points, i, arcs, k, low, high, min(max(around[i] - offset, low), high), spot, 1 - column)
                         square = _gap(points, i, spot, 1 - column)
                     away, clear = abs(offset + s - around[i]), math.sqrt(square)
-                    level = _tied(square, least)
+                    level, wins = _compared(square, away, least, aside)
                     ties = ties or level
-                    if (level and away < aside) or (not level and square < least):
+                    if wins:
                         aside, won, won_at, column, bound = away, e, s, 1 - column, min(bound, clear + _SLACK)
                     least = min(least, square)
                     # What the window hides of the line or arc may be nearer.
@@ -452,9 +437,9 @@ def search(
                         continue
                     s = _on_blend(points, i, coefficients, borders, inverse, k, s, s_a, s_b, start[at + 1] - start[at], spot, 1 - column)
                     square, away = _gap(points, i, spot, 1 - column), abs(offset + s - around[i])
-                    level = _tied(square, least)
+                    level, wins = _compared(square, away, least, aside)
                     ties = ties or level
-                    if (level and away < aside) or (not level and square < least):
+                    if wins:
                         aside, won, won_at, column, bound = away, e, s, 1 - column, min(bound, math.sqrt(square) + _SLACK)
                     least = min(least, square)
                 close[e] = max(close[e], clear - _TABLE_SLACK - hidden + travel)
@@ -496,6 +481,27 @@ def search(
         bound, lead = best, on
         i += 1
     state[0], state[1] = i, count
+
+
+@kernel("f8[:,:] f8[:] i8 f8 f8[:] f8[:] i8[:,:] f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:,:] f8[:,:,:] f8[:]")
+def _gaps(points, along, closed, length, breaks, start, leaf, lines, arcs, coefficients, borders, inverse, pieces, spot, gap):
+    """Write the distance of each point from the place of the path at an arc length; a table stands for curves without a closed form."""
+    at = 0
+    for i in range(along.size):
+        s = along[i] - math.floor(along[i] / length) * length if closed else min(max(along[i], 0.0), length)
+        at = interval(start, s, at)
+        c, kind, k = leaf[at, 0], leaf[at, 1], leaf[at, 2]
+        if kind == _LINE:
+            _, square = _on_line(points, i, lines, k, s - breaks[c], s - breaks[c])
+        elif kind == _OTHER:
+            square, _, _ = _slope(points, i, pieces, at, s - start[at])
+        else:
+            if kind == _ARC:
+                _arc_at(arcs, k, s - breaks[c], spot, 0)
+            else:
+                by_length(k, s - breaks[c], 0, coefficients, borders, inverse, spot, 0)
+            square = _gap(points, i, spot, 0)
+        gap[i] = math.sqrt(square)
 
 
 CHUNK = 1 << 15
@@ -556,23 +562,29 @@ def foot_point(path: CurveSequence, points: ArrayLike, around: ArrayLike, window
     return found
 
 
+def gaps(path: CurveSequence, points: Array, along: Array) -> Array:
+    """Return the distances (n,) [m] of points (n, n_axis) from the places of a path at arc lengths (n,), within 1 nm."""
+    own, gap = _leaves(path), np.empty(len(points))
+    curves = own.closed, own.length, own.breaks, own.start, own.leaf, *own[-6:]
+    _gaps(np.ascontiguousarray(points), along, *curves, np.empty((3, path.n_axis, 1)), gap)
+    return gap
+
+
 def searched(path: CurveSequence, points: Array, around: Array, window: Array, found: FootPoint) -> int:
     """Fill `found` with foot points; return the number of leaves that were searched."""
     n, pairs, guesses = len(points), [np.zeros((0, 2), dtype=np.int64)], [np.zeros((0, 6))]
     given = tuple(map(np.ascontiguousarray, (points, around, window)))
     refuse(not (np.isfinite(given[0]).all() and np.isfinite(given[1]).all()), GeometryError, "points and progress must be finite")
     leaves, room, state = _leaves(path), 64, np.zeros(3, dtype=np.int64)
-    room += 0 if (leaves.leaf[:, 1] < _OTHER).all() else 4 * n
     most = 3 * len(leaves.leaf) + 4
     ends, near = np.empty((_DEPTH, 2), dtype=np.int64), np.empty((most, 2), dtype=np.int64)
     scratch = ends, np.empty((_DEPTH, 3)), np.empty((3, path.n_axis, 2)), near, np.empty(most)
     while state[0] < n:
-        before, pair, guess = int(state[0]), np.empty((room, 2), dtype=np.int64), np.empty((room, 6))
+        pair, guess = np.empty((room, 2), dtype=np.int64), np.empty((room, 6))
         search(*given, *leaves, *found, pair, guess, state, *scratch)
         pairs.append(pair[: state[1]])
         guesses.append(guess[: state[1]])
-        # A sample may have more closest points than `pair` holds.
-        room = 2 * room if state[0] == before else room
+        room *= 4  # it stops where they are full: curves other than lines, arcs and blends have some for each sample
     if sum(map(len, pairs)):
         _end(path, given, np.concatenate(pairs), np.concatenate(guesses), found)
     return int(state[2])

@@ -203,9 +203,14 @@ def _errors(curves: CurveBatch, slot: Index, left: Array, right: Array) -> Array
     low, high = (curves.derivatives(slot, at, 2).transpose(0, 2, 1) for at in (left, right))
     c = _hermite(low, high, right - left)
     probe = (right - left)[:, None] * _PROBES
-    exact = curves.derivatives(np.repeat(slot, _PROBES.size), (left[:, None] + probe).ravel(), 0)[0].T.reshape(*probe.shape, -1)
-    table = sum(c[:, None, :, k] * probe[:, :, None] ** k for k in range(6))
-    return np.asarray(2.0 * np.linalg.norm(table - exact, axis=2).max(axis=1))
+    exact = curves.derivatives(np.repeat(slot, _PROBES.size), (left[:, None] + probe).ravel(), 0)[0].reshape(-1, *probe.shape)
+    square = np.zeros(probe.shape)
+    for j, places in enumerate(exact):
+        table = np.zeros(probe.shape)
+        for k in range(5, -1, -1):
+            table = table * probe + c[:, j, k, None]
+        square += (table - places) ** 2
+    return np.asarray(2.0 * np.sqrt(square.max(axis=1)))
 
 
 def _cells(start: Array, length: float) -> tuple[Array, float, int]:

@@ -21,7 +21,7 @@ from contourlab.arrays import Array, Flags
 from contourlab.errors import DivergenceError, ResultError
 from contourlab.feed import Reference
 from contourlab.geometry import Path
-from contourlab.geometry.foot_point import CHUNK
+from contourlab.geometry.foot_point import CHUNK, gaps
 from contourlab.result import Result, Signal
 from contourlab.threads import in_threads
 
@@ -117,8 +117,7 @@ def planning_deviation(reference: Reference, wanted: Array, along: Array) -> tup
         if reference.correspondence is not None:
             # The error of the corresponding place is at most the length that one curve replaces there: a corner or a merged piece. The
             # foot point is not further away than that place, and the margin covers a path that bends back.
-            off = wanted[some] - reference.programmed.position(place)
-            window = reference.correspondence.span(along[some]) + 3.0 * np.sqrt(_squares(off)) + 1e-9
+            window = reference.correspondence.span(along[some]) + 3.0 * gaps(reference.programmed, wanted[some], place) + 1e-9
         deviation[some], foot[some] = _errors(reference.programmed, wanted[some], place, window)
 
     # Each block is one chunk of the search, which then starts no threads of its own.

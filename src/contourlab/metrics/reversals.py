@@ -136,8 +136,8 @@ def _errors(result: Result, reference: Reference | None, ranges: Sequence[tuple[
     else:
         window = reach(path, furthest(result["reference"] - result["tool_position"]))
         foot = path.foot_point(tool, result["arc_length"][here], window).position
-    firsts = np.searchsorted(here, [start for start, _ in ranges])
-    return [(tool - foot)[first : first + stop - start] for first, (start, stop) in zip(firsts, ranges, strict=True)]
+    error, firsts = tool - foot, np.searchsorted(here, [start for start, _ in ranges])
+    return [error[first : first + stop - start] for first, (start, stop) in zip(firsts, ranges, strict=True)]
 
 
 def reversal_figures(spikes: Sequence[Spike], *, places: bool = True) -> tuple[ReversalFigures, ...]:

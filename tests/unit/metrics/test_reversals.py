@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import tracemalloc
 from dataclasses import astuple
 
 import numpy as np
@@ -159,6 +160,20 @@ def test_quadrants_of_a_circle_in_space_start_at_the_first_axis_of_its_plane(pla
     spikes = reversal_spikes(result, (N, 2 * N), reference=reference)
     assert [s.axis for s in spikes] == [plane[1], plane[0], plane[1], plane[0]]
     assert [round(math.degrees(s.angle)) for s in spikes] == [90, 180, 270, 0]
+
+
+def test_many_reversals_in_space_take_the_memory_of_one_run() -> None:
+    n = 400
+    points = np.column_stack([np.arange(n + 1.0), 0.2 * (np.arange(n + 1) % 2), np.zeros(n + 1)]) * 1e-3
+    path = Path(Line.many(points[:-1], points[1:]))
+    reference = samples_on(path, np.linspace(0.0, path.length, 60 * n))
+    result = judge(made_run(reference, reference.block(0, 60 * n).position + np.array([0.0, 0.0, 1e-5])), reference)
+    tracemalloc.start()
+    spikes = reversal_spikes(result, reference=reference)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert len(spikes) >= n - 4
+    assert peak < 30 * result["tool_position"].nbytes
 
 
 def in_space(inward: float, height: float) -> tuple[Result, Reference]:
