@@ -108,6 +108,7 @@ class ProgramReading(Options):
 
     block_delete: bool = option(False, "Skip lines that begin with /.")
     tools: Path | None = option(None, "LinuxCNC tool table, for G43; without it, tools have length 0.")
+    zero: str | None = option(None, 'Zero of the program in machine coordinates, e.g. "100,100,-20", in the unit of the machine.')
     most_moves: int | None = option(None, "Most lines and moves of loops, subprograms and cycles.", least=1, advanced=True)
 
 
@@ -136,6 +137,7 @@ class Motion(Judged, ProgramReading):
             "fit": self.fit or None,
             "block_delete": self.block_delete or None,
             "tools": None if self.tools is None else str(self.tools),
+            "zero": self.zero,
             "require_end": False if self.no_require_end else None,
             "dialect": self.dialect,
             "most_moves": self.most_moves,

@@ -16,6 +16,7 @@ from contourlab.components.friction.laws import NoFriction
 from contourlab.components.ideal import IdealLink, IdealSensor, TrueVelocity
 from contourlab.components.origin import Origin
 from contourlab.components.plant.plant import Plant
+from contourlab.controls.contract import ControlFile
 from contourlab.errors import FeedError, ParameterError, refuse
 from contourlab.feed import AxisLimits
 from contourlab.feed.bounds import RANGES
@@ -235,6 +236,8 @@ class Machine:
         Sources of `servo_period` and the angles (``squareness.x-y``).
     correlations : tuple of (str, str, float)
         Of values fitted together on two axes, such as ``x.plant.damping``; those within one axis are in `Axis`.
+    control : ControlFile or None
+        The control's own file from which it was read.
 
     Raises
     ------
@@ -248,6 +251,7 @@ class Machine:
     squareness: Mapping[tuple[str, str], float] = field(default_factory=dict)
     origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
     correlations: tuple[tuple[str, str, float], ...] = field(default=(), compare=False, repr=False)
+    control: ControlFile | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.servo_period) and self.servo_period > 0.0):
@@ -268,6 +272,13 @@ class Machine:
     def __repr__(self) -> str:
         period = f"{1e3 * self.servo_period:g} ms"
         return facts_line("Machine", {"name": self.name, "axes": ", ".join(self.axis_names), "servo period": period})
+
+    def check_modelled(self) -> None:
+        """Raise ParameterError if an axis has a stand-in for its plant, because the control's own file does not say how it answers."""
+        if self.control is not None and self.control.unmodelled:
+            name, why = next(iter(self.control.unmodelled.items()))
+            bound = f'given, as in [axes.{name}] file = "axis.toml" under machine = "{self.control.file.name}": {why}'
+            raise ParameterError(f"axes.{name}.plant", "unknown", bound)
 
     def planner_limits(self) -> AxisLimits:
         """Return the limits of the axes, for the planner.

@@ -13,6 +13,7 @@ from contourlab.components.contract import Component, Parameter
 from contourlab.components.origin import Origin
 from contourlab.components.plant.plant import Plant
 from contourlab.components.registry import component, components
+from contourlab.controls import ControlFile
 from contourlab.errors import ComponentError, UnitError, hint, refuse
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Division, Limits, Machine
 from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS, NAMED_SLOTS
@@ -187,8 +188,8 @@ def _error(table: Table) -> AxisError:
         return AxisError(position, lead_error, **plain)
 
 
-def build_machine(part: Table) -> Machine:
-    """Return a machine from its tables ``machine`` and ``axes``.
+def build_machine(part: Table, controls: Sequence[ControlFile] = ()) -> Machine:
+    """Return a machine from its tables ``machine`` and ``axes``; `controls` are the files of a control from which a table may come.
 
     Raises
     ------
@@ -218,7 +219,17 @@ def build_machine(part: Table) -> Machine:
     parts = {f"{axis.name}.{slot}": part for axis in built for slot in AXIS_SLOTS if isinstance(part := getattr(axis, slot), Component)}
     nodes = {f"{name}.{slot}": node for name in names for slot, node in axes.table(name).entries.items()}
     within = [(f"{axis.name}.{first}", f"{axis.name}.{second}", value) for axis in built for first, second, value in axis.correlations]
-    return replace(machine, correlations=read_correlations(table, parts, nodes, within))
+    return replace(machine, correlations=read_correlations(table, parts, nodes, within), control=_control(part, controls))
+
+
+def _control(part: Table, controls: Sequence[ControlFile]) -> ControlFile | None:
+    """Return the control's own file of a machine; an axis is modelled once it has a plant from elsewhere."""
+    control = next((control for control in controls if str(control.file) == part.table("machine").file), None)
+    if control is None:
+        return None
+    axes = part.table("axes")
+    left = {name: why for name, why in control.unmodelled.items() if axes.table(name).table("plant").file == str(control.file)}
+    return replace(control, unmodelled=left)
 
 
 def _axis_names(table: Table) -> list[str]:

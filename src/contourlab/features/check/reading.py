@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from contourlab.app.shared_options import Dialect
 from contourlab.errors import ScenarioError
 from contourlab.file_kinds import kind_of
 from contourlab.program import Reading
+
+if TYPE_CHECKING:
+    from contourlab.loop import Machine
 
 
 def refuse_drawing(file: str | Path, machine: str | Path | None = None, controller: str | Path | None = None) -> None:
@@ -40,9 +43,17 @@ def refuse_drawing(file: str | Path, machine: str | Path | None = None, controll
     )
 
 
-def reading_of(file: str | Path, options: Dialect) -> Reading:
-    """Return the options of the reader of a part program, which reports a missing end as a notice only; refuse a drawing."""
+def reading_of(file: str | Path, options: Dialect, machine: Machine | None = None) -> Reading:
+    """Return how a part program is read, as the file of a machine's control says and with the options; refuse a drawing.
+
+    A missing end is a notice only.
+    """
     refuse_drawing(file)
-    chosen: Any = options.dialect  # Reading checks it
-    most = Reading.most_moves if options.most_moves is None else options.most_moves
-    return Reading(dialect=chosen, require_end=False, block_delete=options.block_delete, tools=options.tools, most_moves=most)
+    given = {"dialect": options.dialect, "block_delete": options.block_delete, "tools": options.tools, "zero": options.zero}
+    given |= {"most_moves": options.most_moves}
+    chosen: dict[str, Any] = {key: value for key, value in given.items() if value is not None} | {"require_end": False}
+    if machine is None:
+        return Reading(**chosen)
+    from contourlab.scenario.load import reading_on
+
+    return reading_on(machine, chosen)

@@ -9,10 +9,11 @@ from pathlib import Path
 import numpy as np
 
 from contourlab.arrays import Array, Flags, true_spans
+from contourlab.controls.linuxcnc.loops import LoopClass
 from contourlab.errors import LogError
 from contourlab.features.commission.excitation import SIGNALS, sampler_columns
-from contourlab.features.commission.hal_files import AxisSetup, LoopClass, Setup
 from contourlab.features.commission.loop import GAINS, Law, law_output
+from contourlab.features.commission.setup import AxisSetup, Setup
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.logs import Column, Columns, Log, read_record, result_of

@@ -12,8 +12,8 @@ from typing import Any, ClassVar
 
 from contourlab.app.json_values import HIDDEN
 from contourlab.errors import OutputError, refuse
-from contourlab.features.run.trust import numbers_of_axis, numbers_of_machine, stated
 from contourlab.rendering.judgement import NOT_STATED, Number
+from contourlab.rendering.origins import numbers_of_axis, numbers_of_machine, stated
 from contourlab.result import write_bytes_atomic
 from contourlab.scenario import BUILTIN, builtin_file, builtin_names, load_axis, load_machine, load_scenario
 from contourlab.scenario.tree import read_tree

@@ -23,10 +23,10 @@ from contourlab.features.run.options import Compare, Learn, Run
 from contourlab.features.run.outcome import Outcome, run_case
 from contourlab.features.run.record import switch_file
 from contourlab.features.run.source import Source, scenario_asked
-from contourlab.features.run.trust import numbers_of
 from contourlab.figures import figure
 from contourlab.findings import Finding
 from contourlab.metrics.figures import judged_part
+from contourlab.rendering.origins import numbers_of
 from contourlab.rendering.stages import begin_stage
 from contourlab.rendering.table import paragraphs
 from contourlab.result import Status, write_text_atomic

@@ -20,9 +20,9 @@ from contourlab.arrays import Array, free_memory
 from contourlab.components.supervisor.switching import PreRouted
 from contourlab.engine.runner import make_group
 from contourlab.errors import ComponentError, ResultError
-from contourlab.features.check.program_check import path_mode_assumed, travel_unknown
+from contourlab.features.check.program_check import about_machine, path_mode_assumed
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
-from contourlab.features.run.trust import numbers_of, part_interval, stated
+from contourlab.features.run.trust import part_interval
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import LimitReport, Reference, limit_report
 from contourlab.feed.planner import NEAR_FEED
@@ -39,6 +39,7 @@ from contourlab.metrics.judge import check_follows, judge
 from contourlab.metrics.reversals import Spike, reversal_spikes
 from contourlab.rendering.data import ClosedLoop, JudgedRun
 from contourlab.rendering.judgement import Trust
+from contourlab.rendering.origins import numbers_of, stated
 from contourlab.rendering.page_tables import nearest
 from contourlab.rendering.stages import Stages
 from contourlab.result import Result
@@ -389,8 +390,8 @@ def _remarks(case: Case, reference: Reference, foretold: LearningAnalysis | None
         best = int(np.argmax(used))
         if 0.0 < used[best] < NEAR_FEED:
             yield finding("CL105", feed=float(route.feedrate[curve[best]]), reached=float(profile.v0[best]))
-    if case.motion.file is not None:
-        yield from travel_unknown(case.machine)
+    if case.motion.file is not None or case.machine.control:
+        yield from about_machine(case.machine, case.motion.reading if isinstance(case.motion, PartProgram) else None)
     if isinstance(case.motion, PartProgram) and case.feed.path_control == "program":
         yield from path_mode_assumed(case.motion.program.moves, case.feed.default_tolerance)
     last = reference.n_sample * reference.servo_period

@@ -1,0 +1,52 @@
+"""What a reader of a control's own file returns."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from contourlab.findings import Finding
+
+
+@dataclass(frozen=True, eq=False)
+class ControlFile:
+    """What a control's own file says of a machine.
+
+    Attributes
+    ----------
+    file : Path
+    control : str
+        Name of the control, as ``"LinuxCNC"``.
+    tables : mapping
+        ``machine`` and ``axes`` as in a machine file; also ``controller``, ``program`` and ``feed`` as far as the file sets them: what a
+        scenario says comes first. A number that the file does not hold itself is `computed` or `guessed`.
+    unmodelled : mapping of str to str
+        Axes whose answer the file leaves open, and why. Their plant is a stand-in for planning; nothing is simulated with it.
+    findings : tuple of Finding
+    files : tuple of Path
+        Further files that were read.
+    """
+
+    file: Path
+    control: str
+    tables: Mapping[str, Any]
+    unmodelled: Mapping[str, str] = field(default_factory=dict)
+    findings: tuple[Finding, ...] = ()
+    files: tuple[Path, ...] = ()
+
+
+def read_from(value: Any, place: str) -> dict[str, Any]:
+    """Return a value as the file holds it, such as ``"133 mm/s"`` of ``router.ini:54``."""
+    return {"value": value, "source": "control", "from": place}
+
+
+def computed(value: Any, how: str) -> dict[str, Any]:
+    """Return a value computed from what the file holds."""
+    return {"value": value, "source": "computed", "note": how}
+
+
+def guessed(value: str, low: str, high: str, why: str) -> dict[str, Any]:
+    """Return a value that the file does not hold, with the range in which it lies."""
+    return {"value": value, "source": "assumed", "range": [low, high], "note": why}

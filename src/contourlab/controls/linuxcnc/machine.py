@@ -1,0 +1,156 @@
+"""The machine that the files of LinuxCNC describe."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from contourlab.controls.contract import ControlFile, computed, guessed, read_from
+from contourlab.controls.linuxcnc.files import LENGTHS, HalGraph, Ini, named_files, read_graph, read_ini, units_of
+from contourlab.controls.linuxcnc.loops import Joint, LoopClass, classified, joints, without_pid
+from contourlab.errors import ScenarioError
+from contourlab.findings import Finding, finding
+
+LETTERS = "xyz"
+"""Axes that a part program moves."""
+_OWN = re.compile(rb"^\s*\[(EMC|EMCMOT|KINS|TRAJ|RS274NGC)\]", re.MULTILINE)
+
+
+def matches(file: Path, head: bytes) -> bool:
+    """Return whether a file is an INI file of LinuxCNC."""
+    return file.suffix.lower() == ".ini" and _OWN.search(head) is not None
+
+
+def read(file: Path) -> ControlFile:
+    """Return the machine of an INI file.
+
+    Raises
+    ------
+    ScenarioError
+        If a file cannot be read, a number is faulty, the kinematics couple the axes, or none of x, y and z moves.
+    """
+    ini = read_ini(file)
+    named = named_files(ini)
+    paths = [path for _, path in named if path is not None]
+    graph = read_graph(ini, paths, [entry for entry, path in named if path is None])
+    return _Machine(ini, graph, paths).control_file()
+
+
+@dataclass(eq=False)
+class _Machine:
+    """A machine while it is read."""
+
+    ini: Ini
+    graph: HalGraph
+    files: Sequence[Path]
+    findings: list[Finding] = field(default_factory=list)
+    unmodelled: dict[str, str] = field(default_factory=dict)
+    unit: float = LENGTHS["mm"]
+
+    def control_file(self) -> ControlFile:
+        """Return what the files say."""
+        kinematics = self.ini.first("KINS", "KINEMATICS")
+        if kinematics and not kinematics.value.startswith("trivkins"):
+            kind = kinematics.value.partition(" ")[0]
+            raise ScenarioError(f"KINEMATICS = {kind}: joints are no axes; only trivkins is read", file=kinematics.place)
+        self.unit, period, findings = units_of(self.ini)
+        self.findings += [finding("CL866", entry.place, file=entry.value) for entry in self.graph.unread] + findings
+        axes = dict(sorted(self._joints().items()))
+        if not axes:
+            raise ScenarioError("has none of the axes x, y and z", file=self.ini.file)
+        name = self.ini.first("EMC", "MACHINE")
+        machine = {
+            "name": (name.value if name else "")[:200] or self.ini.file.stem,
+            "servo_period": self._read(f"{period * 1e6:.12g} us", "EMCMOT", "SERVO_PERIOD") or f"{period * 1e6:.12g} us",
+            "axes": list(axes),
+        }
+        tables: dict[str, Any] = {"machine": machine, "axes": {letter: self._axis(joint) for letter, joint in axes.items()}}
+        tables["controller"] = {"axes": {letter: {"controller": "steps"} for letter in axes}}
+        tables |= {"program": self._program()}
+        return ControlFile(self.ini.file, "LinuxCNC", tables, self.unmodelled, tuple(self.findings), tuple(self.files))
+
+    def _joints(self) -> dict[str, Joint]:
+        """Return the joint of each axis; note those that are left out."""
+        axes: dict[str, Joint] = {}
+        for joint in joints(self.ini, self.graph):
+            if self.ini.first(f"JOINT_{joint.number}", "MAX_VELOCITY", "TYPE", "MAX_LIMIT") is None:
+                continue  # LinuxCNC has as many joints as [KINS]JOINTS says; without a section it is none
+            if joint.axis not in LETTERS:
+                self.findings.append(finding("CL981", self.ini.file.name, axis=joint.axis))
+            elif joint.axis in axes:
+                self.findings.append(finding("CL982", self.ini.file.name, axis=joint.axis, joint=joint.number))
+            else:
+                axes[joint.axis] = joint
+        return axes
+
+    def _read(self, value: str, section: str, key: str) -> dict[str, Any] | None:
+        entry = self.ini.first(section, key)
+        return None if entry is None else read_from(value, f"{entry.place} [{section}]{key}")
+
+    def _least(self, keys: Sequence[tuple[str, str]], unit: str, *, largest: bool = False) -> dict[str, Any] | None:
+        """Return the least of several values of the file, or the largest; None if it has none."""
+        above = 0.0 if "/" in unit else -1e9
+        values = [(value, key) for key in keys if (value := self.ini.number(*key, above)) is not None]
+        if not values:
+            return None
+        value, key = max(values) if largest else min(values)
+        return self._read(f"{value * self.unit * 1e3:.12g} {unit}", *key)
+
+    def _axis(self, joint: Joint) -> dict[str, Any]:
+        """Return the tables of an axis."""
+        own = (f"AXIS_{joint.axis.upper()}", f"JOINT_{joint.number}")
+        limits: dict[str, Any] = {}
+        for name, key, unit in (("velocity", "MAX_VELOCITY", "mm/s"), ("acceleration", "MAX_ACCELERATION", "mm/s^2")):
+            path = ("TRAJ", key.replace("MAX_", "MAX_LINEAR_"))
+            if value := self._least([*((section, key) for section in own), path], unit):
+                limits[name] = value
+            else:
+                self.findings.append(finding("CL983", self.ini.file.name, axis=joint.axis, key=key))
+        planner = self.ini.first("TRAJ", "PLANNER_TYPE")
+        jerk = self._least([("TRAJ", "MAX_LINEAR_JERK"), *((section, "MAX_JERK") for section in own)], "mm/s^3")
+        limits |= {"jerk": jerk} if jerk and planner and planner.value == "1" else {}
+        ends = [self._least([(section, key) for section in own], "mm", largest=key == "MIN_LIMIT") for key in ("MIN_LIMIT", "MAX_LIMIT")]
+        if ends[0] and ends[1]:
+            limits["travel"] = read_from([end["value"] for end in ends if end], f"{ends[0]['from']} and {ends[1]['from']}")
+        if follows := self._least([(f"JOINT_{joint.number}", "FERROR")], "mm"):
+            limits["following_error"] = follows
+        loop = classified(self.graph, joint.pid) if joint.pid else without_pid(self.graph, joint.number)
+        return {**self._answer(joint, loop), "limits": limits}
+
+    def _answer(self, joint: Joint, loop: LoopClass) -> dict[str, Any]:
+        """Return plant and drive of an axis, by what closes its loop."""
+        scale = self.ini.number(f"JOINT_{joint.number}", "STEP_SCALE") or self.ini.number(f"JOINT_{joint.number}", "SCALE")
+        if loop.loop == "step generator":
+            self.findings.append(finding("CL984", f"axis {joint.axis}", why=loop.why))
+            step = computed(f"{abs(self.unit * 1e6 / scale):.12g} um", "1/STEP_SCALE") if scale else None
+            drive = {"drive": {"kind": "step-generator", "step": step}} if step else {}
+            bandwidth = guessed("150 Hz", "60 Hz", "300 Hz", "rotor and axis on the stiffness of a stepper of usual size")
+            return {"plant": {"kind": "step-drive", "bandwidth": bandwidth}, **drive}
+        if loop.loop == "position drive":
+            bandwidth = guessed("40 Hz", "15 Hz", "100 Hz", "position loop of a servo drive of usual size")
+            return {"plant": {"kind": "step-drive", "bandwidth": bandwidth}}
+        if loop.loop == "simulated":
+            self.findings.append(finding("CL985", f"axis {joint.axis}", why=loop.why))
+        else:
+            self.unmodelled[joint.axis] = loop.why
+        return {"plant": {"kind": "step-drive", "bandwidth": "1000 Hz"}}
+
+    def _program(self) -> dict[str, Any]:
+        """Return how LinuxCNC reads a part program."""
+        startup = self.ini.first("RS274NGC", "RS274NGC_STARTUP_CODE") or self.ini.first("EMC", "RS274NGC_STARTUP_CODE")
+        keys: dict[str, Any] = {"startup": startup.value} if startup and startup.value else {}
+        for name, section, key in (("tools", "EMCIO", "TOOL_TABLE"), ("parameters", "RS274NGC", "PARAMETER_FILE")):
+            entry = self.ini.first(section, key)
+            if entry is None or not entry.value:
+                continue
+            path = self.ini.file.parent / Path(entry.value).expanduser()
+            if path.is_file():
+                keys[name] = str(path.absolute())
+            else:
+                self.findings.append(finding("CL980", entry.place, key=key, file=entry.value))
+        if paths := self.ini.first("RS274NGC", "SUBROUTINE_PATH"):
+            keys["folders"] = [str((self.ini.file.parent / Path(path).expanduser()).absolute()) for path in paths.value.split(":") if path]
+        return keys
