@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from contourlab.findings import Finding
+
+PERIOD = {"value": "1 ms", "source": "assumed", "note": "the control makes steps, and has no servo period"}
+"""Servo period of a machine whose control has none."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,3 +53,15 @@ def computed(value: Any, how: str) -> dict[str, Any]:
 def guessed(value: str, low: str, high: str, why: str) -> dict[str, Any]:
     """Return a value that the file does not hold, with the range in which it lies."""
     return {"value": value, "source": "assumed", "range": [low, high], "note": why}
+
+
+def driven_by_steps(step: dict[str, Any] | None) -> dict[str, Any]:
+    """Return plant and drive of an axis that follows step pulses, with the travel of a step, if it is known."""
+    why = "rotor and axis on the stiffness of a stepper of usual size; a closed-loop drive is similar"
+    plant = {"kind": "step-drive", "bandwidth": guessed("150 Hz", "60 Hz", "300 Hz", why)}
+    return {"plant": plant} if step is None else {"plant": plant, "drive": {"kind": "step-generator", "step": step}}
+
+
+def steps_controller(axes: Iterable[str]) -> dict[str, Any]:
+    """Return the controller of axes that take positions."""
+    return {"axes": {axis: {"controller": "steps"} for axis in axes}}

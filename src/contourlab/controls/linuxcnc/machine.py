@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from contourlab.controls.contract import ControlFile, computed, guessed, read_from
+from contourlab.controls.contract import ControlFile, computed, driven_by_steps, guessed, read_from, steps_controller
 from contourlab.controls.linuxcnc.files import LENGTHS, HalGraph, Ini, named_files, read_graph, read_ini, units_of
 from contourlab.controls.linuxcnc.loops import Joint, LoopClass, classified, joints, without_pid
 from contourlab.errors import ScenarioError
@@ -68,8 +68,7 @@ class _Machine:
             "axes": list(axes),
         }
         tables: dict[str, Any] = {"machine": machine, "axes": {letter: self._axis(joint) for letter, joint in axes.items()}}
-        tables["controller"] = {"axes": {letter: {"controller": "steps"} for letter in axes}}
-        tables |= {"program": self._program()}
+        tables |= {"controller": steps_controller(axes), "program": self._program()}
         return ControlFile(self.ini.file, "LinuxCNC", tables, self.unmodelled, tuple(self.findings), tuple(self.files))
 
     def _joints(self) -> dict[str, Joint]:
@@ -125,10 +124,7 @@ class _Machine:
         scale = self.ini.number(f"JOINT_{joint.number}", "STEP_SCALE") or self.ini.number(f"JOINT_{joint.number}", "SCALE")
         if loop.loop == "step generator":
             self.findings.append(finding("CL984", f"axis {joint.axis}", why=loop.why))
-            step = computed(f"{abs(self.unit * 1e6 / scale):.12g} um", "1/STEP_SCALE") if scale else None
-            drive = {"drive": {"kind": "step-generator", "step": step}} if step else {}
-            bandwidth = guessed("150 Hz", "60 Hz", "300 Hz", "rotor and axis on the stiffness of a stepper of usual size")
-            return {"plant": {"kind": "step-drive", "bandwidth": bandwidth}, **drive}
+            return driven_by_steps(computed(f"{abs(self.unit * 1e6 / scale):.12g} um", "1/STEP_SCALE") if scale else None)
         if loop.loop == "position drive":
             bandwidth = guessed("40 Hz", "15 Hz", "100 Hz", "position loop of a servo drive of usual size")
             return {"plant": {"kind": "step-drive", "bandwidth": bandwidth}}
