@@ -55,11 +55,12 @@ def guessed(value: str, low: str, high: str, why: str) -> dict[str, Any]:
     return {"value": value, "source": "assumed", "range": [low, high], "note": why}
 
 
-def driven_by_steps(step: dict[str, Any] | None) -> dict[str, Any]:
-    """Return plant and drive of an axis that follows step pulses, with the travel of a step, if it is known."""
-    why = "rotor and axis on the stiffness of a stepper of usual size; a closed-loop drive is similar"
-    plant = {"kind": "step-drive", "bandwidth": guessed("150 Hz", "60 Hz", "300 Hz", why)}
-    return {"plant": plant} if step is None else {"plant": plant, "drive": {"kind": "step-generator", "step": step}}
+def driven_by_steps(pulse: dict[str, Any] | None) -> dict[str, Any]:
+    """Return the plant of an axis that follows step pulses, with the travel per pulse, if it is known."""
+    frequency = guessed("150 Hz", "60 Hz", "300 Hz", "rotor and axis on the stiffness of a stepper of usual size")
+    damping = {"value": 0.15, "source": "assumed", "range": [0.05, 0.6], "note": "a stepper on usual drives"}
+    plant = {"kind": "step-drive", "natural_frequency": frequency, "damping_ratio": damping, "velocity_feedforward": 1.0}
+    return plant if pulse is None else {**plant, "pulse": pulse}
 
 
 def steps_controller(axes: Iterable[str]) -> dict[str, Any]:

@@ -70,7 +70,7 @@ def _axis(file: Path, settings: dict[int, tuple[float, str]], n: int) -> Iterato
         return (value, place) if place else None
 
     steps = positive(100 + n)
-    yield from driven_by_steps(computed(f"{1e3 / steps[0]:.12g} um", f"1/${100 + n}") if steps else None).items()
+    yield "plant", driven_by_steps(computed(f"{1e3 / steps[0]:.12g} um", f"1/${100 + n}") if steps else None)
     known = [(name, positive(first + n), unit) for name, first, unit in _LIMITS if name != "jerk" or settings.get(first + n, (0.0, ""))[0]]
     limits = {name: read_from(f"{value[0]:.12g} {unit}", value[1]) for name, value, unit in known if value}
     if travel := settings.get(130 + n):

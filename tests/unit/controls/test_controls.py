@@ -108,7 +108,7 @@ def test_limits_travel_and_their_sources(tmp_path: Path, reader: str) -> None:
         assert high - low == pytest.approx(length, rel=1e-12)
     sources = {number.name: number.source for number in stated(numbers_of_machine(machine))}
     assert sources["axes.x.limits.velocity"] == sources["axes.y.limits.travel"] == "control"
-    assert sources["axes.x.drive.step"] == "computed"
+    assert sources["axes.x.plant.pulse"] == "computed"
     assert "assumed" in {source for name, source in sources.items() if name.startswith("axes.x.plant.")}
 
 

@@ -121,18 +121,26 @@ class _Machine:
 
     def _answer(self, joint: Joint, loop: LoopClass) -> dict[str, Any]:
         """Return plant and drive of an axis, by what closes its loop."""
-        scale = self.ini.number(f"JOINT_{joint.number}", "STEP_SCALE") or self.ini.number(f"JOINT_{joint.number}", "SCALE")
+        own = f"JOINT_{joint.number}"
         if loop.loop == "step generator":
             self.findings.append(finding("CL984", f"axis {joint.axis}", why=loop.why))
-            return driven_by_steps(computed(f"{abs(self.unit * 1e6 / scale):.12g} um", "1/STEP_SCALE") if scale else None)
+            scale = self.ini.number(own, "STEP_SCALE") or self.ini.number(own, "SCALE")
+            pulse = computed(f"{abs(self.unit * 1e6 / scale):.12g} um", "1/STEP_SCALE") if scale else None
+            limits = {
+                "velocity_limit": self._least([(own, "STEPGEN_MAXVEL")], "mm/s"),
+                "acceleration_limit": self._least([(own, "STEPGEN_MAXACCEL")], "mm/s^2"),
+            }
+            drive = {"kind": "step-generator", **{name: value for name, value in limits.items() if value}}
+            return {"plant": driven_by_steps(pulse), "drive": drive}
         if loop.loop == "position drive":
-            bandwidth = guessed("40 Hz", "15 Hz", "100 Hz", "position loop of a servo drive of usual size")
-            return {"plant": {"kind": "step-drive", "bandwidth": bandwidth}}
+            frequency = guessed("40 Hz", "15 Hz", "100 Hz", "position loop of a servo drive of usual size")
+            ahead = {"value": 0.5, "source": "assumed", "range": [0.0, 1.0], "note": "drives differ"}
+            return {"plant": {"kind": "step-drive", "natural_frequency": frequency, "velocity_feedforward": ahead}}
         if loop.loop == "simulated":
             self.findings.append(finding("CL985", f"axis {joint.axis}", why=loop.why))
         else:
             self.unmodelled[joint.axis] = loop.why
-        return {"plant": {"kind": "step-drive", "bandwidth": "1000 Hz"}}
+        return {"plant": {"kind": "step-drive", "natural_frequency": "1000 Hz", "velocity_feedforward": 1.0}}
 
     def _program(self) -> dict[str, Any]:
         """Return how LinuxCNC reads a part program."""
