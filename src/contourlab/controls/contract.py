@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -55,12 +56,24 @@ def guessed(value: str, low: str, high: str, why: str) -> dict[str, Any]:
     return {"value": value, "source": "assumed", "range": [low, high], "note": why}
 
 
-def driven_by_steps(pulse: dict[str, Any] | None) -> dict[str, Any]:
-    """Return the plant of an axis that follows step pulses, with the travel per pulse, if it is known."""
+def driven_by_steps(period: float, pulse: dict[str, Any] | None) -> dict[str, Any]:
+    """Return the tables of an axis that follows step pulses, with the travel per pulse, if it is known.
+
+    Parameters
+    ----------
+    period : float [s]
+        Servo period.
+    pulse : dict or None
+    """
     frequency = guessed("150 Hz", "60 Hz", "300 Hz", "rotor and axis on the stiffness of a stepper of usual size")
     damping = {"value": 0.15, "source": "assumed", "range": [0.05, 0.6], "note": "a stepper on usual drives"}
     plant = {"kind": "step-drive", "natural_frequency": frequency, "damping_ratio": damping, "velocity_feedforward": 1.0}
-    return plant if pulse is None else {**plant, "pulse": pulse}
+    return {"substeps": substeps(300.0, period), "plant": plant if pulse is None else {**plant, "pulse": pulse}}
+
+
+def substeps(frequency: float, period: float) -> int:
+    """Return the sub-steps that a plant needs which oscillates at a frequency [Hz]."""
+    return max(1, math.ceil(8.0 * math.pi * frequency * period))
 
 
 def steps_controller(axes: Iterable[str]) -> dict[str, Any]:

@@ -67,7 +67,7 @@ def _axis(file: Path, name: str, axis: Mapping[str, Any]) -> Iterator[tuple[str,
         return float(value)
 
     steps = number(axis, "steps_per_mm")
-    yield "plant", driven_by_steps(computed(f"{1e3 / steps:.12g} um", "1/steps_per_mm") if steps else None)
+    yield from driven_by_steps(1e-3, computed(f"{1e3 / steps:.12g} um", "1/steps_per_mm") if steps else None).items()
     known = [(limit, number(axis, key), key, unit) for limit, (key, unit) in _LIMITS.items()]
     limits = {limit: read_from(f"{value:.12g} {unit}", f"{file.name} axes.{name}.{key}") for limit, value, key, unit in known if value}
     given = axis.get("homing")

@@ -41,7 +41,7 @@ def read(file: Path) -> ControlFile:
     machine = {"name": file.stem[:200], "servo_period": PERIOD, "axes": names}
     findings = [finding("CL984", f"axis {name}", why="grbl counts its own steps.") for name in names]
     gaps = {letter: settings[160 + n][0] for n, letter in axes if 160 + n in settings}
-    findings += [finding("CL987", f"axis {letter}", gap=1e-3 * gap) for letter, gap in gaps.items() if gap]
+    findings += [finding("CL986", f"axis {letter}", gap=1e-3 * gap) for letter, gap in gaps.items() if gap]
     every = {"machine": machine, "axes": tables, "controller": steps_controller(names), "program": {"dialect": "grbl"}}
     return ControlFile(file, "grblHAL" if {160, 800} & settings.keys() else "grbl", every, findings=tuple(findings))
 
@@ -70,7 +70,7 @@ def _axis(file: Path, settings: dict[int, tuple[float, str]], n: int) -> Iterato
         return (value, place) if place else None
 
     steps = positive(100 + n)
-    yield "plant", driven_by_steps(computed(f"{1e3 / steps[0]:.12g} um", f"1/${100 + n}") if steps else None)
+    yield from driven_by_steps(1e-3, computed(f"{1e3 / steps[0]:.12g} um", f"1/${100 + n}") if steps else None).items()
     known = [(name, positive(first + n), unit) for name, first, unit in _LIMITS if name != "jerk" or settings.get(first + n, (0.0, ""))[0]]
     limits = {name: read_from(f"{value[0]:.12g} {unit}", value[1]) for name, value, unit in known if value}
     if travel := settings.get(130 + n):

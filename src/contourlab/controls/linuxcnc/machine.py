@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from contourlab.controls.contract import ControlFile, computed, driven_by_steps, guessed, read_from, steps_controller
+from contourlab.controls.contract import ControlFile, computed, driven_by_steps, guessed, read_from, steps_controller, substeps
 from contourlab.controls.linuxcnc.files import LENGTHS, HalGraph, Ini, named_files, read_graph, read_ini, units_of
 from contourlab.controls.linuxcnc.loops import Joint, LoopClass, classified, joints, without_pid
 from contourlab.errors import ScenarioError
@@ -49,6 +49,7 @@ class _Machine:
     findings: list[Finding] = field(default_factory=list)
     unmodelled: dict[str, str] = field(default_factory=dict)
     unit: float = LENGTHS["mm"]
+    period: float = 1e-3
 
     def control_file(self) -> ControlFile:
         """Return what the files say."""
@@ -56,15 +57,15 @@ class _Machine:
         if kinematics and not kinematics.value.startswith("trivkins"):
             kind = kinematics.value.partition(" ")[0]
             raise ScenarioError(f"KINEMATICS = {kind}: joints are no axes; only trivkins is read", file=kinematics.place)
-        self.unit, period, findings = units_of(self.ini)
+        self.unit, self.period, findings = units_of(self.ini)
         self.findings += [finding("CL866", entry.place, file=entry.value) for entry in self.graph.unread] + findings
         axes = dict(sorted(self._joints().items()))
         if not axes:
             raise ScenarioError("has none of the axes x, y and z", file=self.ini.file)
-        name = self.ini.first("EMC", "MACHINE")
+        name, period = self.ini.first("EMC", "MACHINE"), f"{self.period * 1e6:.12g} us"
         machine = {
             "name": (name.value if name else "")[:200] or self.ini.file.stem,
-            "servo_period": self._read(f"{period * 1e6:.12g} us", "EMCMOT", "SERVO_PERIOD") or f"{period * 1e6:.12g} us",
+            "servo_period": self._read(period, "EMCMOT", "SERVO_PERIOD") or period,
             "axes": list(axes),
         }
         tables: dict[str, Any] = {"machine": machine, "axes": {letter: self._axis(joint) for letter, joint in axes.items()}}
@@ -131,16 +132,14 @@ class _Machine:
                 "acceleration_limit": self._least([(own, "STEPGEN_MAXACCEL")], "mm/s^2"),
             }
             drive = {"kind": "step-generator", **{name: value for name, value in limits.items() if value}}
-            return {"plant": driven_by_steps(pulse), "drive": drive}
+            return {**driven_by_steps(self.period, pulse), "drive": drive}
         if loop.loop == "position drive":
             frequency = guessed("40 Hz", "15 Hz", "100 Hz", "position loop of a servo drive of usual size")
             ahead = {"value": 0.5, "source": "assumed", "range": [0.0, 1.0], "note": "drives differ"}
-            return {"plant": {"kind": "step-drive", "natural_frequency": frequency, "velocity_feedforward": ahead}}
-        if loop.loop == "simulated":
-            self.findings.append(finding("CL985", f"axis {joint.axis}", why=loop.why))
-        else:
-            self.unmodelled[joint.axis] = loop.why
-        return {"plant": {"kind": "step-drive", "natural_frequency": "1000 Hz", "velocity_feedforward": 1.0}}
+            plant = {"kind": "step-drive", "natural_frequency": frequency, "velocity_feedforward": ahead}
+            return {"substeps": substeps(100.0, self.period), "plant": plant}
+        self.unmodelled[joint.axis] = loop.why
+        return {"plant": {"kind": "step-drive", "natural_frequency": f"{0.02 / self.period:.3g} Hz"}}
 
     def _program(self) -> dict[str, Any]:
         """Return how LinuxCNC reads a part program."""

@@ -391,7 +391,7 @@ def about_machine(machine: Machine, reading: Reading | None) -> Iterator[Finding
     if unknown := [axis.name for axis in machine.axes if not axis.limits.bounded]:
         yield finding("CL479", axes=unknown, machine=machine.name)
     if reading is not None and not zero_known(machine, reading):
-        yield finding("CL986", machine=machine.name)
+        yield finding("CL985", machine=machine.name)
 
 
 def of_control(machine: str | Path | Machine) -> bool:
