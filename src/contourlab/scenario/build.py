@@ -215,11 +215,11 @@ def build_machine(part: Table, controls: Sequence[ControlFile] = ()) -> Machine:
     angles, origins = without_origins(table.table("squareness"))
     plain["origins"] |= {f"squareness.{pair}": origin for pair, origin in origins.items()}
     with located(table):
-        machine = Machine(**plain, axes=built, squareness=_squareness(angles, names))
+        machine = Machine(**plain, axes=built, squareness=_squareness(angles, names), control=_control(part, controls))
     parts = {f"{axis.name}.{slot}": part for axis in built for slot in AXIS_SLOTS if isinstance(part := getattr(axis, slot), Component)}
     nodes = {f"{name}.{slot}": node for name in names for slot, node in axes.table(name).entries.items()}
     within = [(f"{axis.name}.{first}", f"{axis.name}.{second}", value) for axis in built for first, second, value in axis.correlations]
-    return replace(machine, correlations=read_correlations(table, parts, nodes, within), control=_control(part, controls))
+    return replace(machine, correlations=read_correlations(table, parts, nodes, within))
 
 
 def _control(part: Table, controls: Sequence[ControlFile]) -> ControlFile | None:
