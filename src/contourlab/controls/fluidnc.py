@@ -48,7 +48,7 @@ def read(file: Path) -> ControlFile:
     if not names:
         raise ScenarioError("has none of the axes x, y and z under axes", file=file)
     machine = {"name": str(sections.get("name") or file.stem)[:200], "servo_period": PERIOD, "axes": names}
-    findings = [finding("CL984", f"axis {name}", why="FluidNC counts its own steps.") for name in names]
+    findings = [finding("CL984", axes=names, why="FluidNC counts them")]
     findings += [finding("CL981", file.name, axis=name) for name in axes if name in ("a", "b", "c", "u", "v", "w")]
     tables = {name: dict(_axis(file, name, axes[name])) for name in names}
     every = {"machine": machine, "axes": tables, "controller": steps_controller(names), "program": {"dialect": "grbl"}}

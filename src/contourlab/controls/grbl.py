@@ -39,7 +39,7 @@ def read(file: Path) -> ControlFile:
     tables = {letter: dict(_axis(file, settings, n)) for n, letter in axes}
     names = [letter for _, letter in axes]
     machine = {"name": file.stem[:200], "servo_period": PERIOD, "axes": names}
-    findings = [finding("CL984", f"axis {name}", why="grbl counts its own steps.") for name in names]
+    findings = [finding("CL984", axes=names, why="grbl counts them")]
     gaps = {letter: settings[160 + n][0] for n, letter in axes if 160 + n in settings}
     findings += [finding("CL986", f"axis {letter}", gap=1e-3 * gap) for letter, gap in gaps.items() if gap]
     every = {"machine": machine, "axes": tables, "controller": steps_controller(names), "program": {"dialect": "grbl"}}

@@ -48,6 +48,7 @@ class _Machine:
     files: Sequence[Path]
     findings: list[Finding] = field(default_factory=list)
     unmodelled: dict[str, str] = field(default_factory=dict)
+    open_loop: dict[str, str] = field(default_factory=dict)
     unit: float = LENGTHS["mm"]
     period: float = 1e-3
 
@@ -69,6 +70,8 @@ class _Machine:
             "axes": list(axes),
         }
         tables: dict[str, Any] = {"machine": machine, "axes": {letter: self._axis(joint) for letter, joint in axes.items()}}
+        if self.open_loop:
+            self.findings.append(finding("CL984", axes=list(self.open_loop), why=next(iter(self.open_loop.values()))))
         tables |= {"controller": steps_controller(axes), "program": self._program()}
         return ControlFile(self.ini.file, "LinuxCNC", tables, self.unmodelled, tuple(self.findings), tuple(self.files))
 
@@ -124,7 +127,7 @@ class _Machine:
         """Return plant and drive of an axis, by what closes its loop."""
         own = f"JOINT_{joint.number}"
         if loop.loop == "step generator":
-            self.findings.append(finding("CL984", f"axis {joint.axis}", why=loop.why))
+            self.open_loop[joint.axis] = loop.why
             scale = self.ini.number(own, "STEP_SCALE") or self.ini.number(own, "SCALE")
             pulse = computed(f"{abs(self.unit * 1e6 / scale):.12g} um", "1/STEP_SCALE") if scale else None
             limits = {
