@@ -10,6 +10,7 @@ from pathlib import Path
 
 from contourlab.controls import ControlFile, control_file
 from contourlab.errors import ScenarioError, hint, refuse
+from contourlab.file_kinds import mistaken
 from contourlab.scenario.tree import DEFAULT, Leaf, Node, Table, from_mapping, located, merge, read_tree
 
 BUILTIN = "builtin:"
@@ -19,6 +20,7 @@ EVERY = "*"
 """Name for every axis, as in ``[controller.axes."*"]``."""
 
 
+_MACHINES = "name a file with [machine], the INI file of a LinuxCNC, what $$ of grbl prints, or the config.yaml of FluidNC"
 _KINDS = {
     "machine_file": ("a machine",),
     "controller_file": ("a controller",),
@@ -98,6 +100,8 @@ class Reader:
         """Read a file of one of the kinds wanted; a machine may be the file of a control."""
         control = control_file(path) if "a machine" in wanted else None
         self.seen.extend([path] if control is None else [path, *control.files])
+        if control is None and "a machine" in wanted and path.suffix.lower() in (".ini", ".yaml", ".yml", ".txt"):
+            raise ScenarioError(mistaken(path, *wanted) or f"is no machine: {_MACHINES}", file=path)
         if control is None:
             return read_tree(path, *wanted)
         self.controls.append(control)

@@ -80,6 +80,15 @@ class Ini:
             raise ScenarioError(f"[{section}]{key} = {entry.value!r}: must be {wanted}, below {LARGEST:g}", file=entry.place)
         return value
 
+    def limit(self, section: str, key: str) -> float | None:
+        """Return the first value as a number; None where there is none, and for one that stands for no limit."""
+        entry = self.first(section, key)
+        try:
+            is_limit = entry is not None and abs(float(entry.value)) < LARGEST
+        except ValueError:
+            is_limit = True
+        return self.number(section, key) if is_limit else None
+
 
 @dataclass(frozen=True)
 class Statement(Line):

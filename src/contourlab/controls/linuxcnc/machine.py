@@ -16,7 +16,7 @@ from contourlab.findings import Finding, finding
 
 LETTERS = "xyz"
 """Axes that a part program moves."""
-_OWN = re.compile(rb"^\s*\[(EMC|EMCMOT|KINS|TRAJ|RS274NGC)\]", re.MULTILINE)
+_OWN = re.compile(rb"^(\s*\[(EMC|DISPLAY|EMCMOT|KINS|TRAJ|RS274NGC)\]|#INCLUDE\s)", re.MULTILINE)
 
 
 def matches(file: Path, head: bytes) -> bool:
@@ -79,8 +79,8 @@ class _Machine:
         """Return the joint of each axis; note those that are left out."""
         axes: dict[str, Joint] = {}
         for joint in joints(self.ini, self.graph):
-            if self.ini.first(f"JOINT_{joint.number}", "MAX_VELOCITY", "TYPE", "MAX_LIMIT") is None:
-                continue  # LinuxCNC has as many joints as [KINS]JOINTS says; without a section it is none
+            if not any(section in self._sections(joint)[1:] for section, _ in self.ini.values):
+                continue  # without a section it is none of [KINS]JOINTS
             if joint.axis not in LETTERS:
                 self.findings.append(finding("CL981", self.ini.file.name, axis=joint.axis))
             elif joint.axis in axes:
@@ -95,16 +95,21 @@ class _Machine:
 
     def _least(self, keys: Sequence[tuple[str, str]], unit: str, *, largest: bool = False) -> dict[str, Any] | None:
         """Return the least of several values of the file, or the largest; None if it has none."""
-        above = 0.0 if "/" in unit else -1e9
-        values = [(value, key) for key in keys if (value := self.ini.number(*key, above)) is not None]
+        values = [(value, key) for key in keys if (value := self.ini.limit(*key)) is not None]
         if not values:
             return None
         value, key = max(values) if largest else min(values)
+        if value <= 0.0 and "/" in unit:
+            raise ScenarioError(f"[{key[0]}]{key[1]} = {value:g}: must be above 0", file=self.ini.values[key][0].place)
         return self._read(f"{value * self.unit * 1e3:.12g} {unit}", *key)
+
+    def _sections(self, joint: Joint) -> tuple[str, ...]:
+        """Return the sections of a joint and its axis; before LinuxCNC 2.8 the axes had numbers."""
+        return (f"AXIS_{joint.axis.upper()}", f"JOINT_{joint.number}", f"AXIS_{joint.number}")
 
     def _axis(self, joint: Joint) -> dict[str, Any]:
         """Return the tables of an axis."""
-        own = (f"AXIS_{joint.axis.upper()}", f"JOINT_{joint.number}")
+        own = self._sections(joint)
         limits: dict[str, Any] = {}
         for name, key, unit in (("velocity", "MAX_VELOCITY", "mm/s"), ("acceleration", "MAX_ACCELERATION", "mm/s^2")):
             path = ("TRAJ", key.replace("MAX_", "MAX_LINEAR_"))
@@ -118,23 +123,22 @@ class _Machine:
         ends = [self._least([(section, key) for section in own], "mm", largest=key == "MIN_LIMIT") for key in ("MIN_LIMIT", "MAX_LIMIT")]
         if ends[0] and ends[1]:
             limits["travel"] = read_from([end["value"] for end in ends if end], f"{ends[0]['from']} and {ends[1]['from']}")
-        if follows := self._least([(f"JOINT_{joint.number}", "FERROR")], "mm"):
+        if follows := self._least([(section, "FERROR") for section in own], "mm"):
             limits["following_error"] = follows
         loop = classified(self.graph, joint.pid) if joint.pid else without_pid(self.graph, joint.number)
         return {**self._answer(joint, loop), "limits": limits}
 
     def _answer(self, joint: Joint, loop: LoopClass) -> dict[str, Any]:
         """Return plant and drive of an axis, by what closes its loop."""
-        own = f"JOINT_{joint.number}"
+        own = self._sections(joint)[1:]
         if loop.loop == "step generator":
             self.open_loop[joint.axis] = loop.why
-            scale = self.ini.number(own, "STEP_SCALE") or self.ini.number(own, "SCALE")
+            scale = next((scale for key in ("STEP_SCALE", "SCALE") for section in own if (scale := self.ini.limit(section, key))), None)
             pulse = computed(f"{abs(self.unit * 1e6 / scale):.12g} um", "1/STEP_SCALE") if scale else None
-            limits = {
-                "velocity_limit": self._least([(own, "STEPGEN_MAXVEL")], "mm/s"),
-                "acceleration_limit": self._least([(own, "STEPGEN_MAXACCEL")], "mm/s^2"),
-            }
-            drive = {"kind": "step-generator", **{name: value for name, value in limits.items() if value}}
+            drive: dict[str, Any] = {"kind": "step-generator"}
+            for name, key, unit in (("velocity_limit", "STEPGEN_MAXVEL", "mm/s"), ("acceleration_limit", "STEPGEN_MAXACCEL", "mm/s^2")):
+                keys = [(section, key) for section in own if self.ini.limit(section, key)]  # 0 is none
+                drive |= {name: self._least(keys, unit)} if keys else {}
             return {**driven_by_steps(self.period, pulse), "drive": drive}
         if loop.loop == "position drive":
             frequency = guessed("40 Hz", "15 Hz", "100 Hz", "position loop of a servo drive of usual size")
@@ -158,5 +162,7 @@ class _Machine:
             else:
                 self.findings.append(finding("CL980", entry.place, key=key, file=entry.value))
         if paths := self.ini.first("RS274NGC", "SUBROUTINE_PATH"):
-            keys["folders"] = [str((self.ini.file.parent / Path(path).expanduser()).absolute()) for path in paths.value.split(":") if path]
+            keys["subprograms"] = [
+                str((self.ini.file.parent / Path(path).expanduser()).absolute()) for path in paths.value.split(":") if path
+            ]
         return keys
