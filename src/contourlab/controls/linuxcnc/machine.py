@@ -162,7 +162,6 @@ class _Machine:
             else:
                 self.findings.append(finding("CL980", entry.place, key=key, file=entry.value))
         if paths := self.ini.first("RS274NGC", "SUBROUTINE_PATH"):
-            keys["subprograms"] = [
-                str((self.ini.file.parent / Path(path).expanduser()).absolute()) for path in paths.value.split(":") if path
-            ]
+            folders = (path for path in paths.value.split(":") if path)
+            keys["subprograms"] = [str((self.ini.file.parent / Path(path).expanduser()).absolute()) for path in folders]
         return keys

@@ -17,6 +17,7 @@ from contourlab.app.results import proposed, staged
 from contourlab.app.session import QUIET, Answer, Session, interrupt, question
 from contourlab.components.friction.laws import NoFriction
 from contourlab.errors import DivergenceError, ScenarioError
+from contourlab.features.check.program_check import origin_of
 from contourlab.features.learn import LearnedTable
 from contourlab.features.learn import learn as learn_machine
 from contourlab.features.run.options import Compare, Learn, Run
@@ -115,7 +116,7 @@ class Runs(JudgedRuns):
 
     SILENT = True
     json_form: ClassVar = {"name": "scenario.name"} | {
-        name: name for name in ("command", "notes", "passed", "schemes", "schema", "version")
+        name: name for name in ("command", "machine", "notes", "passed", "schemes", "schema", "version")
     }
 
     scenario: Scenario
@@ -133,6 +134,11 @@ class Runs(JudgedRuns):
         """The schemes by name; of those that diverged the status only."""
         lost = {name: DivergedScheme(Status(False, error.sample, error.axis, str(error))) for name, error in self.diverged.items()}
         return {outcome.name: outcome for outcome in self.outcomes} | lost
+
+    @property
+    def machine(self) -> dict[str, Any]:
+        """Name of the base's machine; of a control's own file also the control, and the origin of each number."""
+        return {"name": self.scenario.machine.name, **origin_of(self.scenario.machine)}
 
     @property
     def notes(self) -> tuple[str, ...]:
