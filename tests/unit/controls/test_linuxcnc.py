@@ -4,9 +4,9 @@ import json
 from pathlib import Path
 
 import pytest
+from made_controls import LINUXCNC
 from reference_data import reference_file
-from test_controls import LINUXCNC
-from typed_commands import run_command
+from typed_commands import invoke
 
 from contourlab.controls import control_file
 from contourlab.errors import ParameterError, ScenarioError
@@ -60,19 +60,19 @@ def test_parameter_file_of_points_angles_and_other_numbers() -> None:
 @pytest.mark.parametrize("zero", ["1, 2", "1, 2, x", "1, 2, inf", "1;2;3"])
 def test_a_zero_that_is_no_point_is_refused(zero: str, tmp_path: Path) -> None:
     (tmp_path / "part.ngc").write_text(PROGRAM)
-    code, _, error = run_command("check", tmp_path / "part.ngc", "--machine", machine_file(tmp_path), "--zero", zero)
-    assert code == 2 and len(error.strip().splitlines()) == 1
+    said = invoke(tmp_path, "check", "part.ngc", "--machine", machine_file(tmp_path), "--zero", zero)
+    assert said.code == 2 and len(said.err.strip().splitlines()) == 1
 
 
 def test_without_work_offsets_only_the_size_is_held_against_the_travel(tmp_path: Path) -> None:
     file, part = machine_file(tmp_path), tmp_path / "part.ngc"
     part.write_text(PROGRAM.replace("X2", "X20"))  # longer than any zero allows
-    assert run_command("check", part, "--machine", file)[0] == 2
+    assert invoke(tmp_path, "check", part, "--machine", file).code == 2
     part.write_text(PROGRAM)
 
     def checked(*words: str) -> tuple[int, list[str]]:
-        code, out, _ = run_command("check", part, "--machine", file, "--json", *words)
-        return code, [found["code"] for found in json.loads(out)["findings"]]
+        said = invoke(tmp_path, "check", part, "--machine", file, "--json", *words)
+        return said.code, [found["code"] for found in json.loads(said.out)["findings"]]
 
     code, found = checked()
     assert code == 0 and "CL985" in found
@@ -112,13 +112,14 @@ def test_a_jerk_limit_holds_with_its_planner_only(tmp_path: Path, planner: str, 
 
 def test_an_axis_whose_answer_is_open_is_planned_but_not_run(tmp_path: Path) -> None:
     """A pid on an analogue output: the file does not say what the drive makes of it. A plant of one's own closes the gap."""
-    pid = "HALCMD = loadrt pid names=pid.x\nHALCMD = net x-cmd joint.0.motor-pos-cmd => pid.x.command\nHALCMD = net x-out pid.x.output => pwmgen.0.value"
+    loop = ("loadrt pid names=pid.x", "net x-cmd joint.0.motor-pos-cmd => pid.x.command", "net x-out pid.x.output => pwmgen.0.value")
+    pid = "\n".join(f"HALCMD = {line}" for line in loop)
     file = machine_file(tmp_path, ("HALCMD = net x-cmd joint.0.motor-pos-cmd => stepgen.0.position-cmd", pid))
     part = tmp_path / "part.ngc"
     part.write_text(PROGRAM)
-    assert run_command("check", part, "--machine", file)[0] == 0
-    code, _, error = run_command("run", part, "--machine", file, "--tolerance", "1 mm")
-    assert code == 2 and len(error.strip().splitlines()) == 1 and "pwmgen.0.value" in error
+    assert invoke(tmp_path, "check", part, "--machine", file).code == 0
+    said = invoke(tmp_path, "run", part, "--machine", file, "--tolerance", "1 mm")
+    assert said.code == 2 and "pwmgen.0.value" in said.err.strip().splitlines()[-1]
     scenario = tmp_path / "s.toml"
     scenario.write_text(
         'machine = {file = "m.ini"}\nprogram = "part.ngc"\n[axes.x]\nsubsteps = 4\n'
@@ -143,11 +144,10 @@ def test_a_scenario_takes_controller_and_program_reading_from_the_control(tmp_pa
 def test_the_router_of_a_newcomer(tmp_path: Path) -> None:
     """INI, HAL and part to a verdict in one command; every number has its origin."""
     folder = reference_file("repro", "trial3")
-    words = ("run", folder / "bracket.ngc", "--machine", folder / "router.ini", "--tolerance", "50 um", "--out", tmp_path / "out", "--json")
-    code, out, _ = run_command(*words)
-    answer = json.loads(out)
+    said = invoke(tmp_path, "run", folder / "bracket.ngc", "--machine", folder / "router.ini", "--tolerance", "50 um", "--json")
+    answer = json.loads(said.out)
     (scheme,) = answer["schemes"].values()
-    assert code == 0 and scheme["verdict"]["passed"]
+    assert said.code == 0 and scheme["verdict"]["passed"]
     assert scheme["metrics"]["part_error"]["max"] == pytest.approx(3e-5, rel=0.05)  # G64 P0.03 of the start-up code, and little else
     origin = answer["machine"]["origin"]
     assert answer["machine"]["source"] == "LinuxCNC" and set(origin.values()) == {"read", "computed", "guessed"}

@@ -4,6 +4,7 @@ import random
 from pathlib import Path
 
 import pytest
+from made_controls import FILES, made_control
 
 from contourlab.controls import control_file, readers
 from contourlab.errors import ContourlabError, ScenarioError
@@ -11,79 +12,6 @@ from contourlab.loop import Machine
 from contourlab.rendering.origins import numbers_of_machine, stated
 from contourlab.scenario import load_machine
 from contourlab.scenario.load import reading_on
-
-LINUXCNC = """[EMC]
-MACHINE = a router
-[EMCMOT]
-SERVO_PERIOD = 1000000
-[KINS]
-KINEMATICS = trivkins coordinates=XY
-[TRAJ]
-LINEAR_UNITS = inch
-[HAL]
-HALCMD = net x-cmd joint.0.motor-pos-cmd => stepgen.0.position-cmd
-HALCMD = net y-cmd joint.1.motor-pos-cmd => stepgen.1.position-cmd
-[RS274NGC]
-RS274NGC_STARTUP_CODE = G64 P0.001
-[AXIS_X]
-MIN_LIMIT = -1
-MAX_LIMIT = 9
-[JOINT_0]
-MAX_VELOCITY = 2
-MAX_ACCELERATION = 20
-STEP_SCALE = 4000
-[AXIS_Y]
-MIN_LIMIT = 0
-MAX_LIMIT = 5
-[JOINT_1]
-MAX_VELOCITY = 3
-MAX_ACCELERATION = 20
-STEP_SCALE = 4000
-"""
-GRBL = """Grbl 1.1h ['$' for help]
-$11=0.010
-$12=0.002
-$13=0
-$100=250.000 (x, step/mm)
-$101=250.000 (y, step/mm)
-$110=3048.000
-$111=4572.000
-$120=508.000
-$121=508.000
-$130=254.000
-$131=127.000
-ok
-"""
-FLUIDNC = """name: a router
-axes:
-  x:
-    steps_per_mm: 250
-    max_rate_mm_per_min: 3048
-    acceleration_mm_per_sec2: 508
-    max_travel_mm: 254
-    homing:
-      positive_direction: false
-      mpos_mm: -25.4
-  y:
-    steps_per_mm: 250
-    max_rate_mm_per_min: 4572
-    acceleration_mm_per_sec2: 508
-    max_travel_mm: 127
-    homing:
-      positive_direction: true
-      mpos_mm: 0
-"""
-FILES = {"linuxcnc": ("m.ini", LINUXCNC), "grbl": ("grbl.txt", GRBL), "fluidnc": ("config.yaml", FLUIDNC)}
-
-
-def made(folder: Path, reader: str, *pairs: tuple[str, str]) -> Path:
-    name, text = FILES[reader]
-    for old, new in pairs:
-        assert old in text
-        text = text.replace(old, new)
-    file = folder / name
-    file.write_text(text)
-    return file
 
 
 def loaded(file: Path) -> Machine:
@@ -99,7 +27,7 @@ def test_every_reader_has_a_file_here() -> None:
 @pytest.mark.parametrize("reader", FILES)
 def test_limits_travel_and_their_sources(tmp_path: Path, reader: str) -> None:
     """The three files describe axes of the same speeds, to 1e-12."""
-    machine = loaded(made(tmp_path, reader))
+    machine = loaded(made_control(tmp_path, reader))
     assert machine.axis_names == ("x", "y")
     for axis, velocity, length in zip(machine.axes, (0.0508, 0.0762), (0.254, 0.127), strict=True):
         assert axis.limits.velocity == pytest.approx(velocity, rel=1e-12)
@@ -147,7 +75,7 @@ def test_a_damaged_file_is_refused_with_its_place_or_read(tmp_path: Path, reader
 )
 def test_a_faulty_value_is_refused(tmp_path: Path, reader: str, old: str, new: str) -> None:
     with pytest.raises(ScenarioError) as caught:
-        load_machine(made(tmp_path, reader, (old, new)))
+        load_machine(made_control(tmp_path, reader, (old, new)))
     assert FILES[reader][0] in str(caught.value)
 
 
@@ -161,7 +89,7 @@ def test_a_file_of_no_control_is_none(tmp_path: Path) -> None:
 def test_grbl_settings_in_other_dress(tmp_path: Path) -> None:
     """A dump with spaces, prompts of a sender, and grblHAL's backlash and jerk."""
     more = [("$100=250.000 (x, step/mm)", "  < $100 = 250.000 (x-axis travel resolution, step/mm)"), ("ok\n", "$160=0.05\n$800=5000\nok\n")]
-    machine = loaded(made(tmp_path, "grbl", *more))
+    machine = loaded(made_control(tmp_path, "grbl", *more))
     assert machine.control is not None
     assert machine.control.control == "grblHAL"
     assert machine.axes[0].limits.jerk == pytest.approx(5.0)
