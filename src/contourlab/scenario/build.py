@@ -227,8 +227,8 @@ def _control(part: Table, controls: Sequence[ControlFile]) -> ControlFile | None
     control = next((control for control in controls if str(control.file) == part.table("machine").file), None)
     if control is None:
         return None
-    axes = part.table("axes")
-    left = {name: why for name, why in control.unmodelled.items() if axes.table(name).table("plant").file == str(control.file)}
+    plants = {name: part.table("axes").table(name).table("plant").entries.values() for name in control.unmodelled}
+    left = {name: why for name, why in control.unmodelled.items() if all(node.file == str(control.file) for node in plants[name])}
     return replace(control, unmodelled=left)
 
 

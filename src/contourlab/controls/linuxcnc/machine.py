@@ -151,7 +151,8 @@ class _Machine:
     def _program(self) -> dict[str, Any]:
         """Return how LinuxCNC reads a part program."""
         startup = self.ini.first("RS274NGC", "RS274NGC_STARTUP_CODE") or self.ini.first("EMC", "RS274NGC_STARTUP_CODE")
-        keys: dict[str, Any] = {"startup": startup.value} if startup and startup.value else {}
+        keys: dict[str, Any] = {"unit": "mm" if self.unit == LENGTHS["mm"] else "inch"}
+        keys |= {"startup": startup.value} if startup and startup.value else {}
         for name, section, key in (("tools", "EMCIO", "TOOL_TABLE"), ("parameters", "RS274NGC", "PARAMETER_FILE")):
             entry = self.ini.first(section, key)
             if entry is None or not entry.value:
