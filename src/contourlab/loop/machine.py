@@ -265,6 +265,7 @@ class Machine:
             self._check_masses(axis)
             self._check_motor_side(axis)
             self._check_step(axis)
+            self._check_drive(axis)
         for pair in self.squareness:
             if len(pair) != 2 or pair[0] == pair[1] or not set(pair) <= set(names):
                 raise ParameterError("squareness", "-".join(pair), "two different axes of the machine")
@@ -335,6 +336,16 @@ class Machine:
                 bound = f"left out: a {axis.plant.kind} has no separate motor side"
                 raise ParameterError(f"axes.{axis.name}.{slot}", f'"{part.kind}"', bound)
 
+    def _check_drive(self, axis: Axis) -> None:
+        """Raise if a drive cannot pass on the commands of the plant: positions begin where the axis stands, all others at zero."""
+        drive, plant = axis.drive, axis.plant
+        fits = drive.command_unit == "m"
+        fits = fits or drive == Saturation() if plant.takes_position else not fits
+        if not fits:
+            fitting = '"step-generator", or left out' if plant.takes_position else "another one"
+            bound = f"{fitting}: the commands of a {plant.kind} are in {plant.command_unit}"
+            raise ParameterError(f"axes.{axis.name}.drive", f'"{drive.kind}"', bound)
+
     @property
     def axis_names(self) -> tuple[str, ...]:
         """Names of the axes, in order."""
@@ -367,6 +378,13 @@ class Machine:
         placed = replace(other, name=name, mounted_on=self.axis(name).mounted_on, alignment=self.axis(name).alignment)
         apart = tuple(pair for pair in self.correlations if name not in (one.partition(".")[0] for one in pair[:2]))
         return replace(self, axes=tuple(placed if axis.name == name else axis for axis in self.axes), correlations=apart)
+
+
+def require_loops(machine: Machine) -> None:
+    """Raise ParameterError if every axis takes positions: then the control closes no loop that has gains or margins."""
+    if all(axis.plant.takes_position for axis in machine.axes):
+        kinds = ", ".join(dict.fromkeys(axis.plant.kind for axis in machine.axes))
+        raise ParameterError("plant", kinds, "one whose loop the control closes: this one takes positions, and has no gains and no margins")
 
 
 AXIS_SLOTS = ("plant", "friction", "motor_friction", "drive", "sensor", "motor_sensor", "disturbance")

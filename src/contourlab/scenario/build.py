@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -297,7 +298,7 @@ def _axis_controller(table: Table, machine: Machine, name: str) -> AxisControlle
     if isinstance(supervisor, Table) and "kind" not in supervisor.entries:
         table = table.having(supervisor=supervisor.having(kind=Leaf(SUPERVISOR, supervisor.file, supervisor.at("kind"))))
     parts = _parts(table, ("predictor", "velocity", *_OPTIONAL), units, ("predictor", *_OPTIONAL))
-    model = model_of(machine, axis, parts.get("observer"))
+    model = partial(model_of, machine, axis, parts.get("observer"))
     parts["controller"] = _position(table.entries["controller"], units, model)
     filters, others = table.table("filters"), table.table("others")
     parts["filters"] = _named(filters, lambda node: read_component(node, "filter", units, optional=True))
@@ -371,7 +372,7 @@ def model_of(machine: Machine, axis: Axis, observer: Component | None) -> tuple[
     return model
 
 
-def _position(node: Node, units: tuple[str, str], model: tuple[float, float]) -> Any:
+def _position(node: Node, units: tuple[str, str], model: Callable[[], tuple[float, float]]) -> Any:
     if isinstance(node, Leaf) or "gains" not in node.entries:
         return read_component(node, "controller", units)
     kind = find_kind(node, "controller")
@@ -386,7 +387,8 @@ def _position(node: Node, units: tuple[str, str], model: tuple[float, float]) ->
     own = read_parameters(kind.kind, parameters_of(kind, units), rest.only(*{"model_gain", "model_damping"} & set(kind.parameters)))
     with located(gains):
         defaults = {name: parameter.default for name, parameter in wishes.items()}
-        placed = kind.designed(defaults | wanted, float(own.get("model_gain", model[0])), float(own.get("model_damping", model[1])))
+        gain, damping = model()
+        placed = kind.designed(defaults | wanted, float(own.get("model_gain", gain)), float(own.get("model_damping", damping)))
     return read_component(rest, "controller", units, given=placed)
 
 

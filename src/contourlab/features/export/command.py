@@ -38,6 +38,7 @@ from contourlab.file_kinds import kind_of
 from contourlab.findings import Finding, finding
 from contourlab.loop import Axis, Controller, Machine
 from contourlab.loop.builder import accepted_output
+from contourlab.loop.machine import require_loops
 from contourlab.loop.template import EXTERNALS, build
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result.atomic import write_bytes_atomic
@@ -193,6 +194,7 @@ def export(file: str | Path, *, settings: Export, session: Session = QUIET) -> E
     """
     to = settings.to
     loaded, steered, motion, inputs = _read(file, settings.machine, settings.scheme, settings.plugin)
+    require_loops(loaded)
     found = {name: axis_control(loaded, steered, name) for name in settings.axis or loaded.axis_names}
     if len({control.control.name for control in found.values()}) != len(found):
         raise ParameterError("axes", ", ".join(found), "named with letters of ASCII, so that their code has different names")

@@ -19,9 +19,10 @@ from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.arrays import Array, free_memory
 from contourlab.components.supervisor.switching import PreRouted
 from contourlab.engine.runner import make_group
-from contourlab.errors import ComponentError, ResultError
+from contourlab.errors import ComponentError, DivergenceError, ResultError
 from contourlab.features.check.program_check import about_machine, path_mode_assumed
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
+from contourlab.features.run.lost_steps import lost_steps
 from contourlab.features.run.trust import part_interval
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import LimitReport, Reference, limit_report
@@ -308,7 +309,14 @@ def run_case(
     noise: dict[str, Any] = {"seed": case.run.seed, "moving": case.moving}
     given: dict[str, Any] = {"learned": None if learned is None else learned.table.learned, "changes": case.changes}
     given |= {"progress": report_progress} if learned is None else {"trial": learned.best}
-    result = simulate(machine, controller, reference, scheme=case.name, **noise, **given)
+    try:
+        result = simulate(machine, controller, reference, scheme=case.name, **noise, **given)
+    except DivergenceError as error:
+        cut = simulate(machine, controller, reference, on_failure="return", **noise, **given)
+        if lost := lost_steps(machine, reference, cut):
+            reason = "; ".join((cut.status.reason, *(one.text for one in lost)))
+            raise DivergenceError(reason, sample=error.sample, time=error.time, axis=error.axis) from error
+        raise
     begin(f"judging {case.name}")
     judged = judge(result, reference)
     check_follows(judged, reference)
@@ -329,6 +337,7 @@ def run_case(
     bode = bode_of(machine, controller)
     findings = [*_remarks(case, reference, foretold, costs or foretell)]
     findings += [finding("CL205", place=f"axis {axis}") for axis, loop in bode.items() if not loop.margins.stable]
+    findings += lost_steps(machine, reference, judged) if answer is None else ()
     findings += [noted for part in (learned, answer, sampled) if part is not None for noted in part.findings]
     of_run = (case.name, reference, judged, figures, answer, circles_of(judged, reference), judged_spikes(judged, reference))
     return Outcome(
