@@ -100,7 +100,7 @@ class Reader:
         """Read a file of one of the kinds wanted; a machine may be the file of a control."""
         control = control_file(path) if "a machine" in wanted else None
         self.seen.extend([path] if control is None else [path, *control.files])
-        if control is None and "a machine" in wanted and path.suffix.lower() in (".ini", ".yaml", ".yml", ".txt"):
+        if control is None and "a machine" in wanted and path.suffix.lower() not in (".toml", "") and path.is_file():
             raise ScenarioError(mistaken(path, *wanted) or f"is no machine: {_MACHINES}", file=path)
         if control is None:
             return read_tree(path, *wanted)

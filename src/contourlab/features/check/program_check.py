@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
-from contourlab.controls import control_file
 from contourlab.errors import ContourlabError, ProgramError
 from contourlab.features.check.options import Check
 from contourlab.features.check.reading import reading_of
@@ -287,8 +286,7 @@ class PlannedMotion:
 
     def __init__(self, file: str | Path, settings: Check) -> None:
         self._given: str | Path | Machine | None = settings.machine
-        self._read = None if self._given is None or not of_control(self._given) else self._loaded()
-        self.reading = reading_of(file, settings, self._read)
+        self.reading = reading_of(file, settings)
         self.problems: list[ContourlabError] = []
         self._sums = np.zeros(5)  # feed and rapid length, cycle time, dwells, time of the feed moves at their feedrates
         self._stops = 0
@@ -297,15 +295,11 @@ class PlannedMotion:
     @cached_property
     def machine(self) -> Machine:
         """The machine; read when something moves."""
+        from contourlab.scenario.load import machine_of
         from contourlab.scenario.placing import unplaced, zero_known
 
-        machine = self._read or self._loaded()
+        machine = machine_of(DEFAULT_MACHINE if self._given is None else self._given)
         return machine if zero_known(machine, self.reading) else unplaced(machine)
-
-    def _loaded(self) -> Machine:
-        from contourlab.scenario.load import machine_of
-
-        return machine_of(DEFAULT_MACHINE if self._given is None else self._given)
 
     @cached_property
     def travel(self) -> TravelCheck:
@@ -392,11 +386,6 @@ def about_machine(machine: Machine, reading: Reading | None) -> Iterator[Finding
         yield finding("CL479", axes=unknown, machine=machine.name)
     if reading is not None and not zero_known(machine, reading):
         yield finding("CL985", machine=machine.name)
-
-
-def of_control(machine: str | Path | Machine) -> bool:
-    """Return whether a machine is a control's own file."""
-    return control_file(Path(machine)) is not None if isinstance(machine, str | Path) else machine.control is not None
 
 
 _KINDS_OF_ORIGIN = {"control": "read", "computed": "computed", "assumed": "guessed"}

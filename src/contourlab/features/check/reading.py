@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from contourlab.app.shared_options import Dialect
+from contourlab.controls import control_file
 from contourlab.errors import ScenarioError
 from contourlab.file_kinds import kind_of
 from contourlab.program import Reading
@@ -43,8 +44,13 @@ def refuse_drawing(file: str | Path, machine: str | Path | None = None, controll
     )
 
 
-def reading_of(file: str | Path, options: Dialect, machine: Machine | None = None) -> Reading:
-    """Return how a part program is read, as the file of a machine's control says and with the options; refuse a drawing.
+def of_control(machine: str | Path | Machine) -> bool:
+    """Return whether a machine is a control's own file."""
+    return control_file(Path(machine)) is not None if isinstance(machine, str | Path) else machine.control is not None
+
+
+def reading_of(file: str | Path, options: Dialect) -> Reading:
+    """Return how a part program is read, with the options, and as the file of the machine's control says; refuse a drawing.
 
     A missing end is a notice only.
     """
@@ -52,8 +58,9 @@ def reading_of(file: str | Path, options: Dialect, machine: Machine | None = Non
     given = {"dialect": options.dialect, "block_delete": options.block_delete, "tools": options.tools, "zero": options.zero}
     given |= {"most_moves": options.most_moves}
     chosen: dict[str, Any] = {key: value for key, value in given.items() if value is not None} | {"require_end": False}
-    if machine is None:
+    machine = getattr(options, "machine", None)
+    if machine is None or not of_control(machine):
         return Reading(**chosen)
-    from contourlab.scenario.load import reading_on
+    from contourlab.scenario.load import machine_of, reading_on
 
-    return reading_on(machine, chosen)
+    return reading_on(machine_of(machine), chosen)

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from contourlab.app.json_values import HIDDEN
+from contourlab.controls import control_file
 from contourlab.errors import OutputError, refuse
 from contourlab.rendering.judgement import NOT_STATED, Number
 from contourlab.rendering.origins import numbers_of_axis, numbers_of_machine, stated
@@ -91,6 +92,9 @@ def shipped_one(name: str) -> Shipped:
     about = _about(file)
     if file.suffix == ".ngc":
         return Shipped(short, "program", (), about, file)
+    if control_file(file) is not None:
+        machine = load_machine(file)
+        return Shipped(short, "machine", machine.axis_names, about, file, numbers_of_machine(machine))
     content = set(read_tree(file).entries)
     if "controller" in content and "machine" in content:
         return Shipped(short, "scenario", load_scenario(file).machine.axis_names, about, file)

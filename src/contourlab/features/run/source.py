@@ -8,9 +8,8 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from contourlab.contours import ContourReading
-from contourlab.controls import control_file
 from contourlab.errors import ParameterError, ProgramEndError, ScenarioError
-from contourlab.features.check.reading import refuse_drawing
+from contourlab.features.check.reading import of_control, refuse_drawing
 from contourlab.feed import Reference
 from contourlab.file_kinds import mistaken
 from contourlab.loop import Controller, Machine
@@ -122,7 +121,7 @@ def scenario_of(file: str | Path, settings: Any) -> Scenario:
         raise ScenarioError(words, file=path)
     if machine is not None and controller is None and Path(machine).is_dir():
         controller = machine
-    if machine is None or (controller is None and control_file(Path(machine)) is None):
+    if machine is None or (controller is None and not of_control(machine)):
         alone = "" if machine is None else f"; {machine} is neither a folder nor a control's own file, which would give both"
         raise ScenarioError(f"a part program needs --machine and --controller{alone}; a scenario ends in .toml", file=path)
     run = {} if settings.tolerance is None else {"tolerance": settings.tolerance}
