@@ -121,6 +121,8 @@ def scenario_of(file: str | Path, settings: Any) -> Scenario:
         raise ScenarioError(words, file=path)
     if machine is not None and controller is None and Path(machine).is_dir():
         controller = machine
+    if machine is not None and controller is None and Path(machine).suffix and not Path(machine).exists():
+        raise ScenarioError("no such file", file=machine)
     if machine is None or (controller is None and not of_control(machine)):
         alone = "" if machine is None else f"; {machine} is neither a folder nor a control's own file, which would give both"
         raise ScenarioError(f"a part program needs --machine and --controller{alone}; a scenario ends in .toml", file=path)
