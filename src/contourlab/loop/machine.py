@@ -275,7 +275,13 @@ class Machine:
         return facts_line("Machine", {"name": self.name, "axes": ", ".join(self.axis_names), "servo period": period})
 
     def check_modelled(self) -> None:
-        """Raise ParameterError if an axis has a stand-in for its plant, because the control's own file does not say how it answers."""
+        """Refuse an axis with a stand-in for its plant, because the control's own file does not say how it answers.
+
+        Raises
+        ------
+        ParameterError
+            If there is one.
+        """
         if self.control is not None and self.control.unmodelled:
             name, why = next(iter(self.control.unmodelled.items()))
             bound = f'given, as in [axes.{name}] file = "axis.toml" under machine = "{self.control.file.name}": {why}'

@@ -94,7 +94,13 @@ class Reading:
 
     @property
     def origin(self) -> Point:
-        """Zero of the program [m]."""
+        """Zero of the program [m].
+
+        Raises
+        ------
+        ProgramError
+            If `zero` is no point.
+        """
         try:
             x, y, z = (metres(float(text), self.unit == "mm") for text in self.zero.split(","))
         except ValueError:

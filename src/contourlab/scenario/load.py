@@ -497,7 +497,8 @@ def parse_scenario(text: str, name: str = "<text>", plugins: Sequence[str | Path
 def _name(content: Table) -> str:
     """Check the keys of a scenario, and return its name."""
     parts = ("axes", "contour", "program", "feed", "run", "learning", "schemes")
-    name: str = read_values(content, Scenario, needed=("machine",), parts=(*parts, "controller")).get("name", "")
+    needed = ("machine",) if "machine" in content.entries else ("machine", "controller")
+    name: str = read_values(content, Scenario, needed=needed, parts=(*parts, "controller")).get("name", "")
     return name
 
 
