@@ -41,14 +41,16 @@ LIMITS = cl.Limits(velocity=0.1, acceleration=1.0, jerk=50.0)
 
 @pytest.mark.parametrize("share", [-0.9, -0.3, 0.1, 0.6, 0.97])
 def test_a_load_moves_the_axis_along_the_sine_of_torque_over_angle(share: float) -> None:
-    settled = march(stepper(damping_ratio=0.7), np.zeros(400), load=share * HOLDING)[-1]
-    assert settled[0] == pytest.approx(2.0 * FULL / math.pi * math.asin(share), rel=1e-6)
+    off = 2.0 * FULL / math.pi * math.asin(share)
+    # A load that comes at once would carry the axis beyond.
+    settled = march(stepper(damping_ratio=0.7), np.zeros(400), load=share * HOLDING, start=(0.9 * off, 0.0, 0.0, 0.0))[-1]
+    assert settled[0] == pytest.approx(off, rel=1e-6)
     assert settled[1] == pytest.approx(0.0, abs=1e-9)
 
 
 def test_it_holds_a_load_below_the_holding_torque_and_no_larger_one() -> None:
     slow = stepper(damping_ratio=1.0)
-    start = (0.99 * FULL, 0.0, 0.0)  # near the place of the largest torque, so that it does not overshoot
+    start = (0.99 * FULL, 0.0, 0.0, 0.0)  # near the place of the largest torque, so that it does not overshoot
     assert march(slow, np.zeros(400), load=0.999 * HOLDING, start=start)[-1, 0] < FULL
     assert march(slow, np.zeros(400), load=1.001 * HOLDING, start=start)[-1, 0] > 4.0 * FULL
 
@@ -59,7 +61,7 @@ def test_a_bare_motor_oscillates_at_the_frequency_of_its_data_sheet(rotor: float
     bare = stepper(mass=1e-6, inertia=rotor, holding_torque=torque, full_steps=4.0 * teeth, efficiency=1.0, damping_ratio=0.05)
     wanted, dt = math.sqrt(teeth * torque / rotor), 2e-5
     count = 1e-4 * bare.full_step
-    p = march(bare, np.zeros(3000), start=(count, 0.0, 0.0), substeps=1, period=dt)[:, 0]
+    p = march(bare, np.zeros(3000), start=(count, 0.0, 0.0, 0.0), substeps=4, period=dt)[:, 0]
     peaks = np.flatnonzero((p[1:-1] > p[:-2]) & (p[1:-1] >= p[2:])) + 1
     peaks = peaks[p[peaks] > 0.0]
     fine = peaks + 0.5 * (p[peaks - 1] - p[peaks + 1]) / (p[peaks - 1] - 2.0 * p[peaks] + p[peaks + 1])
@@ -74,20 +76,19 @@ def test_a_bare_motor_oscillates_at_the_frequency_of_its_data_sheet(rotor: float
 
 @pytest.mark.parametrize(("steps", "lost"), [(1.9, 0), (2.1, 4), (5.9, 4), (6.1, 8), (-2.1, -4)])
 def test_a_rotor_beyond_two_full_steps_settles_a_multiple_of_four_off(steps: float, lost: int) -> None:
-    settled = march(stepper(damping_ratio=0.7), np.zeros(1500), start=(steps * FULL, 0.0, 0.0))[-1, 0]
+    settled = march(stepper(damping_ratio=0.7), np.zeros(1500), start=(steps * FULL, 0.0, 0.0, 0.0))[-1, 0]
     assert settled == pytest.approx(lost * FULL, abs=1e-9)
 
 
 @pytest.mark.parametrize(("share", "holds"), [(0.98, True), (1.02, False)])
 def test_it_follows_an_acceleration_up_to_the_force_over_the_mass(share: float, holds: bool) -> None:
-    motor = stepper(damping_ratio=0.7)
-    n, t = 400, np.arange(1, 401) * PERIOD
-    most, ease = share * HOLDING / mass_of(motor), 0.1
-    # The acceleration rises over a tenth of a second.
+    motor = stepper(damping_ratio=0.7, mass=2000.0)  # with 1 m/s^2 the count, straight within a period, is 0.1 um from the motion
+    t = np.arange(1, 801) * PERIOD
+    most, ease = share * HOLDING / mass_of(motor), 0.2
     x = np.where(t < ease, most * t**3 / (6.0 * ease), most * ((t - ease) ** 2 / 2.0 + ease * (t - ease) / 2.0 + ease**2 / 6.0))
     off = x - march(motor, x)[1:, 0]
     assert (np.abs(off).max() < 1.1 * FULL) == holds
-    assert (np.abs(off[n - 1]) > 4.0 * FULL) != holds
+    assert (np.abs(off[-1]) > 4.0 * FULL) != holds
 
 
 @pytest.mark.parametrize(("share", "holds"), [(0.99, True), (1.01, False)])
@@ -95,7 +96,7 @@ def test_beyond_its_corner_speed_it_pulls_out_at_the_current_that_the_winding_ta
     motor, speed = stepper(damping_ratio=1.0, corner_speed=0.1), 0.3
     left = HOLDING / math.hypot(1.0, 3.0)
     t = np.arange(1, 1001) * PERIOD
-    start = (-0.99 * FULL, speed, 0.0)
+    start = (-0.99 * FULL, speed, 0.0, 0.0)
     off = speed * t - march(motor, speed * t, load=-share * left, start=start)[1:, 0]
     assert (np.abs(off).max() < 1.1 * FULL) == holds
 
@@ -131,13 +132,12 @@ def test_near_pull_out_it_moves_as_an_independent_solver_says(corner_speed: floa
 def test_with_bristles_too_it_moves_as_an_independent_solver_says() -> None:
     motor, level, bristle, inner = stepper(), 60.0, 2e7, 1e3
     x, count = out_and_back(motor, level, 0.9)
-    damper = motor.constants().decay_value
 
     def right_side(t: float, y: Array) -> list[float]:
         c, rate = count(t)
         slip = y[1] - bristle * abs(y[1]) * y[2] / level
-        push = force_of(motor, c - y[0], rate) - bristle * y[2] - inner * slip
-        return [y[1], push / mass_of(motor) - damper * y[1], slip]
+        push = force_of(motor, c - y[0], rate, y[1]) - bristle * y[2] - inner * slip
+        return [y[1], push / mass_of(motor), slip]
 
     t, y, exact = 0.0, np.zeros(3), [0.0]
     for k in range(x.size - 1):  # the count bends at each tick
