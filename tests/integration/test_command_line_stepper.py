@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shlex
 from pathlib import Path
 from typing import Any
@@ -10,10 +11,11 @@ from typing import Any
 import numpy as np
 import pytest
 from refusals import mentions
-from typed_commands import Run, Said
+from typed_commands import Run, Said, write
 
 from contourlab.cli.main import main
 from contourlab.result import Result
+from contourlab.scenario import load_axis
 
 MACHINE = """\
 [machine]
@@ -133,6 +135,17 @@ def test_questions_about_gains_end_in_one_line(words: tuple[str, ...], contourla
     assert (said.code, said.out) == (2, "")
     assert len([line for line in said.err.splitlines() if line.startswith("contourlab: ")]) == 1
     assert mentions([said.err], "stepper") or words[0] == "backlash"
+
+
+def test_the_machines_of_the_guide_run(contourlab: Run) -> None:
+    page = (Path(__file__).parents[2] / "docs/how-to/steppers.md").read_text(encoding="utf-8")
+    router, drive = re.findall(r"^```toml\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
+    Path("router.toml").write_text(router, encoding="utf-8")
+    assert contourlab("run", "router.toml").code == 0
+    axis = load_axis(write(Path(), drive, "axis.toml"), "x")
+    lag = axis.plant.values()
+    late = 2.0 * lag["damping_ratio"] * (1.0 - lag["velocity_feedforward"]) / (2.0 * np.pi * lag["natural_frequency"])
+    assert f"{1e3 * late:.2g} ms" in page
 
 
 def test_check_and_limits_answer_as_for_any_machine(contourlab: Run) -> None:

@@ -21,7 +21,7 @@ from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.controller.steps import Steps
 from contourlab.components.drive.saturation import DelayedSaturation, Saturation
 from contourlab.components.drive.step_generator import StepGenerator
-from contourlab.components.friction.laws import Coulomb, LuGre
+from contourlab.components.friction.laws import Coulomb, LuGre, NoFriction
 from contourlab.components.mechanics.following import mean_count
 from contourlab.components.plant.plant import BallScrew
 from contourlab.components.plant.stepper import StepDrive
@@ -253,10 +253,11 @@ def test_limits_above_those_of_the_motion_change_nothing() -> None:
     assert np.abs(limited - free).max() < 0.5e-6  # a T^2/2
 
 
-def test_an_age_is_a_share_of_the_reference_before() -> None:
-    x = np.array([1.0, 3.0, 7.0])
-    assert run_alone(Steps(age=0.25), {"reference": x})["command"].tolist() == [0.75, 2.5, 6.0]
-    assert run_alone(Steps(), {"reference": x})["command"].tolist() == x.tolist()
+def test_an_age_is_a_time_that_the_command_is_late() -> None:
+    t = np.arange(200) * PERIOD
+    fed = {"reference": np.sin(5.0 * t), "reference_velocity": 5.0 * np.cos(5.0 * t)}
+    assert run_alone(Steps(age=0.5), fed)["command"] == pytest.approx(np.sin(5.0 * (t - 0.5 * PERIOD)), abs=0.5 * (2.5 * PERIOD) ** 2)
+    assert run_alone(Steps(), fed)["command"].tolist() == fed["reference"].tolist()
 
 
 # --- in a machine ---
@@ -292,6 +293,15 @@ def test_lanes_move_it_as_a_run_of_its_own_does() -> None:
         assert np.array_equal(together[:, :, k], alone.signals["axis_position"][:, :, 0])
         single = simulate(machine(), steered(), circle(), {"axes.x.plant.holding_torque": float(torque[k])})
         assert np.abs(together[:, :, k] - single["axis_position"]).max() < 1e-12
+
+
+def test_a_start_in_motion_goes_on_as_if_it_had_run_before() -> None:
+    limited = {"drive": StepGenerator(acceleration_limit=2.0), "plant": stepper(microsteps=0.0), "friction": NoFriction()}
+    before, moving = (simulate(machine(**limited), steered(Steps(age=0.5)), circle(2), moving=flag) for flag in (False, True))
+    count = before["applied_command"]
+    assert np.abs(moving["applied_command"][:1000] - count[1000:]).max() < 1e-6
+    off = moving["applied_command"][:-1] - moving["axis_position"][1:]
+    assert np.abs(off).max() < 0.1 * FULL
 
 
 def test_it_begins_where_the_path_does_also_behind_a_filter() -> None:

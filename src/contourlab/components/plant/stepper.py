@@ -75,9 +75,9 @@ class Follower(SingleMass):
 class Stepper(Follower):
     """Stepper motor on a screw, rack or belt, in open loop: its torque is a sine of the angle between step count and rotor.
 
-    F = F_h sin(pi/(2 s) (c - p + t (c' - p'))) with the count c, the travel of a full step s = l/n and F_h = 2 pi eta T_h/l acts on the mass
-    m + m_c + J (2 pi/l)^2. At rest a load F moves the axis by (2 s/pi) asin(F/F_h). Beyond two full steps the motor pulls away from the
-    count: the rotor falls behind by four full steps or a multiple. A run reports this, and its verdict fails.
+    F = F_h sin(pi/(2 s) (c - p + t (c' - p'))) with the count c, the travel of a full step s = l/n and F_h = 2 pi eta T_h/l acts on the
+    mass m + m_c + J (2 pi/l)^2. At rest a load F moves the axis by (2 s/pi) asin(F/F_h). Beyond two full steps the motor pulls away from
+    the count: the rotor falls behind by four full steps or a multiple. A run reports this, and its verdict fails.
 
     Where the drive's voltage no longer drives the full current, F_h falls as 1/sqrt(1 + (v/v_c)^2) with the speed v of the count: the
     current of a winding with resistance and inductance at a constant voltage. Choose the corner speed v_c by the pull-out torque of the
