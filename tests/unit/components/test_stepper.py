@@ -200,7 +200,7 @@ def test_it_rests_at_a_whole_step() -> None:
 
 
 def test_a_step_drive_lags_at_a_constant_speed_by_its_time_and_by_its_load() -> None:
-    drive = StepDrive(natural_frequency=40.0, damping_ratio=0.7, velocity_feedforward=0.25, stiffness=2e7)
+    drive = StepDrive(natural_frequency=40.0, damping_ratio=0.7, velocity_feedforward=0.25, load_stiffness=2e7)
     t, speed, load = np.arange(1, 1001) * PERIOD, 0.05, 300.0
     off = speed * t[-1] - march(drive, speed * t, load=load)[-1, 0]
     assert off == pytest.approx(speed * 2.0 * 0.7 * 0.75 / (2.0 * math.pi * 40.0) - load / 2e7, rel=1e-6)

@@ -168,12 +168,12 @@ class StepDrive(Follower):
 
     kind = "step-drive"
     reference = "closed loop of second order: Ellis, Control System Design Guide"
-    example = {"natural_frequency": 30.0, "damping_ratio": 0.8, "velocity_feedforward": 0.4, "stiffness": 2e5, "pulse": 1e-4}
+    example = {"natural_frequency": 30.0, "damping_ratio": 0.8, "velocity_feedforward": 0.4, "load_stiffness": 2e5, "pulse": 1e-4}
 
     natural_frequency: float = param(unit="Hz", minimum=0.0, exclusive=True, doc="of the closed loop, w/2 pi")
     damping_ratio: float = param(default=1.0, minimum=0.0, maximum=10.0, exclusive=True, doc="of the closed loop, D")
     velocity_feedforward: float = param(default=0.0, minimum=0.0, maximum=1.0, doc="share of the count's speed fed forward, a")
-    stiffness: float = param(default=1e9, unit="N/m", minimum=0.0, exclusive=True, display="N/um", doc="load over deflection at rest, k")
+    load_stiffness: float = param(default=1e9, unit="N/m", minimum=0.0, exclusive=True, display="N/um", doc="load per deflection, k")
     pulse: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="travel per pulse; 0: a count without steps")
 
     @property
@@ -182,8 +182,8 @@ class StepDrive(Follower):
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         w = 2.0 * math.pi * par.natural_frequency
-        decay, mobility = 2.0 * par.damping_ratio * w, w * w / par.stiffness
-        return mobility, decay, par.stiffness, 0.0 * w, par.velocity_feedforward * decay / mobility, par.pulse
+        decay, mobility = 2.0 * par.damping_ratio * w, w * w / par.load_stiffness
+        return mobility, decay, par.load_stiffness, 0.0 * w, par.velocity_feedforward * decay / mobility, par.pulse
 
     @staticmethod
     def pull(par: Any, count: float, rate: float, position: float, velocity: float) -> float:
