@@ -295,6 +295,13 @@ def test_lanes_move_it_as_a_run_of_its_own_does() -> None:
         assert np.abs(together[:, :, k] - single["axis_position"]).max() < 1e-12
 
 
+def test_in_lanes_each_rests_at_its_own_whole_step() -> None:
+    path = cl.uniform(contour("circle", radius=0.0100037), 0.1, 1, PERIOD)
+    given = {"axes.x.plant.microsteps": np.array([1.0, 2.0, 8.0])}
+    first = cl.simulate_batch(machine(), steered(), path, given, keep=("axis_position",)).signals["axis_position"][0, 0]
+    assert first == pytest.approx([0.01, 0.01, 0.010003125], abs=1e-12)
+
+
 def test_a_start_in_motion_goes_on_as_if_it_had_run_before() -> None:
     limited = {"drive": StepGenerator(acceleration_limit=2.0), "plant": stepper(microsteps=0.0), "friction": NoFriction()}
     before, moving = (simulate(machine(**limited), steered(Steps(age=0.5)), circle(2), moving=flag) for flag in (False, True))

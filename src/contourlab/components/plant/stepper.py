@@ -105,6 +105,7 @@ class Stepper(Follower):
         "damping": 20.0,
         "corner_speed": 5.0,
     }
+    rest_depends = ("lead", "full_steps", "microsteps")
     derived = (*Follower.derived, "force_value", "wave_value", "lead_time", "slowness")
 
     mass = BallScrew.parameters["mass"]
@@ -167,6 +168,7 @@ class StepDrive(Follower):
     """
 
     kind = "step-drive"
+    rest_depends = ("pulse",)
     reference = "closed loop of second order: Ellis, Control System Design Guide"
     example = {"natural_frequency": 30.0, "damping_ratio": 0.8, "velocity_feedforward": 0.4, "load_stiffness": 2e5, "pulse": 1e-4}
 
