@@ -50,13 +50,12 @@ def march(
     return np.array(seen)
 
 
-def force_of(plant: Stepper, off: float, rate: float) -> float:
+def force_of(plant: Stepper, off: float, rate: float, velocity: float = 0.0) -> float:
     """Return the force of a motor whose count is `off` [m] ahead and moves at a rate [m/s], from its data sheet."""
     turn = 2.0 * math.pi / plant.lead
-    mass = mass_of(plant)
     most = plant.holding_torque * plant.efficiency * turn
-    damper = 2.0 * plant.damping_ratio * math.sqrt(most * 50.0 * turn * mass)
-    return most / math.hypot(1.0, rate / plant.corner_speed) * math.sin(50.0 * turn * off) + damper * rate
+    lead = 2.0 * plant.damping_ratio * math.sqrt(mass_of(plant) / (most * 50.0 * turn))
+    return most / math.hypot(1.0, rate / plant.corner_speed) * math.sin(50.0 * turn * (off + lead * (rate - velocity)))
 
 
 def mass_of(plant: Stepper) -> float:
@@ -69,20 +68,17 @@ def solved(plant: Stepper, count: Callable[[float], tuple[float, float]], coulom
     `count` gives the count and its speed; each stretch of sliding or sticking ends at an event.
     """
     mass, y, t, way = mass_of(plant), np.zeros(2), 0.0, 0.0
-    damper = (
-        2.0 * plant.damping_ratio * math.sqrt(plant.holding_torque * plant.efficiency * 50.0 * (2.0 * math.pi / plant.lead) ** 2 * mass)
-    )
 
-    def push(t: float, p: float) -> float:
+    def push(t: float, y: Array) -> float:
         c, rate = count(t)
-        return force_of(plant, c - p, rate)
+        return force_of(plant, c - y[0], rate, y[1])
 
     out = np.empty((times.size, 2))
     for _ in range(1000):
         if way:
 
             def slide(t: float, y: Array, way: float = way) -> list[float]:
-                return [y[1], (push(t, y[0]) - (damper + plant.damping) * y[1] - way * coulomb) / mass]
+                return [y[1], (push(t, y) - plant.damping * y[1] - way * coulomb) / mass]
 
             def stop(t: float, y: Array, way: float = way) -> float:
                 return way * y[1] + (1e-30 if t == 0.0 else 0.0)
@@ -95,7 +91,7 @@ def solved(plant: Stepper, count: Callable[[float], tuple[float, float]], coulom
                 return [0.0, 0.0]
 
             def loose(t: float, y: Array) -> float:
-                return abs(push(t, y[0])) - coulomb
+                return abs(push(t, y)) - coulomb
 
             right, event = held, loose
             loose.direction = 1.0  # type: ignore[attr-defined]
@@ -107,7 +103,7 @@ def solved(plant: Stepper, count: Callable[[float], tuple[float, float]], coulom
         t, y = float(run.t[-1]), run.y[:, -1]
         if run.status == 0:
             return out
-        force = push(t, y[0])
         y = np.array([y[0], 0.0])
+        force = push(t, y)
         way = math.copysign(1.0, force) if not way or abs(force) > coulomb else 0.0
     raise AssertionError("too many events")

@@ -61,6 +61,10 @@ class Builder:
         self.names, self.period = self.machine.axis_names, self.machine.servo_period
         self._check()
         self.speed = np.zeros(len(self.names)) if self.velocity is None else self.velocity
+        for i, axis in enumerate(self.machine.axes):
+            if axis.plant.takes_position and self.speed[i]:  # a moving count is a period behind its command
+                late = 1.0 + getattr(self.controller.axes[axis.name].controller, "age", 0.0)
+                self.start = self.start - late * self.period * self.speed * (np.arange(self.start.size) == i)
         self.nodes: list[Node] = []
         # For commands through a link: the signal that has arrived.
         self.arrived: dict[str, str] = {}

@@ -303,7 +303,9 @@ class _Slots(Builder):
             if here:
                 self.nodes.append(subtract_node(name, self.wanted(name)))
             self.filter(name)
-            self.add(f"{name}.drive", axis.drive, f"axes.{name}.drive", {"command": self.filtered(name)}, float(at))
+            drive = self.node(f"{name}.drive", axis.drive, f"axes.{name}.drive", {"command": self.filtered(name)}, float(at))
+            moving = {"rate": float(self.speed[j])} if any(port.name == "rate" for port in axis.drive.states) else {}
+            self.nodes.append(replace(drive, initial={**drive.initial, **moving}))
             if parts.filters:
                 wires = {"command": self.command(name), "filtered": self.filtered(name), "accepted": self.drive_accepted(name).signal}
                 self.nodes.append(Node(f"{name}.unfiltered", UNFILTERED, wires))

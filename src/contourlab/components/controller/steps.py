@@ -20,14 +20,10 @@ class Steps(ControlLaw):
     command_unit = "m"
     reference = "position commands of a control to its step generators"
     example = {"age": 0.5}
-    inputs = ports("reference")
-    states = ports("last_reference")
+    inputs = ports("reference", "reference_velocity")
 
     age: float = param(default=0.0, minimum=0.0, maximum=1.0, doc="age of the reference in servo periods; LinuxCNC's stepgen: 0.5")
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        return (inp.reference,), (inp.reference + par.age * (x.last_reference - inp.reference),)
-
-    def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
-        return {"last_reference": position}, {}
+        return (), (inp.reference - par.age * clock.dt * inp.reference_velocity,)

@@ -1,8 +1,9 @@
 """A plant that a step count pulls along: count, axis and friction integrated together.
 
 A step generator spreads its pulses evenly over a servo period, so the count runs from the last command to the new one on a straight line,
-rounded to whole steps. A sub-step takes the mean of the count over it, and the axis where it is at the middle by its present speed
-(Verlet): second order, and no energy gained or lost. Pull and load are then constant, so friction acts as on every other plant.
+rounded to whole steps. A sub-step takes the mean of the count over it, the axis where it is at the middle by its present speed (Verlet),
+and the speed there by the acceleration before: second order, and a spring gains and loses no energy. Pull and load are then constant, so
+friction acts as on every other plant.
 
 Without the mean, pulses between two sub-steps would shift to their ends: a beat that shakes the axis where it meets a resonance.
 """
@@ -37,7 +38,7 @@ def following(plant: Any, friction: Any, law: Callable[..., Any], substeps: int)
     Parameters
     ----------
     plant : type
-        With ``pull(par, count, rate, position)``, ``step_value`` in `par`, and the pull as drive force.
+        With ``pull(par, count, rate, position, velocity)``, ``step_value`` in `par`, and the pull as drive force.
     friction : type
     law : callable
         Returns the step of plant and friction under a constant force.
@@ -48,13 +49,13 @@ def following(plant: Any, friction: Any, law: Callable[..., Any], substeps: int)
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         h, rate = clock.dt / float(substeps), (inp.command - x.count) / clock.dt
-        state = motion(x.position, x.velocity, *x[3:])
+        state, change = motion(x.position, x.velocity, *x[4:]), x.change
         for i in range(substeps):
             count = mean_count(par.step_value, x.count + float(i) * h * rate, x.count + float(i + 1) * h * rate)
-            push = pull(par, count, rate, state.position + 0.5 * h * state.velocity)
-            moved, _ = advance(par, state, _Pushed(push, inp.load), Clock(clock.k, clock.t, h))
-            state = motion(*moved)
+            push = pull(par, count, rate, state.position + 0.5 * h * state.velocity, state.velocity + 0.5 * h * change)
+            moved, out = advance(par, state, _Pushed(push, inp.load), Clock(clock.k, clock.t, h))
+            state, change = motion(*moved), out[2]
         mean = (state.velocity - x.velocity) / clock.dt
-        return (state.position, state.velocity, inp.command, *state[2:]), (state.position, state.velocity, mean)
+        return (state.position, state.velocity, inp.command, change, *state[2:]), (state.position, state.velocity, mean)
 
     return step

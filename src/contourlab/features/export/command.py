@@ -38,7 +38,6 @@ from contourlab.file_kinds import kind_of
 from contourlab.findings import Finding, finding
 from contourlab.loop import Axis, Controller, Machine
 from contourlab.loop.builder import accepted_output
-from contourlab.loop.machine import require_loops
 from contourlab.loop.template import EXTERNALS, build
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result.atomic import write_bytes_atomic
@@ -194,7 +193,6 @@ def export(file: str | Path, *, settings: Export, session: Session = QUIET) -> E
     """
     to = settings.to
     loaded, steered, motion, inputs = _read(file, settings.machine, settings.scheme, settings.plugin)
-    require_loops(loaded)
     found = {name: axis_control(loaded, steered, name) for name in settings.axis or loaded.axis_names}
     if len({control.control.name for control in found.values()}) != len(found):
         raise ParameterError("axes", ", ".join(found), "named with letters of ASCII, so that their code has different names")
@@ -378,6 +376,9 @@ def _check(controller: Controller, axis: str) -> None:
         bound = '"none": it sees all axes and the path, which the controller of one axis does not'
         raise ParameterError("controller.coupling", f'"{controller.coupling.kind}"', bound)
     for slot, part in controller.axes[axis].parts.items():
+        if part.command_unit == "m":
+            bound = "one that closes a loop: this one passes positions on, so there is nothing to export"
+            raise ParameterError(f"controller.axes.{axis}.{slot}", f'"{part.kind}"', bound)
         for port in part.inputs:
             if port.name in _REASONS:
                 raise ParameterError(f"controller.axes.{axis}.{slot}", f'"{part.kind}"', f"left out: {_REASONS[port.name]}")

@@ -28,5 +28,6 @@ def lost_steps(machine: Machine, reference: Reference, result: Result) -> tuple[
             line = int(reference.source_line(result["arc_length"][sample : sample + 1])[0])
             steps = 4 * abs(round(float(off[-1]) / (4.0 * axis.plant.full_step)))
             place = f"axis {axis.name}, line {line}" if line else f"axis {axis.name}"
-            findings.append(finding("CL209", place=place, time=sample * result.servo_period, line=line, steps=steps))
+            where = {"time": sample * result.servo_period, "line": line}
+            findings.append(finding("CL209", place=place, **where, most=float(np.abs(off).max()), steps=steps))
     return tuple(findings)
