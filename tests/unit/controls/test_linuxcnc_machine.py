@@ -91,6 +91,15 @@ def test_what_is_absent_is_named_and_the_rest_is_read(tmp_path: Path) -> None:
     assert load_machine(file).axes[0].limits.velocity == pytest.approx(0.0508)
 
 
+def test_what_the_control_compensates_is_not_the_machine(tmp_path: Path) -> None:
+    file = machine_file(tmp_path, ("STEP_SCALE = 4000\n[AXIS_Y]", "STEP_SCALE = 4000\nBACKLASH = 0.001\nCOMP_FILE = x.comp\n[AXIS_Y]"))
+    control = control_file(file)
+    assert control is not None
+    found = {one.code: one.values for one in control.findings}
+    assert found["CL986"]["gap"] == pytest.approx(2.54e-5) and found["CL987"]["file"] == "x.comp"
+    assert {axis.plant.kind for axis in load_machine(file).axes} == {"step-drive"}
+
+
 def test_files_include_each_other_up_to_sixteen_deep(tmp_path: Path) -> None:
     for k in range(16):
         (tmp_path / f"{k}.inc").write_text(f"#INCLUDE {k + 1}.inc\n")
