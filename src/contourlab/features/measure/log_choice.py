@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from contourlab.app.shared_options import LogColumns
+from contourlab.app.shared_options import LogColumns, LogWindow
 from contourlab.errors import LogError
 from contourlab.logs import Column, Columns, Log, Record, parse_columns, read_columns, read_record, result_of
 from contourlab.logs.mapping import once
+from contourlab.logs.window import Window, parse_window
 
 if TYPE_CHECKING:
     from contourlab.geometry import Path as Contour
@@ -22,7 +24,7 @@ PROGRAMS = (".ngc", ".nc", ".gcode", ".gc", ".tap", ".cnc", ".mpf", ".txt")
 def content_of(file: str | Path | Log) -> bytes:
     """Return what is read: the bytes of a file, or the numbers of a log that is read already."""
     if isinstance(file, Log):
-        return b"".join(channel.values.tobytes() for channel in file.record.channels)
+        return b"".join([*(channel.values.tobytes() for channel in file.record.channels), str(file.given.window or "").encode()])
     return Path(file).read_bytes()
 
 
@@ -32,7 +34,7 @@ def open_log(
     more: Sequence[Column] = (),
     guess: Callable[[Record], Iterable[Column]] = lambda record: (),
 ) -> Log:
-    """Read a log as its options say. Columns and period of the command line override those of the mapping file.
+    """Read a log as its options say. Those of the command line override those of the mapping file, or of a log that is read already.
 
     Parameters
     ----------
@@ -48,14 +50,22 @@ def open_log(
     """
     mapping = file.given if isinstance(file, Log) else Columns()
     if options.columns is not None:
-        mapping = read_columns(options.columns)
+        mapping = replace(read_columns(options.columns), unit=mapping.unit)
     typed = once((*parse_columns(options.column), *more), "--column and --reference")
     overridden = {(column.signal, column.axis) for column in typed}
     columns = (*typed, *(c for c in mapping.columns if (c.signal, c.axis) not in overridden))
     record = read_record(file, options.format or mapping.format)
     named = {(column.signal, column.axis) for column in columns}
     columns += tuple(column for column in guess(record) if (column.signal, column.axis) not in named)
-    return result_of(record, Columns(columns, options.si("period") or mapping.period))
+    window = window_of(file, options)
+    return result_of(record, Columns(columns, options.si("period") or mapping.period, None, options.unit or mapping.unit, window))
+
+
+def window_of(file: str | Path | Log, options: LogWindow) -> Window | None:
+    """Return the part of a log that its options say, or else the part that a log was read with before."""
+    if options.window:
+        return parse_window(options.of_log(0, 1).window[0])
+    return file.given.window if isinstance(file, Log) else None
 
 
 def distinct_names(files: Sequence[str | os.PathLike[str]]) -> list[str]:
@@ -90,7 +100,7 @@ def reference_columns(reference: str, columns: Sequence[str], axes: Sequence[str
     return parse_columns([f"reference.{axis}={name}" for axis, name in zip(axes, names, strict=True)], "--reference")
 
 
-def program_path(program: str, axes: Sequence[str]) -> Contour:
+def program_path(program: str | Path, axes: Sequence[str]) -> Contour:
     """Return the path of a part program in the coordinates of the log's axes."""
     from contourlab.program import Reading, read_program
     from contourlab.scenario.values import program_route
