@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import contextlib
 import csv
 import io
@@ -264,7 +265,7 @@ _BITS = {"true": 1.0, "false": 0.0}
 
 
 def head_of(file: Path) -> bytes:
-    """Return the first bytes of a file, UTF-16 with a byte order mark as UTF-8.
+    """Return the first bytes of a file, without a byte order mark; UTF-16 as UTF-8.
 
     Raises
     ------
@@ -279,7 +280,7 @@ def head_of(file: Path) -> bytes:
         head = stream.read(HEAD)
     if not head.strip():
         raise LogError("is empty", file=file)
-    return head.decode("utf-16", errors="ignore").encode() if head[:2] in UTF_16 else head
+    return head.decode("utf-16", errors="ignore").encode() if head[:2] in UTF_16 else head.removeprefix(codecs.BOM_UTF8)
 
 
 @contextmanager
@@ -319,6 +320,9 @@ def lines_of(file: Path) -> tuple[list[tuple[int, str]], tuple[Finding, ...]]:
     text = text_of(file)
     lines = list(lines_in(text, file))
     return (lines, ()) if not lines or text.endswith(("\n", "\r")) else (lines[:-1], (CUT,))
+
+
+REPEATED = "the header is repeated here: split the file, it contains two records"
 
 
 def lines_in(text: str, file: Path) -> Iterator[tuple[int, str]]:
