@@ -64,11 +64,11 @@ def open_log(
     return result_of(record, Columns(columns, options.si("period") or mapping.period, None, unit, window))
 
 
-def _unit_of(machine: str | Path | Machine | None) -> str | None:
-    """Return the unit of a control whose own file a machine is; None if it has none."""
+def _unit_of(machine: str | Path | Machine | None) -> str:
+    """Return the unit of a control whose own file a machine is; empty without one."""
     from contourlab.scenario.load import machine_of, reading_on
 
-    return reading_on(machine_of(machine), {}).unit if machine is not None and of_control(machine) else None
+    return reading_on(machine_of(machine), {}).unit if machine is not None and of_control(machine) else ""
 
 
 def window_of(file: str | Path | Log, options: LogWindow) -> Window | None:
