@@ -25,6 +25,8 @@ _FOREIGN = (
 _LOGS = rb"MATLAB \d|\x89HDF|CDF[\x01\x02\x05]|PAR1"
 _NUMBERS = re.compile(rb"^\s*[-+]?[\d.][-+\d.eE]*(\s*[,;\t ]\s*[-+]?[\d.][-+\d.eE]*)+\s*$", re.MULTILINE)
 _MOTION = re.compile(rb"^\s*/?\s*(?:N\d+\s*)?(?:G\s*\d|M\s*\d|[XYZ]\s*[-+.\d])", re.MULTILINE | re.IGNORECASE)
+_LINUXCNC = re.compile(rb"^\s*\[(EMC|EMCMOT|KINS|TRAJ|JOINT_0)\]|^\s*(loadrt|addf)\s+\S", re.MULTILINE)
+_GRBL = re.compile(rb"^[^\n$]{0,4}\$1[0-3]0\s*=|^\s+max_rate_mm_per_min\s*:", re.MULTILINE)
 _USE = {
     "a scenario": "its name must end in .toml",
     "a machine": "name it with --machine, beside a part program",
@@ -33,6 +35,8 @@ _USE = {
     "a file of answers": "make a machine of it: contourlab new machine --answers FILE",
     "a part program": "run it: contourlab run FILE --machine MACHINE --controller CONTROLLER",
     "a log": "judge it: contourlab measure FILE",
+    "a file of LinuxCNC": "name its INI file with --machine, beside a part program",
+    "the settings of a control": "name it with --machine, beside a part program",
 }
 _MADE_OF = {
     "a scenario": "name a scenario (.toml)",
@@ -92,6 +96,10 @@ def _of_text(head: bytes) -> str:
         return _of_toml(toml_of(head.decode("utf-8-sig")))
     except (ValueError, RecursionError):  # no UTF-8, or no TOML
         pass
+    if _LINUXCNC.search(head):
+        return "a file of LinuxCNC"
+    if _GRBL.search(head):
+        return "the settings of a control"
     if _MOTION.search(head):
         return "a part program"
     return "a log" if len(_NUMBERS.findall(head)) > 1 else ""

@@ -16,8 +16,8 @@ from contourlab.primitives import copysign, fabs
 
 SLOTS = ("controller", "observer", "predictor", "feedforward", "compensation", "gap_observer", "velocity", "filter", "supervisor")
 CASES = [f"{slot}/{kind.kind}" for slot in SLOTS for kind in components(slot)] + ["drive/delayed-saturation", "drive/unlimited"]
-REFUSED = {"feedforward/zpetc", "supervisor/pre-routed"}
-"""One needs the reference ahead, the other the arc length."""
+REFUSED = {"feedforward/zpetc", "supervisor/pre-routed", "controller/steps"}
+"""They need the reference ahead, the arc length, and a plant that takes positions."""
 
 
 class FlankOfTheMotion(Component):

@@ -13,8 +13,8 @@ from made_circles import behind
 from contourlab.features.commission import identification
 from contourlab.features.commission.command import planned_commands
 from contourlab.features.commission.excitation import excitation
-from contourlab.features.commission.hal_files import Setup, read_setup
 from contourlab.features.commission.loop import GAINS, AxisModel, Law, run_lanes
+from contourlab.features.commission.setup import Setup, read_setup
 
 PERIOD = 1e-3
 MODELS = {

@@ -54,6 +54,29 @@ def test_known_figures_are_found_and_make_an_axis(tmp_path: Path, as_json: AsJso
     assert {frozenset(pair[:2]) for pair in axis.correlations} >= {frozenset(("plant.damping", "friction.coulomb"))}
 
 
+@pytest.mark.parametrize(("every", "cutoff"), [(1, None), (4, 100.0), (10, 40.0), (20, 20.0)])
+def test_the_usual_filter_stays_within_the_record(tmp_path: Path, as_json: AsJson, every: int, cutoff: float | None) -> None:
+    """A log at 100 Hz holds nothing beyond 50 Hz. One without the option is the log with the option that it stands for.
+
+    At 50 Hz, differences over two samples show 2.2 % too little of a velocity at 2.9 Hz, so the mass comes out 4.4 % too large.
+    """
+    log = written(tmp_path, seconds=20.0)
+    head, *rows = log.read_text().splitlines()
+    log.write_text("\n".join([head, *rows[::every], ""]))
+    words = ("identify", log, "--column", "force.x=push")
+    found = as_json(*words)
+    (lowered,) = [one["values"] for one in found["findings"] if one["code"] == "CL590"] or [None]
+    assert (lowered is not None) == (cutoff is not None and cutoff < 100.0)
+    if lowered is not None:
+        assert (lowered["cutoff"], lowered["nyquist"]) == (cutoff, 500.0 / every)
+        same = as_json(*words, "--cutoff", f"{cutoff} Hz")
+        assert same["parameters"] == found["parameters"]
+    mass = MASS * (1.0 if every < 20 else (0.364 / math.sin(0.364)) ** 2)
+    for name, true in (("M", mass), ("Fv", VISCOUS), ("Fc", COULOMB), ("offset", OFFSET)):
+        figure = found["parameters"][name]
+        assert figure["value"] == pytest.approx(true, abs=4.0 * figure["robust_deviation"] + 0.02 * abs(true))
+
+
 def test_the_table_shows_what_weakens_the_figures(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = ["identify", str(written(tmp_path)), "--column", "command.x=push [A]", "--gain", "2 N/A", "--model", "rigid-by-direction"]
     assert main(words) == 0

@@ -373,7 +373,8 @@ def test_a_largest_error_against_the_chord_of_a_gap(tmp_path: Path, as_json: AsJ
     np.savetxt(log, rows, delimiter=",", comments="", header=heads)
     findings = as_json("measure", log, "--out", tmp_path / "out")["schemes"]["log"]["findings"]
     (near_gap,) = (one["values"] for one in findings if one["code"] == "CL412")
-    assert near_gap == {"time": pytest.approx(when, abs=0.01), "channels": ["x ref", "y ref"]}
+    windows = ['--window "0..1500"', '--window "1501..1979"']
+    assert near_gap == {"time": pytest.approx(when, abs=0.01), "channels": ["x ref", "y ref"], "windows": windows}
     rows[1000:1010, 3] += 0.05  # a larger error elsewhere has nothing to do with the gap
     np.savetxt(log, rows, delimiter=",", comments="", header=heads)
     assert "CL412" not in {one["code"] for one in as_json("measure", log, "--out", tmp_path / "out")["schemes"]["log"]["findings"]}
@@ -479,3 +480,44 @@ def test_a_program_in_other_units_or_without_its_laps_is_refused(
     log = named(tmp_path, "x pos [mm],y pos [mm]", *np.vstack([there, there[::-1], there]).T)
     (tmp_path / "part.ngc").write_text(f"G21 {program}")
     assert " 3 times " in refused("measure", log, "--reference", tmp_path / "part.ngc", "--out", tmp_path / "laps")
+
+
+@pytest.mark.parametrize(
+    ("window", "largest", "rms", "cutting", "rapid"),
+    [
+        ("0..1493", 6.07, 0.826, (324, 0.824, 3.76, 511), (855, 0.827, 6.07, 453)),
+        ("1494..", 1.74, 0.459, (199, 0.639, 1.74, 511), (1463, 0.429, 1.59, 627)),
+    ],
+)
+def test_the_recording_of_a_production_machine(
+    tmp_path: Path, as_json: AsJson, window: str, largest: float, rms: float, cutting: tuple[float, ...], rapid: tuple[float, ...]
+) -> None:
+    """Both figures were found by an independent program; four fifths of the moving samples are rapids."""
+    file = reference_file("data/sinumerik/capture-840d.json")
+    found = as_json("measure", file, "--axes", "X1,Y1", "--window", window, "--out", tmp_path / "out")["schemes"]["capture-840d"]
+    error = found["metrics"]["contour_error"]
+    assert (error["max"] * 1e6, error["rms"] * 1e6) == (pytest.approx(largest, abs=0.005), pytest.approx(rms, abs=0.0005))
+    apart = {one["place"]: one["values"] for one in found["findings"] if one["code"] == "CL414"}
+    for place, (samples, rms_of, largest_of, line) in (("cutting moves", cutting), ("rapid moves", rapid)):
+        values = apart[place]
+        assert (values["samples"], values["line"]) == (samples, line)
+        assert (values["rms"] * 1e6, values["largest"] * 1e6) == (pytest.approx(rms_of, abs=0.0005), pytest.approx(largest_of, abs=0.005))
+
+
+def test_a_part_program_and_columns_of_the_reference(tmp_path: Path, as_json: AsJson, refused: Refused) -> None:
+    (tmp_path / "part.ngc").write_text("G21 G90\nF1200\nG1 X20\nY20\nM2\n", encoding="utf-8")
+    x, y = np.minimum(np.arange(1000) * 0.04, 20.0), np.maximum(np.arange(1000) * 0.04 - 20.0, 0.0)
+    log = tmp_path / "log.csv"
+    rows = np.column_stack([1e-3 * np.arange(1000), x, y, x + 0.003, y + 0.004])
+    np.savetxt(log, rows, delimiter=",", comments="", header="t [s],cx,cy,x pos,y pos")
+    words = ("measure", log, "--unit", "mm", "--out", tmp_path / "out")
+    figures = [
+        as_json(*words, *more)["schemes"]["log"]["metrics"]["contour_error"]["max"]
+        for more in (
+            ["--program", tmp_path / "part.ngc"],
+            ["--reference", tmp_path / "part.ngc"],
+            ["--program", tmp_path / "part.ngc", "--reference", "cx,cy"],
+        )
+    ]
+    assert figures == pytest.approx([4e-6, 4e-6, 4e-6], rel=1e-6)  # 4 um beside the first line, 3 um beside the second
+    refused(*words, "--program", tmp_path / "part.ngc", "--reference", tmp_path / "part.ngc")

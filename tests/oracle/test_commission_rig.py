@@ -10,10 +10,10 @@ from made_commission import fitted_once
 
 from contourlab.features.commission.command import commission
 from contourlab.features.commission.excitation import excitation
-from contourlab.features.commission.hal_files import read_setup
 from contourlab.features.commission.identification import IdentifiedAxis, identify_axis
 from contourlab.features.commission.loop import GAINS, Law
 from contourlab.features.commission.records import moving, read_log
+from contourlab.features.commission.setup import read_setup
 
 PROGRAM = "G21 G90 G17 G64 P0.002\nG1 F3000 X15 Y0\nG3 X15 Y0 I-15 J0\nG2 X15 Y0 I-15 J0\nG1 X0 Y-5\nG1 X0 Y0\nM2\n"
 PLANTS = {

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 from contourlab.app.options import Options, argument, option, options
 from contourlab.errors import ParameterError
@@ -108,6 +109,7 @@ class ProgramReading(Options):
 
     block_delete: bool = option(False, "Skip lines that begin with /.")
     tools: Path | None = option(None, "LinuxCNC tool table, for G43; without it, tools have length 0.")
+    zero: str | None = option(None, 'Zero of the program in machine coordinates, e.g. "100,100,-20", in the unit of the machine.')
     most_moves: int | None = option(None, "Most lines and moves of loops, subprograms and cycles.", least=1, advanced=True)
 
 
@@ -136,6 +138,7 @@ class Motion(Judged, ProgramReading):
             "fit": self.fit or None,
             "block_delete": self.block_delete or None,
             "tools": None if self.tools is None else str(self.tools),
+            "zero": self.zero,
             "require_end": False if self.no_require_end else None,
             "dialect": self.dialect,
             "most_moves": self.most_moves,
@@ -144,17 +147,42 @@ class Motion(Judged, ProgramReading):
 
 
 @options
-class LogColumns(Options):
+class LogWindow(Options):
+    """What to read of a log."""
+
+    window: tuple[str, ...] = option(
+        (), 'Part to read: "2 s..3.5 s", samples "0..1493" or "line 20..line 40"; one for all logs, or one for each.'
+    )
+
+    def of_log(self, number: int, count: int) -> Self:
+        """Return the options for one of several logs: with its window."""
+        if len(self.window) not in (0, 1, count):
+            raise ParameterError("--window", f"{len(self.window)} windows", f"one for all logs, or one for each of the {count}")
+        return self if len(self.window) < 2 else replace(self, window=self.window[number : number + 1])
+
+
+@options
+class LogColumns(LogWindow):
     """How to read a log."""
 
     column: tuple[str, ...] = option((), "Signal of a column, e.g. position.x='NAME [mm]'; repeatable.")
     columns: Path | None = option(None, "A TOML file with the signals of the columns.")
     format: str | None = option(None, "Format of the file, if it is not recognised.")
     period: str | None = option(None, 'Time between samples, e.g. "1 ms", if the log has no times.', unit="s")
+    unit: str | None = option(None, "Unit of lengths in columns that have none, e.g. mm; speeds have it per second.")
 
     def files(self, *logs: Any) -> tuple[Any, ...]:
         """Return logs and the file of columns: what is read."""
         return logs if self.columns is None else (*logs, self.columns)
+
+
+@options
+class OnMachine(LogColumns):
+    """A log of a machine."""
+
+    machine: str | None = option(
+        None, "Machine of the log; the file of its control has the unit of lengths, and says how it reads a program.", objects="Machine"
+    )
 
 
 @options

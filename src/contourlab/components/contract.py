@@ -344,6 +344,8 @@ class Component:
         Feedforward parameters, calibrated after all loops.
     wishes : dict of str to Parameter
         Arguments of `designed`, which computes gains: ``gains = {...}`` in files.
+    command_unit : str
+        Unit of the commands of a plant; "m" if its command is a position. Of another part: the only unit that it can have, empty for any.
 
     Raises
     ------
@@ -368,6 +370,7 @@ class Component:
     calibrated: ClassVar[tuple[str, ...]] = ()
     calibrated_ahead: ClassVar[tuple[str, ...]] = ()
     wishes: ClassVar[dict[str, Any]] = {}
+    command_unit: ClassVar[str] = ""
     parameters: ClassVar[dict[str, Parameter]] = {}
     _origins: Mapping[str, Origin] = {}
 

@@ -169,6 +169,11 @@ _LAGGED = Form(
     (Method("rates(self, par)", "mobility, decay, rate of the lag, force per command and back-action, as in `LaggedMass`"),),
     "contourlab.components.plant.lagged_mass.LaggedMass",
 )
+_FOLLOWER = Form(
+    (Method("pull(par, count, rate, position, velocity)", "the force of a step count, which moves at a rate, on the axis"),),
+    "contourlab.components.plant.stepper.Follower",
+    constants=dict.fromkeys(("mobility_value", "decay_value", "stiffness_value", "damper_value", "feed_value", "step_value"), ""),
+)
 _FRICTIONS = (
     Form((Method("force(par, v)", "the friction force at the velocity v, with the sign of v"),), law="smooth"),
     Form(
@@ -195,7 +200,7 @@ FAMILY = {
         "axes.NAME.plant",
         ("command", "load"),
         ("position", "velocity", "acceleration"),
-        (_LAGGED, *_PLANTS),
+        (_LAGGED, _FOLLOWER, *_PLANTS),
     ),
     "friction": Family("resists the motion", "axes.NAME.friction", forms=_FRICTIONS),
     "drive": Family("limits and delays the command", "axes.NAME.drive", ("command",), ("applied",), _STEP),

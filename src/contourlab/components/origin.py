@@ -12,6 +12,8 @@ SOURCES = {
     "datasheet": "published by the maker or in a paper",
     "assumed": "for lack of better data",
     "design": "chosen, exact",
+    "control": "set in the control's own file, exact",
+    "computed": "computed from values of the control's own file",
 }
 """Sources of a value."""
 
@@ -56,8 +58,8 @@ class Origin:
             raise ParameterError("deviation", f"{self.deviation:g}", "> 0 and finite")
         if self.span is not None and not -float("inf") < self.span[0] < self.span[1] < float("inf"):
             raise ParameterError("range", f"{list(self.span)}", "two finite values, the lower one first")
-        if self.uncertain and self.source == "design":
-            raise ParameterError("source", "'design'", "another source: a chosen number has no deviation")
+        if self.uncertain and self.source in ("design", "control"):
+            raise ParameterError("source", repr(self.source), "another source: a chosen number has no deviation")
 
     @property
     def uncertain(self) -> bool:

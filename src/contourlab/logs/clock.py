@@ -8,9 +8,10 @@ from typing import ClassVar
 
 import numpy as np
 
-from contourlab.arrays import Array, Flags
+from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import LogError
 from contourlab.findings import Finding, finding
+from contourlab.logs.window import FEW, between_gaps
 from contourlab.units import show
 
 GAP = 1.5
@@ -19,8 +20,6 @@ SHORT = 0.75
 """Steps below, in periods, show that times jitter."""
 MOST_MISSING = 0.05
 """Largest accepted share of missing samples."""
-FEW = 3
-"""Most gaps that may be lost samples; more mean a wrong clock."""
 EVEN = 1e-3
 """Jitter over period below which samples are even: times are rounded when written."""
 UNEVEN = 0.1
@@ -67,6 +66,8 @@ class ClockReport:
         Omitted samples, which repeat the time before.
     resampled : bool
         Whether values were interpolated.
+    windows : tuple of str
+        The parts between its gaps, as options to type.
     """
 
     json_derived: ClassVar = ("missing",)
@@ -78,6 +79,7 @@ class ClockReport:
     gaps: tuple[Gap, ...] = ()
     repeated: int = 0
     resampled: bool = False
+    windows: tuple[str, ...] = ()
 
     @property
     def missing(self) -> int:
@@ -97,7 +99,7 @@ class ClockReport:
         samples, clock = self.n_sample + self.missing, self.period if period is None else period
         rows = (
             (self.jitter_peak > EVEN * self.period, "CL426", {"rms": self.jitter_rms, "peak": self.jitter_peak}),
-            (self.gaps, "CL427", {"missing": self.missing, "samples": samples, "gaps": self._gaps()}),
+            (self.gaps, "CL427", {"missing": self.missing, "samples": samples, "gaps": self._gaps(), "windows": self.windows}),
             (self.repeated, "CL428", {"samples": self.repeated}),
             (self.resampled, "CL429", {"own": self.period, "clock": clock}),
         )
@@ -111,7 +113,9 @@ class ClockReport:
         return f"in 1 gap of {longest}" if len(self.gaps) == 1 else f"in {len(self.gaps)} gaps; the longest of {longest}"
 
 
-def look_at_clock(time: Array, name: str, file: Path, period: float | None = None) -> tuple[ClockReport, Flags]:
+def look_at_clock(
+    time: Array, name: str, file: Path, period: float | None = None, *, rows: Index | None = None, start: float = 0.0
+) -> tuple[ClockReport, Flags]:
     """Return the clock report of a channel, and a mask of the samples to keep.
 
     Parameters
@@ -121,6 +125,10 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
         Name of the channel, for messages.
     period : float [s], > 0, optional
         Stated period; by default that of the line through the times.
+    rows : ndarray (n,) of int, optional
+        Numbers of the samples in the file, in which windows are printed; by default windows are in times.
+    start : float [s]
+        Time from which windows count.
 
     Raises
     ------
@@ -128,7 +136,7 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
         If there are fewer than three samples, a time is not finite or goes back, too many times repeat, the period does not fit the
         times, or too many samples are missing.
     """
-    kept = _kept(time, name, file)
+    kept = _kept(time, name, file, rows)
     even = time[kept]
     step = np.diff(even)
     usual = float(np.median(step))
@@ -142,20 +150,24 @@ def look_at_clock(time: Array, name: str, file: Path, period: float | None = Non
     # A lost sample makes a long step; jitter makes short ones as well.
     if even.size >= LEAST and wide.any() and (step < SHORT * usual).any():
         count = _jittering_count(even, period)
-    gaps = tuple(Gap(float(even[k]), int(count[k]) - 1) for k in np.flatnonzero(count > 1.0))
+    lost = [(int(k), int(count[k]) - 1) for k in np.flatnonzero(count > 1.0)]
+    gaps = tuple(Gap(float(even[k]), missing) for k, missing in lost)
+    windows = between_gaps(lost, even, None if rows is None else rows[kept], start) if lost else ()
     if period is None:
         usual = _period(even, count)
     jitter = _jitter(even, count, usual)
-    report = ClockReport(usual, even.size, float(np.sqrt(np.mean(jitter**2))), float(np.abs(jitter).max()), gaps, int((~kept).sum()))
+    rms, peak = float(np.sqrt(np.mean(jitter**2))), float(np.abs(jitter).max())
+    report = ClockReport(usual, even.size, rms, peak, gaps, int((~kept).sum()), windows=windows)
     if report.missing > MOST_MISSING * (report.n_sample + report.missing):
-        lost = f"{report.missing} of {report.n_sample + report.missing} samples of {name!r}"
+        share = f"{report.missing} of {report.n_sample + report.missing} samples of {name!r}"
         # A few gaps are lost samples; many mean a wrong clock.
-        cure = "cut the log there" if len(report.gaps) <= FEW else "check the period; the sampling may be uneven"
-        raise LogError(f"{lost} are missing at a period of {show(usual, 'us')}, {report._gaps()}: {cure}", file=file)
+        cut = f"cut the log there{', with ' if windows else ''}{' or '.join(windows)}"
+        cure = cut if len(report.gaps) <= FEW else "check the period; the sampling may be uneven"
+        raise LogError(f"{share} are missing at a period of {show(usual, 'us')}, {report._gaps()}: {cure}", file=file)
     return report, kept
 
 
-def _kept(time: Array, name: str, file: Path) -> Flags:
+def _kept(time: Array, name: str, file: Path, rows: Index | None) -> Flags:
     """Return a mask of the samples later than the one before; refuse times that go back, stand still or are not finite."""
     if not np.isfinite(time).all():
         raise LogError(f"the time of {name!r} is not finite at sample {int(np.argmin(np.isfinite(time)))}: delete or correct it", file=file)
@@ -163,7 +175,8 @@ def _kept(time: Array, name: str, file: Path) -> Flags:
     if (step < 0.0).any():
         k = int(np.argmax(step < 0.0))
         where = f"from {time[k]:.9g} s to {time[k + 1]:.9g} s at sample {k + 1} ({name!r})"
-        raise LogError(f"time goes back {where}: check for two records in one file, or a column that is not the time", file=file)
+        parts = "" if rows is None else f' (--window "..{rows[k]}" reads the first)'
+        raise LogError(f"time goes back {where}: check for two records in one file{parts}, or a column that is not the time", file=file)
     kept = np.append(True, step > 0.0)
     n = int(np.count_nonzero(kept))
     if n < 3:

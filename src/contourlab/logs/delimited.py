@@ -47,9 +47,9 @@ def read(file: Path) -> Record:
     """Read a table of numbers.
 
     Lines that begin with # or % are comments. The last line before the numbers names the columns, with units in brackets; a line of
-    units may follow. Semicolons, tabs, commas or blanks separate the cells; the first two allow decimal commas. Empty cells are gaps,
-    true and false are 1 and 0, timestamps become seconds from the first one. A column with words has a fault, which counts if it is
-    needed.
+    units may follow. Without such a line, a comment that fits names them. Semicolons, tabs, commas or blanks separate the cells; the
+    first two allow decimal commas. Empty cells are gaps, true and false are 1 and 0, timestamps become seconds from the first one. A
+    column with words has a fault, which counts if it is needed.
 
     Raises
     ------
@@ -64,12 +64,17 @@ def read(file: Path) -> Record:
     first, mark = _first_row(looked, file)
     width = len(_cells(looked[first][1], mark))
     check_limit(width, COLUMNS, "columns", file, looked[first][0])
+    above = itertools.takewhile(lambda line: line[0] < looked[first][0], reading.lines_in(text, file))
+    comments = [_cells(line.strip(" \t#%"), mark) for _, line in above if not _bare(line)]
     values = _plain(itertools.chain(looked[first:], lines), width, mark)
     if values is None:
-        return _read_cells(file, text, first, mark)
-    names, units = _heads([_cells(line, mark) for _, line in looked[:first]], width)
-    channels = (Channel(name, column, unit) for name, column, unit in zip(names, values.T, units, strict=True))
-    return Record(file, "csv", tuple(channels))
+        return _read_cells(file, text, first, mark, comments)
+    # A last line without a line break may have lost digits.
+    is_cut = len(values) > 1 and not text.endswith(("\n", "\r")) and not text[-1].isalpha()
+    names, units = _heads([_cells(line, mark) for _, line in looked[:first]], width, comments)
+    columns = zip(names, (values[:-1] if is_cut else values).T, units, strict=True)
+    channels = tuple(Channel(name, column, unit) for name, column, unit in columns)
+    return Record(file, "csv", channels, findings=(reading.CUT,) if is_cut else ())
 
 
 def _plain(rows: Iterable[tuple[int, str]], width: int, mark: str | None) -> Array | None:
@@ -83,7 +88,7 @@ def _plain(rows: Iterable[tuple[int, str]], width: int, mark: str | None) -> Arr
     return values if values.shape[1] == width else None
 
 
-def _read_cells(file: Path, text: str, first: int, mark: str | None) -> Record:
+def _read_cells(file: Path, text: str, first: int, mark: str | None, comments: list[list[str]]) -> Record:
     """Read a table cell by cell: a column holds timestamps if its first cell that is not empty looks like one, else numbers."""
     lines = [(i, line) for i, line in reading.lines_in(text, file) if _bare(line)]
     heads, rows = lines[:first], lines[first:]
@@ -91,13 +96,11 @@ def _read_cells(file: Path, text: str, first: int, mark: str | None) -> Record:
     if _is_closed(heads, rows[:-1] if cut else rows, mark):
         heads, rows = ([(i, line.rstrip(" ").removesuffix(mark or "")) for i, line in part] for part in (heads, rows))
     width = len(_cells(rows[0][1], mark))
-    names, units = _heads([_cells(line, mark) for _, line in heads], width)
-    findings: tuple[Finding, ...] = ()
-    if cut and len(_cells(rows[-1][1], mark)) != width:
-        rows, findings = rows[:-1], (reading.CUT,)
+    names, units = _heads([_cells(line, mark) for _, line in heads], width, comments)
+    rows, findings = (rows[:-1], (reading.CUT,)) if cut else (rows, ())
     above = {line for _, line in heads}
     if repeated := next((i for i, line in rows if line in above), 0):
-        raise LogError("the header is repeated here: split the file, it contains two records", file=file, line=repeated)
+        raise LogError(reading.REPEATED, file=file, line=repeated)
     comma, channels = mark != "," and any("," in line for _, line in rows), []
     numbers = [i for i, _ in rows]
     columns = reading.columns_of([(i, _cells(line, mark)) for i, line in rows], width, file)
@@ -210,9 +213,10 @@ def _cells(line: str, mark: str | None) -> list[str]:
     return reading.cells_of(line, mark)
 
 
-def _heads(lines: list[list[str]], width: int) -> tuple[list[str], list[str]]:
-    """Return names and units of the columns, from the last one or two lines as wide as the table."""
+def _heads(lines: list[list[str]], width: int, comments: list[list[str]]) -> tuple[list[str], list[str]]:
+    """Return names and units of the columns, from the last one or two lines as wide as the table, else from such comments."""
     wide = [cells if width > 1 else [" ".join(cells)] for cells in lines if len(cells) == width or width == 1]
+    wide = wide or [cells for cells in comments if len(cells) == width and not any(_NUMBER.match(cell.strip()) for cell in cells)]
     if not wide:
         return [str(j + 1) for j in range(width)], [""] * width
     below = [cell.strip().strip('"').strip("[]() ") for cell in wide[-1]]

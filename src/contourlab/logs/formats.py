@@ -19,7 +19,7 @@ from contourlab.arrays import Array
 from contourlab.errors import ContourlabError, LogError, MissingPackageError, ParameterError
 from contourlab.file_kinds import mistaken
 from contourlab.findings import Finding
-from contourlab.logs import delimited, linuxcnc, matlab, parquet, results, sinumerik, twincat
+from contourlab.logs import delimited, linuxcnc, matlab, parquet, results, sinumerik, sinumerik_capture, twincat
 from contourlab.logs.reading import MEMORY, TIME, Channel, Record, factor, head_of, raised
 
 _CODE = "from contourlab.logs.formats import main; main()"
@@ -55,6 +55,7 @@ FORMATS = {
         Format("matlab", matlab.matches, matlab.read, is_binary=True),
         Format("parquet", parquet.matches, parquet.read, is_binary=True),
         Format("sinumerik", sinumerik.matches, sinumerik.read),
+        Format("sinumerik-capture", sinumerik_capture.matches, sinumerik_capture.read),
         Format("twincat", twincat.matches, twincat.read),
         Format("halscope", linuxcnc.matches_scope, linuxcnc.read_scope),
         Format("halsampler", linuxcnc.matches_sampler, linuxcnc.read_sampler),

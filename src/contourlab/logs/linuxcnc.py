@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -15,12 +16,15 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.errors import LogError
 from contourlab.findings import finding
-from contourlab.logs.reading import Channel, Record, columns_of, lines_of, number_channel
+from contourlab.logs.reading import REPEATED, Channel, Record, columns_of, lines_of, number_channel
 
 OVERRUN = "overrun"
 MOSTLY = 0.9
 """Share of steps by one above which a first column counts samples, restarts included."""
-_FIRST = re.compile(r"(#\s*)?Sampling period is (\d+) (ns|nSec)\s*\Z")
+_FIRST = re.compile(r"(#\s*)*Sampling period is (\d+) (ns|nSec)\s*\Z")
+_SAMPLE = re.compile(r"(-?\d+([.,]\d{6})?)([ \t;]+(-?\d+([.,]\d{6})?))+[ \t;]*\Z")
+_SIX = re.compile(r"\d[.,]\d{6}(?!\d)")
+"""A line of halsampler with blanks stripped or replaced by semicolons: whole numbers, and others with six decimals."""
 
 
 def matches_scope(file: Path, head: bytes) -> bool:
@@ -43,10 +47,13 @@ def read_scope(file: Path) -> Record:
         raise LogError('does not begin with "Sampling period is ... ns": save it again with halscope', file=file, line=1)
     if int(first[2]) == 0:
         raise LogError("the sampling period is 0 ns: choose a thread in halscope and sample again", file=file, line=lines[0][0])
+    if repeated := next((i for i, line in lines[1:] if _FIRST.match(line)), 0):
+        raise LogError(REPEATED, file=file, line=repeated)
     body = [(i, line) for i, line in lines[1:] if not line.startswith("#")]
-    if len(body) < (2 if first[1] else 1):
+    has_names = bool(body) and len(body[0][1].split()) == 1  # since 2.10: a line of names, then numbers
+    if len(body) < 1 + has_names:
         raise LogError("contains no samples", file=file)
-    if first[1]:  # since 2.10: a line of names, then numbers
+    if has_names:
         names, rows = body[0][1].split(";"), [(i, line.split(";")) for i, line in body[1:]]
     else:
         names, rows = _labelled(body, file)
@@ -72,13 +79,29 @@ def _labelled(body: list[tuple[int, str]], file: Path) -> tuple[list[str], list[
 
 
 def matches_sampler(file: Path, head: bytes) -> bool:
-    """Tell whether lines end in a blank, as halsampler writes them, or one is an overrun."""
-    lines = head.decode("latin-1").split("\n")[:-1]
+    """Tell whether lines end in a blank, as halsampler writes them, or have its six decimals, or one is an overrun.
+
+    Raises
+    ------
+    LogError
+        If the blanks were stripped and the first column may be the sample number, so that the numbers of the columns are ambiguous.
+    """
+    lines = head.decode("latin-1").replace("\r\n", "\n").split("\n")[:-1]
     if not lines:
         return False
     if any(line.strip() == OVERRUN for line in lines):
         return True
-    return all(line.endswith(" ") and not line.endswith("  ") and _plain(line) for line in lines[:20])
+    if all(line.endswith(" ") and not line.endswith("  ") and _plain(line) for line in lines[:20]):
+        return True
+    if not all(_SAMPLE.match(line) for line in lines[:20]) or not any(_SIX.search(line) for line in lines[:20]):
+        return False
+    first = [re.split(r"[ \t;]", line)[0] for line in lines[:20]]
+    if all(cell.isdecimal() for cell in first) and all(int(a) < int(b) for a, b in pairwise(first)):
+        cure = (
+            "name the format, --format halsampler (columns count from the second) or --format csv, or restore the blank at each line's end"
+        )
+        raise LogError(f"may be a log of halsampler -t whose lines were changed: {cure}", file=file)
+    return True
 
 
 def _plain(line: str) -> bool:
@@ -101,7 +124,7 @@ def read_sampler(file: Path) -> Record:
         If a line is faulty, unnumbered samples were lost, or sample numbers restart.
     """
     written, findings = lines_of(file)
-    lines = [(i, line.split()) for i, line in written]
+    lines = [(i, line.replace(",", ".").replace(";", " ").split()) for i, line in written]
     rows = [(i, cells) for i, cells in lines if cells != [OVERRUN]]
     if not rows:
         raise LogError("contains no samples", file=file)

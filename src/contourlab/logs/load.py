@@ -12,8 +12,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.arrays import Array, true_spans
-from contourlab.errors import FeedError, GeometryError, LogError, ParameterError, ResultError, UnitError
+from contourlab.arrays import Array, Index, true_spans
+from contourlab.errors import FeedError, GeometryError, LogError, ParameterError, ResultError, UnitError, refuse, refused
 from contourlab.findings import Finding, finding
 from contourlab.logs.clock import (
     EVEN,
@@ -28,13 +28,14 @@ from contourlab.logs.clock import (
 )
 from contourlab.logs.delimited import CURE
 from contourlab.logs.formats import read_record
-from contourlab.logs.mapping import SIGNALS, TIME, USUAL, Column, Columns, guessed, parse_columns
-from contourlab.logs.reading import AXIS_LETTERS, Channel, Record, join_names, name_and_unit, quoted
+from contourlab.logs.mapping import LINE, LINES, SIGNALS, TIME, USUAL, Column, Columns, guessed, parse_columns
+from contourlab.logs.reading import AXIS_LETTERS, FASTEST, Blocks, Channel, Record, join_names, name_and_unit, quoted
+from contourlab.logs.window import Window, inside, parse_window, share_rows, start_of
 from contourlab.result import Result, Signal
-from contourlab.units import from_si, show, si_unit, to_si
+from contourlab.units import from_si, same_dimension, show, si_unit, to_si
 
-FARTHEST, FASTEST = 50.0, 50.0
-"""Largest plausible position [m] and speed [m/s]; beyond, the unit is wrong or a position jumps."""
+FARTHEST = 50.0
+"""Largest plausible position [m]; beyond, the unit is wrong."""
 
 LONG_GAP = 10
 """Longest gap in samples across which a model may be fitted; gaps are interpolated linearly."""
@@ -62,6 +63,8 @@ class Log:
         Findings on signals with several candidate columns, which are not used.
     given : Columns
         The columns and the period as given, without those that were identified by name.
+    blocks : Blocks or None
+        Of the part program, with the times of the file.
     """
 
     result: Result
@@ -72,11 +75,33 @@ class Log:
     start: float = 0.0
     doubtful: tuple[Finding, ...] = ()
     given: Columns = field(default_factory=Columns)
+    blocks: Blocks | None = None
 
     def __fspath__(self) -> str:
         return str(self.record.file)
 
     __str__ = __fspath__
+
+    @property
+    def block(self) -> Index | None:
+        """Index of the block of the part program at each sample (n_sample,), -1 for none; None if the log does not say."""
+        time = self.start + (np.arange(self.result.n_sample, dtype=np.float64) + EVEN) * self.result.servo_period
+        return None if self.blocks is None else self.blocks.at(time)
+
+    @property
+    def lines(self) -> Index | None:
+        """Line of the part program at each sample (n_sample,), 0 for none; None if the log does not say."""
+        return None if self.blocks is None else np.append(self.blocks.line, 0)[self.block]
+
+    def span(self, window: Window) -> tuple[float, float]:
+        """Return the times [s] in the result between which a part of the log lies."""
+        half = 0.5 * self.result.servo_period
+        if window.kind == "time":
+            last = (self.result.n_sample - 1) * self.result.servo_period + half
+            return max(window.first, 0.0), window.last if window.last < np.inf else last
+        part = result_of(self.record, replace(self.given, window=window))
+        first = part.start - self.start
+        return first - half, first + (part.result.n_sample - 1) * part.result.servo_period + half
 
     def signal(self, axis: str, *names: str) -> Array | None:
         """Return the first of some signals that an axis has at all samples (n,); None if there is none."""
@@ -128,6 +153,8 @@ def load_log(
     format: str | None = None,  # noqa: A002
     columns: Sequence[Column | str] = (),
     period: float | None = None,
+    unit: str = "",
+    window: str | None = None,
     name: str = "arrays",
 ) -> Log:
     """Read a measured log from a file, or from arrays.
@@ -142,6 +169,10 @@ def load_log(
         Columns of signals, as text such as ``position.x=NAME [mm]``; others are identified by unambiguous names.
     period : float [s], > 0, optional
         Sample period, if the log has no times.
+    unit : str
+        Unit of lengths in columns that have none, such as ``mm``; speeds have it per second.
+    window : str, optional
+        The part to read, as ``"10.706 s..14 s"``, ``"0..1493"`` or ``"line 20..line 40"``.
     name : str
         Name of a log from arrays.
 
@@ -155,7 +186,7 @@ def load_log(
     LogError
         If the file cannot be read, a column is missing or has no unit, sampling is uneven, or values are implausible.
     ParameterError
-        If the period is out of range or the format is unknown.
+        If the period is out of range, or format, unit or window are not known.
 
     >>> log = load_log({"time [s]": [0.0, 0.001, 0.002], "x [mm]": [0.0, 1.0, 2.0]})
     >>> log.result["position"].tolist()
@@ -166,7 +197,7 @@ def load_log(
     record = read_record(file, format) if isinstance(file, str | os.PathLike) else record_of(file, name)
     texts = [column for column in columns if isinstance(column, str)]
     given = (*(column for column in columns if isinstance(column, Column)), *parse_columns(texts, "columns"))
-    return result_of(record, Columns(given, period))
+    return result_of(record, Columns(given, period, unit=unit, window=None if window is None else parse_window(window)))
 
 
 def record_of(arrays: Mapping[str, ArrayLike], name: str) -> Record:
@@ -188,28 +219,34 @@ def record_of(arrays: Mapping[str, ArrayLike], name: str) -> Record:
 
 def result_of(record: Record, given: Columns) -> Log:
     """Return the signals of a record; see `load_log`."""
+    with refused("--unit", given.unit, "a unit of length, such as mm"):
+        refuse(bool(given.unit) and not same_dimension(given.unit, "m"), ValueError)
     guesses, doubtful = _guesses(record, given)
     units, spare, unit_findings = _units(record, given, guesses)
     guesses = [column for column in guesses if column not in spare]
     columns = (*given.columns, *guesses)
-    wanted = [column for column in columns if column.signal != TIME]
+    wanted = [column for column in columns if column.signal in SIGNALS]
     if not wanted:
         cure = "write for example --column 'position.x=NAME [mm]', or name a file of columns with --columns"
         unknown = f"no column matches a signal: {cure}. The columns are {quoted(record.names)}"
         raise LogError("; ".join([*(doubt.text for doubt in doubtful), unknown]), file=record.file)
     times, time_findings = _times(record, columns, given)
-    timed = {name: _timed(record, name, times, given.period, doubtful) for name in dict.fromkeys(column.column for column in wanted)}
+    names = dict.fromkeys(column.column for column in wanted)
+    raw = {name: _raw(record, name, times, given.period, doubtful) for name in names}
+    blocks = record.blocks or _blocks_of(record, given, times, given.period)
+    timed = _timed(record, raw, blocks, given)
     clock = common_clock([(channel.report, float(channel.time[0]), float(channel.time[-1])) for channel in timed.values()], record.file)
     signals, uneven = _signals(record, {column: timed[column.column] for column in wanted}, units, clock)
     places = {letter: place for place, letter in enumerate(AXIS_LETTERS)}
     axes = tuple(sorted({column.axis for column in wanted}, key=lambda axis: (places.get(axis.lower(), len(places)), axis)))
     attributes = {**record.attributes, "log": record.file.name, "format": record.format}
     result = Result(record.file.stem, axes, clock[0], _stacked(signals, axes), attributes=attributes)
-    by_name = [f"{column.target} = {column.column}" for column in guesses if column.signal != TIME and column.column != column.target]
+    by_name = [f"{column.target} = {column.column}" for column in guesses if column.signal in SIGNALS and column.column != column.target]
     named = [finding("CL430", columns=by_name)] if by_name else []
     clocks = {channel.channel.name: channel.report for channel in timed.values()}
-    log = Log(result, record, columns, clocks, start=clock[1], doubtful=tuple(doubtful), given=given)
-    findings = (*record.findings, *named, *doubtful, *time_findings, *unit_findings, *log.clock_findings(), *uneven)
+    log = Log(result, record, columns, clocks, start=clock[1], doubtful=tuple(doubtful), given=given, blocks=blocks)
+    part = [] if given.window is None else [_window_finding(given.window, log, start_of(time for _, time in raw.values()))]
+    findings = (*record.findings, *named, *doubtful, *time_findings, *unit_findings, *part, *log.clock_findings(), *uneven)
     return replace(log, findings=findings)
 
 
@@ -231,7 +268,7 @@ def _times(record: Record, columns: Sequence[Column], given: Columns) -> tuple[A
     """Return the times [s] for channels without their own (None: count samples by the period), and findings."""
     findings = list[Finding]()
     column = next((c for c in columns if c.signal == TIME), None)
-    if column is not None and any(record.channel(c.column).time is None for c in columns if c.signal != TIME):
+    if column is not None and any(record.channel(c.column).time is None for c in columns if c.signal in SIGNALS):
         try:
             return _times_in(record.channel(column.column), column, record)
         except LogError as error:
@@ -270,13 +307,19 @@ class Timed:
     is_counted: bool = False
 
 
-def _timed(record: Record, name: str, times: Array | None, period: float | None, doubtful: Sequence[Finding]) -> Timed:
-    """Return a channel with its times, without missing values."""
+def _window_finding(window: Window, log: Log, start: float) -> Finding:
+    """Return a finding with the part of a log that is read, in times from the log's first sample."""
+    first, n = log.start - start, log.result.n_sample
+    return finding("CL416", window=str(window), samples=n, first=first, last=first + (n - 1) * log.result.servo_period)
+
+
+def _raw(record: Record, name: str, times: Array | None, period: float | None, doubtful: Sequence[Finding]) -> tuple[Channel, Array]:
+    """Return a channel and its times, both as read."""
     channel = record.channel(name)
     if channel.fault is not None:
         raise channel.fault
     time = channel.time if channel.time is not None else times
-    stated, period = period, period or record.period
+    period = period or record.period
     if time is None:
         if period is None:
             doubt = "".join(f"{doubt.text}; " for doubt in doubtful if doubt.values["signal"] == TIME)
@@ -285,15 +328,42 @@ def _timed(record: Record, name: str, times: Array | None, period: float | None,
         time = np.asarray(np.arange(channel.values.size) * period)
     if time.size != channel.values.size:
         raise LogError(f"column {channel.name!r} has {channel.values.size} values for {time.size} times", file=record.file)
-    valid = np.isfinite(channel.values)
-    if not valid.any():
+    if not np.isfinite(channel.values).any():
         raise LogError(f"column {channel.name!r} contains no numbers", file=record.file)
-    valid &= ~np.isnan(time)
-    values, time = channel.values[valid], time[valid]
-    report, kept = look_at_clock(time, channel.name, record.file, period)
-    is_counted = stated is not None and report.jitter_peak > EVEN * stated
-    time = counted_times(time[kept], report) if is_counted else time[kept]
-    return Timed(replace(channel, values=values[kept]), time, report, is_counted)
+    return channel, time
+
+
+def _blocks_of(record: Record, given: Columns, times: Array | None, period: float | None) -> Blocks | None:
+    """Return the blocks that a column of program lines shows; a column that is only guessed may be unusable."""
+    named = next((column for column in given.columns if column.signal == LINE), None)
+    name = named.column if named else next((c.name for c in record.channels if c.name.casefold() in LINES), None)
+    if name is None:
+        return None
+    try:
+        channel, time = _raw(record, name, times, period, ())
+        if not np.abs(channel.values).max() < 1e7 or np.isnan(time).any():
+            raise LogError(f"column {name!r} does not have a line number for each sample", file=record.file)
+    except LogError:
+        if named:
+            raise
+        return None
+    return Blocks(np.maximum.accumulate(time), np.maximum(np.rint(channel.values), 0.0).astype(np.int64))
+
+
+def _timed(record: Record, raw: dict[str, tuple[Channel, Array]], blocks: Blocks | None, given: Columns) -> dict[str, Timed]:
+    """Return the part of each channel in the window, without missing values."""
+    times = {name: time for name, (_, time) in raw.items()}
+    chosen, is_table, start = inside(given.window, times, blocks, record), share_rows(times.values()), start_of(times.values())
+    stated = given.period or record.period
+    timed = {}
+    for name, (channel, time) in raw.items():
+        valid = chosen[name] & np.isfinite(channel.values) & ~np.isnan(time)
+        rows = np.flatnonzero(valid) if is_table else None
+        report, kept = look_at_clock(time[valid], channel.name, record.file, stated, rows=rows, start=start)
+        is_counted = given.period is not None and report.jitter_peak > EVEN * given.period
+        even = counted_times(time[valid][kept], report) if is_counted else time[valid][kept]
+        timed[name] = Timed(replace(channel, values=channel.values[valid][kept]), even, report, is_counted)
+    return timed
 
 
 def _in_si(channel: Channel, column: Column, unit: str, expected: str, record: Record) -> Array:
@@ -331,7 +401,7 @@ def _units(record: Record, given: Columns, guesses: Sequence[Column]) -> tuple[d
 
     A velocity identified by name is left out if it has no unit or holds words; so is any such column if the user names columns.
     """
-    columns = [column for column in (*given.columns, *guesses) if column.signal != TIME]
+    columns = [column for column in (*given.columns, *guesses) if column.signal in SIGNALS]
     channels = {column: record.channel(column.column) for column in columns}
     own = {column: column.unit or channel.unit for column, channel in channels.items()}
     units, shared = dict(own), []
@@ -340,15 +410,20 @@ def _units(record: Record, given: Columns, guesses: Sequence[Column]) -> tuple[d
         if alike:
             units[column] = own[alike[0]]
             shared.append(finding("CL435", signal=column.signal, unit=units[column], other=alike[0].signal))
+    usual = given.unit or record.unit
+    for column in [column for column in columns if usual and not units[column] and SIGNALS[column.signal] in USUAL]:
+        units[column] = usual if SIGNALS[column.signal] == "m" else f"{usual}/s"
+        shared += [] if given.unit else [finding("CL438", unit=usual)]
     without = [column for column in columns if SIGNALS[column.signal] and not units[column]]
-    is_named = any(column.signal != TIME for column in given.columns)
-    doubted = [column for column in guesses if column.signal != TIME and (is_named or SIGNALS[column.signal] != "m")]
+    is_named = any(column.signal in SIGNALS for column in given.columns)
+    doubted = [column for column in guesses if column.signal in SIGNALS and (is_named or SIGNALS[column.signal] != "m")]
     spare = [column for column in doubted if column in without or channels[column].fault is not None]
     if missing := [column for column in without if column not in spare]:
         names = quoted((channels[column].name for column in missing), len(missing))
         these = f"column {names} has" if len(missing) == 1 else f"columns {names} have"
         options = " ".join(f"--column '{c.target}={channels[c].name} [{USUAL.get(SIGNALS[c.signal], SIGNALS[c.signal])}]'" for c in missing)
-        raise LogError(f"{these} no unit: write {options}", file=record.file)
+        at_once = "--unit mm, or " if all(SIGNALS[column.signal] in USUAL for column in missing) else ""
+        raise LogError(f"{these} no unit: write {at_once}{options}", file=record.file)
     left_out = [finding("CL436", columns=[channels[column].name for column in spare])] if spare else []
     return units, spare, [*(one for k, one in enumerate(shared) if one not in shared[:k]), *left_out]
 

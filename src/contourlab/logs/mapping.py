@@ -13,9 +13,12 @@ from typing import Any
 from contourlab.errors import LogError, UnitError
 from contourlab.file_kinds import mistaken
 from contourlab.logs.reading import AXIS_LETTERS, Channel, Record, name_and_unit, readable
+from contourlab.logs.window import Window
 from contourlab.units import same_dimension, to_si
 
-TIME = "time"
+TIME, LINE = "time", "line"
+LINES = ("line", "program-line", "program_line", "source_line", "motion.program-line", "motion-line", "block", "n")
+"""Names of columns with the line of the part program, in lower case."""
 SIGNALS = {
     "reference": "m",
     "position": "m",
@@ -43,7 +46,7 @@ class Column:
     Attributes
     ----------
     signal : str
-        One of `SIGNALS`, or "time".
+        One of `SIGNALS`, "time", or "line", the line of the part program.
     axis : str
         Empty for a signal of all axes.
     column : str
@@ -75,11 +78,17 @@ class Columns:
     columns : tuple of Column
     period : float or None [s]
     format : str or None
+    unit : str
+        Unit of lengths in columns that have none; speeds have it per second.
+    window : Window or None
+        The part to read.
     """
 
     columns: tuple[Column, ...] = ()
     period: float | None = None
     format: str | None = None
+    unit: str = ""
+    window: Window | None = None
 
 
 def parse_columns(texts: Iterable[str], where: str = "--column") -> tuple[Column, ...]:
@@ -161,13 +170,14 @@ def _of_table(target: str, value: Any, path: Path) -> Column:
 
 def _column(target: str, name: str, unit: str, factor: float, where: str | Path) -> Column:
     match = _TARGET.match(target)
-    if match is None or match["signal"] not in (TIME, *SIGNALS):
-        known = ", ".join((TIME, *SIGNALS))
+    if match is None or match["signal"] not in (TIME, LINE, *SIGNALS):
+        known = ", ".join((TIME, LINE, *SIGNALS))
         raise LogError(f"{target!r} is not a signal: write one of {known}, and its axis, such as position.x", file=where)
     signal, axis = match["signal"], match["axis"] or ""
-    if (signal == TIME) != (not axis):
-        raise LogError(f"{target!r}: " + ("time has no axis: write time=NAME" if axis else f"write the axis, as in {signal}.x"), file=where)
-    expected = "s" if signal == TIME else SIGNALS[signal]
+    if (signal in (TIME, LINE)) != (not axis):
+        cure = f"{signal} has no axis: write {signal}=NAME" if axis else f"write the axis, as in {signal}.x"
+        raise LogError(f"{target!r}: {cure}", file=where)
+    expected = "s" if signal == TIME else SIGNALS.get(signal, "")
     try:
         if unit and not same_dimension(unit, expected or unit):
             raise LogError(f"{target}: {unit} is not a unit of {signal}; write one such as {USUAL.get(expected, expected)}", file=where)
@@ -217,7 +227,7 @@ def _own(channel: Channel) -> tuple[str, str] | None:
 
 
 def _meaning(channel: Channel) -> tuple[str, str] | None:
-    return _own(channel) or meant(channel.name) or meant(channel.symbol)
+    return channel.meaning or _own(channel) or meant(channel.name) or meant(channel.symbol)
 
 
 # --- meaning of a name -------------------------------------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import contextlib
 import csv
 import io
@@ -17,7 +18,7 @@ from pathlib import Path
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import LogError, ParameterError, UnitError, refuse
 from contourlab.file_kinds import mistaken
 from contourlab.findings import Finding, finding
@@ -30,6 +31,8 @@ SETTING = "CONTOURLAB_LOG_LIMIT"
 COLUMNS = 10_000
 LINE = 1_000_000
 """Characters of a line of text."""
+LONGEST, FASTEST = 10.0, 50.0
+"""Travel [m] that hardly any feed axis reaches, and speed [m/s] that none does."""
 NUMBERS = 50_000_000
 """Numbers of a log in a compressed or sparse format."""
 MEMORY = 850_000_000
@@ -60,6 +63,8 @@ class Channel:
         Why its values cannot be read; raised if they are needed.
     symbol : str
         Path of the recorded variable in the control, if the file gives it.
+    meaning : (str, str) or None
+        Signal and axis, if the format states them.
     """
 
     name: str
@@ -70,6 +75,33 @@ class Channel:
     findings: tuple[Finding, ...] = ()
     fault: LogError | None = None
     symbol: str = ""
+    meaning: tuple[str, str] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Blocks:
+    """The blocks of the part program that a control worked on during a log, each until the next begins.
+
+    Attributes
+    ----------
+    time : ndarray (n,) [s]
+        Where each begins; never decreases.
+    line : ndarray (n,) of int
+        Its line in its program; 0 for none.
+    is_rapid : ndarray (n,) of bool, or None
+        Whether it is a rapid move; None if the log does not say.
+    program : tuple of str
+        Its program; empty if the log does not say.
+    """
+
+    time: Array
+    line: Index
+    is_rapid: Flags | None = None
+    program: tuple[str, ...] = ()
+
+    def at(self, time: Array) -> Index:
+        """Return the index of the block at some times (n_time,) [s]; -1 before the first."""
+        return np.asarray(np.searchsorted(self.time, time, side="right") - 1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,6 +123,10 @@ class Record:
         What was skipped.
     attributes : mapping of str to str, int or float
         Attributes of a result that contourlab wrote.
+    blocks : Blocks or None
+        Of the part program, if the format has them.
+    unit : str
+        Unit of lengths that its control usually has, for a format that states none.
 
     Raises
     ------
@@ -105,6 +141,8 @@ class Record:
     constants: Mapping[str, float] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
     attributes: Mapping[str, str | int | float] = field(default_factory=dict)
+    blocks: Blocks | None = None
+    unit: str = ""
 
     def __post_init__(self) -> None:
         check_limit(len(self.channels), COLUMNS, "columns", self.file)
@@ -227,7 +265,7 @@ _BITS = {"true": 1.0, "false": 0.0}
 
 
 def head_of(file: Path) -> bytes:
-    """Return the first bytes of a file, UTF-16 with a byte order mark as UTF-8.
+    """Return the first bytes of a file, without a byte order mark; UTF-16 as UTF-8.
 
     Raises
     ------
@@ -242,7 +280,7 @@ def head_of(file: Path) -> bytes:
         head = stream.read(HEAD)
     if not head.strip():
         raise LogError("is empty", file=file)
-    return head.decode("utf-16", errors="ignore").encode() if head[:2] in UTF_16 else head
+    return head.decode("utf-16", errors="ignore").encode() if head[:2] in UTF_16 else head.removeprefix(codecs.BOM_UTF8)
 
 
 @contextmanager
@@ -282,6 +320,9 @@ def lines_of(file: Path) -> tuple[list[tuple[int, str]], tuple[Finding, ...]]:
     text = text_of(file)
     lines = list(lines_in(text, file))
     return (lines, ()) if not lines or text.endswith(("\n", "\r")) else (lines[:-1], (CUT,))
+
+
+REPEATED = "the header is repeated here: split the file, it contains two records"
 
 
 def lines_in(text: str, file: Path) -> Iterator[tuple[int, str]]:

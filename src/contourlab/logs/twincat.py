@@ -11,7 +11,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.errors import LogError
 from contourlab.findings import finding
-from contourlab.logs.reading import Channel, Record, cell_number, cells_of, lines_of, number
+from contourlab.logs.reading import REPEATED, Channel, Record, cell_number, cells_of, lines_of, number
 
 MARKS = "\t;:, "
 TICK = 1e-7
@@ -25,8 +25,8 @@ LAST = ("Port", "BitMask", "Unit ScaleFactor", "Unit Offset")
 
 def matches(file: Path, head: bytes) -> bool:
     """Tell whether the first line names the scope, and sample times follow."""
-    text = head.decode("utf-8-sig", errors="replace")
-    return re.match(r'"?Name"?[\t;:, ]', text) is not None and PERIOD in text
+    text = head.decode("utf-8", errors="replace")
+    return re.match(r'(#\s*)?"?Name"?[\t;:, ]', text) is not None and PERIOD in text
 
 
 def read(file: Path) -> Record:
@@ -42,8 +42,10 @@ def read(file: Path) -> Record:
     written, findings = lines_of(file)
     if not written:
         raise LogError("contains no samples", file=file)
-    mark = written[0][1].lstrip('"').removeprefix(NAME).lstrip('"')[:1] or "\t"
-    rows = [cells_of(line, mark) for _, line in written]
+    mark = written[0][1].lstrip('"# ').removeprefix(NAME).lstrip('"')[:1] or "\t"
+    rows = [cells_of(re.sub(r"^#\s*", "", line), mark) for _, line in written]
+    if repeated := [line for (line, _), row in zip(written, rows, strict=True) if row[0] == PERIOD][1:]:
+        raise LogError(REPEATED, file=file, line=repeated[0])
     heads = {row[0]: row for row in rows[4:40] if row[0] in (NAME, PERIOD, UNIT, SYMBOL, "ScaleFactor")}
     for key in (NAME, PERIOD):
         if key not in heads:

@@ -61,6 +61,10 @@ class Builder:
         self.names, self.period = self.machine.axis_names, self.machine.servo_period
         self._check()
         self.speed = np.zeros(len(self.names)) if self.velocity is None else self.velocity
+        for i, axis in enumerate(self.machine.axes):
+            if axis.plant.takes_position and self.speed[i]:  # a moving count is a period behind its command
+                late = 1.0 + getattr(self.controller.axes[axis.name].controller, "age", 0.0)
+                self.start = self.start - late * self.period * self.speed * (np.arange(self.start.size) == i)
         self.nodes: list[Node] = []
         # For commands through a link: the signal that has arrived.
         self.arrived: dict[str, str] = {}
@@ -73,6 +77,12 @@ class Builder:
         if self.path.n_axis != len(self.names):
             bound = f"one for each axis of {self.machine.name}: {', '.join(self.names)}"
             raise ParameterError("path", f"{self.path.n_axis} coordinates", bound)
+        for axis in self.machine.axes:
+            for slot, law in given[axis.name].controllers.items():
+                if axis.plant.takes_position != (law.command_unit == "m"):
+                    fitting = '"steps"' if axis.plant.takes_position else "one that closes a loop"
+                    bound = f"{fitting}: the commands of a {axis.plant.kind} are in {axis.plant.command_unit}"
+                    raise ParameterError(f"controller.axes.{axis.name}.{slot}", f'"{law.kind}"', bound)
         units = [axis.plant.command_unit for axis in self.machine.axes]
         if len(set(units)) > 1 and coupling is not None and coupling.gives("correction"):
             bound = f"one that acts on the reference, because the axes take commands in {', '.join(units)}"
@@ -146,6 +156,10 @@ class Builder:
         """Return the signal of the command from an axis' controller."""
         handed = self.controller.axes[axis].supervisor is not None or self.handover_time is not None
         return f"{axis}.{'handover' if handed else 'controller'}.command"
+
+    def command_start(self, axis: str) -> float:
+        """Return the command to an axis before the first tick: for a plant that takes positions its initial position."""
+        return float(self.start[self.names.index(axis)]) if self.machine.axis(axis).plant.takes_position else 0.0
 
     def motor_start(self, axis: str) -> float:
         """Return the initial position of an axis' motor [m]."""
@@ -434,4 +448,6 @@ class _LinkInsertion:
             return self.builder.motor_start(axis)
         if label == "arc_length":
             return self.builder.progress
+        if self.builder.command(axis) == f"{axis}.{label.replace('_', '.')}":
+            return self.builder.command_start(axis)
         return float(self.builder.start[self.builder.names.index(axis)]) if _STANDING.search(label) else 0.0

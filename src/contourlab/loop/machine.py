@@ -16,6 +16,7 @@ from contourlab.components.friction.laws import NoFriction
 from contourlab.components.ideal import IdealLink, IdealSensor, TrueVelocity
 from contourlab.components.origin import Origin
 from contourlab.components.plant.plant import Plant
+from contourlab.controls.contract import ControlFile
 from contourlab.errors import FeedError, ParameterError, refuse
 from contourlab.feed import AxisLimits
 from contourlab.feed.bounds import RANGES
@@ -235,6 +236,8 @@ class Machine:
         Sources of `servo_period` and the angles (``squareness.x-y``).
     correlations : tuple of (str, str, float)
         Of values fitted together on two axes, such as ``x.plant.damping``; those within one axis are in `Axis`.
+    control : ControlFile or None
+        The control's own file from which it was read.
 
     Raises
     ------
@@ -248,6 +251,7 @@ class Machine:
     squareness: Mapping[tuple[str, str], float] = field(default_factory=dict)
     origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
     correlations: tuple[tuple[str, str, float], ...] = field(default=(), compare=False, repr=False)
+    control: ControlFile | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.servo_period) and self.servo_period > 0.0):
@@ -261,6 +265,7 @@ class Machine:
             self._check_masses(axis)
             self._check_motor_side(axis)
             self._check_step(axis)
+            self._check_drive(axis)
         for pair in self.squareness:
             if len(pair) != 2 or pair[0] == pair[1] or not set(pair) <= set(names):
                 raise ParameterError("squareness", "-".join(pair), "two different axes of the machine")
@@ -268,6 +273,19 @@ class Machine:
     def __repr__(self) -> str:
         period = f"{1e3 * self.servo_period:g} ms"
         return facts_line("Machine", {"name": self.name, "axes": ", ".join(self.axis_names), "servo period": period})
+
+    def check_modelled(self) -> None:
+        """Refuse an axis with a stand-in for its plant, because the control's own file does not say how it answers.
+
+        Raises
+        ------
+        ParameterError
+            If there is one.
+        """
+        if self.control is not None and self.control.unmodelled:
+            name, why = next(iter(self.control.unmodelled.items()))
+            bound = f'given, as in [axes.{name}] file = "axis.toml" under machine = "{self.control.file.name}": {why}'
+            raise ParameterError(f"axes.{name}.plant", "unknown", bound)
 
     def planner_limits(self) -> AxisLimits:
         """Return the limits of the axes, for the planner.
@@ -324,6 +342,16 @@ class Machine:
                 bound = f"left out: a {axis.plant.kind} has no separate motor side"
                 raise ParameterError(f"axes.{axis.name}.{slot}", f'"{part.kind}"', bound)
 
+    def _check_drive(self, axis: Axis) -> None:
+        """Raise if a drive cannot pass on the commands of the plant: positions begin where the axis stands, all others at zero."""
+        drive, plant = axis.drive, axis.plant
+        fits = drive.command_unit == "m"
+        fits = fits or drive == Saturation() if plant.takes_position else not fits
+        if not fits:
+            fitting = '"step-generator", or left out' if plant.takes_position else "another one"
+            bound = f"{fitting}: the commands of a {plant.kind} are in {plant.command_unit}"
+            raise ParameterError(f"axes.{axis.name}.drive", f'"{drive.kind}"', bound)
+
     @property
     def axis_names(self) -> tuple[str, ...]:
         """Names of the axes, in order."""
@@ -356,6 +384,13 @@ class Machine:
         placed = replace(other, name=name, mounted_on=self.axis(name).mounted_on, alignment=self.axis(name).alignment)
         apart = tuple(pair for pair in self.correlations if name not in (one.partition(".")[0] for one in pair[:2]))
         return replace(self, axes=tuple(placed if axis.name == name else axis for axis in self.axes), correlations=apart)
+
+
+def require_loops(machine: Machine) -> None:
+    """Raise ParameterError if every axis takes positions: then the control closes no loop that has gains or margins."""
+    if all(axis.plant.takes_position for axis in machine.axes):
+        kinds = ", ".join(dict.fromkeys(axis.plant.kind for axis in machine.axes))
+        raise ParameterError("plant", kinds, "one whose loop the control closes: this one takes positions, and has no gains and no margins")
 
 
 AXIS_SLOTS = ("plant", "friction", "motor_friction", "drive", "sensor", "motor_sensor", "disturbance")

@@ -153,6 +153,7 @@ def check_kinds(machine: Machine, controller: Controller, reference: Reference) 
     """Raise `ParameterError` if an argument is another thing, such as two in exchanged places."""
     for name, value, kind in (("machine", machine, Machine), ("controller", controller, Controller), ("reference", reference, Reference)):
         refuse(not isinstance(value, kind), ParameterError, name, f"a {type(value).__name__}", f"a {kind.__name__}")
+    machine.check_modelled()
 
 
 def result_of(

@@ -22,7 +22,7 @@ two pass the nodes of a link: see `contourlab.loop.builder`.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -30,7 +30,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
-from contourlab.components.mechanics.core import MOTOR_FRICTION, friction_prefix, link
+from contourlab.components.mechanics.core import MOTOR_FRICTION, friction_prefix, link, moves_its_count
 from contourlab.components.plant.plant import Plant
 from contourlab.engine.step import Late, Node, Port, Schedule, Step, ports
 from contourlab.errors import ParameterError
@@ -69,8 +69,9 @@ def add_plants(builder: Builder) -> None:
         initial = {**initial, **_speeds(axis.plant.states, float(speed))}
         start = {**start, **_speeds(axis.plant.outputs, float(speed))}
         pushed: dict[str, Any] = {"command": f"{name}.drive.applied", "load": load}
-        step, tables = link(axis.plant, axis.friction, axis.motor_friction), axis.plant.table_values()
-        builder.nodes.append(Node(f"{name}.plant", step, pushed, values, tables, initial, start, repeat=axis.substeps))
+        step, tables = link(axis.plant, axis.friction, axis.motor_friction, axis.substeps), axis.plant.table_values()
+        repeat = 1 if moves_its_count(axis.plant) else axis.substeps
+        builder.nodes.append(Node(f"{name}.plant", step, pushed, values, tables, initial, start, repeat=repeat))
 
 
 def _resting(plant: Plant, at: float, changed: Mapping[str, Array]) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -302,7 +303,9 @@ class _Slots(Builder):
             if here:
                 self.nodes.append(subtract_node(name, self.wanted(name)))
             self.filter(name)
-            self.add(f"{name}.drive", axis.drive, f"axes.{name}.drive", {"command": self.filtered(name)})
+            drive = self.node(f"{name}.drive", axis.drive, f"axes.{name}.drive", {"command": self.filtered(name)}, float(at))
+            moving = {"rate": float(self.speed[j])} if any(port.name == "rate" for port in axis.drive.states) else {}
+            self.nodes.append(replace(drive, initial={**drive.initial, **moving}))
             if parts.filters:
                 wires = {"command": self.command(name), "filtered": self.filtered(name), "accepted": self.drive_accepted(name).signal}
                 self.nodes.append(Node(f"{name}.unfiltered", UNFILTERED, wires))
@@ -311,7 +314,8 @@ class _Slots(Builder):
         """Add the filters of an axis, one after another."""
         wire = self.command(name)
         for label, part in self.controller.axes[name].filters:
-            self.add(f"{name}.filter_{label}", part, f"controller.axes.{name}.filters.{label}", {"command": wire})
+            made = self.node(f"{name}.filter_{label}", part, f"controller.axes.{name}.filters.{label}", {"command": wire})
+            self.nodes.append(replace(made, initial=dict.fromkeys((port.name for port in part.states), self.command_start(name))))
             wire = f"{name}.filter_{label}.command"
 
     def wires_of(self, part: Component, axis: str, offered: Mapping[str, Any]) -> dict[str, Any]:

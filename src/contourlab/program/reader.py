@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
@@ -15,9 +16,9 @@ from contourlab.file_kinds import mistaken
 from contourlab.program.block import Block, Parameters, read_block
 from contourlab.program.flow import LONGEST_LINE, Tape, Walker
 from contourlab.program.interpreter import execute
-from contourlab.program.moves import Dwell, Move, Notice, Program
-from contourlab.program.state import ModalState, Tools, own_names, read_tools, unreadable
-from contourlab.program.vocabulary import BlockError
+from contourlab.program.moves import Dwell, Move, Notice, Point, Program
+from contourlab.program.state import ModalState, Tools, metres, own_names, read_parameters, read_tools, store_origin, unreadable
+from contourlab.program.vocabulary import SYSTEMS, BlockError
 from contourlab.units import setting
 
 Dialect: TypeAlias = Literal["linuxcnc", "grbl"]
@@ -49,8 +50,18 @@ class Reading:
         Whether to skip lines that begin with /; LinuxCNC skips them only if the operator's switch is on.
     tools : str, Path, or None
         LinuxCNC tool table, for G43. Without it all tools have length 0.
+    parameters : str, Path, or None
+        LinuxCNC parameter file, with the work offsets. Without it all are zero.
+    unit : {"mm", "inch"}
+        Machine unit: of tool table, parameter file and a program that sets none.
+    zero : str
+        Zero of the program in machine coordinates, such as ``"100, 100, -20"`` in the machine unit: the origin of every coordinate system.
+    startup : str
+        Block that the control executes before the program.
     folder : Path or None
         Folder of subprogram files; by default that of the program.
+    subprograms : tuple of str
+        Further folders of subprogram files.
     most_moves : int, > 0
         Most lines that loops and subprograms execute, plus moves of cycles: a few lines can make any number. A line counts once more for
         each 32 characters. Plain lines are not limited.
@@ -65,7 +76,12 @@ class Reading:
     require_end: bool = True
     block_delete: bool = False
     tools: str | Path | None = field(default=None, metadata=setting())
+    parameters: str | Path | None = field(default=None, metadata=setting())
+    unit: Literal["mm", "inch"] = "mm"
+    zero: str = field(default="", metadata=setting())
+    startup: str = field(default="", metadata=setting(maximum=255))
     folder: Path | None = None
+    subprograms: tuple[str, ...] = field(default=(), metadata=setting())
     most_moves: int = field(default=500_000, metadata=setting(minimum=1))
 
     def __post_init__(self) -> None:
@@ -73,6 +89,25 @@ class Reading:
             raise ProgramError(f"unknown dialect {self.dialect!r}: use {', '.join(get_args(Dialect))}")
         if self.most_moves < 1:
             raise ProgramError(f"most_moves = {self.most_moves}: write a number from 1")
+        if self.zero:
+            self.origin  # noqa: B018  # it may be no point
+
+    @property
+    def origin(self) -> Point:
+        """Zero of the program [m].
+
+        Raises
+        ------
+        ProgramError
+            If `zero` is no point.
+        """
+        try:
+            x, y, z = (metres(float(text), self.unit == "mm") for text in self.zero.split(","))
+        except ValueError:
+            x = y = z = math.nan
+        if not all(map(math.isfinite, (x, y, z))):
+            raise ProgramError(f'zero = {self.zero!r}: write three numbers, x, y and z, in {self.unit}, such as "100, 100, -20"')
+        return x, y, z
 
 
 class Reader:
@@ -128,9 +163,17 @@ class Reader:
         self.name, self.reading, self.problems = name, reading or Reading(), problems
         self.notices: list[Notice] = []
         self._known: set[str] = set()
-        self.state = ModalState(tools=Tools() if self.reading.tools is None else read_tools(self.reading.tools), still=still)
+        is_mm, tools = self.reading.unit == "mm", self.reading.tools
+        self.state = ModalState(tools=Tools() if tools is None else read_tools(tools, is_mm), still=still, millimetres=is_mm)
         self.parameters = Parameters(self.state.shown_position)
         self.state.parameters = self.parameters
+        if self.reading.parameters is not None:
+            read_parameters(self.reading.parameters, self.parameters, is_mm)
+        if self.reading.zero:
+            for system in range(1, len(SYSTEMS) + 1):
+                store_origin(self.parameters, system, self.reading.origin, 0.0)
+        if self.reading.parameters is not None or self.reading.zero:
+            self.state.take_offsets()
         self._lines, self._n_read = iter(lines), 0
         self.walker = Walker(Tape(self._framed(), str(name)), self.parameters, self._subprogram, self.reading.most_moves)
         self.parameters.own = own_names(self.state, lambda: self.walker.place[1])
@@ -146,6 +189,7 @@ class Reader:
             With file, line and column, when the faulty line is reached; at the end if there is no motion, or no end.
         """
         walker, state, moved = self.walker, self.state, False
+        self._start_up()
         lines = walker.lines()
         while True:
             try:
@@ -173,6 +217,16 @@ class Reader:
                     self._take(fault)
             del self.notices[MOST_NOTICES:]
         self._check_end(moved)
+
+    def _start_up(self) -> None:
+        """Execute the block that the control executes before each program."""
+        try:
+            block = read_block(self.reading.startup, self.parameters) if self.reading.startup else None
+            moves = execute(block, self.state, 0) if block else []
+        except BlockError as fault:
+            raise fault.raised(f"{fault.message}, in the start-up code {self.reading.startup!r}", file=self.name) from None
+        if moves:
+            raise ProgramError(f"CL846 the start-up code {self.reading.startup!r} moves axes: leave out its moves", file=self.name)
 
     def _take(self, fault: BlockError) -> None:
         """Store a fault if faults are collected and reading can continue; raise it otherwise."""
@@ -247,8 +301,10 @@ class Reader:
         """Return the lines of a subprogram file."""
         if self.reading.folder is None or not re.fullmatch(r"[a-z0-9_.-]+", label):
             return None
-        file = self.reading.folder / f"{label}.ngc"
-        return Tape(iter(split_lines(read_text(file))), str(file)) if file.is_file() else None
+        folders = [self.reading.folder, *map(Path, self.reading.subprograms)]
+        files = (folder / f"{label}.ngc" for folder in folders)
+        file = next((file for file in files if file.is_file()), None)
+        return None if file is None else Tape(iter(split_lines(read_text(file))), str(file))
 
     def _check_end(self, moved: bool) -> None:
         if self.state.curve.points:

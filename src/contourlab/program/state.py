@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Literal, TypeAlias
 
 from contourlab.errors import ProgramError
-from contourlab.program.block import SELECTED_SYSTEM, Parameters, Word
+from contourlab.program.block import LARGEST_PARAMETER, SELECTED_SYSTEM, Parameters, Word
 from contourlab.program.moves import PLAIN, Dwell, Event, Feed, Mode, Move, Plane, Point, Traverse
 from contourlab.program.vocabulary import SYSTEMS, BlockError
 
@@ -59,6 +59,11 @@ class Frame:
     def point(self, axes: Point) -> Point:
         """Return the point of the program [m] at given axis positions [m]."""
         return axes if self.plain else less(turn(less(less(axes, self.tool), self.origin), -self.rotation), self.shift)
+
+
+def metres(value: float, millimetres: bool) -> float:
+    """Convert a length in mm or inch to metres; division keeps decimals exact to the last bit."""
+    return value / 1000.0 if millimetres else value * 0.0254
 
 
 def add(a: Point, b: Point) -> Point:
@@ -104,6 +109,9 @@ def store_shift(parameters: Parameters, shift: Point, applied: bool) -> None:
     parameters.write_point(SHIFT_APPLIED + 1, shift)
 
 
+_POINTS = (5161, 5181, SHIFT_APPLIED + 1, *(_FIRST_OF_SYSTEM + _PER_SYSTEM * system for system in range(1, 10)))
+"""First parameters of the points X, Y, Z, A, B, C, U, V, W."""
+_ANGLES = (3, 4, 5)
 LARGEST_TOOL = 99_999
 _ENTRY = re.compile(r"([A-Za-z])\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))")
 _LENGTHS = "XYZ"
@@ -145,28 +153,60 @@ class Tools:
         return self.offsets.get(number, ORIGIN)
 
 
-def read_tools(file: str | Path) -> Tools:
-    """Read a LinuxCNC tool table: one tool on a line, as in ``T1 P1 D3.0 Z+25.4 ; end mill``; lengths in mm.
+def read_parameters(file: str | Path, parameters: Parameters, millimetres: bool = True) -> None:
+    """Take parameters from a LinuxCNC parameter file: number and value on each line, lengths in mm or inch.
+
+    Raises
+    ------
+    ProgramError
+        If the file cannot be read, or a line is none of a parameter.
+    """
+    for number, line in enumerate(_lines("parameter file", file), start=1):
+        words = line.split("#")[0].split()
+        if not words:
+            continue
+        try:
+            key, value = int(words[0]), float(words[1])
+            if not (1 <= key <= LARGEST_PARAMETER and math.isfinite(value)):
+                raise ValueError
+        except (ValueError, IndexError):
+            cure = "write a number and its value, such as 5221 100.0"
+            raise ProgramError(f"CL849 this is not a line of a parameter file: {cure}", file=file, line=number) from None
+        # Points and offsets are in machine units, here in mm.
+        parameters.write(key, value * 25.4 if _is_length(key) and not millimetres else value)
+
+
+def _is_length(key: int) -> bool:
+    """Return whether a parameter of the file is a linear coordinate: of G28, G30, G92 or a coordinate system."""
+    first = next((first for first in _POINTS if first <= key < first + 9), None)
+    return first is not None and (key - first) % 9 not in _ANGLES
+
+
+def _lines(what: str, file: str | Path) -> list[str]:
+    try:
+        return Path(file).read_text(encoding="utf-8-sig", errors="replace").splitlines()
+    except (OSError, ValueError) as error:
+        raise unreadable(what, file, error) from error
+
+
+def read_tools(file: str | Path, millimetres: bool = True) -> Tools:
+    """Read a LinuxCNC tool table: one tool on a line, as in ``T1 P1 D3.0 Z+25.4 ; end mill``; lengths in mm or inch.
 
     Raises
     ------
     ProgramError
         If the file cannot be read, or a line describes no tool.
     """
-    try:
-        text = Path(file).read_text(encoding="utf-8-sig", errors="replace")
-    except (OSError, ValueError) as error:
-        raise unreadable("tool table", file, error) from error
     tools = Tools()
     tools.complete = True
-    for number, line in enumerate(text.splitlines(), start=1):
+    for number, line in enumerate(_lines("tool table", file), start=1):
         entry = line.split(";")[0].strip()
         if entry:
-            _add(tools, entry, file, number)
+            _add(tools, entry, millimetres, file, number)
     return tools
 
 
-def _add(tools: Tools, entry: str, file: str | Path, line: int) -> None:
+def _add(tools: Tools, entry: str, millimetres: bool, file: str | Path, line: int) -> None:
     if _ENTRY.sub("", entry).strip():
         cure = "write words such as T1 P1 D3.0 Z+25.4, and comments after ';'"
         raise ProgramError(f"CL849 this is not a line of a tool table: {cure}", file=file, line=line)
@@ -181,9 +221,9 @@ def _add(tools: Tools, entry: str, file: str | Path, line: int) -> None:
         )
     if int(tool) in tools.offsets:
         raise ProgramError(f"CL849 tool {int(tool)} is listed twice: delete one of the lines", file=file, line=line)
-    x, y, z = (words.get(letter, 0.0) / 1000.0 for letter in _LENGTHS)
+    x, y, z, diameter = (metres(words.get(letter, 0.0), millimetres) for letter in (*_LENGTHS, "D"))
     tools.offsets[int(tool)] = (x, y, z)
-    tools.diameters[int(tool)] = words.get("D", 0.0) / 1000.0
+    tools.diameters[int(tool)] = diameter
 
 
 LARGEST_LENGTH = 1e3
@@ -264,8 +304,8 @@ class ModalState:
     made: int = 0
 
     def length(self, value: float) -> float:
-        """Convert a length in program units to metres; division keeps decimals exact to the last bit."""
-        return value / 1000.0 if self.millimetres else value * 0.0254
+        """Convert a length in program units to metres."""
+        return metres(value, self.millimetres)
 
     def shown(self, length: float) -> float:
         """Convert metres to program units."""
@@ -376,6 +416,15 @@ class ModalState:
     def tell(self, word: str, value: float | None, line: int, index: float | None = None) -> None:
         """Record an event with its place among the moves."""
         self.events.append(Event(word, value, line, index, self.made))
+
+    def take_offsets(self) -> None:
+        """Select the coordinate system and the shift of G92 that the parameters hold."""
+        axes, system = self.axes, int(self.parameters.number(SELECTED_SYSTEM))
+        self.frame.system = system if 1 <= system <= len(SYSTEMS) else 1
+        self.frame.origin, self.frame.rotation = origin_of(self.parameters, self.frame.system)
+        if self.parameters.number(SHIFT_APPLIED):
+            self.frame.shift = self.parameters.point(SHIFT_APPLIED + 1)
+        self.see_from(axes)
 
     def see_from(self, axes: Point) -> None:
         """Recompute the programmed point after a change of the offsets, from the axis positions [m] before the change."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from contourlab.components.contract import Component, Parameter
 from contourlab.components.origin import Origin
 from contourlab.components.plant.plant import Plant
 from contourlab.components.registry import component, components
+from contourlab.controls import ControlFile
 from contourlab.errors import ComponentError, UnitError, hint, refuse
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Division, Limits, Machine
 from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS, NAMED_SLOTS
@@ -187,8 +189,8 @@ def _error(table: Table) -> AxisError:
         return AxisError(position, lead_error, **plain)
 
 
-def build_machine(part: Table) -> Machine:
-    """Return a machine from its tables ``machine`` and ``axes``.
+def build_machine(part: Table, controls: Sequence[ControlFile] = ()) -> Machine:
+    """Return a machine from its tables ``machine`` and ``axes``; `controls` are the files of a control from which a table may come.
 
     Raises
     ------
@@ -214,11 +216,21 @@ def build_machine(part: Table) -> Machine:
     angles, origins = without_origins(table.table("squareness"))
     plain["origins"] |= {f"squareness.{pair}": origin for pair, origin in origins.items()}
     with located(table):
-        machine = Machine(**plain, axes=built, squareness=_squareness(angles, names))
+        machine = Machine(**plain, axes=built, squareness=_squareness(angles, names), control=_control(part, controls))
     parts = {f"{axis.name}.{slot}": part for axis in built for slot in AXIS_SLOTS if isinstance(part := getattr(axis, slot), Component)}
     nodes = {f"{name}.{slot}": node for name in names for slot, node in axes.table(name).entries.items()}
     within = [(f"{axis.name}.{first}", f"{axis.name}.{second}", value) for axis in built for first, second, value in axis.correlations]
     return replace(machine, correlations=read_correlations(table, parts, nodes, within))
+
+
+def _control(part: Table, controls: Sequence[ControlFile]) -> ControlFile | None:
+    """Return the control's own file of a machine; an axis is modelled once it has a plant from elsewhere."""
+    control = next((control for control in controls if str(control.file) == part.table("machine").file), None)
+    if control is None:
+        return None
+    plants = {name: part.table("axes").table(name).table("plant").entries.values() for name in control.unmodelled}
+    left = {name: why for name, why in control.unmodelled.items() if all(node.file == str(control.file) for node in plants[name])}
+    return replace(control, unmodelled=left)
 
 
 def _axis_names(table: Table) -> list[str]:
@@ -286,7 +298,7 @@ def _axis_controller(table: Table, machine: Machine, name: str) -> AxisControlle
     if isinstance(supervisor, Table) and "kind" not in supervisor.entries:
         table = table.having(supervisor=supervisor.having(kind=Leaf(SUPERVISOR, supervisor.file, supervisor.at("kind"))))
     parts = _parts(table, ("predictor", "velocity", *_OPTIONAL), units, ("predictor", *_OPTIONAL))
-    model = model_of(machine, axis, parts.get("observer"))
+    model = partial(model_of, machine, axis, parts.get("observer"))
     parts["controller"] = _position(table.entries["controller"], units, model)
     filters, others = table.table("filters"), table.table("others")
     parts["filters"] = _named(filters, lambda node: read_component(node, "filter", units, optional=True))
@@ -360,7 +372,7 @@ def model_of(machine: Machine, axis: Axis, observer: Component | None) -> tuple[
     return model
 
 
-def _position(node: Node, units: tuple[str, str], model: tuple[float, float]) -> Any:
+def _position(node: Node, units: tuple[str, str], model: Callable[[], tuple[float, float]]) -> Any:
     if isinstance(node, Leaf) or "gains" not in node.entries:
         return read_component(node, "controller", units)
     kind = find_kind(node, "controller")
@@ -375,7 +387,8 @@ def _position(node: Node, units: tuple[str, str], model: tuple[float, float]) ->
     own = read_parameters(kind.kind, parameters_of(kind, units), rest.only(*{"model_gain", "model_damping"} & set(kind.parameters)))
     with located(gains):
         defaults = {name: parameter.default for name, parameter in wishes.items()}
-        placed = kind.designed(defaults | wanted, float(own.get("model_gain", model[0])), float(own.get("model_damping", model[1])))
+        gain, damping = model()
+        placed = kind.designed(defaults | wanted, float(own.get("model_gain", gain)), float(own.get("model_damping", damping)))
     return read_component(rest, "controller", units, given=placed)
 
 

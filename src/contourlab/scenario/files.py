@@ -8,8 +8,10 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 
+from contourlab.controls import ControlFile, control_file
 from contourlab.errors import ScenarioError, hint, refuse
-from contourlab.scenario.tree import DEFAULT, Leaf, Node, Table, located, merge, read_tree
+from contourlab.file_kinds import mistaken
+from contourlab.scenario.tree import DEFAULT, Leaf, Node, Table, from_mapping, located, merge, read_tree
 
 BUILTIN = "builtin:"
 """Prefix of shipped files."""
@@ -18,6 +20,7 @@ EVERY = "*"
 """Name for every axis, as in ``[controller.axes."*"]``."""
 
 
+_MACHINES = "name a file with [machine], the INI file of a LinuxCNC, what $$ of grbl prints, or the config.yaml of FluidNC"
 _KINDS = {
     "machine_file": ("a machine",),
     "controller_file": ("a controller",),
@@ -84,16 +87,25 @@ class Reader:
         Files being read, outermost first, to detect cycles.
     seen : list of Path
         All files read so far; derived readers share it.
+    controls : list of ControlFile
+        Machines read from a control's own file so far; derived readers share it.
     """
 
     names: tuple[str, ...] = ()
     open_files: tuple[Path, ...] = ()
     seen: list[Path] = field(default_factory=list)
+    controls: list[ControlFile] = field(default_factory=list)
 
     def file(self, path: Path, *wanted: str) -> Table:
-        """Read a file of one of the kinds wanted."""
-        self.seen.append(path)
-        return read_tree(path, *wanted)
+        """Read a file of one of the kinds wanted; a machine may be the file of a control."""
+        control = control_file(path) if "a machine" in wanted else None
+        self.seen.extend([path] if control is None else [path, *control.files])
+        if control is None and "a machine" in wanted and path.suffix.lower() not in (".toml", "") and path.is_file():
+            raise ScenarioError(mistaken(path, *wanted) or f"is no machine: {_MACHINES}", file=path)
+        if control is None:
+            return read_tree(path, *wanted)
+        self.controls.append(control)
+        return from_mapping({name: control.tables[name] for name in ("machine", "axes")}, str(path))
 
     def include(self, leaf: Leaf, part: Callable[[Reader, Table], Table]) -> Table:
         """Return the content of the file that `leaf` names, read by `part` and marked `afresh`.

@@ -17,7 +17,7 @@ from contourlab.loop import Axis, Change, Controller, Machine
 from contourlab.program import Reading, read_program
 from contourlab.scenario.build import build_axis, build_controller, build_machine, in_place, read_component, units_of
 from contourlab.scenario.files import BUILTIN, EVERY, Reader, builtin_file, builtin_names, join, listed, shipped_hint, spread
-from contourlab.scenario.placing import fitted
+from contourlab.scenario.placing import fitted, unplaced, zero_known
 from contourlab.scenario.quantities import read_number
 from contourlab.scenario.tables import read_values
 from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, located, merge, parse_tree, same_table, settle
@@ -93,7 +93,7 @@ def read_motion(content: Table, machine: Machine) -> Motion:
     given = read_values(node, PartProgram, Reading, needed=("file",))
     file, fit, own = given.pop("file"), given.pop("fit", False), given.pop("letters", None)
     letters = tuple(name.lower() for name in machine.axis_names) if own is None else own
-    names, reading = ", ".join(machine.axis_names), Reading(**given)
+    names, reading = ", ".join(machine.axis_names), reading_on(machine, given)
     strange = own is None and not set(letters) <= set("xyz")
     rules: _Rules = [
         ("letters", len(letters) != len(machine.axes), f"{len(letters)} letters for the axes {names}: write one for each"),
@@ -111,6 +111,13 @@ def read_motion(content: Table, machine: Machine) -> Motion:
         raise node.error(str(error), "file") from error
     program, note = fitted(program, letters, machine) if fit else (program, "")
     return PartProgram(file, program, letters, reading, fit, note)
+
+
+def reading_on(machine: Machine, given: Mapping[str, Any]) -> Reading:
+    """Return how a machine reads a part program: as its control's own file says, with what is given."""
+    control = machine.control
+    own = {} if control is None else read_values(from_mapping(control.tables.get("program", {}), str(control.file), "program"), Reading)
+    return Reading(**{**own, **given})
 
 
 def _contour(node: Node, machine: Machine) -> Contour:
@@ -286,7 +293,7 @@ def load_machine(file: str | Path, plugins: Sequence[str | Path] = ()) -> Machin
     if {"machine", "controller"} <= set(content.entries):
         _name(content)
         content = content.only("machine", "axes")
-    return build_machine(settle(reader.machine_file(content)))
+    return build_machine(settle(reader.machine_file(content)), reader.controls)
 
 
 def controller_axes(file: str | Path, plugins: Sequence[str | Path] = ()) -> tuple[str, ...]:
@@ -412,7 +419,7 @@ def changed_case(file: str | Path, scheme: str, changes: Table, plugins: Sequenc
 def scenario_from_parts(
     program: str | Path | None,
     machine: str | Path,
-    controller: str | Path,
+    controller: str | Path | None = None,
     *,
     contour: Mapping[str, Any] | None = None,
     feed: Mapping[str, Any] | None = None,
@@ -428,7 +435,7 @@ def scenario_from_parts(
     program : str, Path or None
         Part program; None with a contour.
     machine, controller : str or Path
-        Files, or names of shipped ones with or without ``builtin:``.
+        Files, or names of shipped ones with or without ``builtin:``. The machine may be a control's own file, which has a controller.
     contour, feed, run : mapping, optional
         As the tables of a scenario file: ``feed={"override": 0.8}``, ``run={"tolerance": "20 um"}``.
     options : mapping, optional
@@ -444,7 +451,8 @@ def scenario_from_parts(
         As `load_scenario`.
     """
     _load_plugins(plugins)
-    values: dict[str, Any] = {"machine": named_file(machine), "controller": named_file(controller, "controller")}
+    values: dict[str, Any] = {"machine": named_file(machine)}
+    values |= {} if controller is None else {"controller": named_file(controller, "controller")}
     part = None if program is None else {"file": str(program), **(options or {})}
     given = {"program": part, "contour": contour, "feed": feed, "run": run, "name": name or None}
     values |= {key: value for key, value in given.items() if value is not None}
@@ -489,7 +497,8 @@ def parse_scenario(text: str, name: str = "<text>", plugins: Sequence[str | Path
 def _name(content: Table) -> str:
     """Check the keys of a scenario, and return its name."""
     parts = ("axes", "contour", "program", "feed", "run", "learning", "schemes")
-    name: str = read_values(content, Scenario, needed=("machine", "controller"), parts=parts).get("name", "")
+    needed = ("machine",) if "machine" in content.entries else ("machine", "controller")
+    name: str = read_values(content, Scenario, needed=needed, parts=(*parts, "controller")).get("name", "")
     return name
 
 
@@ -500,12 +509,25 @@ def _scenario(reader: Reader, content: Table, path: Path) -> Scenario:
         raise content.error("contour and program are both given: delete one" if both else "contour or program is missing: write one")
     machine = reader.machine(content.only("machine", "axes"))
     reader = replace(reader, names=listed(machine))
+    content = _under_control(content, machine, reader)
     layers = content.only("feed", "run", "learning").having(machine=machine, controller=reader.controller(content.entries["controller"]))
-    motion = read_motion(content, build_machine(settle(machine)))
+    motion = read_motion(content, build_machine(settle(machine), reader.controls))
     base = _case("base", layers, motion, content, reader)
     schemes = content.table("schemes")
     cases = tuple(_case(name, _over(reader, layers, schemes.table(name)), motion, schemes.table(name), reader) for name in schemes.entries)
     return Scenario(name or _title(path), path, base, cases, tuple(dict.fromkeys(reader.seen)))
+
+
+def _under_control(content: Table, machine: Table, reader: Reader) -> Table:
+    """Return a scenario with the controller and the feed of the control whose own file its machine is, where it has none itself."""
+    control = next((control for control in reader.controls if str(control.file) == machine.table("machine").file), None)
+    own = {} if control is None else {name: control.tables[name] for name in ("controller", "feed") if name in control.tables}
+    base = from_mapping(own, machine.table("machine").file)
+    feed = {"feed": merge(base.table("feed"), content.table("feed"))} if "feed" in own else {}
+    content = Table({**base.entries, **content.entries, **feed}, content.file, content.key)
+    if "controller" not in content.entries:
+        raise content.error("1 key is missing: controller")
+    return content
 
 
 def _over(reader: Reader, base: Table, scheme: Table) -> Table:
@@ -542,7 +564,9 @@ def _check_axes(over: Node, names: tuple[str, ...], base: Node) -> None:
 def _case(name: str, layers: Table, motion: Motion, place: Table, reader: Reader) -> Case:
     if not name.strip() or len(name) > 80 or not name.isprintable():
         raise place.error("name the scheme with up to 80 letters, digits and spaces")
-    machine, node = build_machine(settle(layers.table("machine"))), layers.entries["controller"]
+    machine, node = build_machine(settle(layers.table("machine")), reader.controls), layers.entries["controller"]
+    if isinstance(motion, PartProgram) and not zero_known(machine, motion.reading):
+        machine = unplaced(machine)
     if isinstance(node, Leaf):
         raise node.error("write a table [controller], or the name of its file")
     controller = build_controller(settle(spread(node, machine.axis_names)), machine)

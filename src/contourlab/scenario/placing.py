@@ -18,11 +18,11 @@ from contourlab.geometry.line_and_arc import Arc, Line
 from contourlab.geometry.nurbs import BSpline, Nurbs
 from contourlab.geometry.parametric import EllipticalArc
 from contourlab.geometry.path import boxes
-from contourlab.loop import Machine
+from contourlab.loop import Limits, Machine
 from contourlab.loop.feeding import BLOCK
 from contourlab.loop.simulate import jit_enabled, sampler
 from contourlab.program import Arc as ProgramArc
-from contourlab.program import Dwell, Move, Point, Program, Spline
+from contourlab.program import Dwell, Move, Point, Program, Reading, Spline
 
 MARGIN = 0.01
 """Share of the travel left free at either end of a fitted program."""
@@ -95,6 +95,21 @@ def _moved(curve: Curve, move: Array) -> Curve:
         case Nurbs():
             return Nurbs(curve.degree, _wide(curve.points, move.size) + move, curve.knots, curve.weights)
     return _Moved(curve, move)
+
+
+def zero_known(machine: Machine, reading: Reading) -> bool:
+    """Return whether a program's zero in machine coordinates is known; a machine of our own files has it at machine zero."""
+    return machine.control is None or reading.parameters is not None or bool(reading.zero)
+
+
+def unplaced(machine: Machine) -> Machine:
+    """Return a machine whose travels are lengths: the part must fit into them, wherever its zero is."""
+
+    def length(limits: Limits) -> Limits:
+        low, high = limits.ends
+        return replace(limits, travel=high - low) if math.isfinite(high - low) else limits
+
+    return replace(machine, axes=tuple(replace(axis, limits=length(axis.limits)) for axis in machine.axes))
 
 
 def fitted(program: Program, letters: Sequence[str], machine: Machine) -> tuple[Program, str]:

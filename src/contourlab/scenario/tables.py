@@ -155,7 +155,7 @@ def table_of(value: Any, *, defaults: bool = True) -> dict[str, Any]:
         item = getattr(value, field.name)
         if Path in forms and item is not None:
             item = Path(item)
-        idle = item is None or (isinstance(item, np.ndarray) and not item.size) or _infinite(item)
+        idle = item is None or item in ("", ()) or _infinite(item) if not isinstance(item, np.ndarray) else not item.size
         if not idle and (defaults or isinstance(item, np.ndarray) or item != field.default):
             table[name] = written(item, about)
     return with_origins(table, getattr(value, "origins", {}))

@@ -14,6 +14,7 @@ from contourlab.arrays import Array, Index
 from contourlab.components.contract import Component
 from contourlab.errors import ParameterError, UnitError
 from contourlab.loop import Controller, Machine, parameters_of
+from contourlab.loop.machine import require_loops
 from contourlab.loop.parameters import declared, matching
 from contourlab.scenario.quantities import read_number
 from contourlab.units import from_si, in_si
@@ -219,6 +220,7 @@ class Space:
         if machine_only:
             known = {name: found for name, found in known.items() if name.startswith("axes.")}
         if not texts:
+            require_loops(machine)
             names = [name for name in calibration_order(machine, controller) if getattr(*known[name]) not in (0.0, math.inf)]
             return Space(tuple(_variable(name, known[name], machine, "", width) for name in names))
         asked: dict[str, str] = {}

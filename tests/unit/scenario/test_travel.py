@@ -14,9 +14,9 @@ from contourlab.features.check.program_check import check
 from contourlab.features.machines.answers import preset_file, read_answers
 from contourlab.features.machines.new_machine import new_machine, write_machine
 from contourlab.features.run.outcome import run_case
-from contourlab.features.run.trust import numbers_of_machine
 from contourlab.geometry.path import boxes
 from contourlab.loop import Limits
+from contourlab.rendering.origins import numbers_of_machine
 from contourlab.scenario import Scenario, dump, load_machine, parse_scenario, scenario_from_parts
 
 HEAD = "G21 G90 G17 G61 F6000\n"

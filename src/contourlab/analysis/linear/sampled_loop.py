@@ -281,7 +281,15 @@ def _sent(name: str, controller: Controller, opened: TickMap) -> Array:
 
 
 def linear_axis(axis: Axis, carried_mass: float) -> Axis:
-    """Return the axis alone, without nonlinear parts."""
+    """Return the axis alone, without nonlinear parts.
+
+    Raises
+    ------
+    ComponentError
+        If its plant takes positions.
+    """
+    if axis.plant.takes_position:
+        raise ComponentError(f"axis {axis.name}: a {axis.plant.kind} takes positions: the control closes no loop, so there are no margins")
     plant, drive = axis.plant.loaded(carried_mass).linear(), without_limit(axis.drive)
     return Axis(axis.name, plant, drive=drive, limits=axis.limits, substeps=axis.substeps)
 

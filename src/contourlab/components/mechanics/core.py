@@ -29,6 +29,7 @@ from typing import Any
 
 from contourlab.components.contract import Component
 from contourlab.components.friction.laws import NoFriction
+from contourlab.components.mechanics.following import following
 from contourlab.components.mechanics.laws import friction_of
 from contourlab.components.mechanics.propagator import DOUBLINGS, land, propagator, speed
 from contourlab.engine.step import Port, Step, record
@@ -45,7 +46,12 @@ def friction_prefix(plant: Any) -> str:
     return LOAD_FRICTION if getattr(plant, "two_sided", False) else ""
 
 
-def link(plant: Component, friction: Component, motor_friction: Component | None = None) -> Step:
+def moves_its_count(plant: Any) -> bool:
+    """Tell whether a step count pulls the plant along: its step covers a servo period with all sub-steps."""
+    return hasattr(plant, "pull")
+
+
+def link(plant: Component, friction: Component, motor_friction: Component | None = None, substeps: int = 1) -> Step:
     """Return the step of a plant with its friction.
 
     Parameters
@@ -54,6 +60,8 @@ def link(plant: Component, friction: Component, motor_friction: Component | None
     friction : Component of the family friction
     motor_friction : Component of the family friction, optional
         Of the motor, on a plant with two sides; its parameters have the prefix `MOTOR_FRICTION`.
+    substeps : int
+        Within the step of a plant that a step count pulls along; the engine repeats the steps of all others.
 
     Raises
     ------
@@ -74,7 +82,8 @@ def link(plant: Component, friction: Component, motor_friction: Component | None
     parameters = (*plant.numeric(), *plant.derived, *friction.numeric(), *friction.derived)
     states = (*plant.states, *friction.states)
     kinds: tuple[Any, Any] = (type(plant), type(friction))
-    return Step(f"plant/{plant.kind}+{friction.kind}", makers[law](*kinds), parameters, (), "", states, plant.inputs, plant.outputs)
+    function = following(*kinds, makers[law], substeps) if moves_its_count(plant) else makers[law](*kinds)
+    return Step(f"plant/{plant.kind}+{friction.kind}", function, parameters, (), "", states, plant.inputs, plant.outputs)
 
 
 def _two_sided(plant: Any, friction: Component, motor_friction: Component) -> Step:

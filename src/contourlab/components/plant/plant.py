@@ -26,7 +26,7 @@ class Plant(Component):
     """
 
     family = "plant"
-    command_unit: ClassVar[str] = "N"
+    command_unit = "N"
     force_unit: ClassVar[str] = "N"
     two_sided: ClassVar[bool] = False
     rest_depends: ClassVar[tuple[str, ...]] = ()
@@ -39,6 +39,11 @@ class Plant(Component):
     def rigid_model(self) -> tuple[float, float]:
         """Return gain a [m/s^2 per command] and damping b [1/s] of v' = a u - b v, the plant for slow motions."""
         raise NotImplementedError
+
+    @property
+    def takes_position(self) -> bool:
+        """Whether its command is a position: then it closes its own loop, or needs none."""
+        return self.command_unit == "m"
 
     @property
     def knows_mass(self) -> bool:

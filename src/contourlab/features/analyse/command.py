@@ -29,6 +29,7 @@ from contourlab.features.run.command import file_names
 from contourlab.features.run.source import Source, scenario_asked
 from contourlab.figures import NONE, listing, number
 from contourlab.findings import Finding, finding
+from contourlab.loop.machine import require_loops
 from contourlab.rendering.charts import Chart, Curve, Level, Panel
 from contourlab.rendering.margin_words import decibel, degrees, gain_words, phase_words
 from contourlab.rendering.style import scheme_style
@@ -198,6 +199,7 @@ def analyse(*source: Source, settings: Analyse, session: Session = QUIET) -> Ana
 
 def _analyse(case: Case, whole: bool) -> SchemeAnalysis:
     machine, controller = case.machine, case.controller
+    require_loops(machine)
     margins: dict[str, Margins] = {}
     unknown: list[Finding] = []
     for axis in machine.axes:

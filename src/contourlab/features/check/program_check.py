@@ -17,7 +17,7 @@ from contourlab.errors import ContourlabError, ProgramError
 from contourlab.features.check.options import Check
 from contourlab.features.check.reading import reading_of
 from contourlab.findings import Finding, finding
-from contourlab.program import Arc, Dwell, Feed, Move, Program, Reader, Spline, Traverse, open_program
+from contourlab.program import Arc, Dwell, Feed, Move, Program, Reader, Reading, Spline, Traverse, open_program
 from contourlab.program.reader import NO_END
 from contourlab.rendering.table import paragraphs
 
@@ -73,8 +73,8 @@ class Checked(Answer):
     box : dict of str to (float, float) [m]
         Extent by axis.
     cycle_time, dwell, feed_time_without_acceleration : float [s]
-    machine : dict of str to str
-        Name and file.
+    machine : dict of str to object
+        Name and file; of a control's own file also the control, as ``source``, and the ``origin`` of each number.
     added_stops : int
         Stops that only the check makes, because it plans long programs in parts.
     """
@@ -93,7 +93,7 @@ class Checked(Answer):
     cycle_time: float | None = None
     dwell: float | None = None
     feed_time_without_acceleration: float | None = None
-    machine: dict[str, str] = field(default_factory=dict)
+    machine: dict[str, Any] = field(default_factory=dict)
     added_stops: int = 0
 
     @property
@@ -168,9 +168,8 @@ def check(file: str | Path, *, settings: Check, session: Session = QUIET) -> Che
         If the machine cannot be read.
     """
     problems: list[ProgramError] = []
-    seen, motion = _Seen(), PlannedMotion(settings.machine)
-    chosen, stages = reading_of(file, settings), session.stages()
-    with open_program(file, chosen, problems=problems) as reader:
+    seen, motion, stages = _Seen(), PlannedMotion(file, settings), session.stages()
+    with open_program(file, motion.reading, problems=problems) as reader:
         stages.begin(f"reading {Path(file).name}")
         for part in parts(reader, problems):
             seen.add(part.program)
@@ -275,12 +274,19 @@ class PlannedMotion:
 
     Parameters
     ----------
-    given : str, Path or Machine, optional
-        As for `contourlab.check`.
+    file : str or Path
+        The part program.
+    settings : Check
+
+    Attributes
+    ----------
+    reading : Reading
+        How the program is read; the file of a control says that, too.
     """
 
-    def __init__(self, given: str | Path | Machine | None) -> None:
-        self._given = given
+    def __init__(self, file: str | Path, settings: Check) -> None:
+        self._given: str | Path | Machine | None = settings.machine
+        self.reading = reading_of(file, settings)
         self.problems: list[ContourlabError] = []
         self._sums = np.zeros(5)  # feed and rapid length, cycle time, dwells, time of the feed moves at their feedrates
         self._stops = 0
@@ -290,8 +296,10 @@ class PlannedMotion:
     def machine(self) -> Machine:
         """The machine; read when something moves."""
         from contourlab.scenario.load import machine_of
+        from contourlab.scenario.placing import unplaced, zero_known
 
-        return machine_of(DEFAULT_MACHINE if self._given is None else self._given)
+        machine = machine_of(DEFAULT_MACHINE if self._given is None else self._given)
+        return machine if zero_known(machine, self.reading) else unplaced(machine)
 
     @cached_property
     def travel(self) -> TravelCheck:
@@ -343,13 +351,13 @@ class PlannedMotion:
         given = DEFAULT_MACHINE if self._given is None else self._given
         file = named_file(given) if isinstance(given, str | Path) else ""
         return {
-            "findings": (*self._outside(), *travel_unknown(self.machine), *self._assumed.values()),
+            "findings": (*self._outside(), *about_machine(self.machine, self.reading), *self._assumed.values()),
             "length": {"feed": feed, "rapid": rapid},
             "box": dict(zip(self.machine.axis_names, extent, strict=True)),
             "cycle_time": cycle_time,
             "dwell": dwell,
             "feed_time_without_acceleration": at_feedrate,
-            "machine": {"name": self.machine.name, "file": file},
+            "machine": {"name": self.machine.name, "file": file, **origin_of(self.machine)},
             "added_stops": self._stops,
         }
 
@@ -369,10 +377,28 @@ class PlannedMotion:
 # --- what `run` says too about a program on a machine ---
 
 
-def travel_unknown(machine: Machine) -> Iterator[Finding]:
-    """Yield a finding that names the axes without a travel, if there are any."""
+def about_machine(machine: Machine, reading: Reading | None) -> Iterator[Finding]:
+    """Yield what its own file says of a machine, which axes have no travel, and whether the zero of a program read so is unknown."""
+    from contourlab.scenario.placing import zero_known
+
+    yield from machine.control.findings if machine.control else ()
     if unknown := [axis.name for axis in machine.axes if not axis.limits.bounded]:
         yield finding("CL479", axes=unknown, machine=machine.name)
+    if reading is not None and not zero_known(machine, reading):
+        yield finding("CL985", machine=machine.name)
+
+
+_KINDS_OF_ORIGIN = {"control": "read", "computed": "computed", "assumed": "guessed"}
+
+
+def origin_of(machine: Machine) -> dict[str, Any]:
+    """Return the control of a machine and where each number comes from, if it is read from a control's own file."""
+    from contourlab.rendering.origins import numbers_of_machine, stated
+
+    if machine.control is None:
+        return {}
+    kinds = {number.name: _KINDS_OF_ORIGIN.get(number.source, number.source) for number in stated(numbers_of_machine(machine))}
+    return {"source": machine.control.control, "origin": kinds}
 
 
 def path_mode_assumed(moves: Iterable[Move], tolerance: float) -> Iterator[Finding]:

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from contourlab.app.shared_options import Dialect
+from contourlab.controls import control_file
 from contourlab.errors import ScenarioError
 from contourlab.file_kinds import kind_of
 from contourlab.program import Reading
+
+if TYPE_CHECKING:
+    from contourlab.loop import Machine
 
 
 def refuse_drawing(file: str | Path, machine: str | Path | None = None, controller: str | Path | None = None) -> None:
@@ -40,9 +44,23 @@ def refuse_drawing(file: str | Path, machine: str | Path | None = None, controll
     )
 
 
+def of_control(machine: str | Path | Machine) -> bool:
+    """Return whether a machine is a control's own file."""
+    return control_file(Path(machine)) is not None if isinstance(machine, str | Path) else machine.control is not None
+
+
 def reading_of(file: str | Path, options: Dialect) -> Reading:
-    """Return the options of the reader of a part program, which reports a missing end as a notice only; refuse a drawing."""
+    """Return how a part program is read, with the options, and as the file of the machine's control says; refuse a drawing.
+
+    A missing end is a notice only.
+    """
     refuse_drawing(file)
-    chosen: Any = options.dialect  # Reading checks it
-    most = Reading.most_moves if options.most_moves is None else options.most_moves
-    return Reading(dialect=chosen, require_end=False, block_delete=options.block_delete, tools=options.tools, most_moves=most)
+    given = {"dialect": options.dialect, "block_delete": options.block_delete, "tools": options.tools, "zero": options.zero}
+    given |= {"most_moves": options.most_moves}
+    chosen: dict[str, Any] = {key: value for key, value in given.items() if value is not None} | {"require_end": False}
+    machine = getattr(options, "machine", None)
+    if machine is None or not of_control(machine):
+        return Reading(**chosen)
+    from contourlab.scenario.load import machine_of, reading_on
+
+    return reading_on(machine_of(machine), chosen)

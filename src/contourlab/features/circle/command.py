@@ -455,15 +455,17 @@ def _read(logs: Sequence[str | Path | Log], settings: Circle) -> tuple[list[Circ
     """Return the runs of all files, around one nominal radius; the axes; and findings on the files."""
     radius, feed = settings.si("radius"), settings.si("feed")
     runs, findings, pair, is_known = list[CircleRun](), list[Finding](), ("x", "y"), radius is not None
-    for file in logs:
+    for k, file in enumerate(logs):
         named, columns = own_columns(settings.column)
         record = read_record(file, settings.format)
         if named or is_polar(record, named):
             axes = settings.axes or ("x", "y")
+            if settings.window:
+                raise ParameterError("--window", settings.window[0], f"left out: {file} holds angles, and no times")
             with about(file, options=("radius",)):
                 runs += polar_runs(record, named, radius, math.nan if feed is None else feed)
         else:
-            log = open_log(file, replace(settings, column=columns))
+            log = open_log(file, replace(settings.of_log(k, len(logs)), column=columns))
             axes = settings.axes or log.result.axes[:2]
             with about(file):
                 own, has_reference = _log_runs(log, axes, radius)

@@ -6,11 +6,11 @@ from pathlib import Path
 
 from contourlab.app.options import argument, option, options
 from contourlab.app.session import Command
-from contourlab.app.shared_options import LogColumns, Saved
+from contourlab.app.shared_options import OnMachine, Saved
 
 
 @options
-class Circle(LogColumns):
+class Circle(OnMachine):
     """Find what shapes a measured circle: backlash, spikes, servo mismatch, squareness, scale, cyclic error, vibration."""
 
     tolerance: str | None = option(None, 'Largest circular deviation that passes, e.g. "8 um".', unit="m")

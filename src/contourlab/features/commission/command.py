@@ -18,15 +18,17 @@ from contourlab.app.json_values import HIDDEN, json_values
 from contourlab.app.results import SAFETY, check_file, write_together
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array
+from contourlab.controls.linuxcnc.loops import LoopClass
 from contourlab.errors import ParameterError
 from contourlab.features.commission.control_terms import Term, cascade_of, check_control, term_table, terms_of
 from contourlab.features.commission.excitation import excitation, sampler_lines, steps
-from contourlab.features.commission.hal_files import AxisSetup, LoopClass, Setup, read_setup
 from contourlab.features.commission.identification import IdentifiedAxis, identify_axis
 from contourlab.features.commission.loop import GAINS, robustly_stable, run_lanes
 from contourlab.features.commission.options import LinuxCNC
 from contourlab.features.commission.records import AxisLog, decided, doubts, law_of, moving, read_log
+from contourlab.features.commission.setup import AxisSetup, Setup, read_setup
 from contourlab.features.commission.tuning import AxisTask, Moves, TunedAxis, largest_error, shared_delay, tune_axis
+from contourlab.features.measure.log_choice import window_of
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.rendering.charts import Curve, PolarChart
@@ -175,8 +177,8 @@ def commission(
     if not settings.log:
         return _prepared(setup, inputs, session)
     findings, records = list(setup.findings), list[dict[str, AxisLog]]()
-    for log in settings.log:
-        record, more = read_log(log, setup)
+    for number, log in enumerate(settings.log):
+        record, more = read_log(log, setup, window_of(log, settings.of_log(number, len(settings.log))))
         record = {axis.name: record[axis.name] for axis in setup.closed if axis.name in record}
         findings += more
         wrong = list(doubts(record))

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from contourlab.errors import ScenarioError
-from contourlab.features.commission.hal_files import AxisSetup, Setup
+from contourlab.features.commission.setup import AxisSetup, Setup
 
 SHARE = 0.35
 """Part of the travel to either side of the middle that the program uses at most."""

@@ -6,12 +6,12 @@ from pathlib import Path
 
 from contourlab.app.options import argument, option, options
 from contourlab.app.session import Command, Commands
-from contourlab.app.shared_options import Margins, Saved, Seeded
+from contourlab.app.shared_options import LogWindow, Margins, Saved, Seeded
 from contourlab.errors import ParameterError
 
 
 @options
-class LinuxCNC(Seeded, Margins):
+class LinuxCNC(Seeded, Margins, LogWindow):
     """Write an excitation for LinuxCNC; with --log, find the gains of each HAL pid."""
 
     log: tuple[Path, ...] = option((), "Log of a run with the present gains; repeatable. Without: what to run.")

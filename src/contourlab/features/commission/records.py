@@ -9,13 +9,15 @@ from pathlib import Path
 import numpy as np
 
 from contourlab.arrays import Array, Flags, true_spans
+from contourlab.controls.linuxcnc.loops import LoopClass
 from contourlab.errors import LogError
 from contourlab.features.commission.excitation import SIGNALS, sampler_columns
-from contourlab.features.commission.hal_files import AxisSetup, LoopClass, Setup
 from contourlab.features.commission.loop import GAINS, Law, law_output
+from contourlab.features.commission.setup import AxisSetup, Setup
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.logs import Column, Columns, Log, read_record, result_of
+from contourlab.logs.window import Window
 
 LEAST_MOTION = 1e-4
 """Range of a command [m] below which an axis was not asked to move."""
@@ -60,7 +62,7 @@ class AxisLog:
         return self.command - self.measured
 
 
-def read_log(file: str | Path | Log, setup: Setup) -> tuple[dict[str, AxisLog], list[Finding]]:
+def read_log(file: str | Path | Log, setup: Setup, window: Window | None = None) -> tuple[dict[str, AxisLog], list[Finding]]:
     """Read the signals of each axis from a log; an axis without command or position is left out with a finding.
 
     Raises
@@ -87,7 +89,7 @@ def read_log(file: str | Path | Log, setup: Setup) -> tuple[dict[str, AxisLog], 
         wanted = ", ".join(sampler_columns(setup))
         raise LogError(f"has none of the columns {wanted}: name them so, or record with the lines of sampler.hal", file=record.file)
     timed = any(channel.time is not None or channel.name.lower().startswith("time") for channel in record.channels)
-    log = result_of(record, Columns(tuple(columns), None if timed or record.period else setup.period))
+    log = result_of(record, Columns(tuple(columns), None if timed or record.period else setup.period, window=window))
     findings += [doubt for doubt in log.findings if doubt.code not in ("CL430", "CL433", "CL436")]
     period = log.result.servo_period
     if abs(period / setup.period - 1.0) > 0.01:

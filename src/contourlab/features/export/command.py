@@ -376,6 +376,9 @@ def _check(controller: Controller, axis: str) -> None:
         bound = '"none": it sees all axes and the path, which the controller of one axis does not'
         raise ParameterError("controller.coupling", f'"{controller.coupling.kind}"', bound)
     for slot, part in controller.axes[axis].parts.items():
+        if part.command_unit == "m":
+            bound = "one that closes a loop: this one passes positions on, so there is nothing to export"
+            raise ParameterError(f"controller.axes.{axis}.{slot}", f'"{part.kind}"', bound)
         for port in part.inputs:
             if port.name in _REASONS:
                 raise ParameterError(f"controller.axes.{axis}.{slot}", f'"{part.kind}"', f"left out: {_REASONS[port.name]}")

@@ -91,6 +91,6 @@ def identify(*logs: str | Path | Log, settings: Identify, session: Session = QUI
             raise ParameterError("LOG", f"{len(logs)} logs", f"one: model {name} takes {model.single}")
         records = request.records(model.pieces)
         if settings.validation is not None:
-            records += request.read(settings.validation)
+            records += request.read()
         identified = model.study(records, settings)
     return replace(identified, findings=(*identified.findings, *request.findings()), inputs=inputs)

@@ -288,14 +288,14 @@ class Request:
         options = self.options
         if options.gain is not None and options.full_scale is not None:
             raise ParameterError("--full-scale", f"{options.full_scale} with --gain", "one of the two: newtons, or shares of full scale")
-        seen: dict[Path, str | Path | Log] = {}
-        for file in self.logs:
-            place = Path(file).resolve()
+        seen: dict[tuple[Path, tuple[str, ...]], str | Path | Log] = {}
+        for number, file in enumerate(self.logs):
+            place = Path(file).resolve(), self._options_of(number).window
             if place in seen:
                 same = "" if Path(seen[place]) == Path(file) else f", the same file as {seen[place]}"
                 raise ParameterError("LOG", f"{file}{same}", "given once: its samples would count twice")
             seen[place] = file
-        logs = [self.read(file, pieces) for file in self.logs]
+        logs = [self.read(number, pieces) for number in range(len(self.logs))]
         by_samples: dict[str, str] = {}
         for records in logs:
             other = by_samples.setdefault(samples_digest(records), records[0].source)
@@ -309,10 +309,16 @@ class Request:
         placed = zip((doubt for doubt, _ in self._on_logs), places, strict=True)
         return [*self._doubts, *(replace(doubt, place=": ".join(filter(None, (at, doubt.place)))) for doubt, at in placed)]
 
-    def read(self, file: str | Path | Log, pieces: bool = False) -> list[AxisRecord]:
-        """Return the signals of the axis in a log."""
-        options, name = self.options, self.names[Path(file)]
-        log = open_log(file, options)
+    def _options_of(self, number: int) -> Identify:
+        """Return the options of one of the files: its window; that for validation may have its own, too."""
+        count = len(self.files) if len(self.options.window) == len(self.files) else len(self.logs)
+        return self.options.of_log(min(number, count - 1), count)
+
+    def read(self, number: int = -1, pieces: bool = False) -> list[AxisRecord]:
+        """Return the signals of the axis in one of the files, by default in that for validation."""
+        options, file = self.options, self.files[number]
+        name = self.names[Path(file)]
+        log = open_log(file, self._options_of(number % len(self.files)))
         self._check_unit(log)
         records = axis_pieces(log, name, options.axis, self._gain(), self._full_scale(), options.si("lead"))
         self._check_lead(records[0])

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from contourlab.analysis.identification.filtered_motion import ANTI_ALIAS_BAND
 from contourlab.analysis.identification.first_order import FirstOrderFit, identify_closed_loop, identify_first_order
 from contourlab.analysis.identification.inverse_dynamics import InverseDynamicsSettings, cross_validate, identify_inverse_dynamics
 from contourlab.analysis.identification.least_squares import mass_findings
@@ -47,7 +48,8 @@ def identify_rigid(records: Sequence[AxisRecord], options: Identify) -> Identifi
     record, friction = records[0], "symmetric" if options.model == "rigid" else "asymmetric"
     # Settings are named like their options, so that an error can name the option.
     slowest = options.si("slowest") or 0.0
-    settings = InverseDynamicsSettings(friction, cutoff=options.si("cutoff"), decimation=options.decimation, slowest=slowest)
+    settings, lowered = _filter(options, max(one.period for one in records))
+    settings = replace(settings, friction=friction, slowest=slowest)
     named = [setting.name for setting in fields(InverseDynamicsSettings)]
     with about(record.source, options=named):
         fit = identify_inverse_dynamics(record.time, record.position, _force(record), settings)
@@ -68,7 +70,7 @@ def identify_rigid(records: Sequence[AxisRecord], options: Identify) -> Identifi
         return plant_numbers(forces, 1.0 / x["M"], viscous / x["M"]) | {"friction.coulomb": coulomb, "disturbance.force": -offset}
 
     uncertainty = propagate(numbers, replace(fit, robust_deviations=fit.known), record.source)
-    findings, tables = [*fit.findings], Tables()
+    findings, tables = [*lowered, *fit.findings], Tables()
     if fit.usable:
         findings += direction_findings(fit.parameters, UNITS)
         mass, damping, coulomb, force = numbers(fit.parameters).values()
@@ -95,6 +97,16 @@ def identify_rigid(records: Sequence[AxisRecord], options: Identify) -> Identifi
             traces_chart("residual-speed", "Force residual over velocity", ("velocity [mm/s]", "force [N]"), over_velocity),
         ),
     )
+
+
+def _filter(options: Identify, period: float) -> tuple[InverseDynamicsSettings, list[Finding]]:
+    """Return filter and decimation for records with a period [s] of up to this, and a finding where the usual filter is out of reach."""
+    usual, nyquist = InverseDynamicsSettings(), 0.5 / period
+    cutoff = options.si("cutoff") or min(usual.cutoff, ANTI_ALIAS_BAND * nyquist)
+    decimation = options.decimation or max(min(usual.decimation, int(2.0 * nyquist / cutoff * (1.0 + 1e-9))), 1)
+    is_lower = options.cutoff is None and cutoff < usual.cutoff
+    lowered = [finding("CL590", cutoff=cutoff, usual=usual.cutoff, nyquist=nyquist)] if is_lower else []
+    return InverseDynamicsSettings(cutoff=cutoff, decimation=decimation), lowered
 
 
 def direction_findings(x: Mapping[str, float], units: Mapping[str, str]) -> list[Finding]:

@@ -32,7 +32,7 @@ from contourlab.feed.verify import LineUse, Worst, limit_report_by_line
 from contourlab.figures import NONE, figure, listing, number
 from contourlab.file_kinds import kind_of
 from contourlab.findings import Finding, finding
-from contourlab.logs import Log
+from contourlab.logs import Log, parse_columns
 from contourlab.logs.load import about
 from contourlab.loop import Machine
 from contourlab.program import Reading, read_program
@@ -45,7 +45,6 @@ from contourlab.scenario.values import program_motion, program_route
 
 _UNITS = {"velocity": ("m/s", "200 mm/s"), "acceleration": ("m/s^2", "2 m/s^2"), "jerk": ("m/s^3", "50 m/s^3")}
 """Unit of each kind of limits, and an example."""
-_LINES = ("line", "program-line", "program_line", "source_line", "motion.program-line", "motion-line", "block", "n")
 HELD = 0.005
 """Part by which a limit may be exceeded, by default."""
 BLOCK = 65536
@@ -151,7 +150,7 @@ def _rows(lines: Index, period: float, use: LineUse, axes: Sequence[str], errors
 
 def _logged(file: str | Path | Log, options: Limits, tolerance: float, reading: Reading) -> LimitTest:
     """Check what a log holds: its reference, or without one its position."""
-    log = open_log(file, options)
+    log = open_log(file, options, [] if options.line_column is None else parse_columns([f"line={options.line_column}"]))
     result, axes = log.result, options.axes or log.result.axes
     with about(file):
         known = known_signal(result, axes, ("reference", *ACTUAL, "motor_position"))
@@ -190,13 +189,8 @@ def _lines_of(log: Log, options: Limits, axes: Sequence[str], position: Array, r
         lines = np.asarray(route.source_line[route.path.curve_index(along)], dtype=np.int64)
         if (measured := known_signal(log.result, axes, ACTUAL)) is not None:
             errors = np.asarray(route.path.foot_point(measured[1], along, 0.02 * route.path.length + 1e-3).distance)
-    named = options.line_column or next((c.name for c in log.record.channels if c.name.casefold() in _LINES), None)
-    if named is not None:
-        values = log.record.channel(named).values
-        if len(values) == n and np.isfinite(values).all() and float(np.abs(values).max()) < 1e7:
-            lines = np.maximum(np.rint(values), 0).astype(np.int64)
-        elif options.line_column:
-            raise LogError(f"column {named!r} does not have a line number for each sample", file=log.record.file)
+    if log.lines is not None:
+        lines = log.lines
     return lines, errors
 
 

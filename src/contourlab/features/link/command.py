@@ -17,6 +17,7 @@ from contourlab.features.link.result import LinkResult, SchemeCost
 from contourlab.features.link.sweep import CHUNK, FEW, LinkSetting
 from contourlab.features.run.source import Source, scenario_asked
 from contourlab.findings import finding
+from contourlab.loop.machine import require_loops
 from contourlab.metrics.run_figures import goal_named
 from contourlab.rendering.stages import Stages
 from contourlab.study import Setting
@@ -55,6 +56,8 @@ def link(*source: Source, settings: Link, session: Session = QUIET) -> LinkResul
         allowed = positive("--tolerance", settings.tolerance, judged.quantity, f'a quantity, such as "{judged.example(15)}"')
     scenario = scenario_asked(source, settings)
     cases = scenario.cases()
+    for case in cases:
+        require_loops(case.machine)
     _refuse_idle(settings, cases)
     session.will_write(scenario.inputs, "summary.json")
     costs: dict[str, SchemeCost] = {}

@@ -11,9 +11,10 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from contourlab.app.json_values import HIDDEN
+from contourlab.controls import control_file
 from contourlab.errors import OutputError, refuse
-from contourlab.features.run.trust import numbers_of_axis, numbers_of_machine, stated
 from contourlab.rendering.judgement import NOT_STATED, Number
+from contourlab.rendering.origins import numbers_of_axis, numbers_of_machine, stated
 from contourlab.result import write_bytes_atomic
 from contourlab.scenario import BUILTIN, builtin_file, builtin_names, load_axis, load_machine, load_scenario
 from contourlab.scenario.tree import read_tree
@@ -91,6 +92,9 @@ def shipped_one(name: str) -> Shipped:
     about = _about(file)
     if file.suffix == ".ngc":
         return Shipped(short, "program", (), about, file)
+    if control_file(file) is not None:
+        machine = load_machine(file)
+        return Shipped(short, "machine", machine.axis_names, about, file, numbers_of_machine(machine))
     content = set(read_tree(file).entries)
     if "controller" in content and "machine" in content:
         return Shipped(short, "scenario", load_scenario(file).machine.axis_names, about, file)

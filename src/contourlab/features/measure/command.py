@@ -25,7 +25,7 @@ from contourlab.features.measure.log_choice import (
     reference_columns,
 )
 from contourlab.features.measure.options import Measure
-from contourlab.features.measure.study import Measured, gap_findings
+from contourlab.features.measure.study import Measured, gap_findings, move_findings
 from contourlab.features.measure.study import measure as judged_log
 from contourlab.features.run.command import SCHEMA, JudgedRuns, Runs, compare_schemes, file_names
 from contourlab.features.run.options import Compare
@@ -35,7 +35,7 @@ from contourlab.logs.load import Log, about
 from contourlab.rendering.data import Provenance, ReportData
 from contourlab.units import to_si
 
-_OF_COLUMNS = ("--column", "--columns", "--format", "--period")
+_OF_COLUMNS = ("--column", "--columns", "--format", "--period", "--unit", "--window")
 """Options that say how to read a log."""
 
 
@@ -256,18 +256,20 @@ def compare(*files: Any, settings: Compare, session: Session = QUIET) -> Runs | 
 
 
 def _judged(file: str | Path | Log, settings: Measure) -> MeasuredRun:
-    reference, axes = settings.reference, settings.axes
-    program = reference if reference is not None and is_program(reference) else None
-    more = reference_columns(reference, settings.column, axes) if reference is not None and program is None else ()
-    log = open_log(file, settings, more)
-    path = program_path(program, axes or log.result.axes) if program else None
+    reference, axes, program = settings.reference, settings.axes, settings.program
+    if reference is not None and is_program(reference):
+        if program is not None:
+            raise ParameterError("--reference", reference, f"columns of the log: --program {program} is the part program")
+        program, reference = Path(reference), None
+    log = open_log(file, settings, () if reference is None else reference_columns(reference, settings.column, axes))
+    path = program_path(program, axes or log.result.axes, settings.machine) if program else None
     with about(file):
         try:
             measured = judged_log(log.result, path, axes or None, shift=_shift(settings.shift, axes or log.result.axes))
         except ResultError as error:
             raise ResultError("; ".join([str(error), *(doubt.text for doubt in log.doubtful)])) from error
-    findings = (*log.findings, *measured.findings, *gap_findings(log, measured, of_samples=path is None))
-    given: dict[str, Any] = vars(measured) | {"name": log.result.scheme, "findings": findings}
+    findings = (*log.findings, *measured.findings, *gap_findings(log, measured, of_samples=path is None), *move_findings(log, measured))
+    given: dict[str, Any] = vars(measured) | {"name": log.result.scheme, "findings": findings, "lines": log.lines}
     return MeasuredRun(**given, log=log, inputs=settings.files(file, *([program] if program else [])))
 
 

@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from contourlab.app.shared_options import LogColumns
+from contourlab.app.shared_options import LogColumns, LogWindow
 from contourlab.errors import LogError
+from contourlab.features.check.reading import of_control
 from contourlab.logs import Column, Columns, Log, Record, parse_columns, read_columns, read_record, result_of
 from contourlab.logs.mapping import once
+from contourlab.logs.window import Window, parse_window
 
 if TYPE_CHECKING:
     from contourlab.geometry import Path as Contour
+    from contourlab.loop import Machine
 
 PROGRAMS = (".ngc", ".nc", ".gcode", ".gc", ".tap", ".cnc", ".mpf", ".txt")
 """File extensions of part programs; a reference with one of them is a program, not a list of columns."""
@@ -22,7 +26,7 @@ PROGRAMS = (".ngc", ".nc", ".gcode", ".gc", ".tap", ".cnc", ".mpf", ".txt")
 def content_of(file: str | Path | Log) -> bytes:
     """Return what is read: the bytes of a file, or the numbers of a log that is read already."""
     if isinstance(file, Log):
-        return b"".join(channel.values.tobytes() for channel in file.record.channels)
+        return b"".join([*(channel.values.tobytes() for channel in file.record.channels), str(file.given.window or "").encode()])
     return Path(file).read_bytes()
 
 
@@ -32,7 +36,7 @@ def open_log(
     more: Sequence[Column] = (),
     guess: Callable[[Record], Iterable[Column]] = lambda record: (),
 ) -> Log:
-    """Read a log as its options say. Columns and period of the command line override those of the mapping file.
+    """Read a log as its options say. Those of the command line override those of the mapping file, or of a log that is read already.
 
     Parameters
     ----------
@@ -48,14 +52,30 @@ def open_log(
     """
     mapping = file.given if isinstance(file, Log) else Columns()
     if options.columns is not None:
-        mapping = read_columns(options.columns)
+        mapping = replace(read_columns(options.columns), unit=mapping.unit)
     typed = once((*parse_columns(options.column), *more), "--column and --reference")
     overridden = {(column.signal, column.axis) for column in typed}
     columns = (*typed, *(c for c in mapping.columns if (c.signal, c.axis) not in overridden))
     record = read_record(file, options.format or mapping.format)
     named = {(column.signal, column.axis) for column in columns}
     columns += tuple(column for column in guess(record) if (column.signal, column.axis) not in named)
-    return result_of(record, Columns(columns, options.si("period") or mapping.period))
+    window = window_of(file, options)
+    unit = options.unit or mapping.unit or _unit_of(getattr(options, "machine", None))
+    return result_of(record, Columns(columns, options.si("period") or mapping.period, None, unit, window))
+
+
+def _unit_of(machine: str | Path | Machine | None) -> str:
+    """Return the unit of a control whose own file a machine is; empty without one."""
+    from contourlab.scenario.load import machine_of, reading_on
+
+    return reading_on(machine_of(machine), {}).unit if machine is not None and of_control(machine) else ""
+
+
+def window_of(file: str | Path | Log, options: LogWindow) -> Window | None:
+    """Return the part of a log that its options say, or else the part that a log was read with before."""
+    if options.window:
+        return parse_window(options.of_log(0, 1).window[0])
+    return file.given.window if isinstance(file, Log) else None
 
 
 def distinct_names(files: Sequence[str | os.PathLike[str]]) -> list[str]:
@@ -90,9 +110,11 @@ def reference_columns(reference: str, columns: Sequence[str], axes: Sequence[str
     return parse_columns([f"reference.{axis}={name}" for axis, name in zip(axes, names, strict=True)], "--reference")
 
 
-def program_path(program: str, axes: Sequence[str]) -> Contour:
-    """Return the path of a part program in the coordinates of the log's axes."""
+def program_path(program: str | Path, axes: Sequence[str], machine: str | Path | Machine | None = None) -> Contour:
+    """Return the path of a part program in the coordinates of the log's axes, as a machine reads it."""
     from contourlab.program import Reading, read_program
+    from contourlab.scenario.load import machine_of, reading_on
     from contourlab.scenario.values import program_route
 
-    return program_route(read_program(Path(program), reading=Reading(require_end=False)), tuple(axes)).path
+    reading = Reading(require_end=False) if machine is None else reading_on(machine_of(machine), {"require_end": False})
+    return program_route(read_program(Path(program), reading=reading), tuple(axes)).path

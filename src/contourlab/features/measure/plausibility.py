@@ -9,12 +9,13 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.errors import ResultError
 from contourlab.findings import Finding, finding
+from contourlab.logs.reading import LONGEST
 from contourlab.result import Result
 
 SHORT, SLOW = 1e-3, 1e-3
 """Travel [m] and top speed [m/s] of a run; a machine's run exceeds at least one."""
-LONG, FAST = 10.0, 5.0
-"""Travel [m] and speed [m/s] that hardly any feed axis reaches; the fastest rapids run at 4 m/s."""
+FAST = 5.0
+"""Speed [m/s] that hardly any feed axis reaches; the fastest rapids run at 4 m/s."""
 PERIODS = (1e-7, 0.1)
 """Range of sample periods [s] for logs of servo drives."""
 SPEED_INTERVAL = 2e-3
@@ -48,7 +49,7 @@ def motion_findings(position: Array, period: float, place: str = "") -> list[Fin
     if 0.0 < travel < SHORT and top < SLOW:
         return [finding("CL402", place, travel=travel, speed=top)]
     usual = fastest(position, period, USUAL)
-    return [finding("CL403", place, travel=travel, speed=usual)] if travel > LONG or usual > FAST else []
+    return [finding("CL403", place, travel=travel, speed=usual)] if travel > LONGEST or usual > FAST else []
 
 
 def fastest(position: Array, period: float, quantile: float = 1.0) -> float:

@@ -146,7 +146,7 @@ def gap_findings(log: Log, measured: Measured, *, of_samples: bool) -> list[Find
     """
     result, period, worst = measured.result, measured.result.servo_period, measured.metrics.contour_error.worst.time
     if inside := log.gaps_at(worst):
-        return [finding("CL411", time=worst, channels=tuple(inside))]
+        return [finding("CL411", time=worst, channels=tuple(inside), windows=log.clocks[inside[0]].windows)]
     along, foot = result["arc_length"], result["foot_arc_length"][round(worst / period)]
     bridged: dict[str, None] = {}
     for name, start, stop in log.gaps("reference") if of_samples else ():
@@ -154,7 +154,24 @@ def gap_findings(log: Log, measured: Measured, *, of_samples: bool) -> list[Find
         before, behind = along[np.clip(edges, 0, len(along) - 1)]
         if before <= foot <= behind:
             bridged[name] = None
-    return [finding("CL412", time=worst, channels=tuple(bridged))] if bridged else []
+    return [finding("CL412", time=worst, channels=tuple(bridged), windows=log.clocks[next(iter(bridged))].windows)] if bridged else []
+
+
+def move_findings(log: Log, measured: Measured) -> list[Finding]:
+    """Return the contour error of the cutting moves and of the rapid moves, if the log tells them apart."""
+    blocks, at = log.blocks, log.block
+    if blocks is None or at is None or blocks.is_rapid is None:
+        return []
+    error, judged = np.abs(measured.result["contour_error"]), measured.metrics.judged.samples
+    judged = judged[at[judged] >= 0]
+    is_rapid, findings = blocks.is_rapid[at[judged]], []
+    for place, samples in (("cutting moves", judged[~is_rapid]), ("rapid moves", judged[is_rapid])):
+        if samples.size:
+            worst = samples[np.argmax(error[samples])]
+            line = int(blocks.line[at[worst]])
+            rms = float(np.sqrt(np.mean(error[samples] ** 2)))
+            findings.append(finding("CL414", place, samples=samples.size, rms=rms, largest=float(error[worst]), line=line))
+    return findings
 
 
 def _signals_of(run: Result, path: Path | None) -> list[Array]:
@@ -163,7 +180,7 @@ def _signals_of(run: Result, path: Path | None) -> list[Array]:
     missing = []
     for kind, name in wanted.items():
         if name not in run:
-            cure = "" if kind == "position" else ", or the part program with --reference part.ngc"
+            cure = "" if kind == "position" else ", or the part program with --program part.ngc"
             missing.append(f"no {kind} in {run.source}: name its columns, such as --column '{kind}.x=NAME [mm]'{cure}")
             continue
         known = np.isfinite(run[name])

@@ -18,6 +18,7 @@ from contourlab.features.tune.objective import Evaluation, evaluate
 from contourlab.figures import figure, number
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Machine
+from contourlab.loop.machine import require_loops
 from contourlab.metrics.run_figures import FIGURES
 from contourlab.rendering.margin_words import decibel, degrees
 from contourlab.rendering.table import Column, Table, paragraphs
@@ -150,6 +151,7 @@ def notch(*source: Source, settings: Notch, session: Session = QUIET) -> Notched
     scenario, case = case_asked(source, settings)
     session.will_write(scenario.inputs)
     bounds, machine, made = settings.margins, case.machine, case.controller
+    require_loops(machine)
     unknown = [name for name in settings.axes if name not in machine.axis_names]
     if unknown:
         raise ParameterError("--axes", unknown[0], f"one of {', '.join(machine.axis_names)}")

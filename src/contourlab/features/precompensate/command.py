@@ -296,7 +296,7 @@ def precompensate(part: str | Path, *, settings: Precompensate, session: Session
     if settings.passes is not None:
         check_file(settings.passes / STATE, given, "--passes")
     machine = None if settings.machine is None else machine_of(settings.machine, settings.plugin)
-    opened = [open_run(log, settings, machine) for log in settings.log]
+    opened = [open_run(log, settings.of_log(k, len(settings.log)), machine) for k, log in enumerate(settings.log)]
     measured, axes, _ = opened[0]
     if any(other[1] != axes for other in opened):
         raise ParameterError("--log", "axes differ", f"logs of the axes {', '.join(axes)}")

@@ -14,23 +14,23 @@ import numpy as np
 from contourlab.app.json_values import HIDDEN
 from contourlab.app.results import spared, write_together
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
-from contourlab.errors import ParameterError, refuse, refused
+from contourlab.errors import ParameterError
 from contourlab.features.measure.log_choice import distinct_names, open_log
 from contourlab.features.measure.plausibility import motion_findings, same_column_findings
 from contourlab.features.refine.log_run import Agreement, LogRun, log_run
 from contourlab.features.refine.options import Refine
-from contourlab.features.refine.study import CrossValidation, Refined, RefineSettings, Sought, Window, cross_validated, unseen_findings
+from contourlab.features.refine.study import CrossValidation, Refined, RefineSettings, Sought, cross_validated, unseen_findings
 from contourlab.features.refine.study import refine as refined
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
-from contourlab.logs.load import about
+from contourlab.logs.load import Log, about
+from contourlab.logs.window import parse_window
 from contourlab.loop import Axis, Machine
 from contourlab.rendering.charts import Chart, traces_chart
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.scenario import Scenario, load_scenario
 from contourlab.scenario.dump import controller_table, machine_tables
 from contourlab.scenario.toml_text import Noted, toml
-from contourlab.units import to_si
 
 
 @dataclass(frozen=True, eq=False)
@@ -194,11 +194,13 @@ def refine(scenario: str | Path, *, settings: Refine, session: Session = QUIET) 
     read = [load_scenario(file, plugins=settings.plugin) for file in scenarios]
     several = len(scenarios) > 1
     labels = _labels(scenarios if several else logs)
-    runs = [_run(read[i if several else 0], log, settings, label) for i, (log, label) in enumerate(zip(logs, labels, strict=True))]
-    spans = _windows(settings.window, len(runs))
+    windows = [[parse_window(text) for text in settings.of_log(i, len(logs)).window] for i in range(len(logs))]
+    opened = [_run(read[i if several else 0], log, settings, label) for i, (log, label) in enumerate(zip(logs, labels, strict=True))]
+    runs = [run for run, _ in opened]
+    spans = [log.span(window[0]) if window else None for window, (_, log) in zip(windows, opened, strict=True)]
     # Read first, so that an unreadable log fails before the work.
     validation = () if settings.validation is None else (settings.validation,)
-    held_out = next((_run(read[0], log, settings, *_labels([log])) for log in validation), None)
+    held_out = next((_run(read[0], log, settings, *_labels([log]))[0] for log in validation), None)
     inputs = (*(file for one in read for file in one.inputs), *settings.files(*logs, *validation), *settings.plugin)
     session.will_write(inputs, pictures_only=True)
     if session.saving.get("write") is not None:
@@ -225,27 +227,15 @@ def _labels(files: Sequence[str | Path]) -> list[str]:
     return names if len(set(names)) == len(names) else [f"{name} {i + 1}" for i, name in enumerate(names)]
 
 
-def _run(scenario: Scenario, file: Path, settings: Refine, label: str) -> LogRun:
-    log = open_log(file, settings)
+def _run(scenario: Scenario, file: Path, settings: Refine, label: str) -> tuple[LogRun, Log]:
+    """Return a run of the whole log, and the log: what is not fitted is simulated, too."""
+    log = open_log(file, replace(settings, window=()))
     with about(file):
         run = log_run(scenario.machine, scenario.controller, log.result, label)
     doubts = [replace(clock, place=": ".join(filter(None, (label, clock.place)))) for clock in log.clock_findings()]
     doubts += motion_findings(run.position, run.machine.servo_period, label)
     doubts += same_column_findings(run.machine.axis_names, run.asked, run.position, label)
-    return replace(run, findings=(*run.findings, *doubts))
-
-
-def _windows(texts: Sequence[str], count: int) -> list[Window | None]:
-    if len(texts) not in (0, 1, count):
-        raise ParameterError("--window", f"{len(texts)} windows", f"one for all logs, or one for each of the {count}")
-    spans: list[Window | None] = []
-    for text in texts:
-        ends = [end.strip() for end in text.split("..", 1)]
-        with refused("--window", text, 'two times, as "0.8 s..1.6 s"'):
-            start, stop = (to_si(end, "s") for end in ends)
-        refuse(not start < stop, ParameterError, "--window", repr(text), 'two times, the earlier one first, as "0.8 s..1.6 s"')
-        spans.append((start, stop))
-    return spans * count if len(spans) == 1 else spans
+    return replace(run, findings=(*run.findings, *doubts)), log
 
 
 def _beside(machine: Path, run: LogRun) -> Path:

@@ -3,11 +3,11 @@
 The same reference is run again with ever fewer imperfections. The contribution of a cause is the change of the error at that place, along
 the direction of the error, when the cause is taken away:
 
-1. *network*: no links between base and axes; 2. *geometry*: no error map; 3. *quantisation*: ideal encoders; 4. *saturation*: drives
-without limit; 5. *disturbance*: no external load; 6. *backlash*: no free travel, and controllers that assume none; 7. *compliance*: stiff
-shafts, which friction does not wind up, and no notch filters; 8. *friction*: no friction; 9. *servo mismatch*: every axis a copy of one
-of them, averaged over the choice; 10. *lag*: a tool that is at the reference, so that overshoot counts as lag; 11. *planning*: the rest,
-the distance of the planned path from the programmed one.
+1. *network*: no links between base and axes; 2. *geometry*: no error map; 3. *quantisation*: ideal encoders, counts without steps; 4.
+*saturation*: drives without limit; 5. *disturbance*: no external load; 6. *backlash*: no free travel, and controllers that assume none;
+7. *compliance*: stiff shafts, which friction does not wind up, and no notch filters; 8. *friction*: no friction; 9. *servo mismatch*:
+every axis a copy of one of them, averaged over the choice; 10. *lag*: a tool that is at the reference, so that overshoot counts as lag;
+11. *planning*: the rest, the distance of the planned path from the programmed one.
 
 The error that friction causes is called *reversal* after an axis has reversed, *breakaway* after it has started from rest, else *friction*.
 
@@ -59,8 +59,13 @@ def perfect_geometry(machine: Machine) -> Machine:
 
 
 def perfect_sensing(machine: Machine) -> Machine:
-    """Return the machine with ideal encoders."""
-    return _with_axes(machine, lambda axis: replace(axis, sensor=IdealSensor(), motor_sensor=IdealSensor()))
+    """Return the machine with ideal encoders, and step counts without steps."""
+
+    def exact(axis: Axis) -> Axis:
+        plant = axis.plant.linear() if axis.plant.takes_position else axis.plant
+        return replace(axis, plant=plant, sensor=IdealSensor(), motor_sensor=IdealSensor())
+
+    return _with_axes(machine, exact)
 
 
 def undisturbed(machine: Machine) -> Machine:
@@ -82,7 +87,7 @@ def without_friction(machine: Machine, controller: Controller) -> tuple[Machine,
 
 def without_backlash(machine: Machine, controller: Controller) -> tuple[Machine, Controller]:
     """Return the machine without free travel between motors and loads, under a controller that assumes none."""
-    tight = _with_axes(machine, lambda axis: replace(axis, plant=axis.plant.linear()))
+    tight = _with_axes(machine, lambda axis: axis if axis.plant.takes_position else replace(axis, plant=axis.plant.linear()))
     return tight, controller if tight is machine else _with_loops(controller, _unaware)
 
 
@@ -167,7 +172,7 @@ _STEPS: tuple[tuple[str, Step], ...] = (
 WOULD_HELP = {
     "network": "a faster link between base and axes",
     "geometry": "compensation of the error map",
-    "quantisation": "a finer encoder",
+    "quantisation": "a finer encoder, or finer steps",
     "saturation": "a stronger drive, or lower acceleration",
     "disturbance": "a stiffer loop, or a smaller load",
     "backlash": "less free travel, or feedback from the load",

@@ -17,16 +17,17 @@ from contourlab.app.results import proposed, staged
 from contourlab.app.session import QUIET, Answer, Session, interrupt, question
 from contourlab.components.friction.laws import NoFriction
 from contourlab.errors import DivergenceError, ScenarioError
+from contourlab.features.check.program_check import origin_of
 from contourlab.features.learn import LearnedTable
 from contourlab.features.learn import learn as learn_machine
 from contourlab.features.run.options import Compare, Learn, Run
 from contourlab.features.run.outcome import Outcome, run_case
 from contourlab.features.run.record import switch_file
 from contourlab.features.run.source import Source, scenario_asked
-from contourlab.features.run.trust import numbers_of
 from contourlab.figures import figure
 from contourlab.findings import Finding
 from contourlab.metrics.figures import judged_part
+from contourlab.rendering.origins import numbers_of
 from contourlab.rendering.stages import begin_stage
 from contourlab.rendering.table import paragraphs
 from contourlab.result import Status, write_text_atomic
@@ -115,7 +116,7 @@ class Runs(JudgedRuns):
 
     SILENT = True
     json_form: ClassVar = {"name": "scenario.name"} | {
-        name: name for name in ("command", "notes", "passed", "schemes", "schema", "version")
+        name: name for name in ("command", "machine", "notes", "passed", "schemes", "schema", "version")
     }
 
     scenario: Scenario
@@ -133,6 +134,11 @@ class Runs(JudgedRuns):
         """The schemes by name; of those that diverged the status only."""
         lost = {name: DivergedScheme(Status(False, error.sample, error.axis, str(error))) for name, error in self.diverged.items()}
         return {outcome.name: outcome for outcome in self.outcomes} | lost
+
+    @property
+    def machine(self) -> dict[str, Any]:
+        """Name of the base's machine; of a control's own file also the control, and the origin of each number."""
+        return {"name": self.scenario.machine.name, **origin_of(self.scenario.machine)}
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -176,7 +182,7 @@ class Runs(JudgedRuns):
         axes = [axis for outcome in outcomes for axis in outcome.case.machine.axes]
         # Friction, backlash and hysteresis show at reversals.
         shows = any(not isinstance(axis.friction, NoFriction) or axis.error.repeatability > 0.0 for axis in axes)
-        reversals = reversal_text(data) if shows or any(axis.plant.linear() != axis.plant for axis in axes) else ""
+        reversals = reversal_text(data) if shows or any(axis.plant.two_sided and axis.plant.linear() != axis.plant for axis in axes) else ""
         shared = [finding for finding in outcomes[0].findings if all(finding in other.findings for other in outcomes)]
         endings = [line for outcome in outcomes for line in _ending(outcome, shared)]
         ends = paragraphs([*endings, *map(str, shared)])
@@ -414,22 +420,27 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
     def step(title: str, *words: str) -> tuple[str, str]:
         return title, as_typed(["contourlab", words[0], file, *words[1:]])
 
-    quick = ["sensitivity", "--quick", *chosen_options(options, "--plugin")]
+    gains = not all(axis.plant.takes_position for outcome in outcomes for axis in outcome.case.machine.axes)
+    about = [] if gains else ["--parameter", "axes.*.plant.damping_ratio"]
+    quick = ["sensitivity", "--quick", *about, *chosen_options(options, "--plugin")]
     judged = [outcome for outcome in outcomes if outcome.verdict is not None]
     if not judged:
         limit = max(2.0 * min(outcome.metrics.part_error.max for outcome in outcomes), 1e-9)  # not the rounding of a straight line
         if part:
             return [step("Judge it against a tolerance:", "run", *options, "--tolerance", f"{float(f'{1e6 * limit:.1g}'):g} um")]
         return [step("Find what the error depends on:", *quick)]
-    if all(any(finding.code == "CL208" for finding in outcome.findings) for outcome in judged):
-        return [("Change the plan, not the gains:", as_typed(["contourlab", "explain", "CL208"]))]
+    for code in ("CL208", "CL209"):
+        if all(any(finding.code == code for finding in outcome.findings) for outcome in judged):
+            return [("Change the plan, not the gains:", as_typed(["contourlab", "explain", code]))]
     passes = any(outcome.verdict is not None and outcome.verdict.passed for outcome in judged)
     steps: list[tuple[str, str]] = []
     if proposed and part and not passes:
         changed = ["--controller", str(out / proposed[0]), "--out", f"{out}-changed"]
         steps.append(step("Run it with the changed controller:", "run", *_without(options, "--controller", "--out"), *changed))
     scheme = [] if outcomes[-1].name == "base" else ["--scheme", min(judged, key=lambda one: one.metrics.part_error.max).name]
-    if passes and not part:
+    if not gains and part:
+        return steps
+    if not part and (passes or not gains):
         return [*steps, step("Find what the error depends on:", *quick[:2], *scheme, *quick[2:])]
     return [*steps, step("Search all gains:", "tune", *_without(options, "--schemes", "--trials", "--table"), *scheme)]
 

@@ -19,10 +19,11 @@ from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.arrays import Array, free_memory
 from contourlab.components.supervisor.switching import PreRouted
 from contourlab.engine.runner import make_group
-from contourlab.errors import ComponentError, ResultError
-from contourlab.features.check.program_check import path_mode_assumed, travel_unknown
+from contourlab.errors import ComponentError, DivergenceError, ResultError
+from contourlab.features.check.program_check import about_machine, path_mode_assumed
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
-from contourlab.features.run.trust import numbers_of, part_interval, stated
+from contourlab.features.run.lost_steps import lost_steps
+from contourlab.features.run.trust import part_interval
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import LimitReport, Reference, limit_report
 from contourlab.feed.planner import NEAR_FEED
@@ -39,6 +40,7 @@ from contourlab.metrics.judge import check_follows, judge
 from contourlab.metrics.reversals import Spike, reversal_spikes
 from contourlab.rendering.data import ClosedLoop, JudgedRun
 from contourlab.rendering.judgement import Trust
+from contourlab.rendering.origins import numbers_of, stated
 from contourlab.rendering.page_tables import nearest
 from contourlab.rendering.stages import Stages
 from contourlab.result import Result
@@ -307,7 +309,14 @@ def run_case(
     noise: dict[str, Any] = {"seed": case.run.seed, "moving": case.moving}
     given: dict[str, Any] = {"learned": None if learned is None else learned.table.learned, "changes": case.changes}
     given |= {"progress": report_progress} if learned is None else {"trial": learned.best}
-    result = simulate(machine, controller, reference, scheme=case.name, **noise, **given)
+    try:
+        result = simulate(machine, controller, reference, scheme=case.name, **noise, **given)
+    except DivergenceError as error:
+        cut = simulate(machine, controller, reference, on_failure="return", **noise, **given)
+        if lost := lost_steps(machine, reference, cut):
+            reason = "; ".join((cut.status.reason, *(one.text for one in lost)))
+            raise DivergenceError(reason, sample=error.sample, time=error.time, axis=error.axis) from error
+        raise
     begin(f"judging {case.name}")
     judged = judge(result, reference)
     check_follows(judged, reference)
@@ -328,6 +337,7 @@ def run_case(
     bode = bode_of(machine, controller)
     findings = [*_remarks(case, reference, foretold, costs or foretell)]
     findings += [finding("CL205", place=f"axis {axis}") for axis, loop in bode.items() if not loop.margins.stable]
+    findings += lost_steps(machine, reference, judged) if answer is None else ()
     findings += [noted for part in (learned, answer, sampled) if part is not None for noted in part.findings]
     of_run = (case.name, reference, judged, figures, answer, circles_of(judged, reference), judged_spikes(judged, reference))
     return Outcome(
@@ -389,8 +399,8 @@ def _remarks(case: Case, reference: Reference, foretold: LearningAnalysis | None
         best = int(np.argmax(used))
         if 0.0 < used[best] < NEAR_FEED:
             yield finding("CL105", feed=float(route.feedrate[curve[best]]), reached=float(profile.v0[best]))
-    if case.motion.file is not None:
-        yield from travel_unknown(case.machine)
+    if case.motion.file is not None or case.machine.control:
+        yield from about_machine(case.machine, case.motion.reading if isinstance(case.motion, PartProgram) else None)
     if isinstance(case.motion, PartProgram) and case.feed.path_control == "program":
         yield from path_mode_assumed(case.motion.program.moves, case.feed.default_tolerance)
     last = reference.n_sample * reference.servo_period

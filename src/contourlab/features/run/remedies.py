@@ -43,7 +43,7 @@ def remedies(machine: Machine, controller: Controller) -> list[tuple[str, Contro
         with suppress(ContourlabError):  # no linear model, or the law does not fit
             axes = {axis: change(machine, axis, part) for axis, part in controller.axes.items()}
             changes.append((name, Controller(axes) if change is _cascaded else replace(controller, axes=axes)))
-    if controller.coupling is None and len(machine.axes) > 1:
+    if controller.coupling is None and len(machine.axes) > 1 and not any(axis.plant.takes_position for axis in machine.axes):
         coupled = replace(controller, estimator=Newton(), coupling=ModifiedReference())
         changes.append(("coupling the axes by a modified reference", coupled))
     bounds, kept = Bounds(), Guards(machine, controller).exact({})

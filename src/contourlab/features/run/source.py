@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 
 from contourlab.contours import ContourReading
 from contourlab.errors import ParameterError, ProgramEndError, ScenarioError
-from contourlab.features.check.reading import refuse_drawing
+from contourlab.features.check.reading import of_control, refuse_drawing
 from contourlab.feed import Reference
 from contourlab.file_kinds import mistaken
 from contourlab.loop import Controller, Machine
@@ -121,8 +121,10 @@ def scenario_of(file: str | Path, settings: Any) -> Scenario:
         raise ScenarioError(words, file=path)
     if machine is not None and controller is None and Path(machine).is_dir():
         controller = machine
-    if machine is None or controller is None:
-        alone = "" if machine is None else f"; {machine} is not a folder, which would give both"
+    if machine is not None and controller is None and Path(machine).suffix and not Path(machine).exists():
+        raise ScenarioError("no such file", file=machine)
+    if machine is None or (controller is None and not of_control(machine)):
+        alone = "" if machine is None else f"; {machine} is neither a folder nor a control's own file, which would give both"
         raise ScenarioError(f"a part program needs --machine and --controller{alone}; a scenario ends in .toml", file=path)
     run = {} if settings.tolerance is None else {"tolerance": settings.tolerance}
     try:

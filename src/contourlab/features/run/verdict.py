@@ -13,6 +13,7 @@ import numpy as np
 
 from contourlab.errors import ContourlabError
 from contourlab.features.run.causes import WOULD_HELP, Rerun, causes
+from contourlab.features.run.lost_steps import lost_steps
 from contourlab.features.run.remedies import remedies
 from contourlab.feed import Reference
 from contourlab.findings import finding
@@ -72,7 +73,9 @@ def verdict(
     -------
     Verdict
     """
-    plain = unexplained(reference, judged, tolerance, lines)
+    plain, lost = unexplained(reference, judged, tolerance, lines), lost_steps(machine, reference, judged)
+    if lost:  # the error says nothing else
+        return replace(plain, passed=False, findings=(*lost, *plain.findings))
     sample, findings = plain.worst.sample, list(plain.findings)
     # The error of a tool that skips part of the path says nothing about causes.
     if not explain or (plain.left_out and plain.worst.value <= tolerance):

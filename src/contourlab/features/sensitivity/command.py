@@ -301,8 +301,9 @@ class Sensitivity(Answer):
         return replace(self, folder=str(folder))
 
     def _next(self, asked: Asked) -> Sequence[object]:
-        """Calibrate the scenario."""
-        return ["tune", *asked.inputs, "--scheme", self.request.scheme or None]
+        """Calibrate the scenario; where the machine alone was studied, which may have no gains, run it."""
+        gains = any(name.startswith("controller.") for name in self.study.space.names)
+        return [*(("tune", *asked.inputs, "--scheme") if gains else ("run", *asked.inputs, "--schemes")), self.request.scheme or None]
 
 
 @question(SensitivityOptions)

@@ -84,10 +84,12 @@ class DriveTerms:
 
 
 def drive_terms(machine: Machine, controller: Controller, run: Result | None = None) -> tuple[DriveTerms, ...]:
-    """Return the drive terms of every axis; compare LinuxCNC's law with `run` if given."""
+    """Return the drive terms of every axis with a loop; compare LinuxCNC's law with `run` if given."""
     terms = []
     for i, axis in enumerate(machine.axes):
         slots = controller.axes[axis.name]
+        if axis.plant.takes_position:
+            continue
         gains = linuxcnc_gains(slots, controller)
         comparable = run is not None and gains is not None and run.status.ok and _comparable(axis, slots)
         difference = law_difference(gains, slots, run, i) if comparable else ()  # type: ignore[arg-type]

@@ -42,7 +42,8 @@ def placed_start(runner: Runner, goal: Goal, bounds: Bounds) -> Controller:
     """
     setting = runner.setting
     machine, controller = setting.machine, setting.controller
-    speeds = {axis.name: fastest_speed(machine, axis, controller.axes[axis.name], bounds) for axis in machine.axes}
+    looped = [axis for axis in machine.axes if not axis.plant.takes_position]
+    speeds = {axis.name: fastest_speed(machine, axis, controller.axes[axis.name], bounds) for axis in looped}
     candidates = [made for fraction in FRACTIONS.tolist() if (made := _placed(machine, controller, speeds, fraction)) is not None]
     refuse(not candidates, ParameterError, "start", "placed", "scenario: no common fraction of the fastest poles gives gains on every axis")
     parameters = [parameters_of(machine, candidate) for candidate in candidates]
@@ -62,10 +63,10 @@ def _placed(machine: Machine, controller: Controller, speeds: Mapping[str, float
     """Return the controller with poles at a fraction of the speeds; None if a plant's own damping is too large for such slow poles."""
     axes = dict(controller.axes)
     try:
-        for axis in machine.axes:
-            slots = axes[axis.name]
-            gains = designed(slots.controller, fraction * speeds[axis.name], model_of(machine, axis, slots.observer), axis.name)
-            axes[axis.name] = replace(slots, controller=slots.controller.replace(**gains))
+        for name, speed in speeds.items():
+            slots, axis = axes[name], machine.axis(name)
+            gains = designed(slots.controller, fraction * speed, model_of(machine, axis, slots.observer), name)
+            axes[name] = replace(slots, controller=slots.controller.replace(**gains))
     except ParameterError:
         return None
     return replace(controller, axes=axes)

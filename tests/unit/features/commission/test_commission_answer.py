@@ -14,8 +14,8 @@ from contourlab.app.json_values import json_values
 from contourlab.app.results import SAFETY
 from contourlab.errors import ParameterError
 from contourlab.features.commission.command import Commissioned, commission
-from contourlab.features.commission.hal_files import read_setup
 from contourlab.features.commission.loop import GAINS
+from contourlab.features.commission.setup import read_setup
 from contourlab.features.commission.tuning import AxisTask, TunedAxis, largest_error, shared_delay
 
 Rows = dict[str, np.ndarray]

@@ -8,7 +8,7 @@ from linuxcnc_rig import Rig
 from contourlab.errors import ScenarioError
 from contourlab.features.commission.command import changes
 from contourlab.features.commission.excitation import excitation, sampler_columns, sampler_lines
-from contourlab.features.commission.hal_files import Setup, read_setup
+from contourlab.features.commission.setup import Setup, read_setup
 from contourlab.program import parse_program
 
 

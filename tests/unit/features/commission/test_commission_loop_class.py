@@ -8,8 +8,8 @@ from each import each
 from made_two_masses import TwoMasses, drawn
 
 from contourlab.errors import ScenarioError
-from contourlab.features.commission.hal_files import Setup, read_setup
 from contourlab.features.commission.records import decided
+from contourlab.features.commission.setup import Setup, read_setup
 
 STEPS, VELOCITY, SERVO, UNKNOWN = "step generator", "velocity drive", "servo", "unknown"
 INI = """[KINS]

@@ -10,10 +10,10 @@ from made_two_masses import TwoMasses, drawn
 
 from contourlab.features.commission.command import planned_commands
 from contourlab.features.commission.excitation import excitation
-from contourlab.features.commission.hal_files import Setup, read_setup
 from contourlab.features.commission.identification import IdentifiedAxis, identify_axis, lost_motion_at_motor, play_at_load
 from contourlab.features.commission.loop import GAINS, AxisModel, Law
 from contourlab.features.commission.records import AxisLog, moving
+from contourlab.features.commission.setup import Setup, read_setup
 
 PLAY = 30e-6
 

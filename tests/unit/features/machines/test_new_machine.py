@@ -14,7 +14,7 @@ from contourlab.app.results import SAFETY
 from contourlab.errors import OutputError, ScenarioError
 from contourlab.features.machines.answers import BLANK, PRESETS, answers_text, interview, preset_file, read_answers
 from contourlab.features.machines.new_machine import new_machine, write_machine
-from contourlab.features.run.trust import numbers_of_machine
+from contourlab.rendering.origins import numbers_of_machine
 from contourlab.scenario import load_controller, load_machine
 from contourlab.study.notch import resonance_of
 from contourlab.units import to_si

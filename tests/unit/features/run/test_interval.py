@@ -15,11 +15,12 @@ from contourlab.components.drive.saturation import Saturation
 from contourlab.components.friction.laws import Coulomb
 from contourlab.components.origin import Origin
 from contourlab.components.plant.plant import MassDamper
-from contourlab.features.run.trust import SAMPLES, draw, main_contributor, noticeable, numbers_of, part_interval
+from contourlab.features.run.trust import SAMPLES, draw, main_contributor, noticeable, part_interval
 from contourlab.feed import Reference
 from contourlab.geometry import Line, Path
 from contourlab.loop import Axis, AxisController, Controller, Limits, Machine, simulate_batch
 from contourlab.rendering.judgement import Rank
+from contourlab.rendering.origins import numbers_of
 from contourlab.study import Setting
 
 PERIOD = 1e-3

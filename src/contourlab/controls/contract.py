@@ -1,0 +1,82 @@
+"""What a reader of a control's own file returns."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from contourlab.findings import Finding
+
+PERIOD = {"value": "1 ms", "source": "assumed", "note": "the control makes steps, and has no servo period"}
+"""Servo period of a machine whose control has none."""
+
+
+@dataclass(frozen=True, eq=False)
+class ControlFile:
+    """What a control's own file says of a machine.
+
+    Attributes
+    ----------
+    file : Path
+    control : str
+        Name of the control, as ``"LinuxCNC"``.
+    tables : mapping
+        ``machine`` and ``axes`` as in a machine file; also ``controller``, ``program`` and ``feed`` as far as the file sets them: what a
+        scenario says comes first. A number that the file does not hold itself is `computed` or `guessed`.
+    unmodelled : mapping of str to str
+        Axes whose answer the file leaves open, and why. Their plant is a stand-in for planning; nothing is simulated with it.
+    findings : tuple of Finding
+    files : tuple of Path
+        Further files that were read.
+    """
+
+    file: Path
+    control: str
+    tables: Mapping[str, Any]
+    unmodelled: Mapping[str, str] = field(default_factory=dict)
+    findings: tuple[Finding, ...] = ()
+    files: tuple[Path, ...] = ()
+
+
+def read_from(value: Any, place: str) -> dict[str, Any]:
+    """Return a value as the file holds it, such as ``"133 mm/s"`` of ``router.ini:54``."""
+    return {"value": value, "source": "control", "from": place}
+
+
+def computed(value: Any, how: str) -> dict[str, Any]:
+    """Return a value computed from what the file holds."""
+    return {"value": value, "source": "computed", "note": how}
+
+
+def guessed(value: str, low: str, high: str, why: str) -> dict[str, Any]:
+    """Return a value that the file does not hold, with the range in which it lies."""
+    return {"value": value, "source": "assumed", "range": [low, high], "note": why}
+
+
+def driven_by_steps(period: float, pulse: dict[str, Any] | None) -> dict[str, Any]:
+    """Return the tables of an axis that follows step pulses, with the travel per pulse, if it is known.
+
+    Parameters
+    ----------
+    period : float [s]
+        Servo period.
+    pulse : dict or None
+    """
+    frequency = guessed("150 Hz", "60 Hz", "300 Hz", "rotor and axis on the stiffness of a stepper of usual size")
+    damping = {"value": 0.15, "source": "assumed", "range": [0.05, 0.6], "note": "a stepper on usual drives"}
+    ahead = {"value": 1.0, "source": "assumed", "note": "a stepper is damped relative to its count"}
+    plant = {"kind": "step-drive", "natural_frequency": frequency, "damping_ratio": damping, "velocity_feedforward": ahead}
+    return {"substeps": substeps(300.0, period), "plant": plant if pulse is None else {**plant, "pulse": pulse}}
+
+
+def substeps(frequency: float, period: float) -> int:
+    """Return the sub-steps that a plant needs which oscillates at a frequency [Hz]."""
+    return max(1, math.ceil(8.0 * math.pi * frequency * period))
+
+
+def steps_controller(axes: Iterable[str]) -> dict[str, Any]:
+    """Return the controller of axes that take positions."""
+    return {"axes": {axis: {"controller": "steps"} for axis in axes}}

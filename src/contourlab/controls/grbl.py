@@ -1,0 +1,79 @@
+"""grbl and grblHAL: the dump of their settings, as the command ``$$`` prints it."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from contourlab.controls.contract import PERIOD, ControlFile, computed, driven_by_steps, read_from, steps_controller
+from contourlab.errors import ScenarioError
+from contourlab.findings import finding
+
+_SETTING = re.compile(r"^\s*(?:[<>\[]\s*)?\$(\d+)\s*=\s*([^\s(,\]]+)")
+_DUMP = re.compile(rb"^\s*(?:[<>\[]\s*)?\$1[0-3]0\s*=", re.MULTILINE)
+"""Steps, rate, acceleration or travel of the first axis."""
+_LIMITS = (("velocity", 110, "mm/min"), ("acceleration", 120, "mm/s^2"), ("jerk", 800, "mm/s^3"))
+LARGEST = 1e9
+
+
+def matches(file: Path, head: bytes) -> bool:
+    """Return whether a file is a dump of settings."""
+    return len(_DUMP.findall(head)) >= 2
+
+
+def read(file: Path) -> ControlFile:
+    """Return the machine of a dump.
+
+    Raises
+    ------
+    ScenarioError
+        If a setting is no number, or none of x, y and z has a rate.
+    """
+    settings = dict(_settings(file))
+    axes = [(n, letter) for n, letter in enumerate("xyz") if 110 + n in settings]
+    if not axes:
+        raise ScenarioError("has no $110: save all that the command $$ prints", file=file)
+    tables = {letter: dict(_axis(file, settings, n)) for n, letter in axes}
+    names = [letter for _, letter in axes]
+    machine = {"name": file.stem[:200], "servo_period": PERIOD, "axes": names}
+    findings = [finding("CL984", axes=names, why="grbl counts them")]
+    gaps = {letter: settings[160 + n][0] for n, letter in axes if 160 + n in settings}
+    findings += [finding("CL986", f"axis {letter}", gap=1e-3 * gap) for letter, gap in gaps.items() if gap]
+    every = {"machine": machine, "axes": tables, "controller": steps_controller(names), "program": {"dialect": "grbl"}}
+    return ControlFile(file, "grblHAL" if {160, 800} & settings.keys() else "grbl", every, findings=tuple(findings))
+
+
+def _settings(file: Path) -> Iterator[tuple[int, tuple[float, str]]]:
+    """Yield number, value and place of each setting; words are left out."""
+    for line, text in enumerate(file.read_text(encoding="utf-8-sig", errors="replace").splitlines(), start=1):
+        if match := _SETTING.match(text):
+            place = f"{file.name}:{line}"
+            try:
+                value = float(match[2])
+            except ValueError:
+                continue
+            if int(match[1]) >= 100 and not abs(value) < LARGEST:
+                raise ScenarioError(f"${match[1]} = {match[2]}: must be a number", file=place)
+            yield int(match[1]), (value, place)
+
+
+def _axis(file: Path, settings: dict[int, tuple[float, str]], n: int) -> Iterator[tuple[str, Any]]:
+    """Yield the tables of an axis."""
+
+    def positive(number: int) -> tuple[float, str] | None:
+        value, place = settings.get(number, (math.nan, ""))
+        if value <= 0.0:
+            raise ScenarioError(f"${number} = {value:g}: must be a number above 0", file=place)
+        return (value, place) if place else None
+
+    steps = positive(100 + n)
+    yield from driven_by_steps(1e-3, computed(f"{1e3 / steps[0]:.12g} um", f"1/${100 + n}") if steps else None).items()
+    known = [(name, positive(first + n), unit) for name, first, unit in _LIMITS if name != "jerk" or settings.get(first + n, (0.0, ""))[0]]
+    limits = {name: read_from(f"{value[0]:.12g} {unit}", value[1]) for name, value, unit in known if value}
+    if travel := settings.get(130 + n):
+        # After homing the machine zero is at the positive end.
+        limits["travel"] = read_from([f"{-abs(travel[0]):.12g} mm", "0 mm"], travel[1])
+    yield "limits", limits

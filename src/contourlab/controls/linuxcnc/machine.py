@@ -1,0 +1,172 @@
+"""The machine that the files of LinuxCNC describe."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from contourlab.controls.contract import ControlFile, computed, driven_by_steps, guessed, read_from, steps_controller, substeps
+from contourlab.controls.linuxcnc.files import LENGTHS, HalGraph, Ini, named_files, read_graph, read_ini, units_of
+from contourlab.controls.linuxcnc.loops import Joint, LoopClass, classified, joints, without_pid
+from contourlab.errors import ScenarioError
+from contourlab.findings import Finding, finding
+
+LETTERS = "xyz"
+"""Axes that a part program moves."""
+_OWN = re.compile(rb"^(\s*\[(EMC|DISPLAY|EMCMOT|KINS|TRAJ|RS274NGC)\]|#INCLUDE\s)", re.MULTILINE)
+
+
+def matches(file: Path, head: bytes) -> bool:
+    """Return whether a file is an INI file of LinuxCNC."""
+    return file.suffix.lower() == ".ini" and _OWN.search(head) is not None
+
+
+def read(file: Path) -> ControlFile:
+    """Return the machine of an INI file.
+
+    Raises
+    ------
+    ScenarioError
+        If a file cannot be read, a number is faulty, the kinematics couple the axes, or none of x, y and z moves.
+    """
+    ini = read_ini(file)
+    named = named_files(ini)
+    paths = [path for _, path in named if path is not None]
+    graph = read_graph(ini, paths, [entry for entry, path in named if path is None])
+    return _Machine(ini, graph, paths).control_file()
+
+
+@dataclass(eq=False)
+class _Machine:
+    """A machine while it is read."""
+
+    ini: Ini
+    graph: HalGraph
+    files: Sequence[Path]
+    findings: list[Finding] = field(default_factory=list)
+    unmodelled: dict[str, str] = field(default_factory=dict)
+    open_loop: dict[str, str] = field(default_factory=dict)
+    unit: float = LENGTHS["mm"]
+    period: float = 1e-3
+
+    def control_file(self) -> ControlFile:
+        """Return what the files say."""
+        kinematics = self.ini.first("KINS", "KINEMATICS")
+        if kinematics and not kinematics.value.startswith("trivkins"):
+            kind = kinematics.value.partition(" ")[0]
+            raise ScenarioError(f"KINEMATICS = {kind}: joints are no axes; only trivkins is read", file=kinematics.place)
+        self.unit, self.period, findings = units_of(self.ini)
+        self.findings += [finding("CL866", entry.place, file=entry.value) for entry in self.graph.unread] + findings
+        axes = dict(sorted(self._joints().items()))
+        if not axes:
+            raise ScenarioError("has none of the axes x, y and z", file=self.ini.file)
+        name, period = self.ini.first("EMC", "MACHINE"), f"{self.period * 1e6:.12g} us"
+        machine = {
+            "name": (name.value if name else "")[:200] or self.ini.file.stem,
+            "servo_period": self._read(period, "EMCMOT", "SERVO_PERIOD") or period,
+            "axes": list(axes),
+        }
+        tables: dict[str, Any] = {"machine": machine, "axes": {letter: self._axis(joint) for letter, joint in axes.items()}}
+        if self.open_loop:
+            self.findings.append(finding("CL984", axes=list(self.open_loop), why=next(iter(self.open_loop.values()))))
+        tables |= {"controller": steps_controller(axes), "program": self._program()}
+        return ControlFile(self.ini.file, "LinuxCNC", tables, self.unmodelled, tuple(self.findings), tuple(self.files))
+
+    def _joints(self) -> dict[str, Joint]:
+        """Return the joint of each axis; note those that are left out."""
+        axes: dict[str, Joint] = {}
+        for joint in joints(self.ini, self.graph):
+            if not any(section in self._sections(joint)[1:] for section, _ in self.ini.values):
+                continue  # without a section it is none of [KINS]JOINTS
+            if joint.axis not in LETTERS:
+                self.findings.append(finding("CL981", self.ini.file.name, axis=joint.axis))
+            elif joint.axis in axes:
+                self.findings.append(finding("CL982", self.ini.file.name, axis=joint.axis, joint=joint.number))
+            else:
+                axes[joint.axis] = joint
+        return axes
+
+    def _read(self, value: str, section: str, key: str) -> dict[str, Any] | None:
+        entry = self.ini.first(section, key)
+        return None if entry is None else read_from(value, f"{entry.place} [{section}]{key}")
+
+    def _least(self, keys: Sequence[tuple[str, str]], unit: str, *, largest: bool = False) -> dict[str, Any] | None:
+        """Return the least of several values of the file, or the largest; None if it has none."""
+        values = [(value, key) for key in keys if (value := self.ini.limit(*key)) is not None]
+        if not values:
+            return None
+        value, key = max(values) if largest else min(values)
+        if value <= 0.0 and "/" in unit:
+            raise ScenarioError(f"[{key[0]}]{key[1]} = {value:g}: must be above 0", file=self.ini.values[key][0].place)
+        return self._read(f"{value * self.unit * 1e3:.12g} {unit}", *key)
+
+    def _sections(self, joint: Joint) -> tuple[str, ...]:
+        """Return the sections of a joint and its axis; before LinuxCNC 2.8 the axes had numbers."""
+        return (f"AXIS_{joint.axis.upper()}", f"JOINT_{joint.number}", f"AXIS_{joint.number}")
+
+    def _axis(self, joint: Joint) -> dict[str, Any]:
+        """Return the tables of an axis."""
+        own = self._sections(joint)
+        limits: dict[str, Any] = {}
+        for name, key, unit in (("velocity", "MAX_VELOCITY", "mm/s"), ("acceleration", "MAX_ACCELERATION", "mm/s^2")):
+            path = ("TRAJ", key.replace("MAX_", "MAX_LINEAR_"))
+            if value := self._least([*((section, key) for section in own), path], unit):
+                limits[name] = value
+            else:
+                self.findings.append(finding("CL983", self.ini.file.name, axis=joint.axis, key=key))
+        planner = self.ini.first("TRAJ", "PLANNER_TYPE")
+        jerk = self._least([("TRAJ", "MAX_LINEAR_JERK"), *((section, "MAX_JERK") for section in own)], "mm/s^3")
+        limits |= {"jerk": jerk} if jerk and planner and planner.value == "1" else {}
+        ends = [self._least([(section, key) for section in own], "mm", largest=key == "MIN_LIMIT") for key in ("MIN_LIMIT", "MAX_LIMIT")]
+        if ends[0] and ends[1]:
+            limits["travel"] = read_from([end["value"] for end in ends if end], f"{ends[0]['from']} and {ends[1]['from']}")
+        if follows := self._least([(section, "FERROR") for section in own], "mm"):
+            limits["following_error"] = follows
+        if gap := next((gap for section in own if (gap := self.ini.limit(section, "BACKLASH"))), None):
+            self.findings.append(finding("CL986", f"axis {joint.axis}", gap=abs(gap) * self.unit))
+        if table := next((entry for section in own if (entry := self.ini.first(section, "COMP_FILE"))), None):
+            self.findings.append(finding("CL987", f"axis {joint.axis}", file=table.value))
+        loop = classified(self.graph, joint.pid) if joint.pid else without_pid(self.graph, joint.number)
+        return {**self._answer(joint, loop), "limits": limits}
+
+    def _answer(self, joint: Joint, loop: LoopClass) -> dict[str, Any]:
+        """Return plant and drive of an axis, by what closes its loop."""
+        own = self._sections(joint)[1:]
+        if loop.loop == "step generator":
+            self.open_loop[joint.axis] = loop.why
+            scale = next((scale for key in ("STEP_SCALE", "SCALE") for section in own if (scale := self.ini.limit(section, key))), None)
+            pulse = computed(f"{abs(self.unit * 1e6 / scale):.12g} um", "1/STEP_SCALE") if scale else None
+            drive: dict[str, Any] = {"kind": "step-generator"}
+            for name, key, unit in (("velocity_limit", "STEPGEN_MAXVEL", "mm/s"), ("acceleration_limit", "STEPGEN_MAXACCEL", "mm/s^2")):
+                keys = [(section, key) for section in own if self.ini.limit(section, key)]  # 0 is none
+                drive |= {name: self._least(keys, unit)} if keys else {}
+            return {**driven_by_steps(self.period, pulse), "drive": drive}
+        if loop.loop == "position drive":
+            frequency = guessed("40 Hz", "15 Hz", "100 Hz", "position loop of a servo drive of usual size")
+            ahead = {"value": 0.5, "source": "assumed", "range": [0.0, 1.0], "note": "drives differ"}
+            plant = {"kind": "step-drive", "natural_frequency": frequency, "velocity_feedforward": ahead}
+            return {"substeps": substeps(100.0, self.period), "plant": plant}
+        self.unmodelled[joint.axis] = loop.why
+        return {"plant": {"kind": "step-drive", "natural_frequency": f"{0.02 / self.period:.3g} Hz"}}
+
+    def _program(self) -> dict[str, Any]:
+        """Return how LinuxCNC reads a part program."""
+        startup = self.ini.first("RS274NGC", "RS274NGC_STARTUP_CODE") or self.ini.first("EMC", "RS274NGC_STARTUP_CODE")
+        keys: dict[str, Any] = {"unit": "mm" if self.unit == LENGTHS["mm"] else "inch"}
+        keys |= {"startup": startup.value} if startup and startup.value else {}
+        for name, section, key in (("tools", "EMCIO", "TOOL_TABLE"), ("parameters", "RS274NGC", "PARAMETER_FILE")):
+            entry = self.ini.first(section, key)
+            if entry is None or not entry.value:
+                continue
+            path = self.ini.file.parent / Path(entry.value).expanduser()
+            if path.is_file():
+                keys[name] = str(path.absolute())
+            else:
+                self.findings.append(finding("CL980", entry.place, key=key, file=entry.value))
+        if paths := self.ini.first("RS274NGC", "SUBROUTINE_PATH"):
+            folders = (path for path in paths.value.split(":") if path)
+            keys["subprograms"] = [str((self.ini.file.parent / Path(path).expanduser()).absolute()) for path in folders]
+        return keys
