@@ -107,6 +107,14 @@ def test_at_an_acceleration_that_it_can_it_loses_none(contourlab: Run) -> None:
     assert (said.code, [each["code"] for each in read(said)["findings"] if each["code"] == "CL209"]) == (0, [])
 
 
+def test_a_step_generator_below_the_limits_of_the_axis_is_the_cause_of_the_error(contourlab: Run) -> None:
+    Path("router.toml").write_text(MACHINE.replace('"8 m/s^2"', '"0.3 m/s^2"'), encoding="utf-8")
+    said = contourlab("run", "circle.toml", "--json")
+    verdict = read(said)["verdict"]
+    assert (said.code, verdict["causes"][0]["name"]) == (1, "saturation")
+    assert verdict["causes"][0]["share"] > 0.9
+
+
 def test_a_motor_that_stalls_diverges_and_says_where_it_lost_steps(contourlab: Run) -> None:
     Path("router.toml").write_text(HASTY.replace("microsteps = 8", 'microsteps = 8\ncorner_speed = "20 mm/s"'), encoding="utf-8")
     Path("part.ngc").write_text("G21 G90 G61 F12000\nG1 X20\nG1 X350\nM2\n", encoding="utf-8")

@@ -34,6 +34,8 @@ OTHER_NAMES = {
     **dict.fromkeys(("two-mass-model", "resonant", "elastic", "flexible"), "two-mass"),
     **dict.fromkeys(("ilc", "zero-phase-ilc"), "zero-phase"),
     **dict.fromkeys(("linear-scale", "grating", "resolver", "glass-scale"), "encoder"),
+    **dict.fromkeys(("stepper-motor", "step-motor"), "stepper"),
+    **dict.fromkeys(("stepgen", "step-gen"), "step-generator"),
     **dict.fromkeys(("derivative", "dirty-derivative", "difference"), "filtered-difference"),
     **dict.fromkeys(("ff", "feedforward", "model-inverse"), "inverse-dynamics"),
 }

@@ -164,7 +164,7 @@ class StepDrive(Follower):
 
     References
     ----------
-    Ellis, "Control System Design Guide", 4th ed., 2012, chapter on position loops with velocity feedforward.
+    Ellis, "Control System Design Guide", 4th ed., 2012, chapter 17 (position loops with velocity feedforward).
     """
 
     kind = "step-drive"

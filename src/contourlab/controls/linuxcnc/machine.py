@@ -123,13 +123,14 @@ class _Machine:
         ends = [self._least([(section, key) for section in own], "mm", largest=key == "MIN_LIMIT") for key in ("MIN_LIMIT", "MAX_LIMIT")]
         if ends[0] and ends[1]:
             limits["travel"] = read_from([end["value"] for end in ends if end], f"{ends[0]['from']} and {ends[1]['from']}")
-        if follows := self._least([(section, "FERROR") for section in own], "mm"):
-            limits["following_error"] = follows
         if gap := next((gap for section in own if (gap := self.ini.limit(section, "BACKLASH"))), None):
             self.findings.append(finding("CL986", f"axis {joint.axis}", gap=abs(gap) * self.unit))
         if table := next((entry for section in own if (entry := self.ini.first(section, "COMP_FILE"))), None):
             self.findings.append(finding("CL987", f"axis {joint.axis}", file=table.value))
         loop = classified(self.graph, joint.pid) if joint.pid else without_pid(self.graph, joint.number)
+        # With a step generator LinuxCNC compares the command with the count, not with the axis.
+        if loop.loop != "step generator" and (follows := self._least([(section, "FERROR") for section in own], "mm")):
+            limits["following_error"] = follows
         return {**self._answer(joint, loop), "limits": limits}
 
     def _answer(self, joint: Joint, loop: LoopClass) -> dict[str, Any]:

@@ -28,6 +28,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.components.compensation.backlash import QuadrantPulses
 from contourlab.components.contract import Component
+from contourlab.components.drive.saturation import Saturation
 from contourlab.components.feedforward.laws import FrictionFeedforward
 from contourlab.components.filter.biquad import Notch
 from contourlab.components.friction.laws import NoFriction
@@ -127,6 +128,8 @@ def unlimited(machine: Machine) -> Machine:
     """Return the machine with drives that have no limit."""
 
     def freed(axis: Axis) -> Axis:
+        if axis.plant.takes_position:
+            return replace(axis, drive=Saturation())
         known = axis.drive.parameters.get("limit")
         if known is None:
             return axis

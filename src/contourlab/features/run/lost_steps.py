@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from contourlab.components.plant.stepper import Stepper
+from contourlab.errors import DivergenceError
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.loop import Machine
@@ -31,3 +34,12 @@ def lost_steps(machine: Machine, reference: Reference, result: Result) -> tuple[
             where = {"time": sample * result.servo_period, "line": line}
             findings.append(finding("CL209", place=place, **where, most=float(np.abs(off).max()), steps=steps))
     return tuple(findings)
+
+
+def with_lost_steps(error: DivergenceError, machine: Machine, reference: Reference, again: Callable[..., Result]) -> DivergenceError:
+    """Return the error of a run, with what `lost_steps` finds before; `again` repeats the run, with options of `simulate`."""
+    if not any(isinstance(axis.plant, Stepper) for axis in machine.axes):
+        return error
+    cut = again(on_failure="return")
+    reason = "; ".join((cut.status.reason, *(each.text for each in lost_steps(machine, reference, cut))))
+    return DivergenceError(reason, sample=error.sample, time=error.time, axis=error.axis)

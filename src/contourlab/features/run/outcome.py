@@ -22,7 +22,7 @@ from contourlab.engine.runner import make_group
 from contourlab.errors import ComponentError, DivergenceError, ResultError
 from contourlab.features.check.program_check import about_machine, path_mode_assumed
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
-from contourlab.features.run.lost_steps import lost_steps
+from contourlab.features.run.lost_steps import lost_steps, with_lost_steps
 from contourlab.features.run.trust import part_interval
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import LimitReport, Reference, limit_report
@@ -309,14 +309,11 @@ def run_case(
     noise: dict[str, Any] = {"seed": case.run.seed, "moving": case.moving}
     given: dict[str, Any] = {"learned": None if learned is None else learned.table.learned, "changes": case.changes}
     given |= {"progress": report_progress} if learned is None else {"trial": learned.best}
+    once = partial(simulate, machine, controller, reference, scheme=case.name, **noise, **given)
     try:
-        result = simulate(machine, controller, reference, scheme=case.name, **noise, **given)
+        result = once()
     except DivergenceError as error:
-        cut = simulate(machine, controller, reference, on_failure="return", **noise, **given)
-        if lost := lost_steps(machine, reference, cut):
-            reason = "; ".join((cut.status.reason, *(one.text for one in lost)))
-            raise DivergenceError(reason, sample=error.sample, time=error.time, axis=error.axis) from error
-        raise
+        raise with_lost_steps(error, machine, reference, once) from None
     begin(f"judging {case.name}")
     judged = judge(result, reference)
     check_follows(judged, reference)
