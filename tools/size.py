@@ -30,9 +30,9 @@ BUDGETS = {
     "program": 2314,
     "rendering": 2450,
     "result": 402,
-    "scenario": 1926,
+    "scenario": 1934,
     "study": 1412,
-    "without papers": 52907,
+    "without papers": 52915,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

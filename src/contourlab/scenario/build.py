@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import fields, replace
 from functools import partial
 from typing import Any
@@ -89,15 +89,15 @@ def read_component(
     kind = find_kind(table, family)
     own = table.without("kind")
     declared = parameters_of(kind, units)
-    values = {**(given or {}), **read_parameters(kind.kind, declared, own)}
+    values = {**(given or {}), **read_parameters(kind.kind, declared, own, family)}
     origins = {name: WORKED_OUT for name in given or () if name not in own.entries} | read_origins(declared, own, values)
     _refuse_missing(kind.kind, declared, values, table)
     with located(table):
         return kind(**values).traced(origins)
 
 
-def read_parameters(what: str, declared: Mapping[str, Parameter], table: Table) -> dict[str, Any]:
-    """Read declared numbers and words in SI.
+def read_parameters(what: str, declared: Mapping[str, Parameter], table: Table, family: str = "") -> dict[str, Any]:
+    """Read declared numbers and words in SI; the message about an unknown one names a component of `family` that has it.
 
     Raises
     ------
@@ -107,10 +107,20 @@ def read_parameters(what: str, declared: Mapping[str, Parameter], table: Table) 
     values: dict[str, Any] = {}
     for name, node in table.entries.items():
         if name not in declared:
-            raise table.error(f"{what} has no parameter {name!r}: {hint(name, declared)}", name)
+            raise table.error(f"{what} has no parameter {name!r}: {_elsewhere(family, name, table.entries) or hint(name, declared)}", name)
         with located(table, name):
             values[name] = _value(declared[name], bare(node).plain())
     return values
+
+
+def _elsewhere(family: str, name: str, given: Collection[str]) -> str:
+    """Return which component of a family has a parameter, and what to write for it; empty if there is none."""
+    others = [kind for kind in components(family) if name in kind.parameters] if family else []
+    if not others:
+        return ""
+    kind = max(others, key=lambda kind: len(kind.parameters.keys() & given))
+    needed = [key for key, parameter in kind.parameters.items() if parameter.default is None and key not in given]
+    return f'{kind.kind} has it: write kind = "{kind.kind}"' + (f", and add {', '.join(needed)}" if needed else "")
 
 
 def _refuse_missing(what: str, declared: Mapping[str, Parameter], values: Mapping[str, Any], table: Table) -> None:

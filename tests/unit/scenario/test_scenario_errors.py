@@ -17,6 +17,8 @@ Write = Callable[..., Path]
 FAULTS = [
     ('kind = "rigid-axis"\ngain = "1695', 'kind = "rigid-axes"\ngain = "1695', "axes.x.plant.kind", "'rigid-axis'"),
     ('damping = "10 1/s"', 'dampng = "10 1/s"', "axes.x.plant.dampng", "'damping'"),
+    ('damping = "10 1/s"', 'backlash_gap = "20 um"', "axes.x.plant.backlash_gap", '"two-inertia", and add motor_inertia'),
+    ('damping = "10 1/s"', 'resonance = "50 Hz"', "axes.x.plant.resonance", '"two-mass"'),
     ('damping = "10 1/s"', "damping = 10", "axes.x.plant.damping", "no unit"),
     ('damping = "10 1/s"', 'damping = "10 mm"', "axes.x.plant.damping", "converted"),
     ('damping = "10 1/s"', 'damping = "-1 1/s"', "axes.x.plant.damping", ">= 0 1/s"),
