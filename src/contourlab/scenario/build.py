@@ -118,9 +118,9 @@ def _elsewhere(family: str, name: str, given: Collection[str]) -> str:
     others = [kind for kind in components(family) if name in kind.parameters] if family else []
     if not others:
         return ""
-    kind = max(others, key=lambda kind: len(kind.parameters.keys() & given))
-    needed = [key for key, parameter in kind.parameters.items() if parameter.default is None and key not in given]
-    return f'{kind.kind} has it: write kind = "{kind.kind}"' + (f", and add {', '.join(needed)}" if needed else "")
+    needed = {kind: [key for key, part in kind.parameters.items() if part.default is None and key not in given] for kind in others}
+    kind = max(others, key=lambda kind: (len(kind.parameters.keys() & given), -len(needed[kind])))
+    return f'{kind.kind} has it: write kind = "{kind.kind}"' + (f", and add {', '.join(needed[kind])}" if needed[kind] else "")
 
 
 def _refuse_missing(what: str, declared: Mapping[str, Parameter], values: Mapping[str, Any], table: Table) -> None:
