@@ -96,12 +96,12 @@ def _of_text(head: bytes) -> str:
         return _of_toml(toml_of(head.decode("utf-8-sig")))
     except (ValueError, RecursionError):  # no UTF-8, or no TOML
         pass
+    if _MOTION.search(head):
+        return "a part program"
     if _LINUXCNC.search(head):
         return "a file of LinuxCNC"
     if _GRBL.search(head):
         return "the settings of a control"
-    if _MOTION.search(head):
-        return "a part program"
     return "a log" if len(_NUMBERS.findall(head)) > 1 else ""
 
 

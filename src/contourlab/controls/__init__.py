@@ -18,7 +18,7 @@ from typing import Protocol
 
 from contourlab.controls.contract import ControlFile, computed, guessed, read_from
 
-__all__ = ["ENTRY_POINT_GROUP", "ControlFile", "Reader", "computed", "control_file", "guessed", "read_from", "readers"]
+__all__ = ["ENTRY_POINT_GROUP", "ControlFile", "Reader", "computed", "control_file", "guessed", "read_from", "reader_of", "readers"]
 
 ENTRY_POINT_GROUP = "contourlab.controls"
 _HEAD = 1 << 16
@@ -42,6 +42,15 @@ def readers() -> dict[str, Reader]:
     return {**own, **{entry.name: entry.load() for entry in importlib.metadata.entry_points(group=ENTRY_POINT_GROUP)}}
 
 
+def reader_of(file: Path) -> Reader | None:
+    """Return the reader that knows a file; None if none does."""
+    if file.suffix == ".toml" or not file.is_file():
+        return None
+    with file.open("rb") as stream:
+        head = stream.read(_HEAD)
+    return next((reader for reader in readers().values() if reader.matches(file, head)), None)
+
+
 def control_file(file: Path) -> ControlFile | None:
     """Return what a control's own file says; None if no reader knows it.
 
@@ -50,9 +59,5 @@ def control_file(file: Path) -> ControlFile | None:
     ScenarioError
         If a reader knows it, but it is faulty; has file and line.
     """
-    if file.suffix == ".toml" or not file.is_file():
-        return None
-    with file.open("rb") as stream:
-        head = stream.read(_HEAD)
-    reader = next((reader for reader in readers().values() if reader.matches(file, head)), None)
+    reader = reader_of(file)
     return None if reader is None else reader.read(file)

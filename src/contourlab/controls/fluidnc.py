@@ -48,11 +48,21 @@ def read(file: Path) -> ControlFile:
     if not names:
         raise ScenarioError("has none of the axes x, y and z under axes", file=file)
     machine = {"name": str(sections.get("name") or file.stem)[:200], "servo_period": PERIOD, "axes": names}
-    findings = [finding("CL984", axes=names, why="FluidNC counts them")]
-    findings += [finding("CL981", file.name, axis=name) for name in axes if name in ("a", "b", "c", "u", "v", "w")]
+    findings = [finding("CL984", axes=names, why="FluidNC counts its steps")]
+    others = [name for name in axes if name in ("a", "b", "c", "u", "v", "w")]
+    findings += [finding("CL981", file.name, axis=name, why="only x, y and z are read") for name in others]
     tables = {name: dict(_axis(file, name, axes[name])) for name in names}
-    every = {"machine": machine, "axes": tables, "controller": steps_controller(names), "program": {"dialect": "grbl"}}
+    homed = [_homed(axes.get(name, {})) for name in "xyz"]
+    program = {"dialect": "grbl", "start": ", ".join(map(repr, homed))}
+    every = {"machine": machine, "axes": tables, "controller": steps_controller(names), "program": program}
     return ControlFile(file, "FluidNC", every, findings=tuple(findings))
+
+
+def _homed(axis: Mapping[str, Any]) -> float:
+    """Return where an axis stands after homing [mm]."""
+    homing = axis.get("homing")
+    at = homing.get("mpos_mm") if isinstance(homing, Mapping) else None
+    return float(at) if isinstance(at, int | float) else 0.0
 
 
 def _axis(file: Path, name: str, axis: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
@@ -74,6 +84,8 @@ def _axis(file: Path, name: str, axis: Mapping[str, Any]) -> Iterator[tuple[str,
     homing: Mapping[str, Any] = given if isinstance(given, Mapping) else {}
     if travel := number(axis, "max_travel_mm"):
         at = number(homing, "mpos_mm", -LARGEST) or 0.0  # where the switch is
-        low = at - travel if homing.get("positive_direction", True) else at
+        if not isinstance(up := homing.get("positive_direction", True), bool):
+            raise ScenarioError("must be true or false", file=file, key=f"axes.{name}.homing.positive_direction")
+        low = at - travel if up else at
         limits["travel"] = read_from([f"{low:.12g} mm", f"{low + travel:.12g} mm"], f"{file.name} axes.{name}.max_travel_mm and homing")
     yield "limits", limits

@@ -12,7 +12,7 @@ from contourlab.controls.contract import PERIOD, ControlFile, computed, driven_b
 from contourlab.errors import ScenarioError
 from contourlab.findings import finding
 
-_SETTING = re.compile(r"^\s*(?:[<>\[]\s*)?\$(\d+)\s*=\s*([^\s(,\]]+)")
+_SETTING = re.compile(r"^\s*(?:[<>\[]\s*)?\$(\d+)\s*=\s*([^\s(\]]+)")
 _DUMP = re.compile(rb"^\s*(?:[<>\[]\s*)?\$1[0-3]0\s*=", re.MULTILINE)
 """Steps, rate, acceleration or travel of the first axis."""
 _LIMITS = (("velocity", 110, "mm/min"), ("acceleration", 120, "mm/s^2"), ("jerk", 800, "mm/s^3"))
@@ -39,7 +39,7 @@ def read(file: Path) -> ControlFile:
     tables = {letter: dict(_axis(file, settings, n)) for n, letter in axes}
     names = [letter for _, letter in axes]
     machine = {"name": file.stem[:200], "servo_period": PERIOD, "axes": names}
-    findings = [finding("CL984", axes=names, why="grbl counts them")]
+    findings = [finding("CL984", axes=names, why="grbl counts its steps")]
     gaps = {letter: settings[160 + n][0] for n, letter in axes if 160 + n in settings}
     findings += [finding("CL986", f"axis {letter}", gap=1e-3 * gap) for letter, gap in gaps.items() if gap]
     every = {"machine": machine, "axes": tables, "controller": steps_controller(names), "program": {"dialect": "grbl"}}
@@ -52,10 +52,10 @@ def _settings(file: Path) -> Iterator[tuple[int, tuple[float, str]]]:
         if match := _SETTING.match(text):
             place = f"{file.name}:{line}"
             try:
-                value = float(match[2])
+                value = float(match[2].rstrip(","))
             except ValueError:
-                continue
-            if int(match[1]) >= 100 and not abs(value) < LARGEST:
+                value = math.nan
+            if 100 <= int(match[1]) < 140 and not abs(value) < LARGEST:
                 raise ScenarioError(f"${match[1]} = {match[2]}: must be a number", file=place)
             yield int(match[1]), (value, place)
 
@@ -74,6 +74,8 @@ def _axis(file: Path, settings: dict[int, tuple[float, str]], n: int) -> Iterato
     known = [(name, positive(first + n), unit) for name, first, unit in _LIMITS if name != "jerk" or settings.get(first + n, (0.0, ""))[0]]
     limits = {name: read_from(f"{value[0]:.12g} {unit}", value[1]) for name, value, unit in known if value}
     if travel := settings.get(130 + n):
-        # After homing the machine zero is at the positive end.
-        limits["travel"] = read_from([f"{-abs(travel[0]):.12g} mm", "0 mm"], travel[1])
+        # After homing the machine zero is at the positive end; with grblHAL's flag it is where the axis homes.
+        homing, directions = (int(settings.get(number, (0.0, ""))[0]) for number in (22, 23))
+        low = 0.0 if homing & 8 and directions >> n & 1 else -abs(travel[0])
+        limits["travel"] = read_from([f"{low:.12g} mm", f"{low + abs(travel[0]):.12g} mm"], travel[1])
     yield "limits", limits

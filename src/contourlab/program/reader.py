@@ -17,7 +17,18 @@ from contourlab.program.block import Block, Parameters, read_block
 from contourlab.program.flow import LONGEST_LINE, Tape, Walker
 from contourlab.program.interpreter import execute
 from contourlab.program.moves import Dwell, Move, Notice, Point, Program
-from contourlab.program.state import ModalState, Tools, metres, own_names, read_parameters, read_tools, store_origin, unreadable
+from contourlab.program.state import (
+    ORIGIN,
+    ModalState,
+    Tools,
+    metres,
+    own_names,
+    read_parameters,
+    read_tools,
+    store_origin,
+    store_shift,
+    unreadable,
+)
 from contourlab.program.vocabulary import SYSTEMS, BlockError
 from contourlab.units import setting
 
@@ -56,6 +67,8 @@ class Reading:
         Machine unit: of tool table, parameter file and a program that sets none.
     zero : str
         Zero of the program in machine coordinates, such as ``"100, 100, -20"`` in the machine unit: the origin of every coordinate system.
+    start : str
+        Position of the axes in machine coordinates at the begin, in the same form; machine zero if empty.
     startup : str
         Block that the control executes before the program.
     folder : Path or None
@@ -79,6 +92,7 @@ class Reading:
     parameters: str | Path | None = field(default=None, metadata=setting())
     unit: Literal["mm", "inch"] = "mm"
     zero: str = field(default="", metadata=setting())
+    start: str = field(default="", metadata=setting())
     startup: str = field(default="", metadata=setting(maximum=255))
     folder: Path | None = None
     subprograms: tuple[str, ...] = field(default=(), metadata=setting())
@@ -89,24 +103,24 @@ class Reading:
             raise ProgramError(f"unknown dialect {self.dialect!r}: use {', '.join(get_args(Dialect))}")
         if self.most_moves < 1:
             raise ProgramError(f"most_moves = {self.most_moves}: write a number from 1")
-        if self.zero:
-            self.origin  # noqa: B018  # it may be no point
+        for name in ("zero", "start"):
+            self.point(name)
 
-    @property
-    def origin(self) -> Point:
-        """Zero of the program [m].
+    def point(self, name: str) -> Point:
+        """Return `zero` or `start` [m]; the origin without one.
 
         Raises
         ------
         ProgramError
-            If `zero` is no point.
+            If it is no point.
         """
+        text = getattr(self, name)
         try:
-            x, y, z = (metres(float(text), self.unit == "mm") for text in self.zero.split(","))
+            x, y, z = (metres(float(word), self.unit == "mm") for word in (text or "0,0,0").split(","))
         except ValueError:
             x = y = z = math.nan
         if not all(map(math.isfinite, (x, y, z))):
-            raise ProgramError(f'zero = {self.zero!r}: write three numbers, x, y and z, in {self.unit}, such as "100, 100, -20"')
+            raise ProgramError(f'{name} = {text!r}: write three numbers, x, y and z, in {self.unit}, such as "100, 100, -20"')
         return x, y, z
 
 
@@ -170,10 +184,11 @@ class Reader:
         if self.reading.parameters is not None:
             read_parameters(self.reading.parameters, self.parameters, is_mm)
         if self.reading.zero:
+            store_shift(self.parameters, ORIGIN, applied=False)
             for system in range(1, len(SYSTEMS) + 1):
-                store_origin(self.parameters, system, self.reading.origin, 0.0)
-        if self.reading.parameters is not None or self.reading.zero:
-            self.state.take_offsets()
+                store_origin(self.parameters, system, self.reading.point("zero"), 0.0)
+        if self.reading.parameters is not None or self.reading.zero or self.reading.start:
+            self.state.take_offsets(self.reading.point("start"))
         self._lines, self._n_read = iter(lines), 0
         self.walker = Walker(Tape(self._framed(), str(name)), self.parameters, self._subprogram, self.reading.most_moves)
         self.parameters.own = own_names(self.state, lambda: self.walker.place[1])

@@ -214,13 +214,13 @@ def _add(tools: Tools, entry: str, millimetres: bool, file: str | Path, line: in
     unknown = words.keys() - _LETTERS
     if unknown:
         raise ProgramError(f"CL849 a tool table has no word {min(unknown)}: use {', '.join(sorted(_LETTERS))}", file=file, line=line)
-    tool = words.get("T", 0.0)
-    if tool != round(tool) or not 1 <= tool <= LARGEST_TOOL:
+    tool = words.get("T", -1.0)
+    if tool != round(tool) or not 0 <= tool <= LARGEST_TOOL:
         raise ProgramError(
-            f"CL849 a tool number must be a whole number from 1 to {LARGEST_TOOL}: write for example T1", file=file, line=line
+            f"CL849 a tool number must be a whole number from 0 to {LARGEST_TOOL}: write for example T1", file=file, line=line
         )
     if int(tool) in tools.offsets:
-        raise ProgramError(f"CL849 tool {int(tool)} is listed twice: delete one of the lines", file=file, line=line)
+        return  # LinuxCNC takes the first
     x, y, z, diameter = (metres(words.get(letter, 0.0), millimetres) for letter in (*_LENGTHS, "D"))
     tools.offsets[int(tool)] = (x, y, z)
     tools.diameters[int(tool)] = diameter
@@ -417,13 +417,14 @@ class ModalState:
         """Record an event with its place among the moves."""
         self.events.append(Event(word, value, line, index, self.made))
 
-    def take_offsets(self) -> None:
-        """Select the coordinate system and the shift of G92 that the parameters hold."""
-        axes, system = self.axes, int(self.parameters.number(SELECTED_SYSTEM))
+    def take_offsets(self, axes: Point) -> None:
+        """Select the coordinate system and the shift of G92 that the parameters hold, with the axes at a position [m]."""
+        system = int(self.parameters.number(SELECTED_SYSTEM))
         self.frame.system = system if 1 <= system <= len(SYSTEMS) else 1
         self.frame.origin, self.frame.rotation = origin_of(self.parameters, self.frame.system)
         if self.parameters.number(SHIFT_APPLIED):
             self.frame.shift = self.parameters.point(SHIFT_APPLIED + 1)
+        self.reached = axes
         self.see_from(axes)
 
     def see_from(self, axes: Point) -> None:

@@ -44,6 +44,8 @@ def dump(value: Machine | Controller | Axis | Scenario, machine: Machine | None 
     ------
     TypeError
         If the value is of another type, or a controller comes without its machine.
+    ParameterError
+        If an axis has only a stand-in for its plant, because the control's own file does not say how it answers.
     """
     if isinstance(value, Controller):
         if machine is None:
@@ -125,6 +127,7 @@ def _correlations(part: Axis | Machine) -> dict[str, Any]:
 
 def machine_tables(machine: Machine) -> dict[str, Any]:
     """Return ``machine`` and ``axes``."""
+    machine.check_modelled()
     table: dict[str, Any] = {**table_of(machine), "axes": list(machine.axis_names)}
     if machine.squareness:
         angles = {f"{a}-{b}": written(angle, SQUARENESS) for (a, b), angle in machine.squareness.items()}

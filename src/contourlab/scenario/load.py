@@ -115,9 +115,17 @@ def read_motion(content: Table, machine: Machine) -> Motion:
 
 def reading_on(machine: Machine, given: Mapping[str, Any]) -> Reading:
     """Return how a machine reads a part program: as its control's own file says, with what is given."""
+    return Reading(**{**_of_control(machine, "program", Reading), **given})
+
+
+def feed_on(machine: Machine) -> FeedSettings:
+    """Return the settings of the feed that the control's own file of a machine has."""
+    return FeedSettings(**_of_control(machine, "feed", FeedSettings))
+
+
+def _of_control(machine: Machine, table: str, kind: type) -> dict[str, Any]:
     control = machine.control
-    own = {} if control is None else read_values(from_mapping(control.tables.get("program", {}), str(control.file), "program"), Reading)
-    return Reading(**{**own, **given})
+    return {} if control is None else read_values(from_mapping(control.tables.get(table, {}), str(control.file), table), kind)
 
 
 def _contour(node: Node, machine: Machine) -> Contour:

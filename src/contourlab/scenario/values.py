@@ -182,6 +182,8 @@ class FeedSettings:
         Deviation of merged lines with ``path_control = "blend"``; by default `corner_tolerance`.
     curvature_step : float, 0 to 1
         Allowed step of an axis acceleration, as a share of its limit, where the curvature jumps; 0 stops there.
+    path_velocity : float [m/s], > 0
+        Largest velocity along a planned path, rapids included.
     """
 
     law: Literal["planned", "uniform"] = "planned"
@@ -193,6 +195,7 @@ class FeedSettings:
     corner_tolerance: float | None = field(default=None, metadata=DISTANCE)
     merge_tolerance: float | None = field(default=None, metadata=setting("m", "um", minimum=0.0))
     curvature_step: float = field(default=1.0, metadata=setting(minimum=0.0, maximum=1.0))
+    path_velocity: float = field(default=np.inf, metadata=setting("m/s", "mm/min", minimum=0.0, exclusive=True))
 
     @property
     def default_tolerance(self) -> float:
@@ -416,6 +419,8 @@ class Case:
             route = self.motion.route(tolerance)
         if factor != 1.0:
             route = replace(route, feedrate=np.where(route.rapid, route.feedrate, route.feedrate * factor))
+        if np.isfinite(self.feed.path_velocity):
+            route = replace(route, feedrate=np.minimum(route.feedrate, self.feed.path_velocity))
         return blended(controlled(route, self.feed.path_control, tolerance, self.feed.merge_tolerance), self.machine.planner_limits())
 
 

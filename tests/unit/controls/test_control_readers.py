@@ -8,6 +8,7 @@ from made_controls import FILES, made_control
 
 from contourlab.controls import control_file, readers
 from contourlab.errors import ContourlabError, ScenarioError
+from contourlab.file_kinds import kind_of
 from contourlab.loop import Machine
 from contourlab.rendering.origins import numbers_of_machine, stated
 from contourlab.scenario import load_machine
@@ -68,7 +69,9 @@ def test_a_damaged_file_is_refused_with_its_place_or_read(tmp_path: Path, reader
         ("linuxcnc", "trivkins", "genhexkins"),
         ("grbl", "$110=3048.000", "$110=0"),
         ("grbl", "$120=508.000", "$120=nan"),
+        ("grbl", "$100=250.000", "$100=314,961"),
         ("fluidnc", "3048", "[1, 2]"),
+        ("fluidnc", "positive_direction: false", "positive_direction: 'false'"),
         ("fluidnc", "name: a router", "kinematics:\n  corexy:"),
         ("fluidnc", "  x:", "  x: {"),
     ],
@@ -84,6 +87,17 @@ def test_a_file_of_no_control_is_none(tmp_path: Path) -> None:
         (tmp_path / name).write_text(text)
         assert control_file(tmp_path / name) is None
     assert control_file(tmp_path / "absent.ini") is None
+
+
+@pytest.mark.parametrize(("more", "low"), [("", -0.254), ("$22=15\n$23=1\n", 0.0), ("$22=7\n$23=1\n", -0.254)])
+def test_grblhal_may_have_its_zero_where_an_axis_homes(tmp_path: Path, more: str, low: float) -> None:
+    machine = loaded(made_control(tmp_path, "grbl", ("ok\n", f"{more}ok\n")))
+    assert machine.axes[0].limits.ends == pytest.approx((low, low + 0.254))
+
+
+def test_a_part_program_with_settings_is_one(tmp_path: Path) -> None:
+    (tmp_path / "part.nc").write_text("$H\n$110=500\nG21\nG1 X10 F100\n")
+    assert kind_of(tmp_path / "part.nc") == "a part program"
 
 
 def test_grbl_settings_in_other_dress(tmp_path: Path) -> None:

@@ -10,8 +10,11 @@ from typed_commands import invoke
 
 from contourlab.controls import control_file
 from contourlab.errors import ParameterError, ScenarioError
+from contourlab.feed import Reference
+from contourlab.feed.reference import ReferenceBlock
+from contourlab.loop.simulate import sampler
 from contourlab.program import Reading, parse_program
-from contourlab.scenario import load_machine, load_scenario
+from contourlab.scenario import dump, load_machine, load_scenario
 from contourlab.scenario.load import reading_on, scenario_from_parts
 
 PROGRAM = "G0 X1 Y1\nG1 X2 F30\nG1 Y2\nM2\n"
@@ -30,6 +33,10 @@ def codes(file: Path) -> list[str]:
     control = control_file(file)
     assert control is not None
     return [found.code for found in control.findings]
+
+
+def blocks_of(reference: Reference) -> list[ReferenceBlock]:
+    return [reference.block(start, stop, sampler(True)) for start, stop in reference.blocks(4096)]
 
 
 def test_a_program_is_read_in_the_units_and_offsets_of_the_control(tmp_path: Path) -> None:
@@ -91,6 +98,60 @@ def test_what_is_absent_is_named_and_the_rest_is_read(tmp_path: Path) -> None:
     assert load_machine(file).axes[0].limits.velocity == pytest.approx(0.0508)
 
 
+def test_a_tool_table_has_tool_0_and_the_first_of_two(tmp_path: Path) -> None:
+    (tmp_path / "tool.tbl").write_text("T0 P0\nT1 P1 Z2\nT1 P1 Z5\n")
+    program = parse_program("T1 M6\nG43\nG0 X1 Z0\nM2", reading=Reading(tools=tmp_path / "tool.tbl"))
+    assert program.moves[0].end[2] == pytest.approx(0.002)
+
+
+def test_the_axes_begin_where_they_are_homed(tmp_path: Path) -> None:
+    """So that a start at machine zero, outside the travel, is no fault of the program."""
+    file = machine_file(tmp_path, ("MIN_LIMIT = -1\nMAX_LIMIT = 9", "MIN_LIMIT = 4\nMAX_LIMIT = 9"), ("[JOINT_0]", "[JOINT_0]\nHOME = 5"))
+    part = tmp_path / "part.ngc"
+    part.write_text(PROGRAM)
+    said = invoke(tmp_path, "check", part, "--machine", file, "--zero", "5, 1, 0", "--json")
+    assert said.code == 0
+    assert json.loads(said.out)["box"]["x"] == pytest.approx([5 * 0.0254, 7 * 0.0254])
+
+
+def test_a_zero_leaves_no_shift_of_g92(tmp_path: Path) -> None:
+    (tmp_path / "sim.var").write_text("5210\t1\n5211\t1.5\n")
+    reading = Reading(parameters=tmp_path / "sim.var", zero="100, 0, 0")
+    assert parse_program("G0 X30\nM2", reading=reading).moves[0].end[0] == pytest.approx(0.13)
+
+
+@pytest.mark.parametrize("hal", ["loadrt corexykins", "loadrt trivkins coordinates=XZ"])
+def test_kinematics_that_only_hal_names(tmp_path: Path, hal: str) -> None:
+    file = machine_file(tmp_path, ("[KINS]\nKINEMATICS = trivkins coordinates=XY\n", ""), ("[HAL]\n", f"[HAL]\nHALCMD = {hal}\n"))
+    if "core" in hal:
+        with pytest.raises(ScenarioError):
+            load_machine(file)
+    else:
+        assert load_machine(file).axis_names == ("x", "z")
+
+
+def test_axes_of_an_old_lathe_have_the_numbers_of_their_letters(tmp_path: Path) -> None:
+    old = LINUXCNC.replace("trivkins coordinates=XY", "trivkins").replace("[TRAJ]", "[TRAJ]\nCOORDINATES = X Z")
+    old = old.replace("[JOINT_0]", "[AXIS_0]").replace("[JOINT_1]", "[AXIS_2]").replace("[AXIS_Y]\nMIN_LIMIT = 0\nMAX_LIMIT = 5\n", "")
+    machine = load_machine(machine_file(tmp_path, text=old))
+    assert machine.axis_names == ("x", "z") and machine.axis("z").limits.velocity == pytest.approx(0.0762)
+
+
+def test_both_sides_of_a_gantry_count(tmp_path: Path) -> None:
+    more = "STEP_SCALE = 4000\n[JOINT_2]\nMAX_VELOCITY = 1\nMAX_ACCELERATION = 20\n[AXIS_Y]"
+    file = machine_file(tmp_path, ("coordinates=XY", "coordinates=XYX"), ("STEP_SCALE = 4000\n[AXIS_Y]", more))
+    assert load_machine(file).axes[0].limits.velocity == pytest.approx(0.0254) and "CL982" in codes(file)
+
+
+def test_the_velocity_along_the_path_is_bounded(tmp_path: Path) -> None:
+    file = machine_file(tmp_path, ("[TRAJ]\n", "[TRAJ]\nMAX_LINEAR_VELOCITY = 1\n"))
+    part = tmp_path / "part.ngc"
+    part.write_text("G0 X4 Y4\nG1 X4.1 F1\nM2\n")
+    case = scenario_from_parts(part, file).base
+    speed = max(float((block.velocity**2).sum(axis=1).max() ** 0.5) for block in blocks_of(case.reference()))
+    assert speed == pytest.approx(0.0254, rel=1e-6)
+
+
 def test_what_the_control_compensates_is_not_the_machine(tmp_path: Path) -> None:
     file = machine_file(tmp_path, ("STEP_SCALE = 4000\n[AXIS_Y]", "STEP_SCALE = 4000\nBACKLASH = 0.001\nCOMP_FILE = x.comp\n[AXIS_Y]"))
     control = control_file(file)
@@ -136,8 +197,9 @@ def test_an_axis_whose_answer_is_open_is_planned_but_not_run(tmp_path: Path) -> 
     )
     machine = load_scenario(scenario).machine
     machine.check_modelled()
-    with pytest.raises(ParameterError):
-        load_machine(file).check_modelled()
+    for refused in (load_machine(file).check_modelled, lambda: dump(load_machine(file))):
+        with pytest.raises(ParameterError):
+            refused()
 
 
 def test_a_scenario_takes_controller_and_program_reading_from_the_control(tmp_path: Path) -> None:

@@ -87,14 +87,24 @@ class Joint:
     pid: str
 
 
+def kinematics_of(ini: Ini, graph: HalGraph) -> list[tuple[str, str]]:
+    """Return place and words of each kinematics that the INI file names, or HAL loads."""
+    entry = ini.first("KINS", "KINEMATICS")
+    loaded = [(line.place, " ".join(line.words[1:])) for line in graph.statements if line.words[0] == "loadrt" and len(line.words) > 1]
+    return ([(entry.place, entry.value)] if entry else []) + [one for one in loaded if re.match(r"\w*kins\b", one[1])]
+
+
 def joints(ini: Ini, graph: HalGraph) -> list[Joint]:
     """Return the joints in order, with the pid of each."""
-    kinematics, traj = ini.first("KINS", "KINEMATICS"), ini.first("TRAJ", "COORDINATES")
-    given = re.search(r"coordinates=([A-Za-z]+)", kinematics.value) if kinematics else None
-    letters = (given[1] if given else traj.value.replace(" ", "") if traj else "XYZABCUVW").lower()
+    traj = ini.first("TRAJ", "COORDINATES")
+    named = (re.search(r"coordinates=([A-Za-z]+)", kind) for _, kind in kinematics_of(ini, graph))
+    given = next((match[1] for match in named if match), "") or (traj.value.replace(" ", "") if traj else "XYZABCUVW")
+    letters = dict(enumerate(given.lower()))
+    if not any(section.startswith("JOINT_") for section, _ in ini.values):  # before LinuxCNC 2.8 an axis had the number of its letter
+        letters = {"xyzabcuvw".find(letter): letter for letter in letters.values()}
     channels = [name for name, kind in graph.kinds.items() if kind in ("pid", "at_pid")]
     by_signal = {graph.signal_of[pin]: name for name in channels if (pin := f"{name}.command") in graph.signal_of}
-    return [Joint(n, letter, by_signal.get(graph.signal_of.get(commanded(graph, n), ""), "")) for n, letter in enumerate(letters)]
+    return [Joint(n, letter, by_signal.get(graph.signal_of.get(commanded(graph, n), ""), "")) for n, letter in letters.items()]
 
 
 def commanded(graph: HalGraph, joint: int) -> str:

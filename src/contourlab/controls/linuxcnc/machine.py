@@ -10,7 +10,7 @@ from typing import Any
 
 from contourlab.controls.contract import ControlFile, computed, driven_by_steps, guessed, read_from, steps_controller, substeps
 from contourlab.controls.linuxcnc.files import LENGTHS, HalGraph, Ini, named_files, read_graph, read_ini, units_of
-from contourlab.controls.linuxcnc.loops import Joint, LoopClass, classified, joints, without_pid
+from contourlab.controls.linuxcnc.loops import Joint, LoopClass, classified, joints, kinematics_of, without_pid
 from contourlab.errors import ScenarioError
 from contourlab.findings import Finding, finding
 
@@ -48,17 +48,19 @@ class _Machine:
     files: Sequence[Path]
     findings: list[Finding] = field(default_factory=list)
     unmodelled: dict[str, str] = field(default_factory=dict)
-    open_loop: dict[str, str] = field(default_factory=dict)
+    guesses: dict[str, str] = field(default_factory=dict)
+    seconds: dict[str, list[int]] = field(default_factory=dict)
     unit: float = LENGTHS["mm"]
     period: float = 1e-3
 
     def control_file(self) -> ControlFile:
         """Return what the files say."""
-        kinematics = self.ini.first("KINS", "KINEMATICS")
-        if kinematics and not kinematics.value.startswith("trivkins"):
-            kind = kinematics.value.partition(" ")[0]
-            raise ScenarioError(f"KINEMATICS = {kind}: joints are no axes; only trivkins is read", file=kinematics.place)
+        for place, kind in kinematics_of(self.ini, self.graph):
+            if kind.partition(" ")[0] != "trivkins":
+                raise ScenarioError(f"kinematics {kind.partition(' ')[0]}: joints are no axes; only trivkins is read", file=place)
         self.unit, self.period, findings = units_of(self.ini)
+        if (given := self.ini.first("TRAJ", "LINEAR_UNITS")) and any(found.code == "CL850" for found in findings):
+            raise ScenarioError(f"LINEAR_UNITS = {given.value}: write mm or inch", file=given.place)
         self.findings += [finding("CL866", entry.place, file=entry.value) for entry in self.graph.unread] + findings
         axes = dict(sorted(self._joints().items()))
         if not axes:
@@ -70,21 +72,29 @@ class _Machine:
             "axes": list(axes),
         }
         tables: dict[str, Any] = {"machine": machine, "axes": {letter: self._axis(joint) for letter, joint in axes.items()}}
-        if self.open_loop:
-            self.findings.append(finding("CL984", axes=list(self.open_loop), why=next(iter(self.open_loop.values()))))
+        for code, whys in (("CL984", self.guesses), ("CL988", self.unmodelled)):
+            if whys:
+                self.findings.append(finding(code, axes=list(whys), why=next(iter(whys.values()))))
         tables |= {"controller": steps_controller(axes), "program": self._program()}
+        homes = [self.ini.limit(f"JOINT_{axes[letter].number}", "HOME") if letter in axes else None for letter in LETTERS]
+        if any(homes):
+            tables["program"]["start"] = ", ".join(f"{home or 0.0!r}" for home in homes)
+        if path := self._least([("TRAJ", "MAX_LINEAR_VELOCITY")], "mm/s"):
+            tables["feed"] = {"path_velocity": path["value"]}
         return ControlFile(self.ini.file, "LinuxCNC", tables, self.unmodelled, tuple(self.findings), tuple(self.files))
 
     def _joints(self) -> dict[str, Joint]:
         """Return the joint of each axis; note those that are left out."""
         axes: dict[str, Joint] = {}
         for joint in joints(self.ini, self.graph):
-            if not any(section in self._sections(joint)[1:] for section, _ in self.ini.values):
-                continue  # without a section it is none of [KINS]JOINTS
+            sections = (f"JOINT_{joint.number}", f"AXIS_{joint.number}")
             if joint.axis not in LETTERS:
-                self.findings.append(finding("CL981", self.ini.file.name, axis=joint.axis))
+                self.findings.append(finding("CL981", self.ini.file.name, axis=joint.axis, why="only x, y and z are read"))
+            elif not any(section in sections for section, _ in self.ini.values):
+                self.findings.append(finding("CL981", self.ini.file.name, axis=joint.axis, why=f"there is no [{sections[0]}]"))
             elif joint.axis in axes:
                 self.findings.append(finding("CL982", self.ini.file.name, axis=joint.axis, joint=joint.number))
+                self.seconds.setdefault(joint.axis, []).append(joint.number)
             else:
                 axes[joint.axis] = joint
         return axes
@@ -104,16 +114,17 @@ class _Machine:
         return self._read(f"{value * self.unit * 1e3:.12g} {unit}", *key)
 
     def _sections(self, joint: Joint) -> tuple[str, ...]:
-        """Return the sections of a joint and its axis; before LinuxCNC 2.8 the axes had numbers."""
-        return (f"AXIS_{joint.axis.upper()}", f"JOINT_{joint.number}", f"AXIS_{joint.number}")
+        """Return the sections of an axis and its joints; before LinuxCNC 2.8 the axes had numbers."""
+        numbers = [joint.number, *self.seconds.get(joint.axis, ())]
+        return (f"AXIS_{joint.axis.upper()}", *(f"{kind}_{number}" for number in numbers for kind in ("JOINT", "AXIS")))
 
     def _axis(self, joint: Joint) -> dict[str, Any]:
         """Return the tables of an axis."""
         own = self._sections(joint)
         limits: dict[str, Any] = {}
         for name, key, unit in (("velocity", "MAX_VELOCITY", "mm/s"), ("acceleration", "MAX_ACCELERATION", "mm/s^2")):
-            path = ("TRAJ", key.replace("MAX_", "MAX_LINEAR_"))
-            if value := self._least([*((section, key) for section in own), path], unit):
+            path = [("TRAJ", "MAX_LINEAR_ACCELERATION")] if name == "acceleration" else []
+            if value := self._least([*((section, key) for section in own), *path], unit):
                 limits[name] = value
             else:
                 self.findings.append(finding("CL983", self.ini.file.name, axis=joint.axis, key=key))
@@ -129,7 +140,8 @@ class _Machine:
             self.findings.append(finding("CL987", f"axis {joint.axis}", file=table.value))
         loop = classified(self.graph, joint.pid) if joint.pid else without_pid(self.graph, joint.number)
         # With a step generator LinuxCNC compares the command with the count, not with the axis.
-        if loop.loop != "step generator" and (follows := self._least([(section, "FERROR") for section in own], "mm")):
+        follows = self._least([(section, "FERROR") for section in own], "mm")
+        if follows and loop.loop not in ("step generator", "position drive"):
             limits["following_error"] = follows
         return {**self._answer(joint, loop), "limits": limits}
 
@@ -137,7 +149,7 @@ class _Machine:
         """Return plant and drive of an axis, by what closes its loop."""
         own = self._sections(joint)[1:]
         if loop.loop == "step generator":
-            self.open_loop[joint.axis] = loop.why
+            self.guesses[joint.axis] = loop.why
             scale = next((scale for key in ("STEP_SCALE", "SCALE") for section in own if (scale := self.ini.limit(section, key))), None)
             pulse = computed(f"{abs(self.unit * 1e6 / scale):.12g} um", "1/STEP_SCALE") if scale else None
             drive: dict[str, Any] = {"kind": "step-generator"}
@@ -146,6 +158,7 @@ class _Machine:
                 drive |= {name: self._least(keys, unit)} if keys else {}
             return {**driven_by_steps(self.period, pulse), "drive": drive}
         if loop.loop == "position drive":
+            self.guesses[joint.axis] = loop.why
             frequency = guessed("40 Hz", "15 Hz", "100 Hz", "position loop of a servo drive of usual size")
             ahead = {"value": 0.5, "source": "assumed", "range": [0.0, 1.0], "note": "drives differ"}
             plant = {"kind": "step-drive", "natural_frequency": frequency, "velocity_feedforward": ahead}

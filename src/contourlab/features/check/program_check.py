@@ -15,7 +15,7 @@ import numpy as np
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.errors import ContourlabError, ProgramError
 from contourlab.features.check.options import Check
-from contourlab.features.check.reading import reading_of
+from contourlab.features.check.reading import of_control, reading_of
 from contourlab.findings import Finding, finding
 from contourlab.program import Arc, Dwell, Feed, Move, Program, Reader, Reading, Spline, Traverse, open_program
 from contourlab.program.reader import NO_END
@@ -110,8 +110,13 @@ class Checked(Answer):
         """Run the program."""
         if self.faults:
             return None
-        machine, has_end = asked.settings.machine, not any(notice.message.startswith(NO_END) for notice in self.notices)
-        parts = ["--machine", machine or "xyz", "--controller", None if machine else "xyz-controller"]
+        machine, has_end = asked.settings.machine or "xyz", not any(notice.message.startswith(NO_END) for notice in self.notices)
+        shipped = machine in ("xyz", "builtin:xyz")
+        if not shipped and not isinstance(machine, str | Path):
+            return None
+        if not shipped and not Path(machine).is_dir() and not of_control(machine):
+            return None  # which controller it has is not known
+        parts = ["--machine", machine, "--controller", "xyz-controller" if shipped else None]
         return ["run", *asked.inputs, *parts, *asked.settings.words("machine"), *([] if has_end else ["--no-require-end"])]
 
     @property
@@ -326,9 +331,11 @@ class PlannedMotion:
         from contourlab.feed import blended
         from contourlab.feed.planner import plan_profile
         from contourlab.geometry.path import boxes
+        from contourlab.scenario.load import feed_on
         from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE, program_route
 
         route, limits = program_route(program, machine.axis_names), machine.planner_limits()
+        route = replace(route, feedrate=np.minimum(route.feedrate, feed_on(machine).path_velocity))
         cycle_time = plan_profile(blended(route, limits), limits).duration
         self._assumed = {found.code: found for found in path_mode_assumed(program.moves, DEFAULT_CORNER_TOLERANCE)} | self._assumed
         self.travel.add(*boxes(route.path), ~route.rapid, route.source_line)

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from contourlab.app.shared_options import Dialect
-from contourlab.controls import control_file
+from contourlab.controls import reader_of
 from contourlab.errors import ScenarioError
 from contourlab.file_kinds import kind_of
 from contourlab.program import Reading
@@ -46,7 +46,7 @@ def refuse_drawing(file: str | Path, machine: str | Path | None = None, controll
 
 def of_control(machine: str | Path | Machine) -> bool:
     """Return whether a machine is a control's own file."""
-    return control_file(Path(machine)) is not None if isinstance(machine, str | Path) else machine.control is not None
+    return reader_of(Path(machine)) is not None if isinstance(machine, str | Path) else machine.control is not None
 
 
 def reading_of(file: str | Path, options: Dialect) -> Reading:

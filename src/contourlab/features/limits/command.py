@@ -354,7 +354,7 @@ class LimitTest(Answer):
             limits = [word for name in ("machine", *KINDS) for word in settings.PARTS[name].words(getattr(settings, name))]
             return ["limits", file, *of_log, *limits, "--annotate", out]
         if self.source == "plan":
-            return ["run", file, "--machine", settings.machine or "xyz"]
+            return ["check", file, "--machine", settings.machine]
         return ["measure", file]
 
     @property

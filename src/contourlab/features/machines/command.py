@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from contourlab.app.json_values import HIDDEN
-from contourlab.controls import control_file
+from contourlab.controls import reader_of
 from contourlab.errors import OutputError, refuse
 from contourlab.rendering.judgement import NOT_STATED, Number
 from contourlab.rendering.origins import numbers_of_axis, numbers_of_machine, stated
@@ -70,7 +70,7 @@ class Shipped:
     @property
     def text(self) -> str:
         """Text of the file."""
-        return self.file.read_text(encoding="utf-8")
+        return self.file.read_text(encoding="utf-8", errors="replace")
 
 
 def shipped() -> list[Shipped]:
@@ -89,12 +89,15 @@ def shipped_one(name: str) -> Shipped:
     own = Path(name).is_file()
     file = Path(name) if own else builtin_file(name)
     short = name if own else name.removeprefix(BUILTIN).removesuffix(".toml")
+    if reader_of(file) is not None:
+        machine = load_machine(file)
+        assert machine.control is not None
+        return Shipped(
+            short, "machine", machine.axis_names, f"Read from a file of {machine.control.control}", file, numbers_of_machine(machine)
+        )
     about = _about(file)
     if file.suffix == ".ngc":
         return Shipped(short, "program", (), about, file)
-    if control_file(file) is not None:
-        machine = load_machine(file)
-        return Shipped(short, "machine", machine.axis_names, about, file, numbers_of_machine(machine))
     content = set(read_tree(file).entries)
     if "controller" in content and "machine" in content:
         return Shipped(short, "scenario", load_scenario(file).machine.axis_names, about, file)

@@ -118,7 +118,7 @@ class Precompensated(Answer):
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
         """Check the program."""
-        return ["check", self.out] if self.written else None
+        return ["check", self.out, "--machine", asked.settings.machine] if self.written else None
 
     @property
     def gain(self) -> float | None:

@@ -1,0 +1,88 @@
+"""Each `next:` line, executed as printed: it runs, and it is never refused."""
+
+from __future__ import annotations
+
+import shlex
+import shutil
+from pathlib import Path
+
+import pytest
+from made_controls import made_control
+from reference_data import reference_file
+from typed_commands import Run
+
+from contourlab.scenario import builtin_file
+
+STAGE = "builtin:ghaffari/demo-stage"
+PART = ("part.ngc", "--machine", "xyz", "--controller", "xyz-controller")
+QUICK = [
+    ("check", "part.ngc"),
+    ("canon", "part.ngc"),
+    ("limits", "part.ngc", "--machine", "xyz"),
+    ("run", *PART, "--no-interval"),
+    ("run", *PART, "--no-interval", "--tolerance", "1 mm"),
+    ("analyse", STAGE),
+    ("notch", STAGE),
+    ("machines",),
+    ("components", "coulomb"),
+    ("explain", "CL104"),
+    ("check", "inch.ngc", "--machine", "m.ini"),
+    ("check", "inch.ngc", "--machine", "grbl.txt"),
+    ("run", "inch.ngc", "--machine", "m.ini", "--no-require-end", "--tolerance", "1 mm"),
+    ("measure", "capture.json", "--axes", "X1,Y1", "--window", "0..1493"),
+]
+SLOW = [
+    ("run", *PART, "--no-interval", "--tolerance", "0.5 um"),
+    ("compare", STAGE),
+    ("tune", STAGE, "--budget", "64"),
+    ("sensitivity", STAGE, "--quick"),
+    ("learn", "builtin:gecer-ulu/contour-simulated", "--trials", "3"),
+    ("link", STAGE, "--quick"),
+    ("swap", STAGE, "--quick", "--axis", "x"),
+    ("backlash", "builtin:backlash/part", "--quick"),
+    ("reproduce", "emps"),
+]
+SILENT = {"canon", "explain", "measure", "notch", "run"}
+"""Commands whose answer may propose nothing."""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """Return a folder with a part, machines of controls and a log."""
+    shutil.copy(builtin_file("programs/circle_diamond_square.ngc"), tmp_path / "part.ngc")
+    (tmp_path / "inch.ngc").write_text("G20 G90\nG0 X1 Y1\nG1 X2 F30\nG1 Y2\nG1 X1\n")
+    for reader in ("linuxcnc", "grbl"):
+        made_control(tmp_path, reader)
+    return tmp_path
+
+
+def follow(contourlab: Run, folder: Path, words: tuple[str, ...]) -> list[list[str]]:
+    """Run a command and what it proposes, up to three times; return what it proposed."""
+    if words[1:2] == ("capture.json",):
+        (folder / "capture.json").symlink_to(reference_file("data", "sinumerik", "capture-840d.json"))
+    proposed: list[list[str]] = []
+    typed = list(words)
+    for _ in range(3):
+        said = contourlab(*typed)
+        assert said.code in (0, 1), (typed, said.err)
+        lines = [line.removeprefix("next: contourlab ") for line in said.out.splitlines() if line.startswith("next: contourlab ")]
+        if not lines:
+            break
+        typed = shlex.split(lines[-1])
+        if any(word.isupper() for word in typed):  # a name to fill in
+            break
+        if typed in proposed:
+            break
+        proposed.append(typed)
+    return proposed
+
+
+@pytest.mark.parametrize("words", QUICK, ids=" ".join)
+def test_what_a_quick_command_proposes_runs(contourlab: Run, folder: Path, words: tuple[str, ...]) -> None:
+    assert follow(contourlab, folder, words) or words[0] in SILENT
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("words", SLOW, ids=" ".join)
+def test_what_a_study_proposes_runs(contourlab: Run, folder: Path, words: tuple[str, ...]) -> None:
+    assert follow(contourlab, folder, words) or words[0] in SILENT
