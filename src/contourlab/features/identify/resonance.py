@@ -26,8 +26,7 @@ def identify_ringing(records: Sequence[AxisRecord], options: Identify) -> Identi
     fit, title = identify_resonance(record.position, record.period), f"Acceleration of axis {record.axis}, {record.source}"
     band, largest = fit.spectrum_frequency, float(fit.predicted.max())
     spectra = {"measured": (band, fit.spectrum / largest), "model": (band, fit.predicted / largest)}
-    labels = "frequency [Hz]", "power over the model's largest"
-    chart = traces_chart("spectrum", title, labels, spectra, level=None, log_y=True)
+    chart = traces_chart("spectrum", title, ("frequency [Hz]", "power over the model's largest"), spectra, level=None, log_y=True)
     said = f"fitted from {figure(float(band[0]), 'Hz', 4)} to {figure(float(band[-1]), 'Hz', 4)}, {band.size} lines of the spectrum"
     head = options.model, record.axis, (record.source,), figures(fit, UNITS), None, fit.usable
     return Identification(*head, fit.findings, lines=(said,), charts=(chart,))
