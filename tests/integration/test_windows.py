@@ -10,6 +10,8 @@ from reference_data import reference_file
 from test_identify import written
 from typed_commands import AsJson, Refused
 
+import contourlab as cl
+
 
 def parts(folder: Path) -> tuple[Path, Path, Path]:
     """Return a log of an axis, and its halves as logs of their own."""
@@ -39,6 +41,23 @@ def test_limits_of_a_part_have_its_lines(as_json: AsJson) -> None:
     log = reference_file("data/sinumerik/capture-840d.json")
     found = as_json("limits", log, "--axes", "X1,Y1", "--window", "0..1493", "--velocity", "1 m/s")
     assert {row["line"] for row in found["lines"]} == {435, 453, 460, 511}
+
+
+def test_a_log_that_is_read_already(tmp_path: Path) -> None:
+    """In Python: a window of the question counts from the whole log, and stands in for that of the log."""
+    angle = np.arange(3000) * 2e-3
+    arrays = {"time [s]": angle / 2.0, "reference.x [mm]": 20.0 * np.cos(angle), "reference.y [mm]": 20.0 * np.sin(angle)}
+    arrays |= {f"position.{axis} [mm]": 1.0001 * arrays[f"reference.{axis} [mm]"] for axis in "xy"}
+    part = cl.load_log({name: values[1000:2000] for name, values in arrays.items()})
+    wanted = cl.measure(part).runs[0].metrics.contour_error
+    for log, window in (
+        (cl.load_log(arrays), "1000..1999"),
+        (cl.load_log(arrays), "1 s..1.999 s"),
+        (cl.load_log(arrays, window="1000..1999"), ()),
+        (cl.load_log(arrays, window="..99"), "1000..1999"),
+    ):
+        found = cl.measure(log, window=window).runs[0].metrics.contour_error
+        assert (found.rms, found.max) == (pytest.approx(wanted.rms, rel=1e-9), pytest.approx(wanted.max, rel=1e-9))
 
 
 def test_a_file_of_angles_has_no_window(tmp_path: Path, refused: Refused) -> None:

@@ -246,8 +246,8 @@ def result_of(record: Record, given: Columns) -> Log:
     clocks = {channel.channel.name: channel.report for channel in timed.values()}
     log = Log(result, record, columns, clocks, start=clock[1], doubtful=tuple(doubtful), given=given, blocks=blocks)
     first, n = clock[1] - start_of(time for _, time in raw.values()), result.n_sample
-    read = {"window": str(given.window), "samples": n, "first": first, "last": first + (n - 1) * clock[0]}
-    part = [] if given.window is None else [finding("CL416", **read)]
+    read = finding("CL416", window=str(given.window), samples=n, first=first, last=first + (n - 1) * clock[0])
+    part = [] if given.window is None else [read]
     findings = (*record.findings, *named, *doubtful, *time_findings, *unit_findings, *part, *log.clock_findings(), *uneven)
     return replace(log, findings=findings)
 

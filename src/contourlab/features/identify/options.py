@@ -8,16 +8,14 @@ from contourlab.app.options import argument, option, options
 from contourlab.app.session import Command
 from contourlab.app.shared_options import Drawn, LogColumns, Written
 
-MODELS = (
-    "rigid, rigid-by-direction, friction, stiction, first-order, closed-loop, frequency-response, linear-motor, two-mass, two-inertia, "
-)
+MODELS = "rigid, rigid-by-direction, friction, stiction, first-order, closed-loop, frequency-response, linear-motor, two-mass, two-inertia"
 
 
 @options
 class Identify(LogColumns):
     """Identify a model of an axis from logs; write an axis file with uncertainties."""
 
-    model: str = option("rigid", f"{MODELS}resonance.")
+    model: str = option("rigid", f"{MODELS}, resonance.")
     axis: str | None = option(None, "The axis, if the log has several.")
     gain: str | None = option(None, 'Force per command, e.g. "35 N/V", if the log has no force.')
     full_scale: str | None = option(None, 'Full scale of the command, e.g. "10 V", if the force is unknown.')

@@ -185,6 +185,8 @@ def _ringing(log: Path, machine: Machine, controller: Controller, settings: Notc
         raise LogError(f"has no acceleration of {axis}: name it, as --column 'acceleration.{axis}=NAME [m/s^2]'", file=log)
     with about(log):
         fit = identify_resonance(acceleration, opened.result.servo_period)
+    if not fit.usable:
+        raise LogError("; ".join([f"shows no resonance of {axis} well enough", *(one.text for one in fit.findings)]), file=log)
     measured, known = fit.values.tolist(), fit.robust_deviations.tolist()
     for _ in range(PASSES):
         # The parameters are those without carried mass and guide friction.
