@@ -11,6 +11,7 @@ from scipy.signal import cont2discrete, lfilter
 from test_resonance_and_notch import MACHINE
 from typed_commands import AsJson, Refused
 
+from contourlab.cli.main import main
 from contourlab.logs import load_log
 from contourlab.logs.formats import format_of
 
@@ -48,7 +49,7 @@ def test_the_table_has_the_units_of_the_firmware(folder: Path) -> None:
     assert np.mean(log.result["acceleration"][:, 2]) == pytest.approx(9.806, rel=1e-3)
 
 
-def test_a_resonance_with_its_deviations(folder: Path, as_json: AsJson, refused: Refused) -> None:
+def test_a_resonance_with_its_deviations(folder: Path, as_json: AsJson, refused: Refused, capsys: pytest.CaptureFixture[str]) -> None:
     log = folder / "heard.csv"
     found = as_json("identify", log, "--model", "resonance", "--axis", "x")
     assert found["usable"]
@@ -58,6 +59,8 @@ def test_a_resonance_with_its_deviations(folder: Path, as_json: AsJson, refused:
     assert refused("identify", log, "--model", "resonance").count("--axis") == 1
     assert "excited" in refused("identify", log, "--model", "resonance", "--axis", "y")
     assert "position" in refused("identify", log, "--model", "rigid", "--axis", "x")
+    assert main(["identify", str(log), "--model", "resonance", "--axis", "x"]) == 0
+    assert "axis.toml" not in capsys.readouterr().out  # this model has no axis file
     half = as_json("identify", log, "--model", "resonance", "--axis", "x", "--window", "..15999")
     assert half["parameters"]["frequency"]["robust_deviation"] > found["parameters"]["frequency"]["robust_deviation"]
 
