@@ -7,10 +7,13 @@ from typing import Any
 import made_commission as bench
 import numpy as np
 import pytest
+from contourlab.features.commission.hal_files import read_setup
 from reference_data import reference_file
 
 from contourlab.analysis.identification.least_squares import DescentSettings
 from contourlab.cli.main import main
+from contourlab.features.commission.records import read_log
+from contourlab.logs.window import parse_window
 
 
 @pytest.fixture(scope="module")
@@ -31,6 +34,18 @@ def test_errors_set_the_exit_code_and_leave_no_gains(made: bench.Made, tmp_path:
     result = json.loads(capsys.readouterr().out)
     assert result["pid"] == {}
     assert [one["place"] for one in result["findings"] if one["code"] == "CL876"] == ["axis x", "axis y"]
+
+
+def test_a_part_of_a_log(made: bench.Made, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    log, setup = made.log(tmp_path / "log1.csv"), read_setup(made.ini, made.hal)
+    (whole, _), (part, _) = (read_log(log, setup, window) for window in (None, parse_window("100..2099")))
+    assert whole.keys() == part.keys() and whole
+    for axis, one in part.items():
+        for name in ("command", "measured", "output"):
+            assert getattr(one, name).tolist() == getattr(whole[axis], name)[100:2100].tolist()
+    words = ["commission", "linuxcnc", str(made.ini), str(made.hal), "--log", str(log), "--window", "soon"]
+    assert main([*words, "--out", str(tmp_path / "out")]) == 2
+    assert "--window" in capsys.readouterr().err
 
 
 def test_inputs_are_not_replaced(made: bench.Made, tmp_path: Path) -> None:

@@ -150,9 +150,7 @@ class Motion(Judged, ProgramReading):
 class LogWindow(Options):
     """What to read of a log."""
 
-    window: tuple[str, ...] = option(
-        (), 'Part to read: "2 s..3.5 s", samples "0..1493" or "line 20..line 40"; one for all logs, or one for each.'
-    )
+    window: tuple[str, ...] = option((), 'Part to read: "2 s..3.5 s", "0..1493" (samples) or "line 20..line 40"; one, or one a log.')
 
     def of_log(self, number: int, count: int) -> Self:
         """Return the options for one of several logs: with its window."""

@@ -136,6 +136,7 @@ class CompiledGroup(Group):
         log = aligned((len(external), len(log_rows), self.width)) if out is None else out
         of_tick, of_row, _ = log.strides
         # The tick loop stores row after row, and vectors in whole cache lines.
+        assert log.dtype == float and (not log.size or log.strides[2] == log.itemsize)
         assert not log.size or (of_tick == len(log_rows) * of_row and (self.width == 1 or (log.ctypes.data | of_row) % 64 == 0))
         strides = [stride // external.itemsize for stride in external.strides]
         data = *self._data, external.ctypes.data, *strides, log.ctypes.data, of_row // log.itemsize

@@ -69,12 +69,18 @@ def read(file: Path) -> Record:
     values = _plain(itertools.chain(looked[first:], lines), width, mark)
     if values is None:
         return _read_cells(file, text, first, mark, comments)
-    # A last line without a line break may have lost digits.
-    is_cut = len(values) > 1 and not text.endswith(("\n", "\r")) and not text[-1].isalpha()
+    values, findings = (values[:-1], (reading.CUT,)) if len(values) > 1 and _is_cut(text, mark) else (values, ())
     names, units = _heads([_cells(line, mark) for _, line in looked[:first]], width, comments)
-    columns = zip(names, (values[:-1] if is_cut else values).T, units, strict=True)
-    channels = tuple(Channel(name, column, unit) for name, column, unit in columns)
-    return Record(file, "csv", channels, findings=(reading.CUT,) if is_cut else ())
+    channels = (Channel(name, column, unit) for name, column, unit in zip(names, values.T, units, strict=True))
+    return Record(file, "csv", tuple(channels), findings=findings)
+
+
+def _is_cut(text: str, mark: str | None) -> bool:
+    """Tell whether the last line may have lost digits: it has no line break, and does not end like the lines before it."""
+    point = r"\.\d+\s*\Z" if mark == "," else r"[.,]\d+\s*\Z"
+    decimals = {len(end[0].rstrip()) if (end := re.search(point, line)) else 0 for line in text[-10_000:].splitlines()[-20:]}
+    is_fixed = len(decimals) == 1 and 0 not in decimals
+    return not (text.endswith(("\n", "\r")) or text[-1].isalpha() or is_fixed)
 
 
 def _plain(rows: Iterable[tuple[int, str]], width: int, mark: str | None) -> Array | None:
@@ -97,6 +103,7 @@ def _read_cells(file: Path, text: str, first: int, mark: str | None, comments: l
         heads, rows = ([(i, line.rstrip(" ").removesuffix(mark or "")) for i, line in part] for part in (heads, rows))
     width = len(_cells(rows[0][1], mark))
     names, units = _heads([_cells(line, mark) for _, line in heads], width, comments)
+    cut = cut and (len(_cells(rows[-1][1], mark)) != width or _is_cut(text, mark))
     rows, findings = (rows[:-1], (reading.CUT,)) if cut else (rows, ())
     above = {line for _, line in heads}
     if repeated := next((i for i, line in rows if line in above), 0):

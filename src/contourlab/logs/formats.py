@@ -19,7 +19,7 @@ from contourlab.arrays import Array
 from contourlab.errors import ContourlabError, LogError, MissingPackageError, ParameterError
 from contourlab.file_kinds import mistaken
 from contourlab.findings import Finding
-from contourlab.logs import delimited, linuxcnc, matlab, parquet, results, sinumerik, sinumerik_capture, twincat
+from contourlab.logs import accelerometer, delimited, linuxcnc, matlab, parquet, results, sinumerik, sinumerik_capture, twincat
 from contourlab.logs.reading import MEMORY, TIME, Channel, Record, factor, head_of, raised
 
 _CODE = "from contourlab.logs.formats import main; main()"
@@ -59,6 +59,7 @@ FORMATS = {
         Format("twincat", twincat.matches, twincat.read),
         Format("halscope", linuxcnc.matches_scope, linuxcnc.read_scope),
         Format("halsampler", linuxcnc.matches_sampler, linuxcnc.read_sampler),
+        Format("accelerometer", accelerometer.matches, accelerometer.read),
         Format("csv", delimited.matches, delimited.read),
     )
 }

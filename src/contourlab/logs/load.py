@@ -245,7 +245,9 @@ def result_of(record: Record, given: Columns) -> Log:
     named = [finding("CL430", columns=by_name)] if by_name else []
     clocks = {channel.channel.name: channel.report for channel in timed.values()}
     log = Log(result, record, columns, clocks, start=clock[1], doubtful=tuple(doubtful), given=given, blocks=blocks)
-    part = [] if given.window is None else [_window_finding(given.window, log, start_of(time for _, time in raw.values()))]
+    first, n = clock[1] - start_of(time for _, time in raw.values()), result.n_sample
+    read = finding("CL416", window=str(given.window), samples=n, first=first, last=first + (n - 1) * clock[0])
+    part = [] if given.window is None else [read]
     findings = (*record.findings, *named, *doubtful, *time_findings, *unit_findings, *part, *log.clock_findings(), *uneven)
     return replace(log, findings=findings)
 
@@ -305,12 +307,6 @@ class Timed:
     time: Array
     report: ClockReport
     is_counted: bool = False
-
-
-def _window_finding(window: Window, log: Log, start: float) -> Finding:
-    """Return a finding with the part of a log that is read, in times from the log's first sample."""
-    first, n = log.start - start, log.result.n_sample
-    return finding("CL416", window=str(window), samples=n, first=first, last=first + (n - 1) * log.result.servo_period)
 
 
 def _raw(record: Record, name: str, times: Array | None, period: float | None, doubtful: Sequence[Finding]) -> tuple[Channel, Array]:

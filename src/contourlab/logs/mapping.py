@@ -28,6 +28,7 @@ SIGNALS = {
     "velocity": "m/s",
     "reference_velocity": "m/s",
     "command": "",
+    "acceleration": "m/s^2",
     "current": "A",
     "force": "N",
     "torque": "N*m",

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.errors import LogError
+from contourlab.errors import LogError, refuse
 from contourlab.findings import finding
 from contourlab.logs.reading import FASTEST, LONGEST, NUMBERS, Blocks, Channel, Record, check_limit, text_of
 
@@ -51,6 +51,7 @@ def read(file: Path) -> Record:
         header, payload = content["Header"], content["Payload"]
         names = [(str(signal["Name"]), str(signal["Axis"])) for signal in header["SignalListHFData"]]
         period = 1e-3 * float(header["CycleTimeMs"])
+        refuse(not 0.0 < period < np.inf, ValueError, f"CycleTimeMs = {1e3 * period:g}")
         rows = [row for part in payload for row in part.get("HFData", ())]
         check_limit(len(rows) * len(names), NUMBERS, "numbers", file)
         values = np.array(rows, dtype=np.float64).reshape(len(rows), len(names))
@@ -60,17 +61,14 @@ def read(file: Path) -> Record:
         wanted = "SignalListHFData with CYCLE, CycleTimeMs, and rows of as many numbers in HFData"
         what = f"no {error}" if isinstance(error, KeyError) else str(error)
         raise LogError(f"is no capture of high-frequency data, which has {wanted}: {what}", file=file) from error
-    if not np.isfinite(period) or period <= 0.0:
-        raise LogError(f"CycleTimeMs = {1e3 * period:g}: must be > 0", file=file)
     time = (cycle - cycle[:1]) * period
     signals = [(SIGNALS.get(name.partition("|")[0], ""), axis) for name, axis in names]
     turning = {axis for (signal, axis), column in zip(signals, values.T, strict=True) if signal and _turns(column, time, period)}
-    channels = [
-        Channel(name, column, time=time, meaning=meaning if meaning[0] and meaning[1] not in turning else None)
-        for (name, _), meaning, column in zip(names, signals, values.T, strict=True)
-    ]
+    meanings = [(signal, axis) if signal and axis not in turning else None for signal, axis in signals]
+    of_names = zip(names, meanings, values.T, strict=True)
+    channels = tuple(Channel(name, column, time=time, meaning=meaning) for (name, _), meaning, column in of_names)
     findings = (finding("CL439", axes=sorted(turning)),) if turning else ()
-    return Record(file, "sinumerik-capture", tuple(channels), findings=findings, blocks=blocks, unit="mm")
+    return Record(file, "sinumerik-capture", channels, findings=findings, blocks=blocks, unit="mm")
 
 
 def _turns(position: Array, time: Array, period: float) -> bool:

@@ -99,3 +99,15 @@ def test_a_guard_checks_all_axes_and_caches_the_result() -> None:
         _, one = with_values(stage, made, {name: float(values[i]) for name, values in columns.items()})
         met = [not guard.bounds.broken(sampled_loop(axis, one.axes[axis.name], stage.servo_period).margins()) for axis in stage.axes]
         assert all(met) == (excess[i] < 0.0)
+
+
+def test_a_matrix_far_from_normal_is_not_proved_stable() -> None:
+    """Its pole lies at 1.0452, by its trace and determinant; rounding of its powers hides it."""
+    matrix = np.array([[102309.63137341579, 125900.85066966839], [-83138.07001791247, -102308.58617881237]])
+    assert not proved_stable(matrix[None]).any()
+    rng = np.random.default_rng(1)
+    for skew in (1e2, 1e4, 1e6):
+        poles = rng.uniform(0.9, 1.05, (200, 2))
+        turn = np.array([[1.0, 1.0 / skew], [-skew, 1.0]])
+        matrices = np.array([turn @ np.diag(pole) @ np.linalg.inv(turn) for pole in poles])
+        assert not (proved_stable(matrices) & (poles.max(axis=1) > 1.001)).any()

@@ -686,13 +686,24 @@ def descended(
     """Fit a model's output (n,) from points (k, p), in steps that bridge its kinks; return the best end, and the values (p,) of all.
 
     The deviations are those of the jackknife over parts of the record.
+
+    Raises
+    ------
+    ParameterError
+        If no point can be evaluated, or one is outside the bounds.
     """
     names, (_, low, high, scale) = tuple(free), arrays_of(free)
 
     def residuals(points: Array) -> Array:
         return model([dict(zip(names, x.tolist(), strict=True)) for x in points]) - measured
 
+    if not (np.all(low <= points) and np.all(points <= high)):
+        raise ParameterError("start", "a point", f"within {low} and {high}")
     left = residuals(points)
+    usable = np.isfinite(left).all(axis=1) & left.any(axis=1)
+    if not usable.any():
+        raise ParameterError("start", "all points", "parameters that can be simulated, and do not fit exactly: the runs diverge there")
+    points, left = points[usable], left[usable]
     sizes = [float(np.sqrt(np.mean(r**2))) for r in left]
     searches = [_descent(x, r / size, low, high, scale, settings) for x, r, size in zip(points, left, sizes, strict=True)]
     ends = in_step(residuals, searches, sizes)

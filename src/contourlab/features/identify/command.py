@@ -12,6 +12,7 @@ from contourlab.features.identify.frequency import identify_linear_motor, identi
 from contourlab.features.identify.friction import identify_friction, identify_stiction
 from contourlab.features.identify.options import Identify
 from contourlab.features.identify.records import AxisRecord, Request
+from contourlab.features.identify.resonance import identify_ringing
 from contourlab.features.identify.result import Identification
 from contourlab.features.identify.rigid import identify_behind_observer, identify_open_loop, identify_rigid
 from contourlab.logs.load import Log, about
@@ -51,6 +52,7 @@ MODELS = {
     "linear-motor": Model(identify_linear_motor, ("excitation",)),
     "two-mass": Model(identify_two_mass, ("side", "excitation")),
     "two-inertia": Model(identify_two_inertia, ("motor_inertia", "side", "excitation")),
+    "resonance": Model(identify_ringing, single="a single run"),
 }
 """Models by name, in the order of the messages."""
 

@@ -8,26 +8,20 @@ from contourlab.app.options import argument, option, options
 from contourlab.app.session import Command
 from contourlab.app.shared_options import Drawn, LogColumns, Written
 
-MODELS = "rigid, rigid-by-direction, friction, stiction, first-order, closed-loop, frequency-response, linear-motor, two-mass, two-inertia."
+MODELS = "rigid, rigid-by-direction, friction, stiction, first-order, closed-loop, frequency-response, linear-motor, two-mass, two-inertia"
 
 
 @options
 class Identify(LogColumns):
     """Identify a model of an axis from logs; write an axis file with uncertainties."""
 
-    model: str = option("rigid", MODELS)
+    model: str = option("rigid", f"{MODELS}, resonance.")
     axis: str | None = option(None, "The axis, if the log has several.")
     gain: str | None = option(None, 'Force per command, e.g. "35 N/V", if the log has no force.')
     full_scale: str | None = option(None, 'Full scale of the command, e.g. "10 V", if the force is unknown.')
-    cutoff: str | None = option(
-        None,
-        'rigid: cut-off of the low-pass, five times the loop\'s bandwidth, e.g. "100 Hz": the default, or 0.8 of the Nyquist frequency.',
-        unit="Hz",
-    )
+    cutoff: str | None = option(None, 'rigid: cut-off of the low-pass, e.g. "100 Hz": the default, unless the log is too slow.', unit="Hz")
     slowest: str | None = option(None, 'rigid: drop samples below this speed, e.g. "1 mm/s".', unit="m/s")
-    decimation: int | None = option(
-        None, "rigid: use every N-th sample; by default every tenth, or up to the cut-off as sampling frequency.", least=1, advanced=True
-    )
+    decimation: int | None = option(None, "rigid: use every N-th sample; by default every tenth at most.", least=1, advanced=True)
     validation: Path | None = option(None, "rigid: a second log for validation.")
     position_gain: str | None = option(None, 'closed-loop: K_P, e.g. "4 full_scale/mm".')
     velocity_gain: str | None = option(None, 'closed-loop: K_V, e.g. "0.1 full_scale*s/mm".')

@@ -21,7 +21,8 @@ from contourlab.logs import Log
 from contourlab.logs.reading import join_names
 from contourlab.units import split, to_si
 
-POSITIONS = ("position", "motor_position", "axis_position")
+POSITIONS = {"position": ("position", "motor_position", "axis_position"), "acceleration": ("acceleration",)}
+"""Signals that count as the position of a record, or as what it has in place of it."""
 LARGEST = {"N": 1e5, "V": 1e3, "A": 1e3, "full_scale": 1.01}
 """Largest plausible command of a feed drive, by unit."""
 TRAVEL = '--lead, the travel per turn, as "10 mm"'
@@ -36,6 +37,7 @@ class AxisRecord:
     ----------
     period : float [s]
     position : ndarray (n,) [m]
+        Or the acceleration [m/s^2], for a model that takes that.
     command : ndarray (n,) or None
         Force [N] if logged or if a gain was given; else the command in its own unit.
     unit : str
@@ -181,7 +183,7 @@ def reference_name(records: Sequence[AxisRecord]) -> str:
 
 
 def axis_pieces(
-    log: Log, source: str, axis: str | None, gain: float | None, full_scale: float | None, lead: float | None
+    log: Log, source: str, axis: str | None, gain: float | None, full_scale: float | None, lead: float | None, kind: str = "position"
 ) -> list[AxisRecord]:
     """Return the signals of one axis of a log, one record for each stretch without a long gap.
 
@@ -194,6 +196,8 @@ def axis_pieces(
         Full scale; the command becomes a share of it.
     lead : float [m] or None
         Travel per turn; converts a torque to a force.
+    kind : str
+        ``"acceleration"`` for a record of that in place of the position.
 
     Raises
     ------
@@ -207,7 +211,7 @@ def axis_pieces(
     if axis not in result.axes:
         problem = "which axis?" if axis is None else f"no axis {axis} in {result.source}:"
         raise ResultError(f"{problem} There are {', '.join(result.axes)}: name one with --axis")
-    whole, spans = _whole(log, axis, gain, full_scale, source, lead), log.stretches(axis)
+    whole, spans = _whole(log, axis, gain, full_scale, source, lead, kind), log.stretches(axis)
     if spans == [(0, whole.position.size)]:
         return [whole]
     if not spans:
@@ -234,12 +238,12 @@ def samples_digest(pieces: Sequence[AxisRecord]) -> str:
     return digest.hexdigest()
 
 
-def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None, source: str, lead: float | None) -> AxisRecord:
+def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None, source: str, lead: float | None, kind: str) -> AxisRecord:
     """Return the signals of an axis, gaps included."""
     result = log.result
-    position, command, force = log.signal(axis, *POSITIONS), log.signal(axis, "command"), log.signal(axis, "force")
+    position, command, force = log.signal(axis, *POSITIONS[kind]), log.signal(axis, "command"), log.signal(axis, "force")
     if position is None:
-        problem = f"no position of {axis} in {result.source}: give --column 'position.{axis}=NAME [mm]'"
+        problem = f"no {kind} of {axis} in {result.source}: give --column '{kind}.{axis}=NAME [mm{'/s^2' * (kind != 'position')}]'"
         raise ResultError("; ".join([problem, *(doubt.text for doubt in log.doubtful)]))
     logged = result.signals["command"].unit if command is not None else ""
     if command is None and force is None and (command := log.signal(axis, "torque")) is not None:
@@ -317,10 +321,10 @@ class Request:
     def read(self, number: int = -1, pieces: bool = False) -> list[AxisRecord]:
         """Return the signals of the axis in one of the files, by default in that for validation."""
         options, file = self.options, self.files[number]
-        name = self.names[Path(file)]
+        name, kind = self.names[Path(file)], "acceleration" if options.model == "resonance" else "position"
         log = open_log(file, self._options_of(number % len(self.files)))
         self._check_unit(log)
-        records = axis_pieces(log, name, options.axis, self._gain(), self._full_scale(), options.si("lead"))
+        records = axis_pieces(log, name, options.axis, self._gain(), self._full_scale(), options.si("lead"), kind)
         self._check_lead(records[0])
         if not pieces:
             records = [longest_piece(log, records)]
@@ -329,7 +333,7 @@ class Request:
             if names is None:
                 self._on_logs.append((on_reading, names := []))
             names.append(name)
-        for doubt in (doubt for record in records for doubt in record.doubts()):
+        for doubt in (doubt for record in records if kind == "position" for doubt in record.doubts()):
             if doubt not in self._doubts:
                 self._doubts.append(doubt)
         return records

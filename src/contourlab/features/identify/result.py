@@ -164,9 +164,10 @@ class Identification(Answer):
             write_text_atomic(file, self.axis_text())
         return replace(self, wanted=wanted, axis_file=file, plots=drawn)
 
-    def _next(self, asked: Asked) -> Sequence[object]:
-        """Write the axis file, or look at it."""
-        return asked.again("--write", "axis.toml") if self.wanted is None else ["machines", self.wanted]
+    def _next(self, asked: Asked) -> Sequence[object] | None:
+        """Write the axis file, if there is one, or look at it."""
+        again = asked.again("--write", "axis.toml") if self.tables else None
+        return again if self.wanted is None else ["machines", self.wanted]
 
     def axis_text(self) -> str:
         """Return the text of the axis file, with the origin of each number."""

@@ -189,9 +189,7 @@ def _lines_of(log: Log, options: Limits, axes: Sequence[str], position: Array, r
         lines = np.asarray(route.source_line[route.path.curve_index(along)], dtype=np.int64)
         if (measured := known_signal(log.result, axes, ACTUAL)) is not None:
             errors = np.asarray(route.path.foot_point(measured[1], along, 0.02 * route.path.length + 1e-3).distance)
-    if log.lines is not None:
-        lines = log.lines
-    return lines, errors
+    return lines if log.lines is None else log.lines, errors
 
 
 def _log_peaks(

@@ -167,9 +167,8 @@ def move_findings(log: Log, measured: Measured) -> list[Finding]:
     is_rapid, findings = blocks.is_rapid[at[judged]], []
     for place, samples in (("cutting moves", judged[~is_rapid]), ("rapid moves", judged[is_rapid])):
         if samples.size:
-            worst = samples[np.argmax(error[samples])]
+            worst, rms = samples[np.argmax(error[samples])], float(np.sqrt(np.mean(error[samples] ** 2)))
             line = int(blocks.line[at[worst]])
-            rms = float(np.sqrt(np.mean(error[samples] ** 2)))
             findings.append(finding("CL414", place, samples=samples.size, rms=rms, largest=float(error[worst]), line=line))
     return findings
 

@@ -8,17 +8,21 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, ClassVar
 
+from contourlab.analysis.identification.resonance import identify_resonance
 from contourlab.app.json_values import json_values
 from contourlab.app.results import proposed
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
-from contourlab.errors import ParameterError
+from contourlab.errors import LogError, ParameterError
+from contourlab.features.measure.log_choice import open_log
 from contourlab.features.notch.options import Notch
 from contourlab.features.run.source import Source, case_asked
 from contourlab.features.tune.objective import Evaluation, evaluate
 from contourlab.figures import figure, number
 from contourlab.findings import Finding, finding
+from contourlab.logs.load import about
 from contourlab.loop import Controller, Machine
 from contourlab.loop.machine import require_loops
+from contourlab.loop.parameters import with_values
 from contourlab.metrics.run_figures import FIGURES
 from contourlab.rendering.margin_words import decibel, degrees
 from contourlab.rendering.table import Column, Table, paragraphs
@@ -30,6 +34,8 @@ from contourlab.study.notch import MOVED, NotchDesign, design_notch, resonance_o
 
 SHOWN = ("contour_error_rms", "contour_error_max", "part_error_max", "tracking_error_rms", "limited_share")
 """Figures of the runs before and after."""
+PASSES = 5
+"""Passes after which a plant has a measured resonance: its parameters are nearly proportional to it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,12 +155,16 @@ def notch(*source: Source, settings: Notch, session: Session = QUIET) -> Notched
         If the loop of an axis has no linear model.
     """
     scenario, case = case_asked(source, settings)
-    session.will_write(scenario.inputs)
+    session.will_write([*scenario.inputs, *([] if settings.log is None else settings.files(settings.log))])
     bounds, machine, made = settings.margins, case.machine, case.controller
     require_loops(machine)
     unknown = [name for name in settings.axes if name not in machine.axis_names]
     if unknown:
         raise ParameterError("--axes", unknown[0], f"one of {', '.join(machine.axis_names)}")
+    heard = list[Finding]()
+    if settings.log is not None:
+        machine, heard = _ringing(settings.log, machine, made, settings)
+        case = replace(case, machine=machine)
     designs: dict[str, NotchDesign] = {}
     for name in settings.axes or _in_need(machine, made, bounds):
         designs[name], made = design_notch(machine, made, name, bounds)
@@ -162,9 +172,36 @@ def notch(*source: Source, settings: Notch, session: Session = QUIET) -> Notched
     lowered = _lowered(case.controller, designs)
     before, after = (evaluate(replace(setting, controller=tried), bounds) for tried in (case.controller, made))
     without = None if lowered is None else evaluate(replace(setting, controller=lowered), bounds)
-    findings = [one for name, design in designs.items() for one in _findings(name, design, bounds)]
+    findings = heard + [one for name, design in designs.items() for one in _findings(name, design, bounds)]
     findings += [] if designs else [finding("CL640", bounds=bounds.margin_words)]
     return Notched(scenario, case, bounds, designs, before, after, without, tuple(findings), made)
+
+
+def _ringing(log: Path, machine: Machine, controller: Controller, settings: Notch) -> tuple[Machine, list[Finding]]:
+    """Return the machine with the resonance that an accelerometer measured on an axis, and findings."""
+    if len(settings.axes) != 1:
+        raise ParameterError("--axes", ",".join(settings.axes) or "missing", "the axis that moved while --log was recorded")
+    axis, opened = settings.axes[0], open_log(log, settings)
+    acceleration = opened.signal(axis, "acceleration") if axis in opened.result.axes else None
+    if acceleration is None:
+        raise LogError(f"has no acceleration of {axis}: name it, as --column 'acceleration.{axis}=NAME [m/s^2]'", file=log)
+    with about(log):
+        fit = identify_resonance(acceleration, opened.result.servo_period)
+    if not fit.usable:
+        raise LogError("; ".join([f"shows no resonance of {axis} well enough", *(one.text for one in fit.findings)]), file=log)
+    measured, known = fit.values.tolist(), fit.robust_deviations.tolist()
+    for _ in range(PASSES):
+        # The parameters are those without carried mass and guide friction.
+        plant, loaded = machine.axis(axis).plant.values(), resonance_of(machine.loaded_plant(axis))
+        if loaded is None or "resonance" not in plant:
+            raise ParameterError(
+                f"axes.{axis}.plant", f'"{machine.axis(axis).plant.kind}"', "one with a measured resonance, such as two-mass"
+            )
+        own = plant["resonance"] * measured[0] / loaded[0], max(plant["damping_ratio"], 1e-4) * measured[1] / loaded[1]
+        names = (f"axes.{axis}.plant.{name}" for name in ("resonance", "damping_ratio"))
+        machine, _ = with_values(machine, controller, dict(zip(names, own, strict=True)))
+    heard = finding("CL643", f"axis {axis}", frequency=measured[0], deviation=known[0], damping=measured[1], damping_deviation=known[1])
+    return machine, [heard, *fit.findings, *opened.findings]
 
 
 def _lowered(controller: Controller, designs: Mapping[str, NotchDesign]) -> Controller | None:

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from contourlab.app.options import option, options
 from contourlab.app.session import Command
-from contourlab.app.shared_options import Margins, OfScenario, Plugins, Shown, WrittenController
+from contourlab.app.shared_options import LogColumns, Margins, OfScenario, Plugins, Shown, WrittenController
 
 
 @options
-class Notch(Margins, Plugins):
+class Notch(Margins, Plugins, LogColumns):
     """Propose a notch filter for each resonance that spoils a loop; write a controller file."""
 
+    log: Path | None = option(None, "Log of an accelerometer on the axis: its resonance counts, in place of the plant's.")
     scheme: str | None = option(None, "Scheme of the scenario; by default the scenario itself.")
     axes: tuple[str, ...] = option((), "Axes, with commas; by default those whose margins are too small.", listed=True)
 
