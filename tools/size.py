@@ -11,28 +11,28 @@ from collections import Counter
 from pathlib import Path
 
 BUDGETS = {
-    "analysis": 4468,
-    "app": 879,
+    "analysis": 4563,
+    "app": 877,
     "cli": 471,
     "components": 5252,
     "contours": 1553,
-    "controls": 607,
-    "engine": 3284,
-    "features": 17428,
+    "controls": 640,
+    "engine": 3285,
+    "features": 17484,
     "feed": 2211,
     "findings": 55,
     "geometry": 2065,
-    "logs": 1889,
+    "logs": 1910,
     "loop": 2231,
     "metrics": 1045,
     "native": 249,
     "papers": 3363,
-    "program": 2314,
+    "program": 2328,
     "rendering": 2450,
     "result": 402,
-    "scenario": 1934,
+    "scenario": 1940,
     "study": 1412,
-    "without papers": 52915,
+    "without papers": 53139,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

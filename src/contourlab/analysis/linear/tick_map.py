@@ -197,7 +197,7 @@ def poles_of_each(matrices: Array) -> Complex:
 
 
 SQUARINGS, GROWN = 14, 1e4
-"""Most squarings of a matrix to prove that it is stable, and the largest norm on the way, its own included: below it rounding does not matter."""
+"""Most squarings of a matrix to prove that it is stable, and the largest norm on the way: below it rounding does not matter."""
 
 
 def proved_stable(matrices: Array | Complex) -> Flags:
