@@ -37,6 +37,8 @@ class Limits:
         A larger tracking error ends the run as diverged, as a drive would trip.
     travel : tuple of two floats, or float > 0 [m]
         Lowest and highest position of the axis, or the length alone: feed moves must then fit into it, wherever they lie.
+    floating : bool
+        Whether only the length of the travel counts, because nobody knows where a program's zero lies in it; G53 knows.
     origins : mapping of str to Origin
         Source of each number, by name.
     file : str
@@ -53,6 +55,7 @@ class Limits:
     jerk: float = field(default=math.inf, metadata=setting("m/s^3", "", *RANGES["jerk"]))
     following_error: float = field(default=0.05, metadata=setting("m", "mm", minimum=0.0, maximum=1.0, exclusive=True))
     travel: tuple[float, float] | float = field(default=(-math.inf, math.inf), metadata=setting("m", "mm"))
+    floating: bool = False
     origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
     file: str = field(default="", compare=False, repr=False)
 
@@ -60,18 +63,21 @@ class Limits:
         for name in ("velocity", "acceleration", "jerk", "following_error"):
             value = getattr(self, name)
             refuse(not value > 0.0, ParameterError, f"limits.{name}", f"{value:g}", "> 0")
-        if not (self.ends[0] < self.ends[1] and self.extent > 0.0):
+        low, high = self.travel if isinstance(self.travel, tuple) else (0.0, self.travel)
+        if not low < high:
             raise ParameterError("limits.travel", f"{self.travel}", "two positions, the lower one first, or a length > 0", "m")
 
     @property
     def ends(self) -> tuple[float, float]:
         """Lowest and highest position; infinite where unknown."""
-        return self.travel if isinstance(self.travel, tuple) else (-math.inf, math.inf)
+        return self.travel if isinstance(self.travel, tuple) and not self.floating else (-math.inf, math.inf)
 
     @property
     def extent(self) -> float:
         """Length of a travel whose ends are unknown; infinite otherwise."""
-        return math.inf if isinstance(self.travel, tuple) else self.travel
+        if isinstance(self.travel, tuple):
+            return self.travel[1] - self.travel[0] if self.floating else math.inf
+        return self.travel
 
     @property
     def bounded(self) -> bool:

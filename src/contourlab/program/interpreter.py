@@ -182,7 +182,7 @@ def go_home(block: Block, state: ModalState, code: int, line: int) -> list[Move]
     return moves + state.straight((x, y, z), line)
 
 
-def machine_target(block: Block, state: ModalState) -> Point:
+def machine_target(block: Block, state: ModalState, line: int) -> Point:
     """Return the point of the program [m] at the machine coordinates of a G53 block.
 
     Raises
@@ -193,7 +193,9 @@ def machine_target(block: Block, state: ModalState) -> Point:
     words, column = block.words, block.codes["other"].column
     refuse(not state.absolute, BlockError, "CL816 G53 (machine coordinates) needs absolute mode: write G90", column)
     refuse("@" in words or "^" in words, BlockError, "CL816 G53 does not take polar coordinates: write X, Y and Z", column)
-    point = state.frame.point(updated(state.axes, state.given(words)))
+    given = state.given(words)
+    state.machine_points.append((line, updated((math.nan, math.nan, math.nan), given)))
+    point = state.frame.point(updated(state.axes, given))
     state.check_reach(point, words)
     return point
 
@@ -385,7 +387,7 @@ def _motion(block: Block, state: ModalState, line: int, before: int | None) -> l
         return moves
     state.tangent = None
     other = block.codes.get("other")
-    end = machine_target(block, state) if other is not None and other.number == 530 else state.target(block.words)
+    end = machine_target(block, state, line) if other is not None and other.number == 530 else state.target(block.words)
     if motion == 0:
         return state.straight(end, line)
     if motion == 10:

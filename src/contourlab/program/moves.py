@@ -286,6 +286,8 @@ class Program:
         Spindle, tool, coolant, overrides, outputs and pauses, in the order of execution; they take no time.
     notices : tuple of Notice
         Where the dialect was lenient.
+    machine_points : tuple of (int, (x, y, z))
+        Line and target of each G53 [m], nan for an axis that it does not name.
     """
 
     name: str
@@ -293,6 +295,7 @@ class Program:
     lines: tuple[str, ...] = field(repr=False)
     events: tuple[Event, ...] = ()
     notices: tuple[Notice, ...] = ()
+    machine_points: tuple[tuple[int, Point], ...] = field(default=(), repr=False)
 
     def __repr__(self) -> str:
         return f"Program(name: {self.name}; lines: {len(self.lines)}; moves: {len(self.moves)})"

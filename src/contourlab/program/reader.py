@@ -510,4 +510,4 @@ def _program(text: str, name: str, place: str, reading: Reading, problems: list[
         if problems is None:
             raise
         problems.append(error)
-    return Program(name, tuple(moves), lines, tuple(reader.state.events), tuple(reader.notices))
+    return Program(name, tuple(moves), lines, tuple(reader.state.events), tuple(reader.notices), tuple(reader.state.machine_points))

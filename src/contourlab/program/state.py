@@ -277,6 +277,8 @@ class ModalState:
     speed : float [turns/min]
     made : int
         Number of moves made.
+    machine_points : list of (int, (x, y, z))
+        Line and target of each G53 [m], nan for an axis that it does not name.
     """
 
     parameters: Parameters = field(default_factory=Parameters)
@@ -302,6 +304,7 @@ class ModalState:
     curve: Curve = field(default_factory=Curve)
     events: list[Event] = field(default_factory=list)
     made: int = 0
+    machine_points: list[tuple[int, Point]] = field(default_factory=list)
 
     def length(self, value: float) -> float:
         """Convert a length in program units to metres."""

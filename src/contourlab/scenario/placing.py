@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -18,7 +18,7 @@ from contourlab.geometry.line_and_arc import Arc, Line
 from contourlab.geometry.nurbs import BSpline, Nurbs
 from contourlab.geometry.parametric import EllipticalArc
 from contourlab.geometry.path import boxes
-from contourlab.loop import Limits, Machine
+from contourlab.loop import Machine
 from contourlab.loop.feeding import BLOCK
 from contourlab.loop.simulate import jit_enabled, sampler
 from contourlab.program import Arc as ProgramArc
@@ -103,13 +103,19 @@ def zero_known(machine: Machine, reading: Reading) -> bool:
 
 
 def unplaced(machine: Machine) -> Machine:
-    """Return a machine whose travels are lengths: the part must fit into them, wherever its zero is."""
+    """Return a machine of whose travels only the lengths count: the part must fit into them, wherever its zero is."""
+    return replace(machine, axes=tuple(replace(axis, limits=replace(axis.limits, floating=True)) for axis in machine.axes))
 
-    def length(limits: Limits) -> Limits:
-        low, high = limits.ends
-        return replace(limits, travel=high - low) if math.isfinite(high - low) else limits
 
-    return replace(machine, axes=tuple(replace(axis, limits=length(axis.limits)) for axis in machine.axes))
+def beyond_travel(points: Iterable[tuple[int, Point]], letters: Sequence[str], machine: Machine) -> dict[str, tuple[int, float]]:
+    """Return for each axis the line and the position [m] of the first point in machine coordinates (G53) that is outside its travel."""
+    outside: dict[str, tuple[int, float]] = {}
+    for line, point in points:
+        for letter, axis in zip(letters, machine.axes, strict=True):
+            at, travel = dict(zip("xyz", point, strict=True)).get(letter, math.nan), axis.limits.travel
+            if isinstance(travel, tuple) and max(at - travel[1], travel[0] - at) > ROUNDING:
+                outside.setdefault(axis.name, (line, at))
+    return outside
 
 
 def fitted(program: Program, letters: Sequence[str], machine: Machine) -> tuple[Program, str]:

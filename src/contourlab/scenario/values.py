@@ -23,7 +23,7 @@ from contourlab.loop import Change, Controller, Machine
 from contourlab.loop.simulate import UNITS
 from contourlab.notebook import facts_line
 from contourlab.program import Program, Reading
-from contourlab.scenario.placing import check_motion, placed
+from contourlab.scenario.placing import beyond_travel, check_motion, placed
 from contourlab.units import setting
 
 DISTANCE = setting("m", "um", minimum=0.0, maximum=1.0, exclusive=True)
@@ -341,6 +341,9 @@ class Case:
         ProgramError
             If the program moves an axis that the machine lacks, or beyond its travel.
         """
+        if isinstance(self.motion, PartProgram) and any(axis.limits.floating for axis in self.machine.axes):
+            for name, (line, at) in beyond_travel(self.motion.program.machine_points, self.motion.letters, self.machine).items():
+                raise self._fault(f"G53 leads axis {name} to {1e3 * at:.6g} mm, outside of its travel", line)
         reference = self._sampled(self.feed.override * feed_scale)
         check_motion(reference, self.machine, self._fault, bounded=self.feed.law != "uniform", cure=self._cure)
         return replace(reference, chosen=self._chosen(reference))

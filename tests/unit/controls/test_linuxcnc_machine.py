@@ -9,7 +9,7 @@ from reference_data import reference_file
 from typed_commands import invoke
 
 from contourlab.controls import control_file
-from contourlab.errors import ParameterError, ScenarioError
+from contourlab.errors import ParameterError, ProgramError, ScenarioError
 from contourlab.feed import Reference
 from contourlab.feed.reference import ReferenceBlock
 from contourlab.loop.simulate import sampler
@@ -89,6 +89,19 @@ def test_without_work_offsets_only_the_size_is_held_against_the_travel(tmp_path:
     assert code == 2 and "CL470" in found
     with pytest.raises(Exception, match="axis x"):
         scenario_from_parts(part, file, options={"zero": "8, 1, 0"}).base.reference()
+
+
+def test_machine_coordinates_are_held_against_the_travel_without_a_zero(tmp_path: Path) -> None:
+    """G53 knows where it leads; the travel of x is -1 to 9 inches."""
+    part, file = tmp_path / "part.ngc", machine_file(tmp_path)
+    for end, code in (("9", 0), ("9.1", 2), ("-1.1", 2)):
+        part.write_text(PROGRAM.replace("M2", f"G53 G0 X{end}\nM2"))
+        said = invoke(tmp_path, "check", part, "--machine", file, "--json")
+        assert (said.code, "CL989" in said.out) == (code, bool(code)), end
+        if code:
+            with pytest.raises(ProgramError) as caught:
+                scenario_from_parts(part, file).base.reference()
+            assert caught.value.line == 4
 
 
 def test_what_is_absent_is_named_and_the_rest_is_read(tmp_path: Path) -> None:

@@ -17,7 +17,7 @@ from contourlab.errors import ContourlabError, ProgramError
 from contourlab.features.check.options import Check
 from contourlab.features.check.reading import of_control, reading_of
 from contourlab.findings import Finding, finding
-from contourlab.program import Arc, Dwell, Feed, Move, Program, Reader, Reading, Spline, Traverse, open_program
+from contourlab.program import Arc, Dwell, Feed, Move, Point, Program, Reader, Reading, Spline, Traverse, open_program
 from contourlab.program.reader import NO_END
 from contourlab.rendering.table import paragraphs
 
@@ -181,6 +181,7 @@ def check(file: str | Path, *, settings: Check, session: Session = QUIET) -> Che
             if not problems:  # the motion of a faulty program means nothing, and may be endless
                 motion.add(part)
             stages.begin(f"{sum(seen.moves.values())} moves of {Path(file).name}")
+        motion.machine_points = reader.state.machine_points
         notices, n_line = reader.notices, reader.count_lines()
     checked = Checked(
         program=str(file),
@@ -292,6 +293,7 @@ class PlannedMotion:
     def __init__(self, file: str | Path, settings: Check) -> None:
         self._given: str | Path | Machine | None = settings.machine
         self.reading = reading_of(file, settings)
+        self.machine_points: list[tuple[int, Point]] = []
         self.problems: list[ContourlabError] = []
         self._sums = np.zeros(5)  # feed and rapid length, cycle time, dwells, time of the feed moves at their feedrates
         self._stops = 0
@@ -370,7 +372,12 @@ class PlannedMotion:
 
     def _outside(self) -> Iterator[Finding]:
         """Yield a finding for each axis that leaves the machine's travel."""
+        from contourlab.scenario.placing import beyond_travel
+
         travel, machine = self.travel, self.machine
+        floating = any(axis.limits.floating for axis in machine.axes)
+        for name, (line, at) in beyond_travel(self.machine_points if floating else (), machine.axis_names, machine).items():
+            yield finding("CL989", f"axis {name}", line=line, at=at, machine=machine.name)
         for name, line in travel.left.items():
             j, limits = machine.axis_names.index(name), machine.axis(name).limits
             values = {"line": line, "machine": machine.name}
