@@ -1,15 +1,18 @@
 """LinuxCNC's own files as a machine: work offsets, tools, units, what closes the loops, and what is absent."""
 
 import json
+import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 from made_controls import LINUXCNC
 from reference_data import reference_file
 from typed_commands import invoke
 
+import contourlab as cl
 from contourlab.controls import control_file
-from contourlab.errors import ParameterError, ProgramError, ScenarioError
+from contourlab.errors import LogError, ParameterError, ProgramError, ScenarioError
 from contourlab.feed import Reference
 from contourlab.feed.reference import ReferenceBlock
 from contourlab.loop.simulate import sampler
@@ -223,6 +226,20 @@ def test_a_scenario_takes_controller_and_program_reading_from_the_control(tmp_pa
     assert {axis.controller.kind for axis in case.controller.axes.values()} == {"steps"}
     assert case.reference().path.position([0.0])[0, 0] == pytest.approx(0.0)
     assert float(case.reference().path.position([case.reference().path.length])[0, 0]) == pytest.approx(2 * 0.0254)
+
+
+def test_a_log_has_the_unit_of_its_machine(tmp_path: Path) -> None:
+    """A circle of 1 inch, run 1 mil too large; the file states no unit."""
+    angle = np.linspace(0.0, 2.0 * math.pi, 2001)
+    circle = np.stack([np.cos(angle), np.sin(angle)])
+    rows = np.concatenate([0.001 * np.arange(angle.size)[None], circle, 1.001 * circle]).T
+    header = "time [s],reference.x,reference.y,position.x,position.y"
+    np.savetxt(tmp_path / "log.csv", rows, delimiter=",", header=header, comments="")
+    with pytest.raises(LogError):
+        cl.measure(tmp_path / "log.csv")
+    found = cl.measure(tmp_path / "log.csv", machine=str(machine_file(tmp_path))).runs[0].metrics.contour_error
+    assert found.max == pytest.approx(2.54e-5, rel=1e-3)
+    assert found.max == cl.measure(tmp_path / "log.csv", unit="inch").runs[0].metrics.contour_error.max
 
 
 def test_the_router_of_a_newcomer(tmp_path: Path) -> None:
