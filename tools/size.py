@@ -23,16 +23,16 @@ BUDGETS = {
     "findings": 55,
     "geometry": 2065,
     "logs": 1910,
-    "loop": 2235,
+    "loop": 2237,
     "metrics": 1045,
     "native": 249,
     "papers": 3363,
     "program": 2332,
     "rendering": 2450,
     "result": 402,
-    "scenario": 1948,
+    "scenario": 1953,
     "study": 1412,
-    "without papers": 53161,
+    "without papers": 53168,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

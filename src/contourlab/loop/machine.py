@@ -20,6 +20,7 @@ from contourlab.controls.contract import ControlFile
 from contourlab.errors import FeedError, ParameterError, refuse
 from contourlab.feed import AxisLimits
 from contourlab.feed.bounds import RANGES
+from contourlab.figures import listing
 from contourlab.notebook import facts_line
 from contourlab.units import setting
 
@@ -289,9 +290,10 @@ class Machine:
             If there is one.
         """
         if self.control is not None and self.control.unmodelled:
-            name, why = next(iter(self.control.unmodelled.items()))
-            bound = f'given, as in [axes.{name}] file = "axis.toml" under machine = "{self.control.file.name}": {why}'
-            raise ParameterError(f"axes.{name}.plant", "unknown", bound)
+            names, why = list(self.control.unmodelled), next(iter(self.control.unmodelled.values()))
+            given = f'machine = {{file = "{self.control.file.name}"}} and [axes.{names[0]}] file = "axis.toml"'
+            bound = f"given in a scenario, with {given}: {why}"
+            raise ParameterError("plant", f"unknown for {listing(names)}", bound)
 
     def planner_limits(self) -> AxisLimits:
         """Return the limits of the axes, for the planner.

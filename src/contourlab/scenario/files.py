@@ -10,7 +10,7 @@ from pathlib import Path
 
 from contourlab.controls import ControlFile, control_file
 from contourlab.errors import ScenarioError, hint, refuse
-from contourlab.file_kinds import mistaken
+from contourlab.file_kinds import kind_of, mistaken
 from contourlab.scenario.tree import DEFAULT, Leaf, Node, Table, from_mapping, located, merge, read_tree
 
 BUILTIN = "builtin:"
@@ -21,6 +21,10 @@ EVERY = "*"
 
 
 _MACHINES = "name a file with [machine], the INI file of a LinuxCNC, what $$ of grbl prints, or the config.yaml of FluidNC"
+_NO_MACHINES = {
+    "a file of LinuxCNC": "is not the INI file of a LinuxCNC: name that",
+    "the settings of a control": "lacks settings of the axes: save all that $$ prints, or the whole config.yaml",
+}
 _KINDS = {
     "machine_file": ("a machine",),
     "controller_file": ("a controller",),
@@ -101,7 +105,8 @@ class Reader:
         control = control_file(path) if "a machine" in wanted else None
         self.seen.extend([path] if control is None else [path, *control.files])
         if control is None and "a machine" in wanted and path.suffix.lower() not in (".toml", "") and path.is_file():
-            raise ScenarioError(mistaken(path, *wanted) or f"is no machine: {_MACHINES}", file=path)
+            words = _NO_MACHINES.get(kind_of(path)) or mistaken(path, *wanted) or f"is no machine: {_MACHINES}"
+            raise ScenarioError(words, file=path)
         if control is None:
             return read_tree(path, *wanted)
         self.controls.append(control)
