@@ -120,9 +120,10 @@ def test_a_tool_table_has_tool_0_and_the_first_of_two(tmp_path: Path) -> None:
     assert program.moves[0].end[2] == pytest.approx(0.002)
 
 
-def test_the_axes_begin_where_they_are_homed(tmp_path: Path) -> None:
+@pytest.mark.parametrize("home", ["[JOINT_0]\nHOME = 5", "[JOINT_0]"])
+def test_the_axes_begin_where_they_are_homed(tmp_path: Path, home: str) -> None:
     """So that a start at machine zero, outside the travel, is no fault of the program."""
-    file = machine_file(tmp_path, ("MIN_LIMIT = -1\nMAX_LIMIT = 9", "MIN_LIMIT = 4\nMAX_LIMIT = 9"), ("[JOINT_0]", "[JOINT_0]\nHOME = 5"))
+    file = machine_file(tmp_path, ("MIN_LIMIT = -1\nMAX_LIMIT = 9", "MIN_LIMIT = 5\nMAX_LIMIT = 9"), ("[JOINT_0]", home))
     part = tmp_path / "part.ngc"
     part.write_text(PROGRAM)
     said = invoke(tmp_path, "check", part, "--machine", file, "--zero", "5, 1, 0", "--json")

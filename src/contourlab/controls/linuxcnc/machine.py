@@ -76,9 +76,9 @@ class _Machine:
             if whys:
                 self.findings.append(finding(code, axes=list(whys), why=next(iter(whys.values()))))
         tables |= {"controller": steps_controller(axes), "program": self._program()}
-        homes = [self.ini.limit(f"JOINT_{axes[letter].number}", "HOME") if letter in axes else None for letter in LETTERS]
+        homes = [self._home(axes[letter]) if letter in axes else 0.0 for letter in LETTERS]
         if any(homes):
-            tables["program"]["start"] = ", ".join(f"{home or 0.0!r}" for home in homes)
+            tables["program"]["start"] = ", ".join(map(repr, homes))
         if path := self._least([("TRAJ", "MAX_LINEAR_VELOCITY")], "mm/s"):
             tables["feed"] = {"path_velocity": path["value"]}
         return ControlFile(self.ini.file, "LinuxCNC", tables, self.unmodelled, tuple(self.findings), tuple(self.files))
@@ -112,6 +112,13 @@ class _Machine:
         if value <= 0.0 and "/" in unit:
             raise ScenarioError(f"[{key[0]}]{key[1]} = {value:g}: must be above 0", file=self.ini.values[key][0].place)
         return self._read(f"{value * self.unit * 1e3:.12g} {unit}", *key)
+
+    def _home(self, joint: Joint) -> float:
+        """Return where an axis stands after homing, in machine units: within its travel."""
+        limits = [[self.ini.limit(section, key) for section in self._sections(joint)] for key in ("MIN_LIMIT", "MAX_LIMIT", "HOME")]
+        lows, highs, homes = ([value for value in values if value is not None] for values in limits)
+        home = homes[0] if homes else 0.0
+        return min([max([home, *lows]), *highs])
 
     def _sections(self, joint: Joint) -> tuple[str, ...]:
         """Return the sections of an axis and its joints; before LinuxCNC 2.8 the axes had numbers."""
