@@ -18,7 +18,7 @@ BUDGETS = {
     "contours": 1553,
     "controls": 645,
     "engine": 3285,
-    "features": 17490,
+    "features": 17491,
     "feed": 2211,
     "findings": 55,
     "geometry": 2065,
@@ -32,7 +32,7 @@ BUDGETS = {
     "result": 402,
     "scenario": 1953,
     "study": 1412,
-    "without papers": 53173,
+    "without papers": 53174,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

@@ -7,12 +7,12 @@ from typing import Any
 import made_commission as bench
 import numpy as np
 import pytest
-from contourlab.features.commission.hal_files import read_setup
 from reference_data import reference_file
 
 from contourlab.analysis.identification.least_squares import DescentSettings
 from contourlab.cli.main import main
 from contourlab.features.commission.records import read_log
+from contourlab.features.commission.setup import read_setup
 from contourlab.logs.window import parse_window
 
 

@@ -442,7 +442,9 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
         return steps
     if not part and (passes or not gains):
         return [*steps, step("Find what the error depends on:", *quick[:2], *scheme, *quick[2:])]
-    return [*steps, step("Search all gains:", "tune", *_without(options, "--schemes", "--trials", "--table"), *scheme)]
+    # A command may not write into the folder that it reads from.
+    elsewhere = ["--out", f"{out}-tuned"] if any(Path(word).parent == out for word in options) else []
+    return [*steps, step("Search all gains:", "tune", *_without(options, "--schemes", "--trials", "--table"), *scheme, *elsewhere)]
 
 
 def _without(options: Sequence[str], *names: str) -> list[str]:

@@ -9,6 +9,7 @@ import pytest
 
 from contourlab.app.command_line import chosen_options
 from contourlab.cli.main import main
+from contourlab.scenario import builtin_file
 
 PART = "G21 G90 F1500\nG64 P0.01\nG1 X8\nG3 X8 Y8 I0 J4\nG1 X0\nM2\n"
 
@@ -60,3 +61,14 @@ def test_after_a_success_it_tunes(part: list[str], capsys: pytest.CaptureFixture
 def test_plugins_are_named_again() -> None:
     options = ["--plugin", "a.py", "--out", "here", "--plugin", "b.py", "--tolerance", "1 um"]
     assert chosen_options(options, "--plugin") == ["--plugin", "a.py", "--plugin", "b.py"]
+
+
+def test_a_search_does_not_write_where_its_controller_lies(part: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*part, "--out", "results"]) == 0
+    capsys.readouterr()
+    Path("results/tuned.toml").write_text(builtin_file("xyz-controller").read_text())
+    words = ["results/tuned.toml" if word == "xyz-controller" else word for word in part]
+    assert main([*words, "--tolerance", "0.5 um", "--out", "again"]) == 1
+    assert main([*words, "--tolerance", "1 mm"]) == 0
+    proposed = last_line(capsys)
+    assert proposed[0] != "tune" or "--out" in proposed
