@@ -16,7 +16,7 @@ BUDGETS = {
     "cli": 471,
     "components": 5252,
     "contours": 1553,
-    "controls": 645,
+    "controls": 646,
     "engine": 3285,
     "features": 17491,
     "feed": 2211,
@@ -32,7 +32,7 @@ BUDGETS = {
     "result": 402,
     "scenario": 1953,
     "study": 1412,
-    "without papers": 53174,
+    "without papers": 53173,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

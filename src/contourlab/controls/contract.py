@@ -10,6 +10,8 @@ from typing import Any
 
 from contourlab.findings import Finding
 
+LARGEST = 1e9
+"""Limit of what a control's file may say; beyond it a number stands for no limit."""
 PERIOD = {"value": "1 ms", "source": "assumed", "note": "the control makes steps, and has no servo period"}
 """Servo period of a machine whose control has none."""
 

@@ -7,13 +7,12 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from contourlab.controls.contract import PERIOD, ControlFile, computed, driven_by_steps, read_from, steps_controller
+from contourlab.controls.contract import LARGEST, PERIOD, ControlFile, computed, driven_by_steps, read_from, steps_controller
 from contourlab.errors import ScenarioError
 from contourlab.findings import finding
 
 _OWN = re.compile(rb"^\s+max_rate_mm_per_min\s*:", re.MULTILINE)
 _LIMITS = {"velocity": ("max_rate_mm_per_min", "mm/min"), "acceleration": ("acceleration_mm_per_sec2", "mm/s^2")}
-LARGEST = 1e9
 MOST = 1 << 20
 """Most bytes of a configuration."""
 

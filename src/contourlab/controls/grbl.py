@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from contourlab.controls.contract import PERIOD, ControlFile, computed, driven_by_steps, read_from, steps_controller
+from contourlab.controls.contract import LARGEST, PERIOD, ControlFile, computed, driven_by_steps, read_from, steps_controller
 from contourlab.errors import ScenarioError
 from contourlab.findings import finding
 
@@ -16,7 +16,8 @@ _SETTING = re.compile(r"^\s*(?:[<>\[]\s*)?\$(\d+)\s*=\s*([^\s(\]]+)")
 _DUMP = re.compile(rb"^\s*(?:[<>\[]\s*)?\$1[0-3]0\s*=", re.MULTILINE)
 """Steps, rate, acceleration or travel of the first axis."""
 _LIMITS = (("velocity", 110, "mm/min"), ("acceleration", 120, "mm/s^2"), ("jerk", 800, "mm/s^3"))
-LARGEST = 1e9
+_READ = {22, 23, *range(100, 140), *(first + n for first in (160, 800) for n in range(3))}
+"""Settings that must be numbers; others may be words."""
 
 
 def matches(file: Path, head: bytes) -> bool:
@@ -55,9 +56,10 @@ def _settings(file: Path) -> Iterator[tuple[int, tuple[float, str]]]:
                 value = float(match[2].rstrip(","))
             except ValueError:
                 value = math.nan
-            if 100 <= int(match[1]) < 140 and not abs(value) < LARGEST:
+            if abs(value) < LARGEST:
+                yield int(match[1]), (value, place)
+            elif int(match[1]) in _READ:
                 raise ScenarioError(f"${match[1]} = {match[2]}: must be a number", file=place)
-            yield int(match[1]), (value, place)
 
 
 def _axis(file: Path, settings: dict[int, tuple[float, str]], n: int) -> Iterator[tuple[str, Any]]:

@@ -8,12 +8,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from contourlab.controls.contract import LARGEST
 from contourlab.errors import ScenarioError
 from contourlab.file_kinds import mistaken
 from contourlab.findings import Finding, finding
 
-LARGEST = 1e9
-"""Limit of what an INI file may say: beyond it a number stands for no limit."""
 LENGTHS = {"mm": 1e-3, "metric": 1e-3, "inch": 0.0254, "in": 0.0254, "imperial": 0.0254}
 """LINEAR_UNITS in metres."""
 LIBRARY = Path("/usr/share/linuxcnc/hallib")

@@ -112,9 +112,7 @@ class Checked(Answer):
             return None
         machine, has_end = asked.settings.machine or "xyz", not any(notice.message.startswith(NO_END) for notice in self.notices)
         shipped = machine in ("xyz", "builtin:xyz")
-        if not shipped and not isinstance(machine, str | Path):
-            return None
-        if not shipped and not Path(machine).is_dir() and not of_control(machine):
+        if not shipped and not (isinstance(machine, str | Path) and (Path(machine).is_dir() or of_control(machine))):
             return None  # which controller it has is not known
         parts = ["--machine", machine, "--controller", "xyz-controller" if shipped else None]
         return ["run", *asked.inputs, *parts, *asked.settings.words("machine"), *([] if has_end else ["--no-require-end"])]

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array
+from contourlab.controls.contract import LARGEST
 from contourlab.controls.linuxcnc.files import (
-    LARGEST,
     LENGTHS,
     REFERENCE,
     Entry,
