@@ -16,13 +16,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.arrays import Array, Flags
+from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
 
@@ -100,6 +100,8 @@ class OutputFit(Estimate):
     measured, predicted : ndarray (n,)
     fit : float [percent]
         100 (1 - |measured - predicted|/|measured - mean|).
+    left_out : float
+        Rms of what stays in parts of the record under parameters fitted to the others, in the unit of `measured`; nan if not computed.
     """
 
     condition_number: float
@@ -107,6 +109,7 @@ class OutputFit(Estimate):
     measured: Array
     predicted: Array
     fit: float
+    left_out: float = field(default=math.nan, kw_only=True)
 
 
 WELL_KNOWN = 0.1
@@ -604,7 +607,7 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     return FitCovariance(deviations, np.where(untold, np.inf, white), inverse / np.outer(scale, scale), untold)
 
 
-def parted_deviations(jacobian: Array, residual: Array, parts: int) -> Array:
+def parted_deviations(jacobian: Array, residual: Array, parts: int, told: bool = False) -> Array:
     """Return standard deviations (p,) by the jackknife: the spread of estimates that leave out one part of the record after another.
 
     Parameters
@@ -615,6 +618,8 @@ def parted_deviations(jacobian: Array, residual: Array, parts: int) -> Array:
     parts : int, >= 2
         Consecutive parts of equal length. What the model lacks lasts for a motion and differs from one kind of motion to the next: it is
         not noise, and is seen only between parts.
+    told : bool
+        Make the parts tell the same, not last the same: a log may stand still for long, and move once.
 
     Returns
     -------
@@ -629,18 +634,38 @@ def parted_deviations(jacobian: Array, residual: Array, parts: int) -> Array:
     ----------
     Efron & Stein, "The jackknife estimate of variance", Annals of Statistics 9(3), 1981.
     """
-    lengths = np.linalg.norm(jacobian, axis=0)
+    moved, lengths, _ = _without_parts(jacobian, residual, parts, told)
+    return np.asarray(np.full(lengths.size, math.inf) if moved is None else np.std(moved, axis=0) * math.sqrt(parts - 1.0) / lengths)
+
+
+def left_out(jacobian: Array, residual: Array, parts: int, told: bool = False) -> float:
+    """Return the rms residual of parts of a record under parameters fitted to the others; see `parted_deviations` for the arguments."""
+    moved, lengths, rows = _without_parts(jacobian, residual, parts, told)
+    if moved is None:
+        return math.inf
+    away = [residual[part] + jacobian[part] @ (step / lengths) for part, step in zip(rows, moved, strict=True)]
+    return float(np.sqrt(np.mean(np.concatenate(away) ** 2)))
+
+
+def _without_parts(jacobian: Array, residual: Array, parts: int, told: bool) -> tuple[Array | None, Array, list[Index]]:
+    """Return by how much the parameters change without each part (parts, p), times the lengths (p,) of the columns; these; and the parts.
+
+    The changes are None if a part alone determines a parameter.
+    """
+    lengths, every = np.linalg.norm(jacobian, axis=0), np.arange(residual.size)
     if not lengths.all():
-        return np.full(lengths.size, math.inf)
+        return None, lengths, []
     columns = jacobian / lengths
-    normal, moved = columns.T @ columns, []
-    for rows in np.array_split(np.arange(residual.size), parts):
+    share = (columns**2).sum(axis=1).cumsum()
+    ends = np.searchsorted(share, share[-1] * np.arange(1, parts) / parts) if told and lengths.size else parts
+    normal, moved, divided = columns.T @ columns, [], np.array_split(every, ends)
+    for rows in divided:
         part = columns[rows]
         rest = normal - part.T @ part
-        if np.linalg.cond(rest) * UNTOLD_SHARE > 1.0:
-            return np.full(lengths.size, math.inf)
+        if lengths.size and np.linalg.cond(rest) * UNTOLD_SHARE > 1.0:
+            return None, lengths, divided
         moved.append(np.linalg.solve(rest, part.T @ residual[rows]))
-    return np.asarray(np.std(moved, axis=0) * math.sqrt(parts - 1.0) / lengths)
+    return np.array(moved), lengths, divided
 
 
 PARTS = range(4, 13)
@@ -649,8 +674,13 @@ Model = Callable[[Sequence[Mapping[str, float]]], Array]
 """Outputs (m, n) of a model for m sets of its parameters."""
 
 
-def descended(model: Model, measured: Array, free: Mapping[str, Free], settings: DescentSettings | None = None) -> OutputFit:
-    """Fit a model's output (n,) in steps that bridge its kinks; deviations are those of the jackknife over parts of the record."""
+def descended(
+    model: Model, measured: Array, free: Mapping[str, Free], settings: DescentSettings | None = None, told: bool = False
+) -> OutputFit:
+    """Fit a model's output (n,) in steps that bridge its kinks; deviations are those of the jackknife over parts of the record.
+
+    The largest counts over several numbers of parts; see `parted_deviations` for `told`.
+    """
     names, (start, low, high, scale) = tuple(free), arrays_of(free)
 
     def predicted(points: Array) -> Array:
@@ -658,10 +688,20 @@ def descended(model: Model, measured: Array, free: Mapping[str, Free], settings:
 
     size = float(np.sqrt(np.mean((predicted(start[None]) - measured) ** 2)))
     result = descend(lambda points: (predicted(points) - measured) / size, start, low, high, scale, settings)
-    inside = (result.values > low) & (result.values < high)
-    deviations = np.zeros(len(names))
-    deviations[inside] = np.max([parted_deviations(result.jacobian[:, inside], result.residual, parts) for parts in PARTS], axis=0)
+    inside, left = (result.values > low) & (result.values < high), result.residual
+    slopes = result.jacobian[:, inside]
+    lengths = np.linalg.norm(slopes, axis=0)
+    lengths = np.where(lengths > 0.0, lengths, np.inf)
+    inverse = np.linalg.pinv((slopes / lengths).T @ (slopes / lengths), hermitian=True)
+    spread = np.sqrt(np.diag(inverse))
+    white, robust, correlation = np.zeros(len(names)), np.zeros(len(names)), np.eye(len(names))
+    white[inside] = spread / lengths * math.sqrt(float(left @ left) / max(left.size - len(names), 1))
+    robust[inside] = np.max([parted_deviations(slopes, left, parts, told) for parts in PARTS], axis=0)
+    correlation[np.ix_(inside, inside)] = inverse / np.maximum(np.outer(spread, spread), 1e-300)
+    if told:  # parts that tell the same of all parameters together may tell too alike of one
+        robust = np.maximum(robust, white)
     stuck = tuple(name for name, is_free in zip(names, inside, strict=True) if not is_free)
-    output = measured + size * result.residual
+    output = measured + size * left
+    away = size * float(np.mean([left_out(slopes, left, parts, told) for parts in PARTS]))
     fit = fit_percent(measured, output)
-    return OutputFit(names, result.values, deviations, deviations, np.eye(len(names)), 1.0, stuck, measured, output, fit)
+    return OutputFit(names, result.values, white, robust, correlation, 1.0, stuck, measured, output, fit, left_out=away)

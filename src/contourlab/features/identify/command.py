@@ -6,11 +6,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+import numpy as np
+
 from contourlab.app.session import QUIET, Session, question
 from contourlab.errors import ParameterError
 from contourlab.features.identify.frequency import identify_linear_motor, identify_response, identify_two_inertia, identify_two_mass
 from contourlab.features.identify.friction import identify_friction, identify_stiction
 from contourlab.features.identify.options import Identify
+from contourlab.features.identify.position_loop import identify_position_loop
 from contourlab.features.identify.records import AxisRecord, Request
 from contourlab.features.identify.result import Identification
 from contourlab.features.identify.rigid import identify_behind_observer, identify_open_loop, identify_rigid
@@ -31,15 +34,19 @@ class Model:
         How many logs it takes, if not any number.
     pieces : bool
         Whether it takes all stretches of a log between long gaps, not only the longest.
+    together : bool
+        Whether it takes several axes of a log at once.
     """
 
     study: Callable[[Sequence[AxisRecord], Identify], Identification]
     options: tuple[str, ...] = ()
     single: str = ""
     pieces: bool = False
+    together: bool = False
 
 
 _RIGID = Model(identify_rigid, ("cutoff", "slowest", "decimation", "validation"), "one run, and one with --validation")
+POSITION_LOOP = "position-loop"
 MODELS = {
     "rigid": _RIGID,
     "rigid-by-direction": _RIGID,
@@ -51,6 +58,7 @@ MODELS = {
     "linear-motor": Model(identify_linear_motor, ("excitation",)),
     "two-mass": Model(identify_two_mass, ("side", "excitation")),
     "two-inertia": Model(identify_two_inertia, ("motor_inertia", "side", "excitation")),
+    POSITION_LOOP: Model(identify_position_loop, ("validation",), "one run, and one with --validation", together=True),
 }
 """Models by name, in the order of the messages."""
 
@@ -75,7 +83,13 @@ def identify(*logs: str | Path | Log, settings: Identify, session: Session = QUI
     ParameterError
         If an option is out of range.
     """
-    name, request = settings.model, Request(settings, logs)
+    request = Request(settings, logs)
+    inputs = settings.files(*request.files)
+    session.will_write(inputs, pictures_only=True)
+    if settings.model is None:
+        with about(*request.names.values(), options=list(Identify.PARTS)):
+            settings = replace(settings, model=_usual_model(request))
+    name = str(settings.model)
     if name not in MODELS:
         raise ParameterError("--model", repr(name), f"one of {', '.join(MODELS)}")
     model = MODELS[name]
@@ -84,13 +98,35 @@ def identify(*logs: str | Path | Log, settings: Identify, session: Session = QUI
         value = getattr(settings, option)
         if owners and option not in model.options and value != part.default:
             raise ParameterError(part.typed, value, f"omitted: it applies to {', '.join(owners)}, and the model is {name}")
-    inputs = settings.files(*request.files)
-    session.will_write(inputs, pictures_only=True)
     with about(*request.names.values(), options=list(Identify.PARTS)):
         if model.single and len(logs) > 1:
             raise ParameterError("LOG", f"{len(logs)} logs", f"one: model {name} takes {model.single}")
-        records = request.records(model.pieces)
-        if settings.validation is not None:
-            records += request.read()
+        axes = _axes(request) if model.together else [settings.axis]
+        requests = [Request(replace(settings, axis=axis), logs) for axis in axes]
+        records: list[AxisRecord] = []
+        for one in requests:
+            records += one.records(model.pieces)
+            records += one.read() if settings.validation is not None else []
         identified = model.study(records, settings)
-    return replace(identified, findings=(*identified.findings, *request.findings()), inputs=inputs)
+    on_logs = {str(doubt): doubt for one in requests for doubt in one.findings()}
+    return replace(identified, findings=(*identified.findings, *on_logs.values()), inputs=inputs)
+
+
+def _usual_model(request: Request) -> str:
+    """Return the model where none is named: that of a position loop for a log without force and command, if no option speaks of them."""
+    of_others = {option for model in MODELS.values() for option in model.options} - {*MODELS[POSITION_LOOP].options}
+    typed = (name for name, part in Identify.PARTS.items() if getattr(request.options, name) != part.default)
+    if not request.logs or {*of_others, "gain", "full_scale", "lead"} & {*typed}:
+        return "rigid"
+    result = request.log(0).result
+    driven = any(name in result for name in ("command", "force", "torque"))
+    return POSITION_LOOP if "reference" in result and not driven else "rigid"
+
+
+def _axes(request: Request) -> list[str]:
+    """Return the axes that are asked for, or all whose reference moves."""
+    if request.options.axis is not None:
+        return [axis.strip() for axis in request.options.axis.split(",")]
+    log = request.log(0)
+    references = {axis: log.signal(axis, "reference") for axis in log.result.axes}
+    return [axis for axis, values in references.items() if values is not None and np.ptp(values) > 0.0] or list(references)
