@@ -119,7 +119,7 @@ def _usual_model(request: Request) -> str:
     if not request.logs or {*of_others, "gain", "full_scale", "lead"} & {*typed}:
         return "rigid"
     result = request.log(0).result
-    driven = any(name in result for name in ("command", "force", "torque"))
+    driven = any(result.signals[name].unit != "m" for name in ("command", "force", "torque") if name in result)
     return POSITION_LOOP if "reference" in result and not driven else "rigid"
 
 

@@ -46,7 +46,12 @@ TERMS = {
     "friction": ("friction_offset",),
 }
 """What a loop may have besides gain and delay: the parameters of each."""
-WORDS = {"velocity_feedforward": "velocity feedforward", "lag": "lag of the velocity loop", "resonance": "resonance"}
+WORDS = {
+    "velocity_feedforward": "velocity feedforward",
+    "lag": "lag of the velocity loop",
+    "resonance": "resonance",
+    "friction": "friction",
+}
 UNITS = {
     "Kv": "1/s",
     "delay": "s",
@@ -56,8 +61,8 @@ UNITS = {
     "resonance_damping": "",
     "friction_offset": "m",
 }
-FALLS = 0.98
-"""Rms of what stays in parts not fitted, with a term over without it, up to which the term is kept."""
+CLEAR = 3.0
+"""Least size of the first parameter of a term, in deviations."""
 RUN_IN = 0.5
 """Time [s] that is simulated before the log: at rest, or at its first speed."""
 DESCENT = DescentSettings(difference=1e-3, visible=1e-3, most_iterations=200, least_gain=1e-7)
@@ -176,9 +181,10 @@ class Rung:
         return list(zip(self.fit.names, self.fit.values.tolist(), self.fit.robust_deviations.tolist(), strict=True))
 
     def betters(self, other: Rung) -> bool:
-        """Return whether it predicts better than another, and what it has in addition exceeds its deviation."""
-        more = [abs(value) > deviation for name, value, deviation in self.known if name not in other.model.names]
-        return self.left_out < FALLS * other.left_out and all(more)
+        """Return whether it predicts better than another, and shows clearly what it has in addition."""
+        first = {TERMS[term][0] for term in self.model.terms if term not in other.model.terms}
+        more = (0.0 < CLEAR * deviation < abs(value) for name, value, deviation in self.known if name in first)
+        return self.left_out < other.left_out and all(more)
 
 
 _LAGS = (), ("lag",), ("resonance",)
@@ -188,18 +194,18 @@ LADDER = tuple((*feedforward, *lag) for feedforward in ((), ("velocity_feedforwa
 
 def fit_loop(record: AxisRecord) -> tuple[Rung, tuple[Rung, ...]]:
     """Fit the loop of an axis; return the best fit, and all."""
-    rungs = [_fitted(LoopModel(record))]
+    rungs = [fit_terms(LoopModel(record))]
     best = rungs[0]
     for terms in LADDER[1:]:
         within = [rung for rung in rungs if {*rung.model.terms} <= {*terms}]
-        rungs.append(_fitted(LoopModel(record, terms), within[-1]))
+        rungs.append(fit_terms(LoopModel(record, terms), within[-1]))
         best = rungs[-1] if rungs[-1].betters(best) else best
     if reverses(record):
-        rungs.append(_fitted(LoopModel(record, (*best.model.terms, "friction")), best))
+        rungs.append(fit_terms(LoopModel(record, (*best.model.terms, "friction")), best))
         best = rungs[-1] if rungs[-1].betters(best) else best
     if "friction" in best.model.terms:  # what another term made up for before
         for terms in (tuple(one for one in best.model.terms if one != other) for other in best.model.terms[:-1]):
-            rungs.append(_fitted(LoopModel(record, terms), best))
+            rungs.append(fit_terms(LoopModel(record, terms), best))
             best = best if best.betters(rungs[-1]) else rungs[-1]
     return best, tuple(rungs)
 
@@ -212,7 +218,7 @@ def reverses(record: AxisRecord) -> bool:
     return bool(np.count_nonzero(np.abs(np.add.reduceat(steps[steps != 0.0], turns)) > REVERSED) > 1)
 
 
-def _fitted(model: LoopModel, near: Rung | None = None) -> Rung:
+def fit_terms(model: LoopModel, near: Rung | None = None) -> Rung:
     """Fit a model from some starts, one of them at the parameters of a simpler model."""
     record, counts = model.record, _counting(model.record)
 
@@ -335,10 +341,14 @@ def _doubts(best: Rung, rungs: Sequence[Rung]) -> Iterator[Finding]:
             yield finding("CL595", axis, parameter=name, value=value, unit=UNITS[name])
         else:
             yield from deviation_findings(f"{axis}, {name}", value, deviation)
-    for rung in rungs[1:]:
-        term = rung.model.terms[-1]
-        if term not in best.model.terms and not (term == "lag" and "resonance" in best.model.terms):
-            yield finding("CL592", axis, term=WORDS.get(term, term), left=rung.left_out, without=best.left_out)
+    for term in WORDS:
+        tried = [rung.left_out for rung in rungs if term in rung.model.terms]
+        if not tried or term in best.model.terms or (term == "lag" and "resonance" in best.model.terms):
+            continue
+        if math.isfinite(left := min(tried)):
+            yield finding("CL592", axis, term=WORDS[term], left=left, without=best.left_out)
+        else:
+            yield finding("CL596", axis, term=WORDS[term])
     if not reverses(record):
         yield finding("CL593", axis)
 
@@ -387,8 +397,16 @@ def _table(fits: Mapping[str, tuple[Rung, Sequence[Rung]]]) -> Table:
     rows = []
     for axis, (best, rungs) in fits.items():
         for rung in rungs:
-            terms = ", ".join(WORDS.get(term, term) for term in rung.model.terms) or "-"
-            rows.append((axis, terms, f"{100.0 * rung.stays:.3f}", f"{100.0 * rung.left_out:.3f}", "chosen" if rung is best else ""))
+            terms = ", ".join(WORDS[term] for term in rung.model.terms) or "-"
+            rows.append(
+                (
+                    axis,
+                    terms,
+                    f"{100.0 * rung.stays:.3f}",
+                    f"{100.0 * rung.left_out:.3f}" if math.isfinite(rung.left_out) else "-",
+                    "chosen" if rung is best else "",
+                )
+            )
     return Table(heads, rows=rows)
 
 

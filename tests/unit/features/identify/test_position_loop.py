@@ -13,11 +13,13 @@ from scipy.signal import cont2discrete, lfilter
 import contourlab as cl
 from contourlab.errors import ResultError
 from contourlab.features.identify.options import Identify
-from contourlab.features.identify.position_loop import LoopModel, fit_loop, identify_position_loop, reverses
+from contourlab.features.identify.position_loop import LoopModel, fit_loop, fit_terms, identify_position_loop, reverses
 from contourlab.features.identify.records import AxisRecord
 
 Array = NDArray[np.float64]
-PERIOD, NOISE = 1e-3, 2e-7
+PERIOD = 1e-3
+NOISE = 1e-6
+"""Far above the 6 nm by which a simulation in steps differs from the exact one."""
 TO_AND_FRO = (0.05, -0.02, 0.03, -0.06)
 CASES: dict[str, dict[str, float]] = {
     "no feedforward": {"Kv": 25.0, "delay": 0.0033},
@@ -74,13 +76,20 @@ def record(reference: Array, position: Array, axis: str = "x") -> AxisRecord:
 def test_parameters_are_found_within_their_deviations(case: str) -> None:
     """Of normal errors 68 % are within one deviation and 95 % within two; deviations are the largest of several: at least so many are."""
     true, reference, away = CASES[case], moves(), []
-    for seed in range(12):
-        best, _ = fit_loop(record(reference, followed(reference, true, seed)))
-        assert set(best.model.terms) == set(TERMS[case])
-        away += [(value - true[name]) / deviation for name, value, deviation in best.known]
+    for seed in range(30):
+        rung = fit_terms(LoopModel(record(reference, followed(reference, true, seed)), TERMS[case]))
+        away += [(value - true[name]) / deviation for name, value, deviation in rung.known]
     shares = np.abs(away)
     assert np.mean(shares < 1.0) >= 0.6 and np.mean(shares < 2.0) >= 0.9
-    assert np.sqrt(np.mean(shares**2)) > 0.3  # nor are they so wide that they say nothing
+    assert np.sqrt(np.mean(shares**2)) > 0.4  # nor are they so wide that they say nothing
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("case", CASES)
+def test_the_terms_are_found(case: str) -> None:
+    for seed in range(3):
+        best, _ = fit_loop(record(moves(), followed(moves(), CASES[case], seed)))
+        assert set(best.model.terms) == set(TERMS[case])
 
 
 def test_friction_is_seen_at_reversals() -> None:
@@ -120,15 +129,15 @@ def test_a_position_of_the_wrong_sign_is_refused() -> None:
 def test_a_constant_of_the_encoder_changes_nothing() -> None:
     reference = moves()
     position = followed(reference, CASES["lag"])
-    plain, shifted = (fit_loop(record(reference, position + by))[0].fit.parameters for by in (0.0, 2e-3))
+    plain, shifted = (fit_terms(LoopModel(record(reference, position + by), ("lag",))).fit.parameters for by in (0.0, 2e-3))
     assert shifted == pytest.approx(plain, rel=1e-6)
 
 
 def test_much_noise_widens_the_deviations_only() -> None:
     reference, true = moves(), CASES["no feedforward"]
-    quiet, loud = (fit_loop(record(reference, followed(reference, true, noise=noise)))[0] for noise in (1e-6, 3e-5))
+    quiet, loud = (fit_terms(LoopModel(record(reference, followed(reference, true, noise=noise)))) for noise in (1e-6, 3e-5))
     for rung in (quiet, loud):
-        assert all(abs(value - true[name]) < 4.0 * deviation for name, value, deviation in rung.known if name in true)
+        assert all(abs(value - true[name]) < 4.0 * deviation for name, value, deviation in rung.known)
     assert dict(zip(loud.fit.names, loud.fit.robust_deviations, strict=True))["Kv"] > 5.0 * quiet.fit.deviation("Kv")
 
 
