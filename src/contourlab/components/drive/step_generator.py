@@ -70,7 +70,7 @@ class PositionLag(Component):
     """Delay of positions, whole and fractional, and a resonance or another lag of second order, w^2/(s^2 + 2 D w s + w^2).
 
     These are what a log of commanded and actual position shows of a control and its axis besides the position loop itself. A motion at
-    constant speed is late by the delay and 2 D/w. The lag is sampled by the bilinear rule, exact at w.
+    constant speed is late by the delay and, w far below the servo frequency, 2 D/w. The lag is sampled by the bilinear rule, exact at w.
 
     References
     ----------
