@@ -348,7 +348,7 @@ class Machine:
         fits = drive.command_unit == "m"
         fits = fits or drive == Saturation() if plant.takes_position else not fits
         if not fits:
-            fitting = '"step-generator", or left out' if plant.takes_position else "another one"
+            fitting = '"step-generator", "position-lag", or left out' if plant.takes_position else "another one"
             bound = f"{fitting}: the commands of a {plant.kind} are in {plant.command_unit}"
             raise ParameterError(f"axes.{axis.name}.drive", f'"{drive.kind}"', bound)
 

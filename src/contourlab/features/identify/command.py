@@ -13,7 +13,6 @@ from contourlab.errors import ParameterError
 from contourlab.features.identify.frequency import identify_linear_motor, identify_response, identify_two_inertia, identify_two_mass
 from contourlab.features.identify.friction import identify_friction, identify_stiction
 from contourlab.features.identify.options import Identify
-from contourlab.features.identify.position_loop import identify_position_loop
 from contourlab.features.identify.records import AxisRecord, Request
 from contourlab.features.identify.result import Identification
 from contourlab.features.identify.rigid import identify_behind_observer, identify_open_loop, identify_rigid
@@ -45,6 +44,13 @@ class Model:
     together: bool = False
 
 
+def _position_loops(records: Sequence[AxisRecord], options: Identify) -> Identification:
+    """Import what simulates only where it is used."""
+    from contourlab.features.identify.position_loop import identify_position_loop
+
+    return identify_position_loop(records, options)
+
+
 _RIGID = Model(identify_rigid, ("cutoff", "slowest", "decimation", "validation"), "one run, and one with --validation")
 POSITION_LOOP = "position-loop"
 MODELS = {
@@ -58,7 +64,7 @@ MODELS = {
     "linear-motor": Model(identify_linear_motor, ("excitation",)),
     "two-mass": Model(identify_two_mass, ("side", "excitation")),
     "two-inertia": Model(identify_two_inertia, ("motor_inertia", "side", "excitation")),
-    POSITION_LOOP: Model(identify_position_loop, ("validation",), "one run, and one with --validation", together=True),
+    POSITION_LOOP: Model(_position_loops, ("validation",), "one run, and one with --validation", together=True),
 }
 """Models by name, in the order of the messages."""
 
@@ -86,10 +92,13 @@ def identify(*logs: str | Path | Log, settings: Identify, session: Session = QUI
     request = Request(settings, logs)
     inputs = settings.files(*request.files)
     session.will_write(inputs, pictures_only=True)
-    if settings.model is None:
+    opened = None
+    if logs and settings.model in (None, POSITION_LOOP):
         with about(*request.names.values(), options=list(Identify.PARTS)):
-            settings = replace(settings, model=_usual_model(request))
-    name = str(settings.model)
+            opened = request.log(0)
+        logs = (opened, *logs[1:])  # read once
+        settings = replace(settings, model=settings.model or _usual_model(opened, settings))
+    name = settings.model or "rigid"
     if name not in MODELS:
         raise ParameterError("--model", repr(name), f"one of {', '.join(MODELS)}")
     model = MODELS[name]
@@ -101,7 +110,7 @@ def identify(*logs: str | Path | Log, settings: Identify, session: Session = QUI
     with about(*request.names.values(), options=list(Identify.PARTS)):
         if model.single and len(logs) > 1:
             raise ParameterError("LOG", f"{len(logs)} logs", f"one: model {name} takes {model.single}")
-        axes = _axes(request) if model.together else [settings.axis]
+        axes = _axes(opened, settings.axis) if model.together and opened is not None else [settings.axis]
         requests = [Request(replace(settings, axis=axis), logs) for axis in axes]
         records: list[AxisRecord] = []
         for one in requests:
@@ -112,21 +121,17 @@ def identify(*logs: str | Path | Log, settings: Identify, session: Session = QUI
     return replace(identified, findings=(*identified.findings, *on_logs.values()), inputs=inputs)
 
 
-def _usual_model(request: Request) -> str:
+def _usual_model(log: Log, options: Identify) -> str:
     """Return the model where none is named: that of a position loop for a log without force and command, if no option speaks of them."""
     of_others = {option for model in MODELS.values() for option in model.options} - {*MODELS[POSITION_LOOP].options}
-    typed = (name for name, part in Identify.PARTS.items() if getattr(request.options, name) != part.default)
-    if not request.logs or {*of_others, "gain", "full_scale", "lead"} & {*typed}:
-        return "rigid"
-    result = request.log(0).result
-    driven = any(result.signals[name].unit != "m" for name in ("command", "force", "torque") if name in result)
-    return POSITION_LOOP if "reference" in result and not driven else "rigid"
+    typed = {name for name, part in Identify.PARTS.items() if getattr(options, name) != part.default}
+    driven = any(log.result.signals[name].unit != "m" for name in ("command", "force", "torque") if name in log.result)
+    return "rigid" if driven or "reference" not in log.result or typed & {*of_others, "gain", "full_scale", "lead"} else POSITION_LOOP
 
 
-def _axes(request: Request) -> list[str]:
+def _axes(log: Log, asked: str | None) -> list[str]:
     """Return the axes that are asked for, or all whose reference moves."""
-    if request.options.axis is not None:
-        return [axis.strip() for axis in request.options.axis.split(",")]
-    log = request.log(0)
+    if asked is not None:
+        return [axis.strip() for axis in asked.split(",")]
     references = {axis: log.signal(axis, "reference") for axis in log.result.axes}
     return [axis for axis, values in references.items() if values is not None and np.ptp(values) > 0.0] or list(references)
