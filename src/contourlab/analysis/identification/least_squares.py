@@ -607,7 +607,7 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     return FitCovariance(deviations, np.where(untold, np.inf, white), inverse / np.outer(scale, scale), untold)
 
 
-def parted_deviations(jacobian: Array, residual: Array, parts: int, told: bool = False) -> Array:
+def parted_deviations(jacobian: Array, residual: Array, parts: int, equal_information: bool = False) -> Array:
     """Return standard deviations (p,) by the jackknife: the spread of estimates that leave out one part of the record after another.
 
     Parameters
@@ -618,8 +618,8 @@ def parted_deviations(jacobian: Array, residual: Array, parts: int, told: bool =
     parts : int, >= 2
         Consecutive parts of equal length. What the model lacks lasts for a motion and differs from one kind of motion to the next: it is
         not noise, and is seen only between parts.
-    told : bool
-        Make the parts tell the same, not last the same: a log may stand still for long, and move once.
+    equal_information : bool
+        Divide the record into parts of equal information on the parameters, not of equal length: an axis may stand still for long.
 
     Returns
     -------
@@ -634,20 +634,20 @@ def parted_deviations(jacobian: Array, residual: Array, parts: int, told: bool =
     ----------
     Efron & Stein, "The jackknife estimate of variance", Annals of Statistics 9(3), 1981.
     """
-    moved, lengths, _ = _without_parts(jacobian, residual, parts, told)
+    moved, lengths, _ = _without_parts(jacobian, residual, parts, equal_information)
     return np.asarray(np.full(lengths.size, math.inf) if moved is None else np.std(moved, axis=0) * math.sqrt(parts - 1.0) / lengths)
 
 
-def left_out(jacobian: Array, residual: Array, parts: int, told: bool = False) -> float:
+def left_out(jacobian: Array, residual: Array, parts: int, equal_information: bool = False) -> float:
     """Return the rms residual of parts of a record under parameters fitted to the others; see `parted_deviations` for the arguments."""
-    moved, lengths, rows = _without_parts(jacobian, residual, parts, told)
+    moved, lengths, rows = _without_parts(jacobian, residual, parts, equal_information)
     if moved is None:
         return math.inf
     away = [residual[part] + jacobian[part] @ (step / lengths) for part, step in zip(rows, moved, strict=True)]
     return float(np.sqrt(np.mean(np.concatenate(away) ** 2)))
 
 
-def _without_parts(jacobian: Array, residual: Array, parts: int, told: bool) -> tuple[Array | None, Array, list[Index]]:
+def _without_parts(jacobian: Array, residual: Array, parts: int, equal_information: bool) -> tuple[Array | None, Array, list[Index]]:
     """Return by how much the parameters change without each part (parts, p), times the lengths (p,) of the columns; these; and the parts.
 
     The changes are None if a part alone determines a parameter.
@@ -657,7 +657,7 @@ def _without_parts(jacobian: Array, residual: Array, parts: int, told: bool) -> 
         return None, lengths, []
     columns = jacobian / lengths
     share = (columns**2).sum(axis=1).cumsum()
-    ends = np.searchsorted(share, share[-1] * np.arange(1, parts) / parts) if told and lengths.size else parts
+    ends = np.searchsorted(share, share[-1] * np.arange(1, parts) / parts) if equal_information and lengths.size else parts
     normal, moved, divided = columns.T @ columns, [], np.array_split(every, ends)
     for rows in divided:
         part = columns[rows]
@@ -675,11 +675,11 @@ Model = Callable[[Sequence[Mapping[str, float]]], Array]
 
 
 def descended(
-    model: Model, measured: Array, free: Mapping[str, Free], settings: DescentSettings | None = None, told: bool = False
+    model: Model, measured: Array, free: Mapping[str, Free], settings: DescentSettings | None = None, equal_information: bool = False
 ) -> OutputFit:
     """Fit a model's output (n,) in steps that bridge its kinks; deviations are those of the jackknife over parts of the record.
 
-    The largest counts over several numbers of parts; see `parted_deviations` for `told`.
+    The largest counts over several numbers of parts; see `parted_deviations` for `equal_information`.
     """
     names, (start, low, high, scale) = tuple(free), arrays_of(free)
 
@@ -696,12 +696,12 @@ def descended(
     spread = np.sqrt(np.diag(inverse))
     white, robust, correlation = np.zeros(len(names)), np.zeros(len(names)), np.eye(len(names))
     white[inside] = spread / lengths * math.sqrt(float(left @ left) / max(left.size - len(names), 1))
-    robust[inside] = np.max([parted_deviations(slopes, left, parts, told) for parts in PARTS], axis=0)
+    robust[inside] = np.max([parted_deviations(slopes, left, parts, equal_information) for parts in PARTS], axis=0)
     correlation[np.ix_(inside, inside)] = inverse / np.maximum(np.outer(spread, spread), 1e-300)
-    if told:  # parts that tell the same of all parameters together may tell too alike of one
+    if equal_information:  # it is equal for all parameters together, not for each
         robust = np.maximum(robust, white)
     stuck = tuple(name for name, is_free in zip(names, inside, strict=True) if not is_free)
     output = measured + size * left
-    away = size * float(np.mean([left_out(slopes, left, parts, told) for parts in PARTS]))
+    away = size * float(np.mean([left_out(slopes, left, parts, equal_information) for parts in PARTS]))
     fit = fit_percent(measured, output)
     return OutputFit(names, result.values, white, robust, correlation, 1.0, stuck, measured, output, fit, left_out=away)

@@ -1,9 +1,9 @@
 """Closed position loops of axes, from commanded and actual position alone: a machine and a controller that `run` predicts with.
 
-The reference arrives late by a delay, and perhaps through a resonance or another lag of second order. The loop adds to
-the velocity K_v (r - p) a share a of that of the reference, and its velocity loop has perhaps a lag of first order T_v: T_v p'' + p' =
-K_v (r - p) + a r', a `step-drive`. Friction moves the axis by an offset against the motion. A term stays only where it predicts parts of
-the log that it was not fitted to.
+The reference r arrives late by a delay, and perhaps through a resonance or another lag of second order. The loop is T p'' + p' =
+K_v (r - p) + a r', a `step-drive`, with the velocity gain K_v, perhaps a share a of velocity feedforward, and perhaps the lag T of the
+velocity loop. Friction may hold the axis back by an offset. A term stays only where it predicts parts of the log that it was not fitted
+to.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from contourlab.errors import ResultError
 from contourlab.features.identify.axis_tables import position_limits
 from contourlab.features.identify.options import Identify
 from contourlab.features.identify.records import AxisRecord, log_names, samples_digest
-from contourlab.features.identify.result import Figure, Identification, Row, Tables, propagate
+from contourlab.features.identify.result import Identification, Row, Tables, figures, propagate
 from contourlab.features.measure.measured_path import moving
 from contourlab.features.measure.study import measure
 from contourlab.feed import Reference
@@ -143,7 +143,7 @@ class LoopModel:
         reference = run_in(self.record.asked(), self.record.period)
         low, high = float(reference.min()) - 1.0, float(reference.max()) + 1.0
         along = Path(Line.many(np.array([[low]]), np.array([[high]])))
-        motion = Reference.from_samples(reference[:, None], self.record.period, along, arc_length=reference.cumsum() * 0.0)
+        motion = Reference.from_samples(reference[:, None], self.record.period, along, arc_length=np.zeros(reference.size))
         return Setting(Machine(axis.name, (axis,), self.record.period), Controller({axis.name: controller}), motion)
 
     def positions(self, points: Sequence[Mapping[str, float]]) -> Array:
@@ -229,7 +229,7 @@ def fit_terms(model: LoopModel, near: Rung | None = None) -> Rung:
     late = (record.asked() - record.position)[counts]
 
     def fitted(free: Mapping[str, Free], iterations: int) -> OutputFit:
-        return descended(output, late - late.mean(), free, replace(DESCENT, most_iterations=iterations), told=True)
+        return descended(output, late - late.mean(), free, replace(DESCENT, most_iterations=iterations), equal_information=True)
 
     screened = [fitted(free, SCREENED) for free in _starts(model, near)]
     nearest = min(screened, key=lambda one: float(np.sum((one.measured - one.predicted) ** 2))).parameters
@@ -290,12 +290,9 @@ def identify_position_loop(records: Sequence[AxisRecord], options: Identify) -> 
     findings = [doubt for rung, rungs in fits.values() for doubt in _doubts(rung, rungs)]
     usable = not any(doubt.entry.severity == "error" for doubt in findings)
     findings += [finding("CL516", one.source) for one in second[:1] if samples_digest([one]) == samples_digest([fitted[one.axis]])]
-    parameters = {
-        name if len(best) == 1 else f"{name} {axis}": Figure(value, UNITS[name], deviation or math.nan, deviation or math.nan)
-        for axis, rung in best.items()
-        for name, value, deviation in rung.known
-        if usable
-    }
+    alone = len(best) == 1
+    known = {axis: figures(rung.fit, UNITS) for axis, rung in best.items() if usable}
+    parameters = {name if alone else f"{name} {axis}": one for axis, of_axis in known.items() for name, one in of_axis.items()}
     runs = [_predicted(best, ones) for ones in (list(fitted.values()), second) if ones]
     names = log_names(list(fitted.values()))
     tables = _machine_tables(best) if usable else {}
@@ -377,8 +374,8 @@ def _contour(records: Sequence[AxisRecord], positions: Sequence[Array]) -> dict[
 
 
 def _lines(run: Mapping[str, Any]) -> Iterator[str]:
-    for axis, figures_of in run["axes"].items():
-        yield f"{run['log']}, {axis}: following error {1e6 * figures_of['following_error']:.4g} um rms, {figures_of['stays']:.3%} stays"
+    for axis, of_axis in run["axes"].items():
+        yield f"{run['log']}, {axis}: following error {1e6 * of_axis['following_error']:.4g} um rms, {of_axis['stays']:.3%} stays"
     if (errors := run["contour_error"]) is not None:
         shown = (f"{name} {1e6 * error['rms']:.4g} um rms, {1e6 * error['largest']:.4g} um at most" for name, error in errors.items())
         yield f"{run['log']}, contour error: {'; '.join(shown)}"
