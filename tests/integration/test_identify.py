@@ -161,7 +161,10 @@ def test_the_measured_axis_can_repeat_its_motion(tmp_path: Path, capsys: pytest.
         (["--column", "force.x=push", "--axis", "q"], "no axis q"),
         (["--column", "force.x=push", "--lead", "10 mm"], "must be omitted, or used with a command in N*m, for model rigid: the command"),
         (["--model", "friction", "--side", "load"], "--side = load: must be omitted: it applies to two-mass, two-inertia"),
-        (["--model", "first-order", "--validation", "more.csv"], "it applies to rigid, rigid-by-direction, and the model is first-order"),
+        (
+            ["--model", "first-order", "--validation", "more.csv"],
+            "it applies to rigid, rigid-by-direction, position-loop, and the model is",
+        ),
         (["--column", "command.x=push [V]"], "give --gain"),
         (["--column", "command.x=push [V]", "--gain", "three"], "--gain"),
         (["--column", "command.x=push [V]", "--gain", "0 N/V"], "--gain"),

@@ -353,9 +353,10 @@ class Machine:
     def _check_drive(self, axis: Axis) -> None:
         """Raise if a drive cannot pass on the commands of the plant: positions begin where the axis stands, all others at zero."""
         drive, plant = axis.drive, axis.plant
-        counts = drive.command_unit == "m"
-        if counts != plant.takes_position and not (plant.takes_position and drive == Saturation()):
-            fitting = '"step-generator", or left out' if plant.takes_position else "another one"
+        fits = drive.command_unit == "m"
+        fits = fits or drive == Saturation() if plant.takes_position else not fits
+        if not fits:
+            fitting = '"step-generator", "position-lag", or left out' if plant.takes_position else "another one"
             bound = f"{fitting}: the commands of a {plant.kind} are in {plant.command_unit}"
             raise ParameterError(f"axes.{axis.name}.drive", f'"{drive.kind}"', bound)
 

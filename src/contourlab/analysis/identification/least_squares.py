@@ -16,13 +16,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Generator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.arrays import Array, Flags
+from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
 
@@ -100,6 +100,8 @@ class OutputFit(Estimate):
     measured, predicted : ndarray (n,)
     fit : float [percent]
         100 (1 - |measured - predicted|/|measured - mean|).
+    left_out : float
+        Rms of what stays in parts of the record under parameters fitted to the others, in the unit of `measured`; nan if not computed.
     """
 
     condition_number: float
@@ -107,6 +109,7 @@ class OutputFit(Estimate):
     measured: Array
     predicted: Array
     fit: float
+    left_out: float = field(default=math.nan, kw_only=True)
 
 
 WELL_KNOWN = 0.1
@@ -635,7 +638,7 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     return FitCovariance(deviations, np.where(untold, np.inf, white), inverse / np.outer(scale, scale), untold)
 
 
-def parted_deviations(jacobian: Array, residual: Array, parts: int) -> Array:
+def parted_deviations(jacobian: Array, residual: Array, parts: int, equal_information: bool = False) -> Array:
     """Return standard deviations (p,) by the jackknife: the spread of estimates that leave out one part of the record after another.
 
     Parameters
@@ -646,6 +649,8 @@ def parted_deviations(jacobian: Array, residual: Array, parts: int) -> Array:
     parts : int, >= 2
         Consecutive parts of equal length. What the model lacks lasts for a motion and differs from one kind of motion to the next: it is
         not noise, and is seen only between parts.
+    equal_information : bool
+        Divide the record into parts of equal information on the parameters, not of equal length: an axis may stand still for long.
 
     Returns
     -------
@@ -660,18 +665,38 @@ def parted_deviations(jacobian: Array, residual: Array, parts: int) -> Array:
     ----------
     Efron & Stein, "The jackknife estimate of variance", Annals of Statistics 9(3), 1981.
     """
-    lengths = np.linalg.norm(jacobian, axis=0)
+    moved, lengths, _ = _without_parts(jacobian, residual, parts, equal_information)
+    return np.asarray(np.full(lengths.size, math.inf) if moved is None else np.std(moved, axis=0) * math.sqrt(parts - 1.0) / lengths)
+
+
+def left_out(jacobian: Array, residual: Array, parts: int, equal_information: bool = False) -> float:
+    """Return the rms residual of parts of a record under parameters fitted to the others; see `parted_deviations` for the arguments."""
+    moved, lengths, rows = _without_parts(jacobian, residual, parts, equal_information)
+    if moved is None:
+        return math.inf
+    away = [residual[part] + jacobian[part] @ (step / lengths) for part, step in zip(rows, moved, strict=True)]
+    return float(np.sqrt(np.mean(np.concatenate(away) ** 2)))
+
+
+def _without_parts(jacobian: Array, residual: Array, parts: int, equal_information: bool) -> tuple[Array | None, Array, list[Index]]:
+    """Return by how much the parameters change without each part (parts, p), times the lengths (p,) of the columns; these; and the parts.
+
+    The changes are None if a part alone determines a parameter.
+    """
+    lengths, every = np.linalg.norm(jacobian, axis=0), np.arange(residual.size)
     if not lengths.all():
-        return np.full(lengths.size, math.inf)
+        return None, lengths, []
     columns = jacobian / lengths
-    normal, moved = columns.T @ columns, []
-    for rows in np.array_split(np.arange(residual.size), parts):
+    share = (columns**2).sum(axis=1).cumsum()
+    ends = np.searchsorted(share, share[-1] * np.arange(1, parts) / parts) if equal_information and lengths.size else parts
+    normal, moved, divided = columns.T @ columns, [], np.array_split(every, ends)
+    for rows in divided:
         part = columns[rows]
         rest = normal - part.T @ part
-        if np.linalg.cond(rest) * UNTOLD_SHARE > 1.0:
-            return np.full(lengths.size, math.inf)
+        if lengths.size and np.linalg.cond(rest) * UNTOLD_SHARE > 1.0:
+            return None, lengths, divided
         moved.append(np.linalg.solve(rest, part.T @ residual[rows]))
-    return np.asarray(np.std(moved, axis=0) * math.sqrt(parts - 1.0) / lengths)
+    return np.array(moved), lengths, divided
 
 
 PARTS = range(4, 13)
@@ -681,11 +706,17 @@ Model = Callable[[Sequence[Mapping[str, float]]], Array]
 
 
 def descended(
-    model: Model, measured: Array, free: Mapping[str, Free], points: Array, settings: DescentSettings | None = None
+    model: Model,
+    measured: Array,
+    free: Mapping[str, Free],
+    points: Array,
+    settings: DescentSettings | None = None,
+    equal_information: bool = False,
 ) -> tuple[OutputFit, list[Array]]:
     """Fit a model's output (n,) from points (k, p), in steps that bridge its kinks; return the best end, and the values (p,) of all.
 
-    The deviations are those of the jackknife over parts of the record.
+    The deviations are those of the jackknife over parts of the record, the largest over several numbers of parts; see `parted_deviations`
+    for `equal_information`.
 
     Raises
     ------
@@ -709,10 +740,22 @@ def descended(
     ends = in_step(residuals, searches, sizes)
     fits = [fit_percent(measured, measured + size * end.residual) for end, size in zip(ends, sizes, strict=True)]
     best = int(np.argmax(fits))
-    end, output = ends[best], measured + sizes[best] * ends[best].residual
+    end, size = ends[best], sizes[best]
     inside = (end.values > low) & (end.values < high)
-    deviations = np.zeros(len(names))
-    deviations[inside] = np.max([parted_deviations(end.jacobian[:, inside], end.residual, parts) for parts in PARTS], axis=0)
+    slopes = end.jacobian[:, inside]
+    white, robust, correlation = np.zeros(len(names)), np.zeros(len(names)), np.eye(len(names))
+    robust[inside] = np.max([parted_deviations(slopes, end.residual, parts, equal_information) for parts in PARTS], axis=0)
+    lengths = np.linalg.norm(slopes, axis=0)
+    lengths = np.where(lengths > 0.0, lengths, np.inf)
+    inverse = np.linalg.pinv((slopes / lengths).T @ (slopes / lengths), hermitian=True)
+    spread = np.sqrt(np.diag(inverse))
+    white[inside] = spread / lengths * math.sqrt(float(end.residual @ end.residual) / max(measured.size - len(names), 1))
+    correlation[np.ix_(inside, inside)] = inverse / np.maximum(np.outer(spread, spread), 1e-300)
+    away = math.nan
+    if equal_information:  # it is equal for all parameters together, not for each
+        robust = np.maximum(robust, white)
+        away = size * float(np.mean([left_out(slopes, end.residual, parts, True) for parts in PARTS]))
     stuck = tuple(name for name, is_free in zip(names, inside, strict=True) if not is_free)
-    fit = OutputFit(names, end.values, deviations, deviations, np.eye(len(names)), 1.0, stuck, measured, output, fits[best])
+    output = measured + size * end.residual
+    fit = OutputFit(names, end.values, white, robust, correlation, 1.0, stuck, measured, output, fits[best], left_out=away)
     return fit, [end.values for end in ends]

@@ -1,13 +1,16 @@
-"""The step generator of a control, which turns positions into a step count."""
+"""What is between the positions of a control and the plant that takes them: a step generator, or a delay and a lag."""
 
 from __future__ import annotations
 
 import math
 from typing import Any
 
+import numpy as np
+
 from contourlab.components.contract import Component, param
 from contourlab.engine.step import ports
-from contourlab.primitives import clip, fabs, select
+from contourlab.errors import ParameterError
+from contourlab.primitives import clip, delayed, fabs, select
 
 
 class StepGenerator(Component):
@@ -61,3 +64,60 @@ class StepGenerator(Component):
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
         return {"count": position, "last_command": position}, {"applied": position}
+
+
+class PositionLag(Component):
+    """Delay of positions, whole and fractional, and a resonance or another lag of second order, w^2/(s^2 + 2 D w s + w^2).
+
+    These are what a log of commanded and actual position shows of a control and its axis besides the position loop itself. A motion at
+    constant speed is late by the delay and, w far below the servo frequency, 2 D/w. The lag is sampled by the bilinear rule, exact at w.
+
+    References
+    ----------
+    Gross, Hamann & Wiegartner, "Electrical Feed Drives in Automation", 2001 (filters of second order).
+    """
+
+    family = "drive"
+    kind = "position-lag"
+    command_unit = "m"
+    example = {"delay": 0.0077, "frequency": 40.0, "damping_ratio": 0.3}
+    reference = "transport delay of sampled positions; lag of second order: Gross, Hamann & Wiegartner 2001"
+    states = ports("start", "input_1", "input_2", "output_1", "output_2")
+    derived = ("whole", "fraction", "b0", "a1", "a2")
+    ring = "command"
+
+    delay: float = param(
+        default=0.0, unit="s", minimum=0.0, maximum=1.0, display="ms", doc="from command to count, besides the servo period"
+    )
+    frequency: float = param(default=math.inf, unit="Hz", minimum=0.0, exclusive=True, doc="of the lag, w/2 pi; inf: no lag")
+    damping_ratio: float = param(default=1.0, minimum=0.0, maximum=10.0, exclusive=True, doc="of the lag, D")
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        periods = par.delay / dt
+        whole = np.floor(periods + 1e-9)
+        lags = par.frequency < math.inf
+        turn = np.where(lags, par.frequency, 0.0) * dt
+        if np.any(turn >= 0.5):
+            raise ParameterError(
+                f"{self.kind}.frequency", f"{float(np.max(turn)) / dt:g}", f"below half of the servo frequency, {0.5 / dt:g}", "Hz"
+            )
+        k, wide = np.tan(math.pi * turn), 2.0 * par.damping_ratio * np.tan(math.pi * turn)
+        size = 1.0 + wide + k * k
+        filtered = k * k / size, 2.0 * (k * k - 1.0) / size, (1.0 - wide + k * k) / size
+        return whole, np.maximum(periods - whole, 0.0), *(np.where(lags, value, 0.0) for value in filtered)
+
+    @staticmethod
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        # Before the first command the axis stands where it starts.
+        newer = select(clock.k >= par.whole, delayed(par.ring, clock, par.whole), x.start)
+        older = select(clock.k > par.whole, delayed(par.ring, clock, par.whole + 1.0), x.start)
+        u = newer + par.fraction * (older - newer)
+        y = par.b0 * (u + 2.0 * x.input_1 + x.input_2) - par.a1 * x.output_1 - par.a2 * x.output_2
+        applied = select(par.b0 > 0.0, y, u)
+        return (x.start, u, x.input_1, applied, x.output_1), (applied,)
+
+    def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
+        return dict.fromkeys(("start", "input_1", "input_2", "output_1", "output_2"), position), {"applied": position}
+
+    def ring_length(self, dt: float) -> int:
+        return math.floor(self.delay / dt + 1e-9) + 2

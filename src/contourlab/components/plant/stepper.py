@@ -173,7 +173,7 @@ class StepDrive(Follower):
     example = {"natural_frequency": 30.0, "damping_ratio": 0.8, "velocity_feedforward": 0.4, "load_stiffness": 2e5, "pulse": 1e-4}
 
     natural_frequency: float = param(unit="Hz", minimum=0.0, exclusive=True, doc="of the closed loop, w/2 pi")
-    damping_ratio: float = param(default=1.0, minimum=0.0, maximum=10.0, exclusive=True, doc="of the closed loop, D")
+    damping_ratio: float = param(default=1.0, minimum=0.0, maximum=1e3, exclusive=True, doc="of the closed loop, D")
     velocity_feedforward: float = param(default=0.0, minimum=0.0, maximum=1.0, doc="share of the count's speed fed forward, a")
     load_stiffness: float = param(default=1e9, unit="N/m", minimum=0.0, exclusive=True, display="N/um", doc="load per deflection, k")
     pulse: float = param(default=0.0, unit="m", minimum=0.0, display="um", doc="travel per pulse; 0: a count without steps")

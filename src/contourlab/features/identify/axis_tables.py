@@ -256,6 +256,18 @@ def _motion_limits(
     return table, command, origin(command, forces.largest, "", more) if forces.unit == "N" else assumed("full scale")
 
 
+def position_limits(record: AxisRecord) -> dict[str, Row]:
+    """Return the limits of velocity, acceleration and jerk of an axis whose log has positions alone."""
+    acceleration, of_signal = _largest_acceleration(record)
+    velocity, share = fastest(record.position[:, None], record.period), 1.0 + ROOM
+    note = f"{100.0 * ROOM:.0f} % above the largest value{{}} in the log: replace it by the axis' own limit"
+    return {
+        "velocity": (share * velocity, "m/s", assumed(note.format(""))),
+        "acceleration": (share * acceleration, "m/s^2", assumed(note.format(of_signal))),
+        "jerk": (100.0 * share * acceleration, "m/s^3", assumed("the acceleration in 10 ms")),
+    }
+
+
 def _largest_acceleration(record: AxisRecord) -> tuple[float, str]:
     """Return the largest acceleration [m/s^2] of the planned motion in a log, the smaller one of reference and position; and a note on it.
 

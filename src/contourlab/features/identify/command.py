@@ -6,6 +6,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+import numpy as np
+
 from contourlab.app.session import QUIET, Session, question
 from contourlab.errors import ParameterError
 from contourlab.features.identify.frequency import identify_linear_motor, identify_response, identify_two_inertia, identify_two_mass
@@ -32,15 +34,26 @@ class Model:
         How many logs it takes, if not any number.
     pieces : bool
         Whether it takes all stretches of a log between long gaps, not only the longest.
+    together : bool
+        Whether it takes several axes of a log at once.
     """
 
     study: Callable[[Sequence[AxisRecord], Identify], Identification]
     options: tuple[str, ...] = ()
     single: str = ""
     pieces: bool = False
+    together: bool = False
+
+
+def _position_loops(records: Sequence[AxisRecord], options: Identify) -> Identification:
+    """Import what simulates only where it is used."""
+    from contourlab.features.identify.position_loop import identify_position_loop
+
+    return identify_position_loop(records, options)
 
 
 _RIGID = Model(identify_rigid, ("cutoff", "slowest", "decimation", "validation"), "one run, and one with --validation")
+POSITION_LOOP = "position-loop"
 MODELS = {
     "rigid": _RIGID,
     "rigid-by-direction": _RIGID,
@@ -53,6 +66,7 @@ MODELS = {
     "two-mass": Model(identify_two_mass, ("side", "excitation")),
     "two-inertia": Model(identify_two_inertia, ("motor_inertia", "side", "excitation")),
     "resonance": Model(identify_ringing, single="a single run"),
+    POSITION_LOOP: Model(_position_loops, ("validation",), "one run, and one with --validation", together=True),
 }
 """Models by name, in the order of the messages."""
 
@@ -77,7 +91,16 @@ def identify(*logs: str | Path | Log, settings: Identify, session: Session = QUI
     ParameterError
         If an option is out of range.
     """
-    name, request = settings.model, Request(settings, logs)
+    request = Request(settings, logs)
+    inputs = settings.files(*request.files)
+    session.will_write(inputs, pictures_only=True)
+    opened = None
+    if logs and settings.model in (None, POSITION_LOOP):
+        with about(*request.names.values(), options=list(Identify.PARTS)):
+            opened = request.log(0)
+        logs = (opened, *logs[1:])  # read once
+        settings = replace(settings, model=settings.model or _usual_model(opened, settings))
+    name = settings.model or "rigid"
     if name not in MODELS:
         raise ParameterError("--model", repr(name), f"one of {', '.join(MODELS)}")
     model = MODELS[name]
@@ -86,13 +109,31 @@ def identify(*logs: str | Path | Log, settings: Identify, session: Session = QUI
         value = getattr(settings, option)
         if owners and option not in model.options and value != part.default:
             raise ParameterError(part.typed, value, f"omitted: it applies to {', '.join(owners)}, and the model is {name}")
-    inputs = settings.files(*request.files)
-    session.will_write(inputs, pictures_only=True)
     with about(*request.names.values(), options=list(Identify.PARTS)):
         if model.single and len(logs) > 1:
             raise ParameterError("LOG", f"{len(logs)} logs", f"one: model {name} takes {model.single}")
-        records = request.records(model.pieces)
-        if settings.validation is not None:
-            records += request.read()
+        axes = _axes(opened, settings.axis) if model.together and opened is not None else [settings.axis]
+        requests = [Request(replace(settings, axis=axis), logs) for axis in axes]
+        records: list[AxisRecord] = []
+        for one in requests:
+            records += one.records(model.pieces)
+            records += one.read() if settings.validation is not None else []
         identified = model.study(records, settings)
-    return replace(identified, findings=(*identified.findings, *request.findings()), inputs=inputs)
+    on_logs = {str(doubt): doubt for one in requests for doubt in one.findings()}
+    return replace(identified, findings=(*identified.findings, *on_logs.values()), inputs=inputs)
+
+
+def _usual_model(log: Log, options: Identify) -> str:
+    """Return the model where none is named: that of a position loop for a log without force and command, if no option speaks of them."""
+    of_others = {option for model in MODELS.values() for option in model.options} - {*MODELS[POSITION_LOOP].options}
+    typed = {name for name, part in Identify.PARTS.items() if getattr(options, name) != part.default}
+    driven = any(log.result.signals[name].unit != "m" for name in ("command", "force", "torque") if name in log.result)
+    return "rigid" if driven or "reference" not in log.result or typed & {*of_others, "gain", "full_scale", "lead"} else POSITION_LOOP
+
+
+def _axes(log: Log, asked: str | None) -> list[str]:
+    """Return the axes that are asked for, or all whose reference moves."""
+    if asked is not None:
+        return [axis.strip() for axis in asked.split(",")]
+    references = {axis: log.signal(axis, "reference") for axis in log.result.axes}
+    return [axis for axis, values in references.items() if values is not None and np.ptp(values) > 0.0] or list(references)

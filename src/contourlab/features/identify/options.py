@@ -8,21 +8,24 @@ from contourlab.app.options import argument, option, options
 from contourlab.app.session import Command
 from contourlab.app.shared_options import Drawn, LogColumns, Written
 
-MODELS = "rigid, rigid-by-direction, friction, stiction, first-order, closed-loop, frequency-response, linear-motor, two-mass, two-inertia"
+MODELS = (
+    "rigid, rigid-by-direction, friction, stiction, first-order, closed-loop, frequency-response, linear-motor, two-mass, two-inertia, "
+    "resonance, position-loop."
+)
 
 
 @options
 class Identify(LogColumns):
     """Identify a model of an axis from logs; write an axis file with uncertainties."""
 
-    model: str = option("rigid", f"{MODELS}, resonance.")
-    axis: str | None = option(None, "The axis, if the log has several.")
+    model: str | None = option(None, f"By default rigid, or position-loop for a log of commanded and actual position alone; {MODELS}")
+    axis: str | None = option(None, 'The axis, if the log has several; position-loop: several, e.g. "x,y", by default all that move.')
     gain: str | None = option(None, 'Force per command, e.g. "35 N/V", if the log has no force.')
     full_scale: str | None = option(None, 'Full scale of the command, e.g. "10 V", if the force is unknown.')
     cutoff: str | None = option(None, 'rigid: cut-off of the low-pass, e.g. "100 Hz": the default, unless the log is too slow.', unit="Hz")
     slowest: str | None = option(None, 'rigid: drop samples below this speed, e.g. "1 mm/s".', unit="m/s")
     decimation: int | None = option(None, "rigid: use every N-th sample; by default every tenth at most.", least=1, advanced=True)
-    validation: Path | None = option(None, "rigid: a second log for validation.")
+    validation: Path | None = option(None, "rigid, position-loop: a second log for validation.")
     position_gain: str | None = option(None, 'closed-loop: K_P, e.g. "4 full_scale/mm".')
     velocity_gain: str | None = option(None, 'closed-loop: K_V, e.g. "0.1 full_scale*s/mm".')
     lead: str | None = option(None, 'Travel per turn, e.g. "10 mm": converts torques to forces; two-inertia needs it.', unit="m")

@@ -318,11 +318,14 @@ class Request:
         count = len(self.files) if len(self.options.window) == len(self.files) else len(self.logs)
         return self.options.of_log(min(number, count - 1), count)
 
+    def log(self, number: int) -> Log:
+        """Return one of the files, read."""
+        return open_log(self.files[number], self._options_of(number % len(self.files)))
+
     def read(self, number: int = -1, pieces: bool = False) -> list[AxisRecord]:
         """Return the signals of the axis in one of the files, by default in that for validation."""
-        options, file = self.options, self.files[number]
-        name, kind = self.names[Path(file)], "acceleration" if options.model == "resonance" else "position"
-        log = open_log(file, self._options_of(number % len(self.files)))
+        options, name, log = self.options, self.names[Path(self.files[number])], self.log(number)
+        kind = "acceleration" if options.model == "resonance" else "position"
         self._check_unit(log)
         records = axis_pieces(log, name, options.axis, self._gain(), self._full_scale(), options.si("lead"), kind)
         self._check_lead(records[0])

@@ -28,5 +28,5 @@ def identify_ringing(records: Sequence[AxisRecord], options: Identify) -> Identi
     spectra = {"measured": (band, fit.spectrum / largest), "model": (band, fit.predicted / largest)}
     chart = traces_chart("spectrum", title, ("frequency [Hz]", "power over the model's largest"), spectra, level=None, log_y=True)
     said = f"fitted from {figure(float(band[0]), 'Hz', 4)} to {figure(float(band[-1]), 'Hz', 4)}, {band.size} lines of the spectrum"
-    head = options.model, record.axis, (record.source,), figures(fit, UNITS), None, fit.usable
+    head = "resonance", record.axis, (record.source,), figures(fit, UNITS), None, fit.usable
     return Identification(*head, fit.findings, lines=(said,), charts=(chart,))

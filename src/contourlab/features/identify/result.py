@@ -25,10 +25,10 @@ from contourlab.scenario.provenance import origin_table
 from contourlab.scenario.toml_text import Noted, toml
 from contourlab.units import from_si
 
-Row = tuple[float | str, str, Origin | None]
-"""A value in SI, its unit, and its origin (None for a word)."""
+Row = tuple[Any, str, Origin | None]
+"""A value in SI, its unit, and its origin (None for words, lists and whole numbers)."""
 Tables = dict[str, dict[str, Row]]
-"""Rows of an axis file, by table and key."""
+"""Rows of an axis file, or of a machine or controller file, by table, such as ``"axes.x.plant"``, and key."""
 AT_BOUND = "at the bound of the search: the log does not determine it"
 SHOWN = {"m": "um", "m/s": "m/min"}
 
@@ -72,7 +72,9 @@ class Identification(Answer):
     points : Table or None
         Table printed below the lines.
     tables : Tables
-        Tables of the axis file; empty if there is none.
+        Tables of the axis file, or of the machine file; empty if there is none.
+    controller : Tables
+        Tables of a controller file, which is written with it.
     correlations : tuple of (str, str, float)
         Correlations between parameters of the axis file, such as ``"plant.mass"``.
     wanted : Path or None
@@ -93,6 +95,7 @@ class Identification(Answer):
     lines: tuple[str, ...] = field(default=(), metadata=HIDDEN)
     points: Table | None = field(default=None, metadata=HIDDEN)
     tables: Tables = field(default_factory=dict, metadata=HIDDEN)
+    controller: Tables = field(default_factory=dict, metadata=HIDDEN)
     correlations: tuple[tuple[str, str, float], ...] = field(default=(), metadata=HIDDEN)
     charts: tuple[Chart, ...] = field(default=(), metadata=HIDDEN, repr=False)
     inputs: tuple[str | os.PathLike[str], ...] = field(default=(), metadata=HIDDEN, repr=False)
@@ -122,7 +125,9 @@ class Identification(Answer):
         body = "\n".join([*parts, paragraphs(map(str, self.findings))]).rstrip()
         lines = [body, *(f"plot: {file}" for file in self.plots)]
         if self.axis_file is not None:
-            lines.append(f"axis file: {self.axis_file}")
+            kind = "machine" if self.controller else "axis"
+            lines.append(f"{kind} file: {self.axis_file}")
+            lines += [f"controller file: {_beside(self.axis_file)}"] if self.controller else []
         elif self.wanted is not None:
             why = f"these logs give no axis file for model {self.model}" if self.usable else "the results are not usable"
             lines.append(f"{self.wanted} not written: {why}")
@@ -162,6 +167,8 @@ class Identification(Answer):
         file = wanted if self.usable and self.tables else None
         if file is not None:
             write_text_atomic(file, self.axis_text())
+            if self.controller:
+                write_text_atomic(_beside(file), self._text_of(self.controller, {}))
         return replace(self, wanted=wanted, axis_file=file, plots=drawn)
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
@@ -172,17 +179,28 @@ class Identification(Answer):
     def axis_text(self) -> str:
         """Return the text of the axis file, with the origin of each number."""
         correlations = [list(pair) for pair in self.correlations]
-        tables: dict[str, Any] = {"correlations": Noted(correlations, "of parameters fitted together")} if correlations else {}
-        for name, rows in self.tables.items():
-            tables[name] = {
-                key: value if origin is None else _number(key, value, unit, origin) for key, (value, unit, origin) in rows.items()
-            }
+        return self._text_of(self.tables, {"correlations": Noted(correlations, "of parameters fitted together")} if correlations else {})
+
+    def _text_of(self, rows_of: Tables, first: Mapping[str, Any]) -> str:
+        """Return the text of a file with these tables."""
+        tables: dict[str, Any] = dict(first)
+        for name, rows in rows_of.items():
+            table = tables
+            for part in name.split("."):
+                table = table.setdefault(part, {})
+            for key, (value, unit, origin) in rows.items():
+                table[key] = value if origin is None else _number(key, value, unit, origin)
         fit = "" if self.fit_percent is None else f": fit {self.fit_percent:.4g} %"
         head = [f"# Axis {self.axis}, model {self.model}, identified from {join_names(self.logs)}{fit}."]
-        if "plant" not in tables:
+        if not tables.keys() & {"plant", "machine", "controller"}:
             head.append("# Part of an axis file: add the tables that these logs do not give.")
         head += [f"# {finding}" for finding in self.findings if not "CL419" <= finding.code <= "CL449"]  # not those on reading
         return "\n".join(head) + "\n\n" + toml(tables)
+
+
+def _beside(file: Path) -> Path:
+    """Return the controller file that goes with a machine file."""
+    return file.with_name(f"{file.stem}-controller.toml")
 
 
 def _number(key: str, value: Any, unit: str, origin: Origin) -> Noted:

@@ -43,9 +43,10 @@ def identify_rigid(records: Sequence[AxisRecord], options: Identify) -> Identifi
     ParameterError
         If a setting is out of range for the record.
     """
+    model = options.model or "rigid"
     if options.full_scale is not None:
-        raise ParameterError("--full-scale", options.full_scale, f"omitted: model {options.model} needs forces, see --gain")
-    record, friction = records[0], "symmetric" if options.model == "rigid" else "asymmetric"
+        raise ParameterError("--full-scale", options.full_scale, f"omitted: model {model} needs forces, see --gain")
+    record, friction = records[0], "symmetric" if model == "rigid" else "asymmetric"
     # Settings are named like their options, so that an error can name the option.
     slowest = options.si("slowest") or 0.0
     settings, lowered = _filter(options, max(one.period for one in records))
@@ -80,7 +81,7 @@ def identify_rigid(records: Sequence[AxisRecord], options: Identify) -> Identifi
     measured, over_time = {"measured": (fit.time, fit.force), "model": (fit.time, fit.predicted)}, ("time [s]", "force [N]")
     over_velocity = {"residual": (1e3 * fit.velocity, rest)}
     return Identification(
-        options.model,
+        model,
         record.axis,
         (record.source,),
         figures(fit, UNITS),
