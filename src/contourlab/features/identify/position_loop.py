@@ -40,18 +40,12 @@ from contourlab.result import Result, Signal
 from contourlab.study import Setting
 
 TERMS = {
-    "velocity_feedforward": ("velocity_feedforward",),
+    "feedforward": ("velocity_feedforward",),
     "lag": ("lag",),
     "resonance": ("resonance", "resonance_damping"),
     "friction": ("friction_offset",),
 }
 """What a loop may have besides gain and delay: the parameters of each."""
-WORDS = {
-    "velocity_feedforward": "velocity feedforward",
-    "lag": "lag of the velocity loop",
-    "resonance": "resonance",
-    "friction": "friction",
-}
 UNITS = {
     "Kv": "1/s",
     "delay": "s",
@@ -188,7 +182,7 @@ class Rung:
 
 
 _LAGS = (), ("lag",), ("resonance",)
-LADDER = tuple((*feedforward, *lag) for feedforward in ((), ("velocity_feedforward",)) for lag in _LAGS)
+LADDER = tuple((*feedforward, *lag) for feedforward in ((), ("feedforward",)) for lag in _LAGS)
 """Terms that are tried; then friction, where the axis reverses."""
 
 
@@ -241,7 +235,7 @@ def _starts(model: LoopModel, near: Rung | None) -> Array:
     """Return some starts of a model's parameters (k, p)."""
     known = {name: part.start for name, part in model.free.items()} | ({} if near is None else near.fit.parameters)
     others: Sequence[dict[str, float]] = [{}]
-    if model.terms[-1:] == ("velocity_feedforward",):
+    if model.terms[-1:] == ("feedforward",):
         speed = np.gradient(model.record.asked(), model.record.period)
         lag = float(speed @ (model.record.asked() - model.record.position) / (speed @ speed))
         others = [{}, {"Kv": 25.0, "velocity_feedforward": 0.95, "delay": lag - 0.05 / 25.0}]
@@ -289,20 +283,23 @@ def identify_position_loop(records: Sequence[AxisRecord], options: Identify) -> 
     known = {axis: figures(rung.fit, UNITS) for axis, rung in best.items() if usable}
     parameters = {name if alone else f"{name} {axis}": one for axis, of_axis in known.items() for name, one in of_axis.items()}
     runs = [_predicted(best, ones) for ones in (list(fitted.values()), second) if ones]
-    names = log_names(list(fitted.values()))
-    tables = _machine_tables(best) if usable else {}
+    terms = [
+        {"axis": axis, "terms": rung.model.terms, "stays": rung.stays, "left_out": rung.left_out, "chosen": rung is best[axis]}
+        for axis, (_, rungs) in fits.items()
+        for rung in rungs
+    ]
     return Identification(
         "position-loop",
         ", ".join(best),
-        names,
+        log_names(list(fitted.values())),
         parameters,
         min(rung.fit.fit for rung in best.values()),
         usable,
         tuple(findings),
-        details={"terms": [row for axis in fits for row in _json_rungs(axis, *fits[axis])], "runs": runs},
+        details={"terms": terms, "runs": runs},
         lines=tuple(line for run in runs for line in _lines(run)),
         points=_table(fits),
-        tables=tables,
+        tables=_machine_tables(best) if usable else {},
         controller=_controller_tables(best) if usable else {},
         charts=tuple(_chart(rung) for rung in best.values()),
     )
@@ -333,14 +330,14 @@ def _doubts(best: Rung, rungs: Sequence[Rung]) -> Iterator[Finding]:
             yield finding("CL595", axis, parameter=name, value=value, unit=UNITS[name])
         else:
             yield from deviation_findings(f"{axis}, {name}", value, deviation)
-    for term in WORDS:
+    for term in TERMS:
         tried = [rung.left_out for rung in rungs if term in rung.model.terms]
         if not tried or term in best.model.terms or (term == "lag" and "resonance" in best.model.terms):
             continue
         if math.isfinite(left := min(tried)):
-            yield finding("CL592", axis, term=WORDS[term], left=left, without=best.left_out)
+            yield finding("CL592", axis, term=term, left=left, without=best.left_out)
         else:
-            yield finding("CL596", axis, term=WORDS[term])
+            yield finding("CL596", axis, term=term)
     if not reverses(record):
         yield finding("CL593", axis)
 
@@ -376,30 +373,19 @@ def _lines(run: Mapping[str, Any]) -> Iterator[str]:
         yield f"{run['log']}, contour error: {'; '.join(shown)}"
 
 
-def _json_rungs(axis: str, best: Rung, rungs: Sequence[Rung]) -> list[dict[str, Any]]:
-    """Return what each term buys, for JSON."""
-    return [
-        {"axis": axis, "terms": rung.model.terms, "stays": rung.stays, "left_out": rung.left_out, "chosen": rung is best} for rung in rungs
-    ]
-
-
 def _table(fits: Mapping[str, tuple[Rung, Sequence[Rung]]]) -> Table:
     """Return what each term buys."""
     heads = [Column("axis", left=True), Column("gain, delay and", left=True), Column("stays [%]"), Column("not fitted [%]"), Column("")]
-    rows = []
-    for axis, (best, rungs) in fits.items():
-        for rung in rungs:
-            terms = ", ".join(WORDS[term] for term in rung.model.terms) or "-"
-            rows.append(
-                (
-                    axis,
-                    terms,
-                    f"{100.0 * rung.stays:.3f}",
-                    f"{100.0 * rung.left_out:.3f}" if math.isfinite(rung.left_out) else "-",
-                    "chosen" if rung is best else "",
-                )
-            )
+    rows = [
+        (axis, ", ".join(rung.model.terms) or "-", *map(_percent, (rung.stays, rung.left_out)), "chosen" if rung is best else "")
+        for axis, (best, rungs) in fits.items()
+        for rung in rungs
+    ]
     return Table(heads, rows=rows)
+
+
+def _percent(share: float) -> str:
+    return f"{100.0 * share:.3f}" if math.isfinite(share) else "-"
 
 
 def _chart(rung: Rung) -> Chart:

@@ -36,8 +36,8 @@ CASES: dict[str, dict[str, float]] = {
 TERMS = {
     "no feedforward": (),
     "lag": ("lag",),
-    "feedforward and lag": ("velocity_feedforward", "lag"),
-    "feedforward and resonance": ("velocity_feedforward", "resonance"),
+    "feedforward and lag": ("feedforward", "lag"),
+    "feedforward and resonance": ("feedforward", "resonance"),
 }
 
 
@@ -95,7 +95,7 @@ def test_the_terms_are_found(case: str) -> None:
 def test_friction_is_seen_at_reversals() -> None:
     true = {"Kv": 40.0, "delay": 0.0035, "velocity_feedforward": 0.9, "friction_offset": 4e-6}
     reference = moves()
-    exact = LoopModel(record(reference, reference), ("velocity_feedforward", "friction")).positions([true])[0]
+    exact = LoopModel(record(reference, reference), ("feedforward", "friction")).positions([true])[0]
     noise = 2e-7 * np.random.default_rng(1).standard_normal(reference.size)
     best, _ = fit_loop(record(reference, exact + noise))
     assert "friction" in best.model.terms
