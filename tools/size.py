@@ -11,19 +11,19 @@ from collections import Counter
 from pathlib import Path
 
 BUDGETS = {
-    "analysis": 4563,
+    "analysis": 4592,
     "app": 877,
     "cli": 471,
-    "components": 5252,
+    "components": 5293,
     "contours": 1553,
     "controls": 646,
     "engine": 3285,
-    "features": 17491,
+    "features": 17845,
     "feed": 2211,
     "findings": 55,
     "geometry": 2065,
     "logs": 1910,
-    "loop": 2237,
+    "loop": 2238,
     "metrics": 1045,
     "native": 249,
     "papers": 3363,
@@ -32,7 +32,7 @@ BUDGETS = {
     "result": 402,
     "scenario": 1953,
     "study": 1412,
-    "without papers": 53173,
+    "without papers": 53600,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 
