@@ -6,6 +6,7 @@ import shlex
 import shutil
 from pathlib import Path
 
+import numpy as np
 import pytest
 from made_controls import made_control
 from reference_data import reference_file
@@ -30,11 +31,14 @@ QUICK = [
     ("check", "inch.ngc", "--machine", "grbl.txt"),
     ("run", "inch.ngc", "--machine", "m.ini", "--no-require-end", "--tolerance", "1 mm"),
     ("measure", "capture.json", "--axes", "X1,Y1", "--window", "0..1493"),
+    ("interpolate", "signals.csv", "--pitch", "20 um", "--resolution", "25 nm"),
 ]
 SLOW = [
+    ("circle", "circle.csv", "--unit", "mm"),
     ("run", *PART, "--no-interval", "--tolerance", "0.5 um"),
     ("compare", STAGE),
     ("tune", STAGE, "--budget", "64"),
+    ("sweep", "study.toml", "--yes"),
     ("learn", "builtin:gecer-ulu/contour-simulated", "--trials", "3"),
 ]
 """Studies whose next step takes minutes are left out."""
@@ -49,6 +53,20 @@ def folder(tmp_path: Path) -> Path:
     (tmp_path / "inch.ngc").write_text("G20 G90\nG0 X1 Y1\nG1 X2 F30\nG1 Y2\nG1 X1\n")
     for reader in ("linuxcnc", "grbl"):
         made_control(tmp_path, reader)
+    time = 1e-3 * np.arange(8001)
+    circle = 50.0 * np.column_stack([np.cos(time), np.sin(time)])
+    lagging = 50.0 * np.column_stack([np.cos(time - 0.002), np.sin(time - 0.003)])
+    np.savetxt(
+        tmp_path / "circle.csv",
+        np.column_stack([time, circle, lagging]),
+        header="time [s],x cmd,y cmd,x pos,y pos",
+        comments="",
+        delimiter=",",
+    )
+    np.savetxt(tmp_path / "signals.csv", np.column_stack([np.cos(10.0 * time), 1.05 * np.sin(10.0 * time)]), delimiter=",")
+    (tmp_path / "study.toml").write_text(
+        f'scenario = "{STAGE}"\nvariants = 4\n[vary]\n"axes.*.friction.coulomb" = {{ values = ["50 %", "150 %"] }}\n'
+    )
     return tmp_path
 
 

@@ -174,6 +174,10 @@ class LogColumns(LogWindow):
         return logs if self.columns is None else (*logs, self.columns)
 
 
+READING = tuple(part.typed for part in LogColumns.PARTS.values())
+"""Options that say how a log is read: a next step on the same log takes them over."""
+
+
 @options
 class OnMachine(LogColumns):
     """A log of a machine."""

@@ -15,10 +15,11 @@ from typing import Any
 import numpy as np
 
 from contourlab.analysis.identification.least_squares import fit_covariance
-from contourlab.app.command_line import as_typed
+from contourlab.app.command_line import as_typed, chosen_options
 from contourlab.app.json_values import HIDDEN, write_json
 from contourlab.app.results import staged
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
+from contourlab.app.shared_options import READING
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.circle.fit import CircleFit, ReversalSpike, Term, fit_circle
@@ -239,7 +240,8 @@ class CircleTest(Answer):
             wanted = float(f"{5e5 * self.circular_deviation:.1g}")
             return f"{self.command} {as_typed(['--tolerance', f'{wanted:g} um'])}"
         if self.lag:
-            return as_typed(["contourlab", "identify", str(self.inputs[0]), "--model", "first-order"])
+            kept = chosen_options(shlex.split(self.command), *READING)
+            return as_typed(["contourlab", "identify", str(self.inputs[0]), "--model", "position-loop", *kept])
         return as_typed(["contourlab", "explain", self.findings[0].code if self.findings else "CL480"])
 
     def _next(self, asked: Asked) -> Sequence[object]:

@@ -15,6 +15,7 @@ from contourlab import __version__
 from contourlab.app.command_line import as_typed, chosen_options
 from contourlab.app.results import staged
 from contourlab.app.session import QUIET, Session, question
+from contourlab.app.shared_options import READING
 from contourlab.arrays import Array
 from contourlab.errors import LogError, ParameterError, ResultError, refused
 from contourlab.features.measure.log_choice import (
@@ -34,9 +35,6 @@ from contourlab.findings import finding
 from contourlab.logs.load import Log, about
 from contourlab.rendering.data import Provenance, ReportData
 from contourlab.units import to_si
-
-_OF_COLUMNS = ("--column", "--columns", "--format", "--period", "--unit", "--window")
-"""Options that say how to read a log."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -158,8 +156,10 @@ class MeasuredRuns(JudgedRuns):
             return "Judge it against a tolerance:", as_typed([*typed, "--tolerance", f"{float(f'{twice:.1g}'):g} um"])
         errors = [math.inf if math.isnan(one.rms) else one.rms for one in worst.metrics.tracking_error]
         axis = worst.result.axes[errors.index(max(errors))]
-        model = "rigid" if "force" in worst.log.result else "first-order"
-        words = ["contourlab", "identify", typed[2], "--model", model, "--axis", axis, *chosen_options(typed, *_OF_COLUMNS)]
+        known = worst.log.result
+        driven = "command" in known and known.signals["command"].unit != "m"
+        model = "rigid" if "force" in known else "first-order" if driven else "position-loop"
+        words = ["contourlab", "identify", typed[2], "--model", model, "--axis", axis, *chosen_options(typed, *READING)]
         return "Identify the axis that strays most:", as_typed(words)
 
     def save(self, folder: str | Path = "results", *, plots: Sequence[str] = (), **_: Any) -> MeasuredRuns:
