@@ -7,15 +7,16 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import groupby
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.errors import ContourlabError, ProgramError
 from contourlab.features.check.options import Check
-from contourlab.features.check.reading import of_control, reading_of
+from contourlab.features.check.reading import of_control, read_once, reading_of
 from contourlab.findings import Finding, finding
 from contourlab.program import Arc, Dwell, Feed, Move, Point, Program, Reader, Reading, Spline, Traverse, open_program
 from contourlab.program.reader import NO_END
@@ -290,21 +291,21 @@ class PlannedMotion:
 
     def __init__(self, file: str | Path, settings: Check) -> None:
         self._given: str | Path | Machine | None = settings.machine
-        self.reading = reading_of(file, settings)
+        self._settings = read_once(settings)
+        self.reading = reading_of(file, self._settings)
         self.machine_points: list[tuple[int, Point]] = []
         self.problems: list[ContourlabError] = []
         self._sums = np.zeros(5)  # feed and rapid length, cycle time, dwells, time of the feed moves at their feedrates
         self._stops = 0
-        self._assumed: dict[str, Finding] = {}
+        self._stretches: set[Stretch] = set()
 
     @cached_property
     def machine(self) -> Machine:
         """The machine; read when something moves."""
         from contourlab.scenario.load import machine_of
-        from contourlab.scenario.placing import unplaced, zero_known
+        from contourlab.scenario.placing import anchored
 
-        machine = machine_of(DEFAULT_MACHINE if self._given is None else self._given)
-        return machine if zero_known(machine, self.reading) else unplaced(machine)
+        return anchored(machine_of(self._settings.machine or DEFAULT_MACHINE), self.reading)
 
     @cached_property
     def travel(self) -> TravelCheck:
@@ -331,13 +332,12 @@ class PlannedMotion:
         from contourlab.feed import blended
         from contourlab.feed.planner import plan_profile
         from contourlab.geometry.path import boxes
-        from contourlab.scenario.load import feed_on
-        from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE, program_route
+        from contourlab.scenario.values import program_route
 
         route, limits = program_route(program, machine.axis_names), machine.planner_limits()
-        route = replace(route, feedrate=np.minimum(route.feedrate, feed_on(machine).path_velocity))
+        route = route.within(limits.path_velocity)
         cycle_time = plan_profile(blended(route, limits), limits).duration
-        self._assumed = {found.code: found for found in path_mode_assumed(program.moves, DEFAULT_CORNER_TOLERANCE)} | self._assumed
+        self._stretches.update(path_modes(program.moves))
         self.travel.add(*boxes(route.path), ~route.rapid, route.source_line)
         lengths, feed = np.diff(route.path.breaks), ~route.rapid
         dwell = float(route.dwell.sum()) + route.dwell_before
@@ -355,10 +355,11 @@ class PlannedMotion:
 
         feed, rapid, cycle_time, dwell, at_feedrate = self._sums.tolist()
         extent = zip(self.travel.low.tolist(), self.travel.high.tolist(), strict=True)
-        given = DEFAULT_MACHINE if self._given is None else self._given
+        named = self._given is not None
+        given = self._given if named else DEFAULT_MACHINE
         file = named_file(given) if isinstance(given, str | Path) else ""
         return {
-            "findings": (*self._outside(), *about_machine(self.machine, self.reading), *self._assumed.values()),
+            "findings": tuple(about_plan(self.machine, self.reading, self.travel, self.machine_points, self._stretches, named=named)),
             "length": {"feed": feed, "rapid": rapid},
             "box": dict(zip(self.machine.axis_names, extent, strict=True)),
             "cycle_time": cycle_time,
@@ -368,32 +369,52 @@ class PlannedMotion:
             "added_stops": self._stops,
         }
 
-    def _outside(self) -> Iterator[Finding]:
-        """Yield a finding for each axis that leaves the machine's travel."""
-        from contourlab.scenario.placing import beyond_travel
 
-        travel, machine = self.travel, self.machine
-        floating = any(axis.limits.floating for axis in machine.axes)
-        for name, (line, at) in beyond_travel(self.machine_points if floating else (), machine.axis_names, machine).items():
-            yield finding("CL989", f"axis {name}", line=line, at=at, machine=machine.name)
-        for name, line in travel.left.items():
-            j, limits = machine.axis_names.index(name), machine.axis(name).limits
-            values = {"line": line, "machine": machine.name}
-            if math.isfinite(limits.extent):
-                yield finding("CL478", f"axis {name}", length=travel.cut_high[j] - travel.cut_low[j], travel=limits.extent, **values)
-                continue
-            values |= dict(zip(("low", "high", "start", "stop"), (travel.low[j], travel.high[j], *limits.ends), strict=True))
-            yield finding("CL471" if self._given is None else "CL470", f"axis {name}", **values)
+# --- what `limits` and `run` say too about a program on a machine ---
+
+OUTSIDE = ("CL470", "CL478", "CL989")
+"""Codes of a travel that is left: faults of the program."""
 
 
-# --- what `run` says too about a program on a machine ---
+def about_plan(
+    machine: Machine,
+    reading: Reading,
+    travel: TravelCheck,
+    machine_points: Sequence[tuple[int, Point]],
+    stretches: Iterable[Stretch],
+    *,
+    named: bool,
+) -> Iterator[Finding]:
+    """Yield where a program leaves the travel of a machine, which is no fault if nobody named the machine, and what its plan assumes."""
+    from contourlab.scenario.placing import beyond_travel
+    from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
+
+    floating = any(axis.limits.floating for axis in machine.axes)
+    for name, (line, at) in beyond_travel(machine_points if floating else (), machine.axis_names, machine).items():
+        yield finding("CL989", f"axis {name}", line=line, at=at, machine=machine.name)
+    for name, line in travel.left.items():
+        j, limits = machine.axis_names.index(name), machine.axis(name).limits
+        values = {"line": line, "machine": machine.name}
+        if math.isfinite(limits.extent):
+            yield finding("CL478", f"axis {name}", length=travel.cut_high[j] - travel.cut_low[j], travel=limits.extent, **values)
+            continue
+        values |= dict(zip(("low", "high", "start", "stop"), (travel.low[j], travel.high[j], *limits.ends), strict=True))
+        yield finding("CL470" if named else "CL471", f"axis {name}", **values)
+    yield from about_machine(machine, reading)
+    yield from path_mode_assumed(stretches, DEFAULT_CORNER_TOLERANCE)
 
 
 def about_machine(machine: Machine, reading: Reading | None) -> Iterator[Finding]:
     """Yield what its own file says of a machine, which axes have no travel, and whether the zero of a program read so is unknown."""
     from contourlab.scenario.placing import zero_known
 
-    yield from machine.control.findings if machine.control else ()
+    if machine.control:
+        yield from machine.control.findings
+        free = [axis.name for axis in machine.axes if math.isinf(axis.limits.jerk)]
+        if bounded := {axis.name: axis.limits.jerk for axis in machine.axes if axis.name not in free}:
+            yield finding("CL990", axes=list(bounded), jerk=min(bounded.values()))
+        if free:
+            yield finding("CL991", axes=free, control=machine.control.control)
     if unknown := [axis.name for axis in machine.axes if not axis.limits.bounded]:
         yield finding("CL479", axes=unknown, machine=machine.name)
     if reading is not None and not zero_known(machine, reading):
@@ -413,10 +434,30 @@ def origin_of(machine: Machine) -> dict[str, Any]:
     return {"source": machine.control.control, "origin": kinds}
 
 
-def path_mode_assumed(moves: Iterable[Move], tolerance: float) -> Iterator[Finding]:
-    """Yield a finding for the first cut without G61 or G64, and for the first under a G64 without P, met within `tolerance` [m]."""
-    modes = [(move.mode, move.source_line) for move in moves if not isinstance(move, Dwell | Traverse)]
-    if line := next((line for mode, line in modes if mode.control is None), 0):
-        yield finding("CL110", line=line)
-    if line := next((line for mode, line in modes if mode.control == "blend" and mode.tolerance is None), 0):
-        yield finding("CL111", line=line, tolerance=tolerance)
+Stretch: TypeAlias = tuple[int, int, str]
+"""First and last line of cuts in one path mode, and the code of what is assumed for it, if anything."""
+
+
+def path_modes(moves: Iterable[Move]) -> Iterator[Stretch]:
+    """Yield the stretches of a motion: cuts without G61 or G64, those under a G64 without P, and all others."""
+
+    def assumed(move: Feed | Arc | Spline) -> str:
+        unbounded = move.mode.control == "blend" and move.mode.tolerance is None
+        return "CL110" if move.mode.control is None else "CL111" if unbounded else ""
+
+    for code, cuts in groupby((move for move in moves if not isinstance(move, Dwell | Traverse)), assumed):
+        lines = [cut.source_line for cut in cuts]
+        yield min(lines), max(lines), code
+
+
+def path_mode_assumed(stretches: Iterable[Stretch], tolerance: float) -> Iterator[Finding]:
+    """Yield a finding with all lines that are cut without G61 or G64, and one for a G64 without P, met within `tolerance` [m]."""
+    joined: list[Stretch] = []
+    for first, last, code in sorted(stretches):
+        before = joined.pop() if joined and joined[-1][2] == code else (first, last, code)
+        joined.append((before[0], max(before[1], last), code))
+    more: dict[str, dict[str, Any]] = {"CL110": {}, "CL111": {"tolerance": tolerance}}
+    for code, values in more.items():
+        if lines := [(first, last) for first, last, of in joined if of == code]:
+            ranges = [f"{first}-{last}" if first < last else f"{first}" for first, last in lines]
+            yield finding(code, line=lines[0][0], lines=ranges, **values)
