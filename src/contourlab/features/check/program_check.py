@@ -7,7 +7,6 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
@@ -439,25 +438,34 @@ Stretch: TypeAlias = tuple[int, int, str]
 
 
 def path_modes(moves: Iterable[Move]) -> Iterator[Stretch]:
-    """Yield the stretches of a motion: cuts without G61 or G64, those under a G64 without P, and all others."""
-
-    def assumed(move: Feed | Arc | Spline) -> str:
+    """Yield the stretches of a motion: cuts without G61 or G64, those under a G64 without P, and all others; a jump back begins another."""
+    first = last = 0
+    before = ""
+    for move in moves:
+        if isinstance(move, Dwell | Traverse):
+            continue
         unbounded = move.mode.control == "blend" and move.mode.tolerance is None
-        return "CL110" if move.mode.control is None else "CL111" if unbounded else ""
-
-    for code, cuts in groupby((move for move in moves if not isinstance(move, Dwell | Traverse)), assumed):
-        lines = [cut.source_line for cut in cuts]
-        yield min(lines), max(lines), code
+        code = "CL110" if move.mode.control is None else "CL111" if unbounded else ""
+        if not last or code != before or move.source_line < last:
+            yield first, last, before
+            first, before = move.source_line, code
+        last = move.source_line
+    yield first, last, before
 
 
 def path_mode_assumed(stretches: Iterable[Stretch], tolerance: float) -> Iterator[Finding]:
     """Yield a finding with all lines that are cut without G61 or G64, and one for a G64 without P, met within `tolerance` [m]."""
-    joined: list[Stretch] = []
+    joined: dict[str, list[tuple[int, int]]] = {"CL110": [], "CL111": []}
+    before = ""
     for first, last, code in sorted(stretches):
-        before = joined.pop() if joined and joined[-1][2] == code else (first, last, code)
-        joined.append((before[0], max(before[1], last), code))
+        ranges = joined.setdefault(code, [])
+        if ranges and (code == before or first <= ranges[-1][1]):
+            first, highest = ranges.pop()
+            last = max(last, highest)
+        ranges.append((first, last))
+        before = code
     more: dict[str, dict[str, Any]] = {"CL110": {}, "CL111": {"tolerance": tolerance}}
     for code, values in more.items():
-        if lines := [(first, last) for first, last, of in joined if of == code]:
-            ranges = [f"{first}-{last}" if first < last else f"{first}" for first, last in lines]
-            yield finding(code, line=lines[0][0], lines=ranges, **values)
+        lines = [f"{first}-{last}" if first < last else f"{first}" for first, last in joined[code]]
+        if lines:
+            yield finding(code, line=joined[code][0][0], lines=lines, **values)
