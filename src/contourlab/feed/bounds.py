@@ -83,7 +83,6 @@ class AxisLimits:
     path_velocity: float
 
     def __init__(self, velocity: ArrayLike, acceleration: ArrayLike, jerk: ArrayLike = np.inf, *, path_velocity: float = math.inf) -> None:
-        refuse(not path_velocity > 0.0, ParameterError, "path_velocity", f"{path_velocity:g}", "> 0", "m/s")
         object.__setattr__(self, "path_velocity", path_velocity)
         parts = {
             "velocity": _checked("velocity", velocity, "m/s", finite=True),

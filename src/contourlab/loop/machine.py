@@ -243,10 +243,10 @@ class Machine:
         Sources of `servo_period` and the angles (``squareness.x-y``).
     correlations : tuple of (str, str, float)
         Of values fitted together on two axes, such as ``x.plant.damping``; those within one axis are in `Axis`.
-    path_velocity : float [m/s], > 0
-        Largest velocity along a planned path, rapids included.
     control : ControlFile or None
         The control's own file from which it was read.
+    path_velocity : float [m/s], > 0
+        Largest velocity along a planned path, rapids included.
 
     Raises
     ------
@@ -260,8 +260,8 @@ class Machine:
     squareness: Mapping[tuple[str, str], float] = field(default_factory=dict)
     origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
     correlations: tuple[tuple[str, str, float], ...] = field(default=(), compare=False, repr=False)
-    path_velocity: float = field(default=math.inf, metadata=setting("m/s", "mm/min", *RANGES["velocity"]))
     control: ControlFile | None = field(default=None, compare=False, repr=False)
+    path_velocity: float = field(default=math.inf, metadata=setting("m/s", "mm/min", *RANGES["velocity"]))
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.servo_period) and self.servo_period > 0.0):

@@ -70,7 +70,7 @@ class Reading:
     start : str
         Position of the axes in machine coordinates at the begin, in the same form; machine zero if empty.
     startup : str
-        Block that the control executes before the program.
+        Blocks that the control executes before the program, one a line.
     startup_place : str
         Where the control's file has it, such as ``router.ini:22``.
     remapped : tuple of str
@@ -241,15 +241,16 @@ class Reader:
         self._check_end(moved)
 
     def _start_up(self) -> None:
-        """Execute the block that the control executes before each program."""
+        """Execute the blocks that the control executes before each program."""
         place = self.reading.startup_place or self.name
-        try:
-            block = read_block(self.reading.startup, self.parameters) if self.reading.startup else None
-            moves = execute(block, self.state, 0) if block else []
-        except BlockError as fault:
-            raise fault.raised(f"{fault.message}, in the start-up code {self.reading.startup!r}", file=place) from None
-        if moves:
-            raise ProgramError(f"CL846 the start-up code {self.reading.startup!r} moves axes: leave out its moves", file=place)
+        for line in self.reading.startup.splitlines():
+            try:
+                block = self._block(line)
+                moves = execute(block, self.state, 0) if block else []
+            except BlockError as fault:
+                raise fault.raised(f"{fault.message}, in the start-up code {line!r}", file=place) from None
+            if moves:
+                raise ProgramError(f"CL846 the start-up code {line!r} moves axes: leave out its moves", file=place)
 
     def _take(self, fault: BlockError) -> None:
         """Store a fault if faults are collected and reading can continue; raise it otherwise."""
@@ -341,7 +342,8 @@ class Reader:
         """Return the lines of a subprogram file."""
         if self.reading.folder is None or not re.fullmatch(r"[a-z0-9_.-]+", label):
             return None
-        files = (Path(folder) / f"{label}.ngc" for folder in (*self.reading.subprograms, self.reading.folder))
+        folders = [*map(Path, self.reading.subprograms), self.reading.folder]
+        files = (folder / f"{label}.ngc" for folder in folders)
         file = next((file for file in files if file.is_file()), None)
         return None if file is None else Tape(iter(split_lines(read_text(file))), str(file))
 

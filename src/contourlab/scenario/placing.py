@@ -110,12 +110,12 @@ def anchored(machine: Machine, reading: Reading | None = None) -> Machine:
 
 
 def beyond_travel(points: Iterable[tuple[int, Point]], letters: Sequence[str], machine: Machine) -> dict[str, tuple[int, float]]:
-    """Return for each axis the line and the position [m] of the first point in machine coordinates (G53) that is outside its travel."""
+    """Return for each axis of floating travel the line and the position [m] of the first point in machine coordinates (G53) outside it."""
     outside: dict[str, tuple[int, float]] = {}
     for line, point in points:
         for letter, axis in zip(letters, machine.axes, strict=True):
             at, travel = dict(zip("xyz", point, strict=True)).get(letter, math.nan), axis.limits.travel
-            if isinstance(travel, tuple) and max(at - travel[1], travel[0] - at) > ROUNDING:
+            if axis.limits.floating and isinstance(travel, tuple) and max(at - travel[1], travel[0] - at) > ROUNDING:
                 outside.setdefault(axis.name, (line, at))
     return outside
 

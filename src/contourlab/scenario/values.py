@@ -341,7 +341,7 @@ class Case:
         ProgramError
             If the program moves an axis that the machine lacks, or beyond its travel.
         """
-        if isinstance(self.motion, PartProgram) and any(axis.limits.floating for axis in self.machine.axes):
+        if isinstance(self.motion, PartProgram):
             for name, (line, at) in beyond_travel(self.motion.program.machine_points, self.motion.letters, self.machine).items():
                 raise self._fault(f"G53 leads axis {name} to {1e3 * at:.6g} mm, outside of its travel", line)
         reference = self._sampled(self.feed.override * feed_scale)

@@ -171,9 +171,9 @@ def test_the_plan_says_which_jerk_it_assumed(tmp_path: Path, planner: str, jerk:
         assert values["axes"] == ["x", "y"] and values.get("jerk") == (None if jerk is None else pytest.approx(jerk))
 
 
-@pytest.mark.parametrize("code", ["G17 G99.9", "G0 X1", "G64 P-1 Q"])
+@pytest.mark.parametrize("code", ["G17 G99.9", "G0 X1", "G64 P-1 Q", "G17 M22", "g21 g64 m 22"])
 def test_a_fault_of_the_start_up_code_names_the_ini_file_and_its_line(tmp_path: Path, code: str) -> None:
-    machine, part = made(tmp_path, ("G64 P0.001", code))
+    machine, part = made(tmp_path, ("G64 P0.001", f"{code}\nREMAP = M22 ngc=m22"))
     line = 1 + (tmp_path / "m.ini").read_text().splitlines().index(f"RS274NGC_STARTUP_CODE = {code}")
     for command in ("check", "run", "limits"):
         said = invoke(tmp_path, command, part, "--machine", machine)

@@ -178,10 +178,8 @@ class _Machine:
         """Return how LinuxCNC reads a part program."""
         startup = self.ini.first("RS274NGC", "RS274NGC_STARTUP_CODE") or self.ini.first("EMC", "RS274NGC_STARTUP_CODE")
         keys: dict[str, Any] = {"unit": "mm" if self.unit == LENGTHS["mm"] else "inch"}
-        code = startup.value if startup else ""
         # LinuxCNC starts in G64 without P.
-        keys["startup"] = code if re.search(r"g\s*6[14]", code, re.IGNORECASE) else f"G64 {code}".strip()
-        keys |= {"startup_place": startup.place} if startup else {}
+        keys |= {"startup": f"G64\n{startup.value}", "startup_place": startup.place} if startup else {"startup": "G64"}
         for name, section, key in (("tools", "EMCIO", "TOOL_TABLE"), ("parameters", "RS274NGC", "PARAMETER_FILE")):
             entry = self.ini.first(section, key)
             if entry is None or not entry.value:

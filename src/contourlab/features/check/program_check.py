@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -22,8 +22,8 @@ from contourlab.program.reader import NO_END
 from contourlab.rendering.table import paragraphs
 
 if TYPE_CHECKING:
+    from contourlab.feed import Route
     from contourlab.loop import Machine
-    from contourlab.scenario.placing import TravelCheck
 
 DEFAULT_MACHINE = "builtin:xyz"
 PART = 2_500
@@ -296,7 +296,6 @@ class PlannedMotion:
         self.problems: list[ContourlabError] = []
         self._sums = np.zeros(5)  # feed and rapid length, cycle time, dwells, time of the feed moves at their feedrates
         self._stops = 0
-        self._stretches: set[Stretch] = set()
 
     @cached_property
     def machine(self) -> Machine:
@@ -307,11 +306,9 @@ class PlannedMotion:
         return anchored(machine_of(self._settings.machine or DEFAULT_MACHINE), self.reading)
 
     @cached_property
-    def travel(self) -> TravelCheck:
-        """What the motion leaves of the travel."""
-        from contourlab.scenario.placing import TravelCheck
-
-        return TravelCheck(self.machine)
+    def remarks(self) -> Remarks:
+        """What is said of the program on the machine."""
+        return Remarks(self.machine, self.reading, named=self._given is not None)
 
     def add(self, part: Part) -> None:
         """Plan a part; after a fault nothing more is planned."""
@@ -330,14 +327,12 @@ class PlannedMotion:
     def _plan(self, program: Program, machine: Machine) -> None:
         from contourlab.feed import blended
         from contourlab.feed.planner import plan_profile
-        from contourlab.geometry.path import boxes
         from contourlab.scenario.values import program_route
 
         route, limits = program_route(program, machine.axis_names), machine.planner_limits()
         route = route.within(limits.path_velocity)
         cycle_time = plan_profile(blended(route, limits), limits).duration
-        self._stretches.update(path_modes(program.moves))
-        self.travel.add(*boxes(route.path), ~route.rapid, route.source_line)
+        self.remarks.add(program, route)
         lengths, feed = np.diff(route.path.breaks), ~route.rapid
         dwell = float(route.dwell.sum()) + route.dwell_before
         at_feedrate = (lengths[feed] / route.feedrate[feed]).sum()
@@ -353,12 +348,11 @@ class PlannedMotion:
         from contourlab.scenario.load import named_file
 
         feed, rapid, cycle_time, dwell, at_feedrate = self._sums.tolist()
-        extent = zip(self.travel.low.tolist(), self.travel.high.tolist(), strict=True)
-        named = self._given is not None
-        given = self._given if named else DEFAULT_MACHINE
+        extent = zip(self.remarks.travel.low.tolist(), self.remarks.travel.high.tolist(), strict=True)
+        given = DEFAULT_MACHINE if self._given is None else self._given
         file = named_file(given) if isinstance(given, str | Path) else ""
         return {
-            "findings": tuple(about_plan(self.machine, self.reading, self.travel, self.machine_points, self._stretches, named=named)),
+            "findings": tuple(self.remarks.findings(self.machine_points)),
             "length": {"feed": feed, "rapid": rapid},
             "box": dict(zip(self.machine.axis_names, extent, strict=True)),
             "cycle_time": cycle_time,
@@ -375,32 +369,49 @@ OUTSIDE = ("CL470", "CL478", "CL989")
 """Codes of a travel that is left: faults of the program."""
 
 
-def about_plan(
-    machine: Machine,
-    reading: Reading,
-    travel: TravelCheck,
-    machine_points: Sequence[tuple[int, Point]],
-    stretches: Iterable[Stretch],
-    *,
-    named: bool,
-) -> Iterator[Finding]:
-    """Yield where a program leaves the travel of a machine, which is no fault if nobody named the machine, and what its plan assumes."""
-    from contourlab.scenario.placing import beyond_travel
-    from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
+class Remarks:
+    """Where a program, given part by part, leaves the travel of a machine, and what its plan assumes.
 
-    floating = any(axis.limits.floating for axis in machine.axes)
-    for name, (line, at) in beyond_travel(machine_points if floating else (), machine.axis_names, machine).items():
-        yield finding("CL989", f"axis {name}", line=line, at=at, machine=machine.name)
-    for name, line in travel.left.items():
-        j, limits = machine.axis_names.index(name), machine.axis(name).limits
-        values = {"line": line, "machine": machine.name}
-        if math.isfinite(limits.extent):
-            yield finding("CL478", f"axis {name}", length=travel.cut_high[j] - travel.cut_low[j], travel=limits.extent, **values)
-            continue
-        values |= dict(zip(("low", "high", "start", "stop"), (travel.low[j], travel.high[j], *limits.ends), strict=True))
-        yield finding("CL470" if named else "CL471", f"axis {name}", **values)
-    yield from about_machine(machine, reading)
-    yield from path_mode_assumed(stretches, DEFAULT_CORNER_TOLERANCE)
+    Parameters
+    ----------
+    machine : Machine
+    reading : Reading
+        How the program is read.
+    named : bool
+        Whether somebody named the machine: the travel of another may be left.
+    """
+
+    def __init__(self, machine: Machine, reading: Reading, *, named: bool) -> None:
+        from contourlab.scenario.placing import TravelCheck
+
+        self.machine, self.reading, self.named = machine, reading, named
+        self.travel, self.modes = TravelCheck(machine), PathModes()
+
+    def add(self, program: Program, route: Route) -> None:
+        """Add a part of the program, and its path."""
+        from contourlab.geometry.path import boxes
+
+        self.travel.add(*boxes(route.path), ~route.rapid, route.source_line)
+        self.modes.add(program.moves)
+
+    def findings(self, machine_points: Sequence[tuple[int, Point]]) -> Iterator[Finding]:
+        """Yield the findings, once all parts and the points in machine coordinates are known."""
+        from contourlab.scenario.placing import beyond_travel
+        from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
+
+        travel, machine = self.travel, self.machine
+        for name, (line, at) in beyond_travel(machine_points, machine.axis_names, machine).items():
+            yield finding("CL989", f"axis {name}", line=line, at=at, machine=machine.name)
+        for name, line in travel.left.items():
+            j, limits = machine.axis_names.index(name), machine.axis(name).limits
+            values = {"line": line, "machine": machine.name}
+            if math.isfinite(limits.extent):
+                yield finding("CL478", f"axis {name}", length=travel.cut_high[j] - travel.cut_low[j], travel=limits.extent, **values)
+                continue
+            values |= dict(zip(("low", "high", "start", "stop"), (travel.low[j], travel.high[j], *limits.ends), strict=True))
+            yield finding("CL470" if self.named else "CL471", f"axis {name}", **values)
+        yield from about_machine(machine, self.reading)
+        yield from self.modes.findings(DEFAULT_CORNER_TOLERANCE)
 
 
 def about_machine(machine: Machine, reading: Reading | None) -> Iterator[Finding]:
@@ -433,39 +444,34 @@ def origin_of(machine: Machine) -> dict[str, Any]:
     return {"source": machine.control.control, "origin": kinds}
 
 
-Stretch: TypeAlias = tuple[int, int, str]
-"""First and last line of cuts in one path mode, and the code of what is assumed for it, if anything."""
+class PathModes:
+    """Lines that are cut without G61 or G64, and those under a G64 without P, as stretches of a motion: code, first and last line."""
 
+    def __init__(self) -> None:
+        self._stretches = [("", 0, 0)]
 
-def path_modes(moves: Iterable[Move]) -> Iterator[Stretch]:
-    """Yield the stretches of a motion: cuts without G61 or G64, those under a G64 without P, and all others; a jump back begins another."""
-    first = last = 0
-    before = ""
-    for move in moves:
-        if isinstance(move, Dwell | Traverse):
-            continue
-        unbounded = move.mode.control == "blend" and move.mode.tolerance is None
-        code = "CL110" if move.mode.control is None else "CL111" if unbounded else ""
-        if not last or code != before or move.source_line < last:
-            yield first, last, before
-            first, before = move.source_line, code
-        last = move.source_line
-    yield first, last, before
+    def add(self, moves: Iterable[Move]) -> None:
+        """Add moves, in the order of execution; a jump back begins another stretch."""
+        for move in moves:
+            if isinstance(move, Dwell | Traverse):
+                continue
+            unbounded = move.mode.control == "blend" and move.mode.tolerance is None
+            code = "CL110" if move.mode.control is None else "CL111" if unbounded else ""
+            before, first, last = self._stretches[-1]
+            if code == before and move.source_line >= last:
+                self._stretches.pop()
+            else:
+                first = move.source_line
+            self._stretches.append((code, first, move.source_line))
 
-
-def path_mode_assumed(stretches: Iterable[Stretch], tolerance: float) -> Iterator[Finding]:
-    """Yield a finding with all lines that are cut without G61 or G64, and one for a G64 without P, met within `tolerance` [m]."""
-    joined: dict[str, list[tuple[int, int]]] = {"CL110": [], "CL111": []}
-    before = ""
-    for first, last, code in sorted(stretches):
-        ranges = joined.setdefault(code, [])
-        if ranges and (code == before or first <= ranges[-1][1]):
-            first, highest = ranges.pop()
-            last = max(last, highest)
-        ranges.append((first, last))
-        before = code
-    more: dict[str, dict[str, Any]] = {"CL110": {}, "CL111": {"tolerance": tolerance}}
-    for code, values in more.items():
-        lines = [f"{first}-{last}" if first < last else f"{first}" for first, last in joined[code]]
-        if lines:
-            yield finding(code, line=joined[code][0][0], lines=lines, **values)
+    def findings(self, tolerance: float) -> Iterator[Finding]:
+        """Yield a finding with all lines of either kind; corners under a G64 without P are met within `tolerance` [m]."""
+        more: dict[str, dict[str, Any]] = {"CL110": {}, "CL111": {"tolerance": tolerance}}
+        for code, values in more.items():
+            ranges: list[tuple[int, int]] = []
+            for _, first, last in sorted({stretch for stretch in self._stretches if stretch[0] == code}):
+                begin, end = ranges.pop() if ranges and first <= ranges[-1][1] else (first, last)
+                ranges.append((begin, max(end, last)))
+            if ranges:
+                lines = [f"{first}-{last}" if first < last else f"{first}" for first, last in ranges]
+                yield finding(code, line=ranges[0][0], lines=lines, **values)

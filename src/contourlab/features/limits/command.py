@@ -18,7 +18,7 @@ from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import LogError, ParameterError, ProgramError, ResultError, refuse
 from contourlab.features.check.canon import Listed
-from contourlab.features.check.program_check import DEFAULT_MACHINE, FAULTY, OUTSIDE, about_plan, path_modes
+from contourlab.features.check.program_check import DEFAULT_MACHINE, FAULTY, OUTSIDE, Remarks
 from contourlab.features.check.reading import read_once, reading_of, refuse_drawing
 from contourlab.features.limits.log_limits import KINDS, AxisPeak, control_samples, course, moving_part
 from contourlab.features.limits.options import Limits
@@ -32,7 +32,6 @@ from contourlab.feed.verify import LineUse, Worst, limit_report_by_line
 from contourlab.figures import NONE, figure, listing, number
 from contourlab.file_kinds import kind_of
 from contourlab.findings import Finding, finding
-from contourlab.geometry.path import boxes
 from contourlab.logs import Log, parse_columns
 from contourlab.logs.load import about
 from contourlab.loop import Machine
@@ -42,7 +41,7 @@ from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_bytes_atomic
 from contourlab.scenario.load import machine_of
-from contourlab.scenario.placing import TravelCheck, anchored
+from contourlab.scenario.placing import anchored
 from contourlab.scenario.values import program_route
 
 _UNITS = {"velocity": ("m/s", "200 mm/s"), "acceleration": ("m/s^2", "2 m/s^2"), "jerk": ("m/s^3", "50 m/s^3")}
@@ -116,9 +115,8 @@ def _planned(file: Path, options: Limits, tolerance: float, reading: Reading) ->
     given = tuple(kind for kind in KINDS if getattr(options, kind) is not None)
     within = limits if not named else machine.planner_limits()
     program = read_program(file, reading=reading)
-    route, travel = program_route(program, machine.axis_names), TravelCheck(machine)
-    travel.add(*boxes(route.path), ~route.rapid, route.source_line)
-    remarks = tuple(about_plan(machine, reading, travel, program.machine_points, path_modes(program.moves), named=named))
+    route, remarks = program_route(program, machine.axis_names), Remarks(machine, reading, named=named)
+    remarks.add(program, route)
     reference = plan(blended(route, within), within, machine.servo_period)
     report, use = limit_report_by_line(reference, limits)
     orders = {"velocity": 1, "kink": 1, "acceleration": 2, "curvature step": 2, "jerk": 3}
@@ -131,7 +129,7 @@ def _planned(file: Path, options: Limits, tolerance: float, reading: Reading) ->
     blocks = (reference.block(start, min(start + BLOCK, reference.n_sample)) for start in range(0, reference.n_sample, BLOCK))
     lines = np.concatenate([reference.source_line(block.arc_length) for block in blocks])
     rows = _rows(lines, reference.servo_period, use, machine.axis_names)
-    findings = (*_exceeded(peaks, tolerance), *remarks)
+    findings = (*_exceeded(peaks, tolerance), *remarks.findings(program.machine_points))
     passed = not any(found.entry.severity == "error" for found in findings)
     kept = "given" if given and not named else "machine"
     head = (file.name, "plan", machine.axis_names, machine.servo_period, reference.duration, machine.name, tolerance, passed)
