@@ -74,8 +74,8 @@ class Reading:
     startup_place : str
         Where the control's file has it, such as ``router.ini:22``.
     remapped : tuple of str
-        Codes that the control's file gives another meaning, each with its place, such as ``"M6 router.ini:31"``. They are not followed: a
-        code that LinuxCNC has without that keeps its own meaning, and a notice says so; any other is refused.
+        Codes that the control's file gives another meaning, each with its place, such as ``"M6 router.ini:31"``. The procedure is not
+        run: a code that LinuxCNC has without it keeps its own meaning, and a notice says so; any other is refused.
     folder : Path or None
         Folder of subprogram files; by default that of the program.
     subprograms : tuple of str
@@ -311,7 +311,7 @@ class Reader:
         for code in _CODE.finditer(text):
             letter, number = code[1].upper(), float(code[2] or math.nan)
             name = letter if letter in places else f"{letter}{number:g}"
-            words = f"{name} is remapped by {places.get(name)}, which is not followed"
+            words = f"{name} is remapped by {places.get(name)}; that procedure is not run"
             if name not in places or words in self._known:
                 continue
             if not (round(10.0 * number) in G_GROUPS if letter == "G" else letter != "M" or number in M_GROUPS):

@@ -192,7 +192,7 @@ def test_a_linuxcnc_starts_in_g64(tmp_path: Path, code: str, modes: set[float | 
 
 def test_subprograms_are_found_where_the_control_finds_them(tmp_path: Path) -> None:
     """As LinuxCNC's interpreter 2.9 does: PROGRAM_PREFIX, then SUBROUTINE_PATH; then beside the program, for copies of one."""
-    more = "[DISPLAY]\nPROGRAM_PREFIX = nc\n[RS274NGC]\nSUBROUTINE_PATH = subs:more\n"
+    more = "[DISPLAY]\nPROGRAM_PREFIX = nc\n[RS274NGC]\nSUBROUTINE_PATH = ~nobody.here/x:subs:more\n"
     machine, _ = made(tmp_path, ("[RS274NGC]\n", more))
     (tmp_path / "prog").mkdir()
     part = tmp_path / "prog" / "part.ngc"
@@ -232,9 +232,9 @@ def test_a_remapped_code_names_its_line_of_the_ini_file(tmp_path: Path, line: st
     first = (tmp_path / "m.ini").read_text().splitlines().index(REMAPS.splitlines()[0])
     found = check(part, machine=str(machine))
     assert [problem.line for problem in found.problems] == ([2, 3] if refused else [])
-    assert all(f"m.ini:{first + refused}," in problem.message and problem.code == "CL808" for problem in found.problems if refused)
+    assert all(f"m.ini:{first + refused};" in problem.message and problem.code == "CL808" for problem in found.problems if refused)
     notes = [notice for notice in found.notices if "m.ini:" in notice.message]
-    assert [f"m.ini:{first + k}," in notice.message and notice.line == 2 for k, notice in zip(noted, notes, strict=True)] == [True] * len(
+    assert [f"m.ini:{first + k};" in notice.message and notice.line == 2 for k, notice in zip(noted, notes, strict=True)] == [True] * len(
         noted
     )
 

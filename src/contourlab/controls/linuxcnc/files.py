@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -182,6 +183,11 @@ class HalGraph:
         return _PORT.match(pin[len(self.owner(pin)) + 1 :]) if PASSING.fullmatch(self.kind(pin)) else None
 
 
+def beside(file: Path, name: str) -> Path:
+    """Return the path that a file names."""
+    return file.parent / os.path.expanduser(name)  # noqa: PTH111  # that of Path raises where there is no such user
+
+
 def read_ini(file: str | Path) -> Ini:
     """Read an INI file, in place of ``#INCLUDE`` the file that it names.
 
@@ -211,7 +217,7 @@ def _ini_lines(path: Path, depth: int) -> Iterator[tuple[Line, str]]:
         elif depth == DEEPEST:
             raise ScenarioError(f"#INCLUDE {included[1]}: files include each other, or more than {DEEPEST} deep", file=place.place)
         else:
-            yield from _ini_lines(path.parent / Path(included[1]).expanduser(), depth + 1)
+            yield from _ini_lines(beside(path, included[1]), depth + 1)
 
 
 def _text(path: Path) -> str:

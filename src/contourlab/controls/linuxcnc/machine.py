@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.controls.contract import FLOATING, ControlFile, computed, driven_by_steps, guessed, read_from, steps_controller, substeps
-from contourlab.controls.linuxcnc.files import LENGTHS, HalGraph, Ini, named_files, read_graph, read_ini, units_of
+from contourlab.controls.linuxcnc.files import LENGTHS, HalGraph, Ini, beside, named_files, read_graph, read_ini, units_of
 from contourlab.controls.linuxcnc.loops import Joint, LoopClass, classified, joints, kinematics_of, without_pid
 from contourlab.errors import ScenarioError
 from contourlab.findings import Finding, finding
@@ -184,7 +184,7 @@ class _Machine:
             entry = self.ini.first(section, key)
             if entry is None or not entry.value:
                 continue
-            path = self.ini.file.parent / Path(entry.value).expanduser()
+            path = beside(self.ini.file, entry.value)
             if path.is_file():
                 keys[name] = str(path.absolute())
             else:
@@ -192,7 +192,7 @@ class _Machine:
         # The control looks for subprograms in this order.
         paths = [self.ini.first("DISPLAY", "PROGRAM_PREFIX"), self.ini.first("RS274NGC", "SUBROUTINE_PATH")]
         folders = [path for entry in paths if entry for path in entry.value.split(":") if path]
-        keys["subprograms"] = [str((self.ini.file.parent / Path(path).expanduser()).absolute()) for path in folders]
+        keys["subprograms"] = [str(beside(self.ini.file, path).absolute()) for path in folders]
         remaps = self.ini.values.get(("RS274NGC", "REMAP"), [])
         keys["remapped"] = [f"{entry.value.split()[0].upper()} {entry.place}" for entry in remaps if entry.value]
         return keys

@@ -352,9 +352,11 @@ class LimitTest(Answer):
         more = (finding("CL475", lines=skipped),) if skipped else ()
         return replace(self, annotated=str(annotate), findings=(*self.findings, *more))
 
-    def _next(self, asked: Asked) -> Sequence[object]:
+    def _next(self, asked: Asked) -> Sequence[object] | None:
         """Give limits, write the annotated program, run it, or judge the log."""
         file, settings = asked.inputs[0], asked.settings
+        if self.exit_code == FAULTY:
+            return None
         if self.passed is None:
             return ["limits", file, "--machine", "xyz"]
         if self.program is not None and not self.annotated:
