@@ -98,7 +98,7 @@ class Reading:
     unit: Literal["mm", "inch"] = "mm"
     zero: str = field(default="", metadata=setting())
     start: str = field(default="", metadata=setting())
-    startup: str = field(default="", metadata=setting(maximum=255))
+    startup: str = field(default="", metadata=setting(maximum=260))
     startup_place: str = field(default="", metadata=setting())
     remapped: tuple[str, ...] = field(default=(), metadata=setting())
     folder: Path | None = None
