@@ -63,7 +63,8 @@ def test_a_plan_within_the_limits_given(capsys: pytest.CaptureFixture[str]) -> N
     assert largest["acceleration"]["value"] == pytest.approx(1.0, rel=1e-3) and largest["jerk"]["value"] == pytest.approx(10.0, rel=1e-3)
     assert all(peak["use"] <= 1.0 + 1e-6 for peak in result["peaks"] if peak["use"] is not None)
     assert result["cycle_time"] == pytest.approx(0.4 / 0.2 + 0.2 / 1.0 + 1.0 / 10.0, abs=3e-3)  # s/v + v/a + a/j
-    on_machine = printed(capsys, "limits", "line.ngc", "--machine", "xyz", *limits, code=1)
+    on_machine = printed(capsys, "limits", "line.ngc", "--machine", "xyz", *limits, code=2)  # its travel ends at 150 mm
+    assert "CL470" in {found["code"] for found in on_machine["findings"]}
     assert (on_machine["planned_within"], on_machine["given"]) == ("machine", ["acceleration", "jerk"])
     assert max(peak["use"] for peak in on_machine["peaks"] if peak["kind"] == "acceleration") == pytest.approx(1.5, rel=0.01)
     main(["limits", "line.ngc", *limits])

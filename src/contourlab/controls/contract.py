@@ -14,6 +14,8 @@ LARGEST = 1e9
 """Limit of what a control's file may say; beyond it a number stands for no limit."""
 PERIOD = {"value": "1 ms", "source": "assumed", "note": "the control makes steps, and has no servo period"}
 """Servo period of a machine whose control has none."""
+FLOATING = {"floating": True}
+"""Limits of an axis: a control's file has its travel in machine coordinates, in which the zero of a program is not known yet."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,8 +28,8 @@ class ControlFile:
     control : str
         Name of the control, as ``"LinuxCNC"``.
     tables : mapping
-        ``machine`` and ``axes`` as in a machine file; also ``controller``, ``program`` and ``feed`` as far as the file sets them: what a
-        scenario says comes first. A number that the file does not hold itself is `computed` or `guessed`.
+        ``machine`` and ``axes`` as in a machine file; also ``controller`` and ``program`` as far as the file sets them: what a scenario
+        says comes first. A number that the file does not hold itself is `computed` or `guessed`.
     unmodelled : mapping of str to str
         Axes whose answer the file leaves open, and why. Their plant is a stand-in for planning; nothing is simulated with it.
     findings : tuple of Finding

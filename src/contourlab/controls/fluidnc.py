@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from contourlab.controls.contract import LARGEST, PERIOD, ControlFile, computed, driven_by_steps, read_from, steps_controller
+from contourlab.controls.contract import FLOATING, LARGEST, PERIOD, ControlFile, computed, driven_by_steps, read_from, steps_controller
 from contourlab.errors import ScenarioError
 from contourlab.findings import finding
 
@@ -87,4 +87,4 @@ def _axis(file: Path, name: str, axis: Mapping[str, Any]) -> Iterator[tuple[str,
             raise ScenarioError("must be true or false", file=file, key=f"axes.{name}.homing.positive_direction")
         low = at - travel if up else at
         limits["travel"] = read_from([f"{low:.12g} mm", f"{low + travel:.12g} mm"], f"{file.name} axes.{name}.max_travel_mm and homing")
-    yield "limits", limits
+    yield "limits", {**limits, **FLOATING}

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from contourlab.controls.contract import LARGEST, PERIOD, ControlFile, computed, driven_by_steps, read_from, steps_controller
+from contourlab.controls.contract import FLOATING, LARGEST, PERIOD, ControlFile, computed, driven_by_steps, read_from, steps_controller
 from contourlab.errors import ScenarioError
 from contourlab.findings import finding
 
@@ -80,4 +80,4 @@ def _axis(file: Path, settings: dict[int, tuple[float, str]], n: int) -> Iterato
         homing, directions = (int(settings.get(number, (0.0, ""))[0]) for number in (22, 23))
         low = 0.0 if homing & 8 and directions >> n & 1 else -abs(travel[0])
         limits["travel"] = read_from([f"{low:.12g} mm", f"{low + abs(travel[0]):.12g} mm"], travel[1])
-    yield "limits", limits
+    yield "limits", {**limits, **FLOATING}

@@ -370,7 +370,8 @@ def blended(route: Route, limits: AxisLimits | None = None) -> Route:
     route : Route
         With `merge_tolerance` and `corner_tolerance`; returned unchanged where both are 0 everywhere.
     limits : AxisLimits, optional
-        If given, a corner is not rounded where a stop takes less time than the blend; see `quicker_blended`.
+        If given, the route keeps to their velocity along the path, and a corner is not rounded where a stop takes less time than the
+        blend; see `quicker_blended`.
 
     Returns
     -------
@@ -385,7 +386,7 @@ def blended(route: Route, limits: AxisLimits | None = None) -> Route:
     feed moves, reversals (more than 175 degrees), and at other curves. Where the feedrate changes at a corner, it changes in the middle
     of the blend.
     """
-    route = merged(route)
+    route = merged(route if limits is None else route.within(limits.path_velocity))
     corners = _corners(route)
     if not corners.before.size:
         return route

@@ -57,7 +57,7 @@ def _checked(name: str, value: ArrayLike, unit: str, *, finite: bool) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class AxisLimits:
-    """Limits of each axis; a single number applies to all axes.
+    """Limits of each axis, and of the velocity along the path; a single number applies to all axes.
 
     Parameters
     ----------
@@ -65,6 +65,8 @@ class AxisLimits:
         Also the rate of rapid moves.
     acceleration : array_like (n_axis,) [m/s^2], 1e-6 to 1e9, inf for no limit
     jerk : array_like (n_axis,) [m/s^3], 1e-6 to 1e12, inf for no limit
+    path_velocity : float [m/s], > 0
+        Along the path, in rapid moves too; inf for no limit.
 
     Raises
     ------
@@ -78,8 +80,10 @@ class AxisLimits:
     velocity: Array
     acceleration: Array
     jerk: Array
+    path_velocity: float
 
-    def __init__(self, velocity: ArrayLike, acceleration: ArrayLike, jerk: ArrayLike = np.inf) -> None:
+    def __init__(self, velocity: ArrayLike, acceleration: ArrayLike, jerk: ArrayLike = np.inf, *, path_velocity: float = math.inf) -> None:
+        object.__setattr__(self, "path_velocity", path_velocity)
         parts = {
             "velocity": _checked("velocity", velocity, "m/s", finite=True),
             "acceleration": _checked("acceleration", acceleration, "m/s^2", finite=False),
@@ -111,7 +115,8 @@ class AxisLimits:
         if self.n_axis == n_axis:
             return self
         refuse(self.n_axis != 1, FeedError, f"limits for {self.n_axis} axes, the path has {n_axis}: give one limit per axis")
-        return AxisLimits(*(np.repeat(part, n_axis) for part in (self.velocity, self.acceleration, self.jerk)))
+        parts = (np.repeat(part, n_axis) for part in (self.velocity, self.acceleration, self.jerk))
+        return AxisLimits(*parts, path_velocity=self.path_velocity)
 
 
 N_BISECTION = 80  # enough for the last bit of any speed above 1e-8 of the bracket

@@ -123,7 +123,7 @@ def plan_profile(route: Route, limits: AxisLimits, *, laps: int = 1, curvature_s
     """Plan the motion along a route, from rest to rest, without sampling it; parameters as for `plan`."""
     if laps < 1 or (laps > 1 and not route.path.closed):
         raise FeedError(f"laps = {laps}: give at least 1, and more than 1 only for a closed path")
-    limits = limits.for_axes(route.path.n_axis)
+    limits, route = limits.for_axes(route.path.n_axis), route.within(limits.path_velocity)
     unlimited = np.flatnonzero(limits.unbounded)
     if unlimited.size:
         raise FeedError(
@@ -227,7 +227,7 @@ def limiting(route: Route, limits: AxisLimits, profile: Profile, arc_length: Arr
     -----
     An axis moves with velocity t v, acceleration t a + k v^2 and jerk t j + 3 k v a + c v^3; see `contourlab.feed.bounds`.
     """
-    limits = limits.for_axes(route.path.n_axis)
+    limits, route = limits.for_axes(route.path.n_axis), route.within(limits.path_velocity)
     place = np.clip(np.atleast_1d(np.asarray(arc_length, dtype=np.float64)), 0.0, profile.length)
     span, dt = profile.reached(place)
     a0, j = profile.a0[span], profile.j[span]

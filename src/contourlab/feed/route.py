@@ -195,6 +195,10 @@ class Route:
         """Number of curves."""
         return len(self.path.curves)
 
+    def within(self, path_velocity: float) -> Route:
+        """Return the route with no feedrate above a velocity along the path [m/s], rapids included."""
+        return self if np.all(self.feedrate <= path_velocity) else replace(self, feedrate=np.minimum(self.feedrate, path_velocity))
+
     def programmed_arc_length(self, s: ArrayLike) -> Array:
         """Return the arc lengths (n,) [m] on `programmed` for arc lengths (n,) [m] on `path`."""
         return place_on_programmed(self.correspondence, self.path, self.programmed, s)

@@ -245,6 +245,8 @@ class Machine:
         Of values fitted together on two axes, such as ``x.plant.damping``; those within one axis are in `Axis`.
     control : ControlFile or None
         The control's own file from which it was read.
+    path_velocity : float [m/s], > 0
+        Largest velocity along a planned path, rapids included.
 
     Raises
     ------
@@ -259,6 +261,7 @@ class Machine:
     origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
     correlations: tuple[tuple[str, str, float], ...] = field(default=(), compare=False, repr=False)
     control: ControlFile | None = field(default=None, compare=False, repr=False)
+    path_velocity: float = field(default=math.inf, metadata=setting("m/s", "mm/min", *RANGES["velocity"]))
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.servo_period) and self.servo_period > 0.0):
@@ -296,7 +299,7 @@ class Machine:
             raise ParameterError("plant", f"unknown for {listing(names)}", bound)
 
     def planner_limits(self) -> AxisLimits:
-        """Return the limits of the axes, for the planner.
+        """Return the limits of the axes and of the path, for the planner.
 
         Raises
         ------
@@ -307,7 +310,7 @@ class Machine:
         if free:
             raise FeedError(f"{self._place(free[0])} has no velocity limit: set limits.velocity")
         per_axis = [axis.limits for axis in self.axes]
-        limits = AxisLimits([x.velocity for x in per_axis], [x.acceleration for x in per_axis], [x.jerk for x in per_axis])
+        limits = AxisLimits(*([getattr(x, kind) for x in per_axis] for kind in RANGES), path_velocity=self.path_velocity)
         if limits.unbounded.any():
             steep = self.axes[int(np.argmax(limits.unbounded))]
             raise FeedError(f"{self._place(steep)} has no acceleration or jerk limit: set limits.acceleration, limits.jerk, or both")

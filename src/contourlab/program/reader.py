@@ -13,7 +13,7 @@ from typing import Literal, TextIO, TypeAlias, get_args
 
 from contourlab.errors import ProgramEndError, ProgramError
 from contourlab.file_kinds import mistaken
-from contourlab.program.block import Block, Parameters, read_block
+from contourlab.program.block import Block, Parameters, read_block, without_blanks
 from contourlab.program.flow import LONGEST_LINE, Tape, Walker
 from contourlab.program.interpreter import execute
 from contourlab.program.moves import Dwell, Move, Notice, Point, Program
@@ -29,7 +29,7 @@ from contourlab.program.state import (
     store_shift,
     unreadable,
 )
-from contourlab.program.vocabulary import SYSTEMS, BlockError
+from contourlab.program.vocabulary import G_GROUPS, M_GROUPS, SYSTEMS, BlockError
 from contourlab.units import setting
 
 Dialect: TypeAlias = Literal["linuxcnc", "grbl"]
@@ -70,11 +70,16 @@ class Reading:
     start : str
         Position of the axes in machine coordinates at the begin, in the same form; machine zero if empty.
     startup : str
-        Block that the control executes before the program.
+        Blocks that the control executes before the program, one a line.
+    startup_place : str
+        Where the control's file has it, such as ``router.ini:22``.
+    remapped : tuple of str
+        Codes that the control's file gives another meaning, each with its place, such as ``"M6 router.ini:31"``. The procedure is not
+        run: a code that LinuxCNC has without it keeps its own meaning, and a notice says so; any other is refused.
     folder : Path or None
         Folder of subprogram files; by default that of the program.
     subprograms : tuple of str
-        Further folders of subprogram files.
+        Folders of subprogram files that are searched before `folder`.
     most_moves : int, > 0
         Most lines that loops and subprograms execute, plus moves of cycles: a few lines can make any number. A line counts once more for
         each 32 characters. Plain lines are not limited.
@@ -93,7 +98,9 @@ class Reading:
     unit: Literal["mm", "inch"] = "mm"
     zero: str = field(default="", metadata=setting())
     start: str = field(default="", metadata=setting())
-    startup: str = field(default="", metadata=setting(maximum=255))
+    startup: str = field(default="", metadata=setting(maximum=260))
+    startup_place: str = field(default="", metadata=setting())
+    remapped: tuple[str, ...] = field(default=(), metadata=setting())
     folder: Path | None = None
     subprograms: tuple[str, ...] = field(default=(), metadata=setting())
     most_moves: int = field(default=500_000, metadata=setting(minimum=1))
@@ -234,14 +241,16 @@ class Reader:
         self._check_end(moved)
 
     def _start_up(self) -> None:
-        """Execute the block that the control executes before each program."""
-        try:
-            block = read_block(self.reading.startup, self.parameters) if self.reading.startup else None
-            moves = execute(block, self.state, 0) if block else []
-        except BlockError as fault:
-            raise fault.raised(f"{fault.message}, in the start-up code {self.reading.startup!r}", file=self.name) from None
-        if moves:
-            raise ProgramError(f"CL846 the start-up code {self.reading.startup!r} moves axes: leave out its moves", file=self.name)
+        """Execute the blocks that the control executes before each program."""
+        place = self.reading.startup_place or self.name
+        for line in self.reading.startup.splitlines():
+            try:
+                block = self._block(line)
+                moves = execute(block, self.state, 0) if block else []
+            except BlockError as fault:
+                raise fault.raised(f"{fault.message}, in the start-up code {line!r}", file=place) from None
+            if moves:
+                raise ProgramError(f"CL846 the start-up code {line!r} moves axes: leave out its moves", file=place)
 
     def _take(self, fault: BlockError) -> None:
         """Store a fault if faults are collected and reading can continue; raise it otherwise."""
@@ -291,7 +300,24 @@ class Reader:
             line = _grbl_line(line, self.walker.place[1], self.notices, self.state)
         elif "(" in line and (abort := _ABORT.search(line)) and ";" not in line[: abort.start()]:
             raise BlockError(f"CL846 the program stops itself here, with (abort,...):{abort[1][:MOST_SHOWN]}", abort.start() + 1)
+        if self.reading.remapped:
+            self._check_remapped(line)
         return read_block(line, self.parameters)
+
+    def _check_remapped(self, line: str) -> None:
+        """Note the codes of a line to which the control's file gives another meaning; refuse those that have no other."""
+        places = dict(entry.partition(" ")[::2] for entry in self.reading.remapped)
+        text, columns = without_blanks(line)
+        for code in _CODE.finditer(text):
+            letter, number = code[1].upper(), float(code[2] or math.nan)
+            name = letter if letter in places else f"{letter}{number:g}"
+            words = f"{name} is remapped by {places.get(name)}; that procedure is not run"
+            if name not in places or words in self._known:
+                continue
+            if not (round(10.0 * number) in G_GROUPS if letter == "G" else letter != "M" or number in M_GROUPS):
+                raise BlockError(f"CL808 {words}: write the moves that it makes", columns[code.start()])
+            self._known.add(words)
+            self.notices.append(Notice(words, self.walker.place[1], columns[code.start()]))
 
     def _leaves(self, block: Block) -> bool:
         """Follow M98 and M99; return whether the program ends with this block."""
@@ -316,7 +342,7 @@ class Reader:
         """Return the lines of a subprogram file."""
         if self.reading.folder is None or not re.fullmatch(r"[a-z0-9_.-]+", label):
             return None
-        folders = [self.reading.folder, *map(Path, self.reading.subprograms)]
+        folders = [*map(Path, self.reading.subprograms), self.reading.folder]
         files = (folder / f"{label}.ngc" for folder in folders)
         file = next((file for file in files if file.is_file()), None)
         return None if file is None else Tape(iter(split_lines(read_text(file))), str(file))
@@ -340,6 +366,8 @@ class Reader:
             raise ProgramEndError(f"CL847 {NO_END}: {cure}", file=self.name, line=line)
 
 
+_CODE = re.compile(r"(?<![a-z_])([gmtsf])([0-9]+\.?[0-9]*|(?=[#\[]))(?![^<]*>)")
+"""A code, or a word T, S or F, outside of names in <>."""
 _ABORT = re.compile(r"\([ \t]*abort,([^()]*)\)[^()]*$", re.IGNORECASE)
 _COMMENT = re.compile(r"\([^()]*\)|;.*")
 _AXIS = re.compile(r"[XYZxyz]")

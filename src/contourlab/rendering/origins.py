@@ -31,6 +31,8 @@ def numbers_of(machine: Machine, controller: Controller) -> tuple[Number, ...]:
 def numbers_of_machine(machine: Machine) -> tuple[Number, ...]:
     """Return the numbers of a machine, as `numbers_of` does."""
     numbers = [_number("machine.servo_period", machine.servo_period, "s", "ms", machine.origins.get("servo_period"))]
+    if "path_velocity" in machine.origins:
+        numbers.append(_number("machine.path_velocity", machine.path_velocity, "m/s", "mm/min", machine.origins["path_velocity"]))
     for pair, angle in machine.squareness.items():
         key = "squareness." + "-".join(pair)
         numbers.append(_number(f"machine.{key}", angle, "rad", "um/m", machine.origins.get(key)))

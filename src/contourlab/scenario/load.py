@@ -17,7 +17,7 @@ from contourlab.loop import Axis, Change, Controller, Machine
 from contourlab.program import Reading, read_program
 from contourlab.scenario.build import build_axis, build_controller, build_machine, in_place, read_component, units_of
 from contourlab.scenario.files import BUILTIN, EVERY, Reader, builtin_file, builtin_names, join, listed, shipped_hint, spread
-from contourlab.scenario.placing import fitted, unplaced, zero_known
+from contourlab.scenario.placing import anchored, fitted
 from contourlab.scenario.quantities import read_number
 from contourlab.scenario.tables import read_values
 from contourlab.scenario.tree import Leaf, Node, Table, from_mapping, located, merge, parse_tree, same_table, settle
@@ -109,23 +109,15 @@ def read_motion(content: Table, machine: Machine) -> Motion:
         if node.entries["file"].file.startswith("<"):  # given as an argument: there is no key to name
             raise ScenarioError(error.message, file=error.file) from error
         raise node.error(str(error), "file") from error
-    program, note = fitted(program, letters, machine) if fit else (program, "")
+    program, note = fitted(program, letters, anchored(machine)) if fit else (program, "")
     return PartProgram(file, program, letters, reading, fit, note)
 
 
 def reading_on(machine: Machine, given: Mapping[str, Any]) -> Reading:
     """Return how a machine reads a part program: as its control's own file says, with what is given."""
-    return Reading(**{**_of_control(machine, "program", Reading), **given})
-
-
-def feed_on(machine: Machine) -> FeedSettings:
-    """Return the settings of the feed that the control's own file of a machine has."""
-    return FeedSettings(**_of_control(machine, "feed", FeedSettings))
-
-
-def _of_control(machine: Machine, table: str, kind: type) -> dict[str, Any]:
     control = machine.control
-    return {} if control is None else read_values(from_mapping(control.tables.get(table, {}), str(control.file), table), kind)
+    own = {} if control is None else read_values(from_mapping(control.tables.get("program", {}), str(control.file), "program"), Reading)
+    return Reading(**{**own, **given})
 
 
 def _contour(node: Node, machine: Machine) -> Contour:
@@ -527,12 +519,11 @@ def _scenario(reader: Reader, content: Table, path: Path) -> Scenario:
 
 
 def _under_control(content: Table, machine: Table, reader: Reader) -> Table:
-    """Return a scenario with the controller and the feed of the control whose own file its machine is, where it has none itself."""
+    """Return a scenario with the controller of the control whose own file its machine is, where it has none itself."""
     control = next((control for control in reader.controls if str(control.file) == machine.table("machine").file), None)
-    own = {} if control is None else {name: control.tables[name] for name in ("controller", "feed") if name in control.tables}
-    base = from_mapping(own, machine.table("machine").file)
-    feed = {"feed": merge(base.table("feed"), content.table("feed"))} if "feed" in own else {}
-    content = Table({**base.entries, **content.entries, **feed}, content.file, content.key)
+    if control is not None and "controller" in control.tables:
+        own = from_mapping({"controller": control.tables["controller"]}, str(control.file))
+        content = Table({**own.entries, **content.entries}, content.file, content.key)
     if "controller" not in content.entries:
         raise content.error("1 key is missing: controller")
     return content
@@ -573,8 +564,8 @@ def _case(name: str, layers: Table, motion: Motion, place: Table, reader: Reader
     if not name.strip() or len(name) > 80 or not name.isprintable():
         raise place.error("name the scheme with up to 80 letters, digits and spaces")
     machine, node = build_machine(settle(layers.table("machine")), reader.controls), layers.entries["controller"]
-    if isinstance(motion, PartProgram) and not zero_known(machine, motion.reading):
-        machine = unplaced(machine)
+    if isinstance(motion, PartProgram) or machine.control:  # a contour is in machine coordinates
+        machine = anchored(machine, motion.reading if isinstance(motion, PartProgram) else None)
     if isinstance(node, Leaf):
         raise node.error("write a table [controller], or the name of its file")
     controller = build_controller(settle(spread(node, machine.axis_names)), machine)

@@ -98,22 +98,24 @@ def _moved(curve: Curve, move: Array) -> Curve:
 
 
 def zero_known(machine: Machine, reading: Reading) -> bool:
-    """Return whether a program's zero in machine coordinates is known; a machine of our own files has it at machine zero."""
-    return machine.control is None or reading.parameters is not None or bool(reading.zero)
+    """Return whether a program's zero in machine coordinates is known; it is at machine zero where no travel floats."""
+    return reading.parameters is not None or bool(reading.zero) or not any(axis.limits.floating for axis in machine.axes)
 
 
-def unplaced(machine: Machine) -> Machine:
-    """Return a machine of whose travels only the lengths count: the part must fit into them, wherever its zero is."""
-    return replace(machine, axes=tuple(replace(axis, limits=replace(axis.limits, floating=True)) for axis in machine.axes))
+def anchored(machine: Machine, reading: Reading | None = None) -> Machine:
+    """Return a machine whose travels have their ends; unchanged where the zero of a program read so is unknown."""
+    if reading is not None and not zero_known(machine, reading):
+        return machine
+    return replace(machine, axes=tuple(replace(axis, limits=replace(axis.limits, floating=False)) for axis in machine.axes))
 
 
 def beyond_travel(points: Iterable[tuple[int, Point]], letters: Sequence[str], machine: Machine) -> dict[str, tuple[int, float]]:
-    """Return for each axis the line and the position [m] of the first point in machine coordinates (G53) that is outside its travel."""
+    """Return for each axis of floating travel the line and the position [m] of the first point in machine coordinates (G53) outside it."""
     outside: dict[str, tuple[int, float]] = {}
     for line, point in points:
         for letter, axis in zip(letters, machine.axes, strict=True):
             at, travel = dict(zip("xyz", point, strict=True)).get(letter, math.nan), axis.limits.travel
-            if isinstance(travel, tuple) and max(at - travel[1], travel[0] - at) > ROUNDING:
+            if axis.limits.floating and isinstance(travel, tuple) and max(at - travel[1], travel[0] - at) > ROUNDING:
                 outside.setdefault(axis.name, (line, at))
     return outside
 

@@ -182,8 +182,8 @@ class FeedSettings:
         Deviation of merged lines with ``path_control = "blend"``; by default `corner_tolerance`.
     curvature_step : float, 0 to 1
         Allowed step of an axis acceleration, as a share of its limit, where the curvature jumps; 0 stops there.
-    path_velocity : float [m/s], > 0
-        Largest velocity along a planned path, rapids included.
+    path_velocity : float [m/s], > 0, or None
+        Largest velocity along a planned path, rapids included; by default that of the machine.
     """
 
     law: Literal["planned", "uniform"] = "planned"
@@ -195,7 +195,7 @@ class FeedSettings:
     corner_tolerance: float | None = field(default=None, metadata=DISTANCE)
     merge_tolerance: float | None = field(default=None, metadata=setting("m", "um", minimum=0.0))
     curvature_step: float = field(default=1.0, metadata=setting(minimum=0.0, maximum=1.0))
-    path_velocity: float = field(default=np.inf, metadata=setting("m/s", "mm/min", minimum=0.0, exclusive=True))
+    path_velocity: float | None = field(default=None, metadata=setting("m/s", "mm/min", minimum=0.0, exclusive=True))
 
     @property
     def default_tolerance(self) -> float:
@@ -341,7 +341,7 @@ class Case:
         ProgramError
             If the program moves an axis that the machine lacks, or beyond its travel.
         """
-        if isinstance(self.motion, PartProgram) and any(axis.limits.floating for axis in self.machine.axes):
+        if isinstance(self.motion, PartProgram):
             for name, (line, at) in beyond_travel(self.motion.program.machine_points, self.motion.letters, self.machine).items():
                 raise self._fault(f"G53 leads axis {name} to {1e3 * at:.6g} mm, outside of its travel", line)
         reference = self._sampled(self.feed.override * feed_scale)
@@ -402,7 +402,13 @@ class Case:
             assert isinstance(self.motion, Contour) and self.feed.frequency is not None  # checked by the reader
             return uniform(self.motion.path, self.feed.frequency * factor, self.feed.laps, period)
         route = self._own_route if factor == self.feed.override else self._route(factor)
-        return plan(route, self.machine.planner_limits(), period, laps=self.feed.laps, curvature_step=self.feed.curvature_step)
+        return plan(route, self.limits, period, laps=self.feed.laps, curvature_step=self.feed.curvature_step)
+
+    @property
+    def limits(self) -> AxisLimits:
+        """Limits that the plan keeps."""
+        limits, own = self.machine.planner_limits(), self.feed.path_velocity
+        return limits if own is None else replace(limits, path_velocity=own)
 
     def route(self) -> Route | None:
         """Return the path to plan along, with feedrates; None under the uniform law."""
@@ -422,9 +428,7 @@ class Case:
             route = self.motion.route(tolerance)
         if factor != 1.0:
             route = replace(route, feedrate=np.where(route.rapid, route.feedrate, route.feedrate * factor))
-        if np.isfinite(self.feed.path_velocity):
-            route = replace(route, feedrate=np.minimum(route.feedrate, self.feed.path_velocity))
-        return blended(controlled(route, self.feed.path_control, tolerance, self.feed.merge_tolerance), self.machine.planner_limits())
+        return blended(controlled(route, self.feed.path_control, tolerance, self.feed.merge_tolerance), self.limits)
 
 
 @dataclass(frozen=True, eq=False)

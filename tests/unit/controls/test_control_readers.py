@@ -33,7 +33,7 @@ def test_limits_travel_and_their_sources(tmp_path: Path, reader: str) -> None:
     for axis, velocity, length in zip(machine.axes, (0.0508, 0.0762), (0.254, 0.127), strict=True):
         assert axis.limits.velocity == pytest.approx(velocity, rel=1e-12)
         assert axis.limits.acceleration == pytest.approx(0.508, rel=1e-12)
-        low, high = axis.limits.ends
+        low, high = axis.limits.travel
         assert high - low == pytest.approx(length, rel=1e-12)
     sources = {number.name: number.source for number in stated(numbers_of_machine(machine))}
     assert sources["axes.x.limits.velocity"] == sources["axes.y.limits.travel"] == "control"
@@ -95,7 +95,7 @@ def test_a_file_of_no_control_is_none(tmp_path: Path) -> None:
 @pytest.mark.parametrize(("more", "low"), [("", -0.254), ("$22=15\n$23=1\n", 0.0), ("$22=7\n$23=1\n", -0.254)])
 def test_grblhal_may_have_its_zero_where_an_axis_homes(tmp_path: Path, more: str, low: float) -> None:
     machine = loaded(made_control(tmp_path, "grbl", ("ok\n", f"{more}ok\n")))
-    assert machine.axes[0].limits.ends == pytest.approx((low, low + 0.254))
+    assert machine.axes[0].limits.travel == pytest.approx((low, low + 0.254))
 
 
 def test_a_part_program_with_settings_is_one(tmp_path: Path) -> None:

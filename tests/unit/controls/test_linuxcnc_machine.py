@@ -254,4 +254,4 @@ def test_the_router_of_a_newcomer(tmp_path: Path) -> None:
     origin = answer["machine"]["origin"]
     assert answer["machine"]["source"] == "LinuxCNC" and set(origin.values()) == {"read", "computed", "guessed"}
     found = {one["code"] for one in scheme["findings"]}
-    assert {"CL866", "CL980", "CL984", "CL985"} <= found
+    assert {"CL866", "CL980", "CL984", "CL985", "CL991"} <= found

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -65,8 +66,8 @@ class Ini:
         """Return the value that a match of `REFERENCE` refers to."""
         return None if match is None else self.first(match[1], match[2] or match[3])
 
-    def number(self, section: str, key: str, above: float = -LARGEST) -> float | None:
-        """Return the first value as a number above a limit; None if there is none."""
+    def number(self, section: str, key: str, *, positive: bool = False) -> float | None:
+        """Return the first value as a number; None where there is none, and for one that stands for no limit."""
         entry = self.first(section, key)
         if entry is None:
             return None
@@ -74,19 +75,9 @@ class Ini:
             value = float(entry.value)
         except ValueError:
             value = math.nan
-        if not above < value < LARGEST:
-            wanted = "a number" if above else "a number above 0"
-            raise ScenarioError(f"[{section}]{key} = {entry.value!r}: must be {wanted}, below {LARGEST:g}", file=entry.place)
-        return value
-
-    def limit(self, section: str, key: str) -> float | None:
-        """Return the first value as a number; None where there is none, and for one that stands for no limit."""
-        entry = self.first(section, key)
-        try:
-            is_limit = entry is not None and abs(float(entry.value)) < LARGEST
-        except ValueError:
-            is_limit = True
-        return self.number(section, key) if is_limit else None
+        if math.isnan(value) or (positive and value <= 0.0):
+            raise ScenarioError(f"[{section}]{key} = {entry.value!r}: must be a number" + " above 0" * positive, file=entry.place)
+        return value if abs(value) < LARGEST else None
 
 
 @dataclass(frozen=True)
@@ -192,6 +183,11 @@ class HalGraph:
         return _PORT.match(pin[len(self.owner(pin)) + 1 :]) if PASSING.fullmatch(self.kind(pin)) else None
 
 
+def beside(file: Path, name: str) -> Path:
+    """Return the path that a file names."""
+    return file.parent / os.path.expanduser(name)  # noqa: PTH111  # that of Path raises where there is no such user
+
+
 def read_ini(file: str | Path) -> Ini:
     """Read an INI file, in place of ``#INCLUDE`` the file that it names.
 
@@ -221,7 +217,7 @@ def _ini_lines(path: Path, depth: int) -> Iterator[tuple[Line, str]]:
         elif depth == DEEPEST:
             raise ScenarioError(f"#INCLUDE {included[1]}: files include each other, or more than {DEEPEST} deep", file=place.place)
         else:
-            yield from _ini_lines(path.parent / Path(included[1]).expanduser(), depth + 1)
+            yield from _ini_lines(beside(path, included[1]), depth + 1)
 
 
 def _text(path: Path) -> str:
@@ -272,7 +268,9 @@ def named_files(ini: Ini) -> list[tuple[Entry, Path | None]]:
 
 def units_of(ini: Ini) -> tuple[float, float, list[Finding]]:
     """Return the length of a machine unit [m], the servo period [s], and a finding for each that is assumed."""
-    entry, period = ini.first("TRAJ", "LINEAR_UNITS"), ini.number("EMCMOT", "SERVO_PERIOD", 0.0)
+    entry, period = ini.first("TRAJ", "LINEAR_UNITS"), ini.number("EMCMOT", "SERVO_PERIOD", positive=True)
+    if period is None and (given := ini.first("EMCMOT", "SERVO_PERIOD")):
+        raise ScenarioError(f"SERVO_PERIOD = {given.value}: write it in ns, such as 1000000", file=given.place)
     unit = LENGTHS.get(entry.value.lower()) if entry else None
     findings = [finding("CL850", entry.place if entry else ini.file.name)] if unit is None else []
     findings += [finding("CL851", ini.file.name)] if period is None else []

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from contourlab.controls.contract import ControlFile, computed, driven_by_steps, guessed, read_from, steps_controller, substeps
-from contourlab.controls.linuxcnc.files import LENGTHS, HalGraph, Ini, named_files, read_graph, read_ini, units_of
+from contourlab.controls.contract import FLOATING, ControlFile, computed, driven_by_steps, guessed, read_from, steps_controller, substeps
+from contourlab.controls.linuxcnc.files import LENGTHS, HalGraph, Ini, beside, named_files, read_graph, read_ini, units_of
 from contourlab.controls.linuxcnc.loops import Joint, LoopClass, classified, joints, kinematics_of, without_pid
 from contourlab.errors import ScenarioError
 from contourlab.findings import Finding, finding
@@ -71,6 +71,8 @@ class _Machine:
             "servo_period": self._read(period, "EMCMOT", "SERVO_PERIOD") or period,
             "axes": list(axes),
         }
+        if path := self._least([("TRAJ", "MAX_LINEAR_VELOCITY")], "mm/s"):
+            machine["path_velocity"] = path
         tables: dict[str, Any] = {"machine": machine, "axes": {letter: self._axis(joint) for letter, joint in axes.items()}}
         for code, whys in (("CL984", self.guesses), ("CL988", self.unmodelled)):
             if whys:
@@ -79,8 +81,6 @@ class _Machine:
         homes = [self._home(axes[letter]) if letter in axes else 0.0 for letter in LETTERS]
         if any(homes):
             tables["program"]["start"] = ", ".join(map(repr, homes))
-        if path := self._least([("TRAJ", "MAX_LINEAR_VELOCITY")], "mm/s"):
-            tables["feed"] = {"path_velocity": path["value"]}
         return ControlFile(self.ini.file, "LinuxCNC", tables, self.unmodelled, tuple(self.findings), tuple(self.files))
 
     def _joints(self) -> dict[str, Joint]:
@@ -105,7 +105,7 @@ class _Machine:
 
     def _least(self, keys: Sequence[tuple[str, str]], unit: str, *, largest: bool = False) -> dict[str, Any] | None:
         """Return the least of several values of the file, or the largest; None if it has none."""
-        values = [(value, key) for key in keys if (value := self.ini.limit(*key)) is not None]
+        values = [(value, key) for key in keys if (value := self.ini.number(*key)) is not None]
         if not values:
             return None
         value, key = max(values) if largest else min(values)
@@ -115,7 +115,7 @@ class _Machine:
 
     def _home(self, joint: Joint) -> float:
         """Return where an axis stands after homing, in machine units: within its travel."""
-        limits = [[self.ini.limit(section, key) for section in self._sections(joint)] for key in ("MIN_LIMIT", "MAX_LIMIT", "HOME")]
+        limits = [[self.ini.number(section, key) for section in self._sections(joint)] for key in ("MIN_LIMIT", "MAX_LIMIT", "HOME")]
         lows, highs, homes = ([value for value in values if value is not None] for values in limits)
         home = homes[0] if homes else 0.0
         return min([max([home, *lows]), *highs])
@@ -128,20 +128,21 @@ class _Machine:
     def _axis(self, joint: Joint) -> dict[str, Any]:
         """Return the tables of an axis."""
         own = self._sections(joint)
-        limits: dict[str, Any] = {}
+        limits: dict[str, Any] = {**FLOATING}
         for name, key, unit in (("velocity", "MAX_VELOCITY", "mm/s"), ("acceleration", "MAX_ACCELERATION", "mm/s^2")):
             path = [("TRAJ", "MAX_LINEAR_ACCELERATION")] if name == "acceleration" else []
             if value := self._least([*((section, key) for section in own), *path], unit):
                 limits[name] = value
             else:
                 self.findings.append(finding("CL983", self.ini.file.name, axis=joint.axis, key=key))
-        planner = self.ini.first("TRAJ", "PLANNER_TYPE")
-        jerk = self._least([("TRAJ", "MAX_LINEAR_JERK"), *((section, "MAX_JERK") for section in own)], "mm/s^3")
-        limits |= {"jerk": jerk} if jerk and planner and planner.value == "1" else {}
+        planner, least = self.ini.first("TRAJ", "PLANNER_TYPE"), self.ini.number("TRAJ", "MAX_LINEAR_JERK")
+        if planner and planner.value == "1" and (least is None or least >= 1.0):  # below, LinuxCNC plans as with PLANNER_TYPE = 0
+            keys = [("TRAJ", "MAX_LINEAR_JERK"), *((section, "MAX_JERK") for section in own)]
+            limits |= {"jerk": jerk} if (jerk := self._least(keys, "mm/s^3")) else {}
         ends = [self._least([(section, key) for section in own], "mm", largest=key == "MIN_LIMIT") for key in ("MIN_LIMIT", "MAX_LIMIT")]
         if ends[0] and ends[1]:
             limits["travel"] = read_from([end["value"] for end in ends if end], f"{ends[0]['from']} and {ends[1]['from']}")
-        if gap := next((gap for section in own if (gap := self.ini.limit(section, "BACKLASH"))), None):
+        if gap := next((gap for section in own if (gap := self.ini.number(section, "BACKLASH"))), None):
             self.findings.append(finding("CL986", f"axis {joint.axis}", gap=abs(gap) * self.unit))
         if table := next((entry for section in own if (entry := self.ini.first(section, "COMP_FILE"))), None):
             self.findings.append(finding("CL987", f"axis {joint.axis}", file=table.value))
@@ -157,11 +158,11 @@ class _Machine:
         own = self._sections(joint)[1:]
         if loop.loop == "step generator":
             self.guesses[joint.axis] = loop.why
-            scale = next((scale for key in ("STEP_SCALE", "SCALE") for section in own if (scale := self.ini.limit(section, key))), None)
+            scale = next((scale for key in ("STEP_SCALE", "SCALE") for section in own if (scale := self.ini.number(section, key))), None)
             pulse = computed(f"{abs(self.unit * 1e6 / scale):.12g} um", "1/STEP_SCALE") if scale else None
             drive: dict[str, Any] = {"kind": "step-generator"}
             for name, key, unit in (("velocity_limit", "STEPGEN_MAXVEL", "mm/s"), ("acceleration_limit", "STEPGEN_MAXACCEL", "mm/s^2")):
-                keys = [(section, key) for section in own if self.ini.limit(section, key)]  # 0 is none
+                keys = [(section, key) for section in own if self.ini.number(section, key)]  # 0 is none
                 drive |= {name: self._least(keys, unit)} if keys else {}
             return {**driven_by_steps(self.period, pulse), "drive": drive}
         if loop.loop == "position drive":
@@ -177,17 +178,21 @@ class _Machine:
         """Return how LinuxCNC reads a part program."""
         startup = self.ini.first("RS274NGC", "RS274NGC_STARTUP_CODE") or self.ini.first("EMC", "RS274NGC_STARTUP_CODE")
         keys: dict[str, Any] = {"unit": "mm" if self.unit == LENGTHS["mm"] else "inch"}
-        keys |= {"startup": startup.value} if startup and startup.value else {}
+        # LinuxCNC starts in G64 without P.
+        keys |= {"startup": f"G64\n{startup.value}", "startup_place": startup.place} if startup else {"startup": "G64"}
         for name, section, key in (("tools", "EMCIO", "TOOL_TABLE"), ("parameters", "RS274NGC", "PARAMETER_FILE")):
             entry = self.ini.first(section, key)
             if entry is None or not entry.value:
                 continue
-            path = self.ini.file.parent / Path(entry.value).expanduser()
+            path = beside(self.ini.file, entry.value)
             if path.is_file():
                 keys[name] = str(path.absolute())
             else:
                 self.findings.append(finding("CL980", entry.place, key=key, file=entry.value))
-        if paths := self.ini.first("RS274NGC", "SUBROUTINE_PATH"):
-            folders = (path for path in paths.value.split(":") if path)
-            keys["subprograms"] = [str((self.ini.file.parent / Path(path).expanduser()).absolute()) for path in folders]
+        # The control looks for subprograms in this order.
+        paths = [self.ini.first("DISPLAY", "PROGRAM_PREFIX"), self.ini.first("RS274NGC", "SUBROUTINE_PATH")]
+        folders = [path for entry in paths if entry for path in entry.value.split(":") if path]
+        keys["subprograms"] = [str(beside(self.ini.file, path).absolute()) for path in folders]
+        remaps = self.ini.values.get(("RS274NGC", "REMAP"), [])
+        keys["remapped"] = [f"{entry.value.split()[0].upper()} {entry.place}" for entry in remaps if entry.value]
         return keys

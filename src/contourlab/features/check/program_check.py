@@ -15,15 +15,15 @@ import numpy as np
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.errors import ContourlabError, ProgramError
 from contourlab.features.check.options import Check
-from contourlab.features.check.reading import of_control, reading_of
+from contourlab.features.check.reading import of_control, read_once, reading_of
 from contourlab.findings import Finding, finding
 from contourlab.program import Arc, Dwell, Feed, Move, Point, Program, Reader, Reading, Spline, Traverse, open_program
 from contourlab.program.reader import NO_END
 from contourlab.rendering.table import paragraphs
 
 if TYPE_CHECKING:
+    from contourlab.feed import Route
     from contourlab.loop import Machine
-    from contourlab.scenario.placing import TravelCheck
 
 DEFAULT_MACHINE = "builtin:xyz"
 PART = 2_500
@@ -290,28 +290,25 @@ class PlannedMotion:
 
     def __init__(self, file: str | Path, settings: Check) -> None:
         self._given: str | Path | Machine | None = settings.machine
-        self.reading = reading_of(file, settings)
+        self._settings = read_once(settings)
+        self.reading = reading_of(file, self._settings)
         self.machine_points: list[tuple[int, Point]] = []
         self.problems: list[ContourlabError] = []
         self._sums = np.zeros(5)  # feed and rapid length, cycle time, dwells, time of the feed moves at their feedrates
         self._stops = 0
-        self._assumed: dict[str, Finding] = {}
 
     @cached_property
     def machine(self) -> Machine:
         """The machine; read when something moves."""
         from contourlab.scenario.load import machine_of
-        from contourlab.scenario.placing import unplaced, zero_known
+        from contourlab.scenario.placing import anchored
 
-        machine = machine_of(DEFAULT_MACHINE if self._given is None else self._given)
-        return machine if zero_known(machine, self.reading) else unplaced(machine)
+        return anchored(machine_of(self._settings.machine or DEFAULT_MACHINE), self.reading)
 
     @cached_property
-    def travel(self) -> TravelCheck:
-        """What the motion leaves of the travel."""
-        from contourlab.scenario.placing import TravelCheck
-
-        return TravelCheck(self.machine)
+    def remarks(self) -> Remarks:
+        """What is said of the program on the machine."""
+        return Remarks(self.machine, self.reading, named=self._given is not None)
 
     def add(self, part: Part) -> None:
         """Plan a part; after a fault nothing more is planned."""
@@ -330,15 +327,12 @@ class PlannedMotion:
     def _plan(self, program: Program, machine: Machine) -> None:
         from contourlab.feed import blended
         from contourlab.feed.planner import plan_profile
-        from contourlab.geometry.path import boxes
-        from contourlab.scenario.load import feed_on
-        from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE, program_route
+        from contourlab.scenario.values import program_route
 
         route, limits = program_route(program, machine.axis_names), machine.planner_limits()
-        route = replace(route, feedrate=np.minimum(route.feedrate, feed_on(machine).path_velocity))
+        route = route.within(limits.path_velocity)
         cycle_time = plan_profile(blended(route, limits), limits).duration
-        self._assumed = {found.code: found for found in path_mode_assumed(program.moves, DEFAULT_CORNER_TOLERANCE)} | self._assumed
-        self.travel.add(*boxes(route.path), ~route.rapid, route.source_line)
+        self.remarks.add(program, route)
         lengths, feed = np.diff(route.path.breaks), ~route.rapid
         dwell = float(route.dwell.sum()) + route.dwell_before
         at_feedrate = (lengths[feed] / route.feedrate[feed]).sum()
@@ -354,11 +348,11 @@ class PlannedMotion:
         from contourlab.scenario.load import named_file
 
         feed, rapid, cycle_time, dwell, at_feedrate = self._sums.tolist()
-        extent = zip(self.travel.low.tolist(), self.travel.high.tolist(), strict=True)
+        extent = zip(self.remarks.travel.low.tolist(), self.remarks.travel.high.tolist(), strict=True)
         given = DEFAULT_MACHINE if self._given is None else self._given
         file = named_file(given) if isinstance(given, str | Path) else ""
         return {
-            "findings": (*self._outside(), *about_machine(self.machine, self.reading), *self._assumed.values()),
+            "findings": tuple(self.remarks.findings(self.machine_points)),
             "length": {"feed": feed, "rapid": rapid},
             "box": dict(zip(self.machine.axis_names, extent, strict=True)),
             "cycle_time": cycle_time,
@@ -368,13 +362,45 @@ class PlannedMotion:
             "added_stops": self._stops,
         }
 
-    def _outside(self) -> Iterator[Finding]:
-        """Yield a finding for each axis that leaves the machine's travel."""
+
+# --- what `limits` and `run` say too about a program on a machine ---
+
+OUTSIDE = ("CL470", "CL478", "CL989")
+"""Codes of a travel that is left: faults of the program."""
+
+
+class Remarks:
+    """Where a program, given part by part, leaves the travel of a machine, and what its plan assumes.
+
+    Parameters
+    ----------
+    machine : Machine
+    reading : Reading
+        How the program is read.
+    named : bool
+        Whether somebody named the machine: the travel of another may be left.
+    """
+
+    def __init__(self, machine: Machine, reading: Reading, *, named: bool) -> None:
+        from contourlab.scenario.placing import TravelCheck
+
+        self.machine, self.reading, self.named = machine, reading, named
+        self.travel, self.modes = TravelCheck(machine), PathModes()
+
+    def add(self, program: Program, route: Route) -> None:
+        """Add a part of the program, and its path."""
+        from contourlab.geometry.path import boxes
+
+        self.travel.add(*boxes(route.path), ~route.rapid, route.source_line)
+        self.modes.add(program.moves)
+
+    def findings(self, machine_points: Sequence[tuple[int, Point]]) -> Iterator[Finding]:
+        """Yield the findings, once all parts and the points in machine coordinates are known."""
         from contourlab.scenario.placing import beyond_travel
+        from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 
         travel, machine = self.travel, self.machine
-        floating = any(axis.limits.floating for axis in machine.axes)
-        for name, (line, at) in beyond_travel(self.machine_points if floating else (), machine.axis_names, machine).items():
+        for name, (line, at) in beyond_travel(machine_points, machine.axis_names, machine).items():
             yield finding("CL989", f"axis {name}", line=line, at=at, machine=machine.name)
         for name, line in travel.left.items():
             j, limits = machine.axis_names.index(name), machine.axis(name).limits
@@ -383,17 +409,22 @@ class PlannedMotion:
                 yield finding("CL478", f"axis {name}", length=travel.cut_high[j] - travel.cut_low[j], travel=limits.extent, **values)
                 continue
             values |= dict(zip(("low", "high", "start", "stop"), (travel.low[j], travel.high[j], *limits.ends), strict=True))
-            yield finding("CL471" if self._given is None else "CL470", f"axis {name}", **values)
-
-
-# --- what `run` says too about a program on a machine ---
+            yield finding("CL470" if self.named else "CL471", f"axis {name}", **values)
+        yield from about_machine(machine, self.reading)
+        yield from self.modes.findings(DEFAULT_CORNER_TOLERANCE)
 
 
 def about_machine(machine: Machine, reading: Reading | None) -> Iterator[Finding]:
     """Yield what its own file says of a machine, which axes have no travel, and whether the zero of a program read so is unknown."""
     from contourlab.scenario.placing import zero_known
 
-    yield from machine.control.findings if machine.control else ()
+    if machine.control:
+        yield from machine.control.findings
+        free = [axis.name for axis in machine.axes if math.isinf(axis.limits.jerk)]
+        if bounded := {axis.name: axis.limits.jerk for axis in machine.axes if axis.name not in free}:
+            yield finding("CL990", axes=list(bounded), jerk=min(bounded.values()))
+        if free:
+            yield finding("CL991", axes=free, control=machine.control.control)
     if unknown := [axis.name for axis in machine.axes if not axis.limits.bounded]:
         yield finding("CL479", axes=unknown, machine=machine.name)
     if reading is not None and not zero_known(machine, reading):
@@ -413,10 +444,34 @@ def origin_of(machine: Machine) -> dict[str, Any]:
     return {"source": machine.control.control, "origin": kinds}
 
 
-def path_mode_assumed(moves: Iterable[Move], tolerance: float) -> Iterator[Finding]:
-    """Yield a finding for the first cut without G61 or G64, and for the first under a G64 without P, met within `tolerance` [m]."""
-    modes = [(move.mode, move.source_line) for move in moves if not isinstance(move, Dwell | Traverse)]
-    if line := next((line for mode, line in modes if mode.control is None), 0):
-        yield finding("CL110", line=line)
-    if line := next((line for mode, line in modes if mode.control == "blend" and mode.tolerance is None), 0):
-        yield finding("CL111", line=line, tolerance=tolerance)
+class PathModes:
+    """Lines that are cut without G61 or G64, and those under a G64 without P, as stretches of a motion: code, first and last line."""
+
+    def __init__(self) -> None:
+        self._stretches = [("", 0, 0)]
+
+    def add(self, moves: Iterable[Move]) -> None:
+        """Add moves, in the order of execution; a jump back begins another stretch."""
+        for move in moves:
+            if isinstance(move, Dwell | Traverse):
+                continue
+            unbounded = move.mode.control == "blend" and move.mode.tolerance is None
+            code = "CL110" if move.mode.control is None else "CL111" if unbounded else ""
+            before, first, last = self._stretches[-1]
+            if code == before and move.source_line >= last:
+                self._stretches.pop()
+            else:
+                first = move.source_line
+            self._stretches.append((code, first, move.source_line))
+
+    def findings(self, tolerance: float) -> Iterator[Finding]:
+        """Yield a finding with all lines of either kind; corners under a G64 without P are met within `tolerance` [m]."""
+        more: dict[str, dict[str, Any]] = {"CL110": {}, "CL111": {"tolerance": tolerance}}
+        for code, values in more.items():
+            ranges: list[tuple[int, int]] = []
+            for _, first, last in sorted({stretch for stretch in self._stretches if stretch[0] == code}):
+                begin, end = ranges.pop() if ranges and first <= ranges[-1][1] else (first, last)
+                ranges.append((begin, max(end, last)))
+            if ranges:
+                lines = [f"{first}-{last}" if first < last else f"{first}" for first, last in ranges]
+                yield finding(code, line=ranges[0][0], lines=lines, **values)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -49,14 +50,22 @@ def of_control(machine: str | Path | Machine) -> bool:
     return reader_of(Path(machine)) is not None if isinstance(machine, str | Path) else machine.control is not None
 
 
+def read_once(options: Any) -> Any:
+    """Return options with the machine itself in place of a control's own file, so that nothing reads that again."""
+    if options.machine is None or not of_control(options.machine):
+        return options
+    from contourlab.scenario.load import machine_of
+
+    return replace(options, machine=machine_of(options.machine))
+
+
 def reading_of(file: str | Path, options: Dialect) -> Reading:
     """Return how a part program is read, with the options, and as the file of the machine's control says; refuse a drawing.
 
     A missing end is a notice only.
     """
     refuse_drawing(file)
-    given = {"dialect": options.dialect, "block_delete": options.block_delete, "tools": options.tools, "zero": options.zero}
-    given |= {"most_moves": options.most_moves}
+    given = {key: getattr(options, key) for key in ("dialect", "block_delete", "tools", "zero", "most_moves")}
     chosen: dict[str, Any] = {key: value for key, value in given.items() if value is not None} | {"require_end": False}
     machine = getattr(options, "machine", None)
     if machine is None or not of_control(machine):

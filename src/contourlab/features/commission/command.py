@@ -391,7 +391,8 @@ def planned_commands(program: Path, setup: Setup) -> dict[str, Array]:
     # LinuxCNC speeds up along an arc with half the acceleration.
     straight = [any(not isinstance(move, Arc | Dwell) and move.start[k] != move.end[k] for move in made.moves) for k in range(3)]
     pairs[:, 1] *= [1.0 if straight["xyz".index(letter)] else 0.5 for letter in letters]
-    limits = AxisLimits(pairs[:, 0], pairs[:, 1])
+    fastest = setup.ini.number("TRAJ", "MAX_LINEAR_VELOCITY", positive=True)
+    limits = AxisLimits(pairs[:, 0], pairs[:, 1], path_velocity=math.inf if fastest is None else fastest * setup.unit)
     reference = program_motion(made, letters, limits, setup.period)
     position = reference.block(0, reference.n_sample).position
     rest = round(0.2 / setup.period)

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.controls.contract import LARGEST
 from contourlab.controls.linuxcnc.files import (
     LENGTHS,
     REFERENCE,
@@ -212,10 +211,10 @@ class _Wiring:
     def _limits(self, letter: str, joint: int) -> dict[str, float]:
         sections, limits = (f"AXIS_{letter.upper()}", f"JOINT_{joint}"), {}
         for name, key in (("velocity", "MAX_VELOCITY"), ("acceleration", "MAX_ACCELERATION"), ("low", "MIN_LIMIT"), ("high", "MAX_LIMIT")):
-            above = 0.0 if name in ("velocity", "acceleration") else -LARGEST
-            values = [value for section in sections if (value := self.ini.number(section, key, above)) is not None]
+            positive = name in ("velocity", "acceleration")
+            values = [value for section in sections if (value := self.ini.number(section, key, positive=positive)) is not None]
             if not values:
-                raise ScenarioError(f"[JOINT_{joint}]{key} is missing: the excitation needs it", file=self.ini.file.name)
+                raise ScenarioError(f"[JOINT_{joint}]{key} sets no limit: the excitation needs one", file=self.ini.file.name)
             limits[name] = max(values) if name == "low" else min(values)
         if not limits["low"] < limits["high"]:
             raise ScenarioError(f"[JOINT_{joint}]MAX_LIMIT = {limits['high']:g}: must be above MIN_LIMIT", file=self.ini.file.name)

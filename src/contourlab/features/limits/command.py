@@ -18,15 +18,15 @@ from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import LogError, ParameterError, ProgramError, ResultError, refuse
 from contourlab.features.check.canon import Listed
-from contourlab.features.check.program_check import DEFAULT_MACHINE
-from contourlab.features.check.reading import reading_of, refuse_drawing
+from contourlab.features.check.program_check import DEFAULT_MACHINE, FAULTY, OUTSIDE, Remarks
+from contourlab.features.check.reading import read_once, reading_of, refuse_drawing
 from contourlab.features.limits.log_limits import KINDS, AxisPeak, control_samples, course, moving_part
 from contourlab.features.limits.options import Limits
 from contourlab.features.measure.log_choice import PROGRAMS, open_log
 from contourlab.features.measure.measured_path import progress_along
 from contourlab.features.measure.plausibility import known_signal
 from contourlab.features.measure.study import ACTUAL
-from contourlab.feed import AxisLimits
+from contourlab.feed import AxisLimits, blended, plan
 from contourlab.feed.verify import KINDS as ALL_KINDS
 from contourlab.feed.verify import LineUse, Worst, limit_report_by_line
 from contourlab.figures import NONE, figure, listing, number
@@ -41,7 +41,8 @@ from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_bytes_atomic
 from contourlab.scenario.load import machine_of
-from contourlab.scenario.values import program_motion, program_route
+from contourlab.scenario.placing import anchored
+from contourlab.scenario.values import program_route
 
 _UNITS = {"velocity": ("m/s", "200 mm/s"), "acceleration": ("m/s^2", "2 m/s^2"), "jerk": ("m/s^3", "50 m/s^3")}
 """Unit of each kind of limits, and an example."""
@@ -70,6 +71,7 @@ def limits(file: str | Path | Log, *, settings: Limits, session: Session = QUIET
     ParameterError
         If an option is out of range, or has no effect.
     """
+    settings = read_once(settings)
     reading = reading_of(settings.program or Path("log"), settings)
     share = settings.tolerance
     tolerance = HELD if share is None else positive("--tolerance", share, "", 'a share such as "1 %"', zero=True)
@@ -107,12 +109,15 @@ def _limits(options: Limits, axes: Sequence[str], machine: Machine | None) -> di
 def _planned(file: Path, options: Limits, tolerance: float, reading: Reading) -> LimitTest:
     """Check what the planner would command."""
     refuse_drawing(file)
-    machine = machine_of(DEFAULT_MACHINE if options.machine is None else options.machine)
+    named, machine = options.machine is not None, anchored(machine_of(options.machine or DEFAULT_MACHINE), reading)
     asked = _limits(options, machine.axis_names, machine)
     limits = AxisLimits(*(asked[kind] for kind in KINDS))
     given = tuple(kind for kind in KINDS if getattr(options, kind) is not None)
-    within = limits if options.machine is None else machine.planner_limits()
-    reference = program_motion(read_program(file, reading=reading), machine.axis_names, within, machine.servo_period)
+    within = limits if not named else machine.planner_limits()
+    program = read_program(file, reading=reading)
+    route, remarks = program_route(program, machine.axis_names), Remarks(machine, reading, named=named)
+    remarks.add(program, route)
+    reference = plan(blended(route, within), within, machine.servo_period)
     report, use = limit_report_by_line(reference, limits)
     orders = {"velocity": 1, "kink": 1, "acceleration": 2, "curvature step": 2, "jerk": 3}
     peaks = [
@@ -124,10 +129,11 @@ def _planned(file: Path, options: Limits, tolerance: float, reading: Reading) ->
     blocks = (reference.block(start, min(start + BLOCK, reference.n_sample)) for start in range(0, reference.n_sample, BLOCK))
     lines = np.concatenate([reference.source_line(block.arc_length) for block in blocks])
     rows = _rows(lines, reference.servo_period, use, machine.axis_names)
-    passed = all(peak.use is None or peak.use <= 1.0 + tolerance for peak in peaks)
-    kept = "given" if given and options.machine is None else "machine"
+    findings = (*_exceeded(peaks, tolerance), *remarks.findings(program.machine_points))
+    passed = not any(found.entry.severity == "error" for found in findings)
+    kept = "given" if given and not named else "machine"
     head = (file.name, "plan", machine.axis_names, machine.servo_period, reference.duration, machine.name, tolerance, passed)
-    return LimitTest(*head, tuple(peaks), rows, _exceeded(peaks, tolerance), given, kept)
+    return LimitTest(*head, tuple(peaks), rows, findings, given, kept)
 
 
 def _rows(lines: Index, period: float, use: LineUse, axes: Sequence[str], errors: Array | None = None) -> tuple[ProgramLine, ...]:
@@ -308,6 +314,11 @@ class LimitTest(Answer):
     program: Path | None = field(default=None, metadata=HIDDEN)
     reading: Reading | None = field(default=None, metadata=HIDDEN, repr=False)
 
+    @property
+    def exit_code(self) -> int:
+        """Exit code of the command: 2 for a program that leaves the travel, 1 if a limit is exceeded."""
+        return FAULTY if any(found.code in OUTSIDE for found in self.findings) else super().exit_code
+
     def _charts(self) -> Iterator[Bars]:
         limited = [peak for peak in self.peaks if peak.use is not None]
         use = Series("use", 100.0 * np.array([peak.use for peak in limited]), np.zeros(len(limited)), scheme_style(0, 1)[0])
@@ -341,9 +352,11 @@ class LimitTest(Answer):
         more = (finding("CL475", lines=skipped),) if skipped else ()
         return replace(self, annotated=str(annotate), findings=(*self.findings, *more))
 
-    def _next(self, asked: Asked) -> Sequence[object]:
+    def _next(self, asked: Asked) -> Sequence[object] | None:
         """Give limits, write the annotated program, run it, or judge the log."""
         file, settings = asked.inputs[0], asked.settings
+        if self.exit_code == FAULTY:
+            return None
         if self.passed is None:
             return ["limits", file, "--machine", "xyz"]
         if self.program is not None and not self.annotated:

@@ -18,6 +18,7 @@ from contourlab.app.session import QUIET, Session, question
 from contourlab.app.shared_options import READING
 from contourlab.arrays import Array
 from contourlab.errors import LogError, ParameterError, ResultError, refused
+from contourlab.features.check.reading import read_once
 from contourlab.features.measure.log_choice import (
     distinct_names,
     is_program,
@@ -256,6 +257,7 @@ def compare(*files: Any, settings: Compare, session: Session = QUIET) -> Runs | 
 
 
 def _judged(file: str | Path | Log, settings: Measure) -> MeasuredRun:
+    settings = read_once(settings)
     reference, axes, program = settings.reference, settings.axes, settings.program
     if reference is not None and is_program(reference):
         if program is not None:

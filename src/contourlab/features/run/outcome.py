@@ -20,7 +20,7 @@ from contourlab.arrays import Array, free_memory
 from contourlab.components.supervisor.switching import PreRouted
 from contourlab.engine.runner import make_group
 from contourlab.errors import ComponentError, DivergenceError, ResultError
-from contourlab.features.check.program_check import about_machine, path_mode_assumed
+from contourlab.features.check.program_check import PathModes, about_machine
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
 from contourlab.features.run.lost_steps import lost_steps, with_lost_steps
 from contourlab.features.run.trust import part_interval
@@ -399,7 +399,9 @@ def _remarks(case: Case, reference: Reference, foretold: LearningAnalysis | None
     if case.motion.file is not None or case.machine.control:
         yield from about_machine(case.machine, case.motion.reading if isinstance(case.motion, PartProgram) else None)
     if isinstance(case.motion, PartProgram) and case.feed.path_control == "program":
-        yield from path_mode_assumed(case.motion.program.moves, case.feed.default_tolerance)
+        modes = PathModes()
+        modes.add(case.motion.program.moves)
+        yield from modes.findings(case.feed.default_tolerance)
     last = reference.n_sample * reference.servo_period
     for change in case.changes:
         if change.sample(reference.servo_period) >= reference.n_sample:

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from contourlab.features.check.program_check import check
+from contourlab.features.limits.command import limits
 from contourlab.features.run.outcome import run_case
 from contourlab.findings import Finding
 from contourlab.scenario import parse_scenario, scenario_from_parts
@@ -23,6 +24,26 @@ CASES = [
 
 def assumed(findings: tuple[Finding, ...]) -> dict[str, tuple[int, float | None]]:
     return {one.code: (one.values["line"], one.values.get("tolerance")) for one in findings if one.code in ("CL110", "CL111")}
+
+
+LINES = [
+    ("G1 X5\nG1 Y5\n", {"CL110": ["2-3"]}),
+    ("G64\nG1 X5\n(nothing)\nG0 Z1\nG1 X6\nG61\nG1 X1\nG64\nX2\nG64 P1 X3\nG64\nX4\n", {"CL111": ["3-6", "10", "13"]}),
+    ("#1=0\nO1 while [#1 LT 3]\nG64 G1 X1\nG61 X2\nX3\nG64 X4\n#1=[#1+1]\nO1 endwhile\n", {"CL111": ["4", "7"]}),
+    ("G1 X1\nG64\n" + "X2\nX1\n" * 30, {"CL110": ["2"], "CL111": ["4-63"]}),
+]
+
+
+@pytest.mark.parametrize(("moves", "expected"), LINES)
+@pytest.mark.parametrize("size", [1, 7, 2500])
+def test_all_lines_are_named(
+    moves: str, expected: dict[str, list[str]], size: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In parts of any size, from loops too; lines that cut nothing do not divide a stretch."""
+    monkeypatch.setattr("contourlab.features.check.program_check.PART", size)
+    part = program(tmp_path, moves)
+    for found in (check(part, machine="xyz").findings, limits(part, machine="xyz").findings):
+        assert {one.code: one.values["lines"] for one in found if one.code in ("CL110", "CL111")} == expected
 
 
 def program(folder: Path, moves: str) -> Path:
