@@ -10,7 +10,7 @@ import matplotlib as mpl
 import numpy as np
 import pandas as pd
 import pytest
-from typed_commands import CIRCLE, PART, AsJson, write
+from typed_commands import CIRCLE, PART, SCHEMES, AsJson, write
 
 import contourlab as cl
 from contourlab.app.json_values import json_values
@@ -129,6 +129,26 @@ def test_a_failed_verdict_is_an_answer_and_bad_input_an_error(folder: Path) -> N
     with pytest.raises(TypeError):
         cl.tune("circle.toml", bugdet=100)
     assert names(folder) == {"circle.toml"}
+
+
+def test_what_is_read_already_has_the_options_of_a_file(folder: Path) -> None:
+    write(folder, CIRCLE.replace('tolerance = "16 um"', "") + SCHEMES, "circle.toml")
+    scenario = cl.load_scenario("circle.toml")
+    objects = scenario.machine, scenario.controller, scenario.base.reference()
+    for tolerance, passed in (("1 um", False), ("1 mm", True)):
+        answer = cl.run(*objects, tolerance=tolerance, interval=False)
+        assert answer.passed is passed and answer.command == ""
+    assert Path(answer.save("objects").files["report"]).exists() and Path(cl.run(scenario).save("read").files["report"]).exists()
+    assert list(cl.compare(scenario, schemes="all of it").schemes) == ["all of it"]
+    for source, options in (([scenario], {"tolerance": "1 um"}), ([scenario.base], {"fit": True}), (objects, {"machine": "xyz"})):
+        with pytest.raises(cl.ContourlabError):
+            cl.run(*source, **options)
+
+
+@pytest.mark.parametrize(("name", "inputs"), [("circle", []), ("identify", []), ("compare", []), ("check", [3]), ("measure", [None])])
+def test_inputs_of_no_use_are_refused(name: str, inputs: list[object]) -> None:
+    with pytest.raises(cl.ContourlabError):
+        getattr(cl, name)(*inputs)
 
 
 def test_a_program_is_checked_and_its_limits_are(folder: Path, as_json: AsJson) -> None:

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from contourlab.app.command_line import as_typed
 from contourlab.app.options import REQUIRED, Options, Part, options
+from contourlab.errors import ParameterError
 
 if TYPE_CHECKING:
     import matplotlib.axes
@@ -41,7 +42,7 @@ class Session:
     progress : bool
         Whether to show a bar.
     command : str
-        The command, as typed; a question that is asked in Python gets the one that does the same.
+        The command, as typed; a question that is asked in Python gets the one that does the same, none if it is about objects.
     """
 
     saving: Mapping[str, Any] = field(default_factory=dict)
@@ -236,15 +237,12 @@ def question(settings: type[Options], name: str = "") -> Callable[[Callable[...,
     def made(ask: Callable[..., AnswerT]) -> Callable[..., AnswerT]:
         @wraps(ask)
         def asked(*inputs: Any, **options: Any) -> AnswerT:
+            chosen = options.pop("settings", None)
+            _check_inputs(asked.__signature__.bind(*inputs, **options), own)  # type: ignore[attr-defined]
             direct = {key: options.pop(key) for key in keys if key in options}
-            chosen = options.pop("settings", None) or settings(**options)
-            words = [
-                "contourlab",
-                name or ask.__name__,
-                *(str(each) for each in inputs if isinstance(each, str | Path)),
-                *chosen.words(),
-            ]
-            with Session(command=as_typed(words)) as session:
+            chosen = chosen or settings(**options)
+            words = ["contourlab", name or ask.__name__, *map(str, inputs), *chosen.words()]
+            with Session(command=as_typed(words) if all(isinstance(each, str | Path) for each in inputs) else "") as session:
                 return ask(*inputs, **direct, settings=chosen, session=session)
 
         own = [each for each in inspect.signature(ask).parameters.values() if each.name not in ("settings", "session")]
@@ -261,6 +259,18 @@ def question(settings: type[Options], name: str = "") -> Callable[[Callable[...,
         return asked
 
     return made
+
+
+def _check_inputs(bound: inspect.BoundArguments, own: Iterable[inspect.Parameter]) -> None:
+    """Refuse inputs of no use: none at all, or something else than a file where one is asked for."""
+    for one in own:
+        several = one.kind is inspect.Parameter.VAR_POSITIONAL
+        given = bound.arguments.get(one.name, ())
+        if several and not given:
+            raise ParameterError(one.name, "none", "at least one")
+        for value in (given if several else [given]) if "str | Path" in one.annotation else ():
+            if not isinstance(value, str | os.PathLike) and type(value).__name__ not in one.annotation:
+                raise ParameterError(one.name, type(value).__name__, one.annotation.replace(" | ", " or "))
 
 
 def _default(part: Part) -> Any:
