@@ -145,6 +145,26 @@ def test_what_is_read_already_has_the_options_of_a_file(folder: Path) -> None:
             cl.run(*source, **options)
 
 
+def test_code_and_fits_may_be_of_objects(folder: Path) -> None:
+    write(folder, CIRCLE + SCHEMES, "circle.toml")
+    scenario = cl.load_scenario("circle.toml")
+    case, scheme = scenario.case("position loop"), {"scheme": "position loop"}
+    wanted = cl.export("circle.toml", to="st", axis="1", **scheme)
+    for source, options in (([scenario], scheme), ([case.machine, case.controller], {})):
+        made = cl.export(*source, to="st", axis="1", **options)
+        assert (made.hash, made.contents) == (wanted.hash, wanted.contents)
+    for options in ({"machine": "xyz"}, scheme):
+        with pytest.raises(cl.ContourlabError):
+            cl.export(case.machine, case.controller, to="st", **options)
+    run = cl.simulate(scenario.machine, scenario.controller, case.reference())
+    columns = {f"{signal}.{axis} [m]": run[signal][:, j] for signal in ("position", "reference") for j, axis in enumerate(run.axes)}
+    log = cl.load_log({"time [s]": run.time} | columns)
+    sources = [scenario.file], [scenario], [scenario.machine, scenario.controller, case.reference()]
+    fits = [cl.refine(*source, log=log, parameter="controller.axes.1.controller.position_gain") for source in sources]
+    values = {fit.result.parameters[0].value for fit in fits}
+    assert len(values) == 1 and values != {scenario.controller.axes["1"].controller.position_gain}
+
+
 @pytest.mark.parametrize(("name", "inputs"), [("circle", []), ("identify", []), ("compare", []), ("check", [3]), ("measure", [None])])
 def test_inputs_of_no_use_are_refused(name: str, inputs: list[object]) -> None:
     with pytest.raises(cl.ContourlabError):
@@ -155,6 +175,9 @@ def test_a_program_is_checked_and_its_limits_are(folder: Path, as_json: AsJson) 
     write(folder, PART)
     checked = cl.check("part.ngc")
     assert checked.faults == 0 and json_values(checked) == as_json("check", "part.ngc")
+    with pytest.raises(cl.ContourlabError):
+        checked.plot()  # it has no picture
+    assert (checked.save("out"), names(folder)) == (checked, {"part.ngc"})
     test = cl.limits("part.ngc", velocity="1 mm/s")
     assert test.passed is not None and set(test.to_pandas()["axis"]) == {"x", "y", "z"}
     bars = test.plot()

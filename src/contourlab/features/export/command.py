@@ -43,7 +43,7 @@ from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result.atomic import write_bytes_atomic
 
 if TYPE_CHECKING:
-    from contourlab.loop import Controller, Machine
+    from contourlab.scenario import Scenario
 
 Motion = Callable[[str], Array]
 
@@ -172,13 +172,13 @@ def files_of(to: str, axis: AxisControl, motion: Motion) -> dict[str, str | byte
 
 
 @question(Export)
-def export(file: str | Path, *, settings: Export, session: Session = QUIET) -> Exported:
+def export(*source: str | Path | Scenario | Machine | Controller, settings: Export, session: Session = QUIET) -> Exported:
     """Translate the controllers of the axes of a machine into code for a control.
 
     Parameters
     ----------
-    file : str or Path
-        A controller with ``machine``, or a scenario without.
+    *source : str, Path, Scenario, or a Machine and its Controller
+        A controller file with ``machine``, or a scenario without, as a file or read; or objects.
 
     Returns
     -------
@@ -192,7 +192,7 @@ def export(file: str | Path, *, settings: Export, session: Session = QUIET) -> E
         If a component cannot be translated.
     """
     to = settings.to
-    loaded, steered, motion, inputs = _read(file, settings.machine, settings.scheme, settings.plugin)
+    loaded, steered, motion, inputs = _read(source, settings.machine, settings.scheme, settings.plugin)
     found = {name: axis_control(loaded, steered, name) for name in settings.axis or loaded.axis_names}
     if len({control.control.name for control in found.values()}) != len(found):
         raise ParameterError("axes", ", ".join(found), "named with letters of ASCII, so that their code has different names")
@@ -205,21 +205,33 @@ def export(file: str | Path, *, settings: Export, session: Session = QUIET) -> E
 
 
 def _read(
-    file: str | Path, machine: str | Path | None, scheme: str | None, plugins: Sequence[str | Path]
+    source: Sequence[Any], machine: str | Path | None, scheme: str | None, plugins: Sequence[str | Path]
 ) -> tuple[Machine, Controller, Motion, tuple[Any, ...]]:
     """Return machine, controller, the motion of each axis, and the files read."""
-    from contourlab.scenario import BUILTIN, builtin_file, load_controller, load_machine, load_scenario
+    from contourlab.scenario import BUILTIN, Scenario, builtin_file, load_controller, load_machine, load_scenario
     from contourlab.scenario.load import named_file
 
-    if machine is not None:
-        refuse(scheme is not None, ParameterError, "--scheme", scheme, "left out with --machine: only a scenario has schemes")
-        stated = named_file(machine)
-        loaded = load_machine(stated, plugins)
-        steered = load_controller(named_file(file, "controller"), loaded, plugins)
-        return loaded, steered, lambda name: there_and_back(loaded.axis(name), loaded.servo_period), (file, stated)
-    if kind_of(builtin_file(str(file)) if str(file).startswith(BUILTIN) else Path(file)) == "a controller":
-        raise ScenarioError("a controller needs its machine: name it with --machine", file=file)
-    scenario = load_scenario(file, plugins)
+    alone = machine is not None or len(source) > 1
+    refuse(scheme is not None and alone, ParameterError, "--scheme", scheme, "left out with --machine: only a scenario has schemes")
+    inputs: tuple[Any, ...] = ()
+    match source:
+        case [Machine() as loaded, Controller() as steered] if machine is None:
+            pass
+        case [str() | Path() as file] if machine is not None:
+            stated = named_file(machine)
+            loaded = load_machine(stated, plugins)
+            steered, inputs = load_controller(named_file(file, "controller"), loaded, plugins), (file, stated)
+        case [str() | Path() as file]:
+            if kind_of(builtin_file(str(file)) if str(file).startswith(BUILTIN) else Path(file)) == "a controller":
+                raise ScenarioError("a controller needs its machine: name it with --machine", file=file)
+            scenario = load_scenario(file, plugins)
+        case [Scenario() as scenario] if machine is None:
+            pass
+        case _:
+            kinds = ", ".join(type(each).__name__ for each in source)
+            raise ParameterError("source", kinds, "a scenario; a controller file, with its machine; or a machine and its controller")
+    if alone:
+        return loaded, steered, lambda name: there_and_back(loaded.axis(name), loaded.servo_period), inputs
     case = scenario.base if scheme is None else scenario.case(scheme)
     planned = cache(case.reference)
 
