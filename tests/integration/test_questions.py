@@ -150,12 +150,13 @@ def test_code_and_fits_may_be_of_objects(folder: Path) -> None:
     scenario = cl.load_scenario("circle.toml")
     case, scheme = scenario.case("position loop"), {"scheme": "position loop"}
     wanted = cl.export("circle.toml", to="st", axis="1", **scheme)
-    for source, options in (([scenario], scheme), ([case.machine, case.controller], {})):
+    objects = case.machine, case.controller, case.reference()
+    for source, options in (([scenario], scheme), (objects, {})):
         made = cl.export(*source, to="st", axis="1", **options)
         assert (made.hash, made.contents) == (wanted.hash, wanted.contents)
     for options in ({"machine": "xyz"}, scheme):
         with pytest.raises(cl.ContourlabError):
-            cl.export(case.machine, case.controller, to="st", **options)
+            cl.export(*objects, to="st", **options)
     run = cl.simulate(scenario.machine, scenario.controller, case.reference())
     columns = {f"{signal}.{axis} [m]": run[signal][:, j] for signal in ("position", "reference") for j, axis in enumerate(run.axes)}
     log = cl.load_log({"time [s]": run.time} | columns)
