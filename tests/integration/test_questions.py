@@ -81,6 +81,8 @@ def test_a_log_may_come_from_arrays(folder: Path) -> None:
     ):
         of_arrays, of_file = (ask(given).to_pandas().drop(columns="format", errors="ignore") for given in (log, "log.csv"))
         pd.testing.assert_frame_equal(of_arrays, of_file, rtol=1e-9)
+    told, typed = (cl.measure(given, tolerance="40 um") for given in (log, "log.csv"))
+    assert (told.command, told.data.next_steps) == (typed.command, typed.data.next_steps)
     other = cl.load_log(cells, name="other", columns=["position.3=-position.3"])
     assert cl.compare(log, other).runs[1].log.columns == other.columns
     assert names(folder) == before

@@ -243,8 +243,9 @@ def question(settings: type[Options], name: str = "") -> Callable[[Callable[...,
             _check_inputs(asked.__signature__.bind(*inputs, **options), own)  # type: ignore[attr-defined]
             direct = {key: options.pop(key) for key in keys if key in options}
             chosen = chosen or settings(**options)
-            words = ["contourlab", name or ask.__name__, *map(str, inputs), *chosen.words()]
-            with Session(command=as_typed(words) if all(isinstance(each, str | Path) for each in inputs) else "") as session:
+            files = [os.fspath(each) for each in inputs if isinstance(each, str | os.PathLike)]  # a log that is read has its name
+            words = ["contourlab", name or ask.__name__, *files, *chosen.words()]
+            with Session(command=as_typed(words) if len(files) == len(inputs) else "") as session:
                 return ask(*inputs, **direct, settings=chosen, session=session)
 
         own = [each for each in inspect.signature(ask).parameters.values() if each.name not in ("settings", "session")]
