@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import contourlab
+import contourlab.logs
 from contourlab.cli.parse import PANEL_OF, home_of, line_of
 
 PACKAGE = Path(contourlab.__file__).parent
@@ -71,7 +72,8 @@ def signature(target: Any, imports: set[str]) -> str:
         parameters += [*(["*"] if first else []), f"{star}{each.name}: {each.annotation}{default}"]
     text = f"{', '.join(parameters)}) -> {made.return_annotation}"
     for word in sorted(set(re.findall(r"[A-Z]\w+", text)) - {"Path", "Sequence", "None"}):
-        kind = getattr(home, word, None) or getattr(contourlab, word)  # types alone may be imported for type checkers only
+        places = (home, contourlab, contourlab.logs)  # types alone may be imported for type checkers only
+        kind = next(getattr(place, word) for place in places if hasattr(place, word))
         if inspect.isclass(kind) and kind.__module__.startswith("contourlab."):
             imports.add(f"from {kind.__module__} import {kind.__name__} as {word}")
         else:  # of Python, or the name of a type

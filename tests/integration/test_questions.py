@@ -10,7 +10,7 @@ import matplotlib as mpl
 import numpy as np
 import pandas as pd
 import pytest
-from typed_commands import CIRCLE, PART, AsJson, write
+from typed_commands import CIRCLE, PART, SCHEMES, AsJson, write
 
 import contourlab as cl
 from contourlab.app.json_values import json_values
@@ -81,6 +81,8 @@ def test_a_log_may_come_from_arrays(folder: Path) -> None:
     ):
         of_arrays, of_file = (ask(given).to_pandas().drop(columns="format", errors="ignore") for given in (log, "log.csv"))
         pd.testing.assert_frame_equal(of_arrays, of_file, rtol=1e-9)
+    told, typed = (cl.measure(given, tolerance="40 um") for given in (log, "log.csv"))
+    assert (told.command, told.data.next_steps) == (typed.command, typed.data.next_steps)
     other = cl.load_log(cells, name="other", columns=["position.3=-position.3"])
     assert cl.compare(log, other).runs[1].log.columns == other.columns
     assert names(folder) == before
@@ -131,10 +133,54 @@ def test_a_failed_verdict_is_an_answer_and_bad_input_an_error(folder: Path) -> N
     assert names(folder) == {"circle.toml"}
 
 
+def test_what_is_read_already_has_the_options_of_a_file(folder: Path) -> None:
+    write(folder, CIRCLE.replace('tolerance = "16 um"', "") + SCHEMES, "circle.toml")
+    scenario = cl.load_scenario("circle.toml")
+    objects = scenario.machine, scenario.controller, scenario.base.reference()
+    for tolerance, passed in (("1 um", False), ("1 mm", True)):
+        answer = cl.run(*objects, tolerance=tolerance, interval=False)
+        assert answer.passed is passed and answer.command == ""
+    assert Path(answer.save("objects").files["report"]).exists() and Path(cl.run(scenario).save("read").files["report"]).exists()
+    assert list(cl.compare(scenario, schemes="all of it").schemes) == ["all of it"]
+    for source, options in (([scenario], {"tolerance": "1 um"}), ([scenario.base], {"fit": True}), (objects, {"machine": "xyz"})):
+        with pytest.raises(cl.ContourlabError):
+            cl.run(*source, **options)
+
+
+def test_code_and_fits_may_be_of_objects(folder: Path) -> None:
+    write(folder, CIRCLE + SCHEMES, "circle.toml")
+    scenario = cl.load_scenario("circle.toml")
+    case, scheme = scenario.case("position loop"), {"scheme": "position loop"}
+    wanted = cl.export("circle.toml", to="st", axis="1", **scheme)
+    objects = case.machine, case.controller, case.reference()
+    for source, options in (([scenario], scheme), (objects, {})):
+        made = cl.export(*source, to="st", axis="1", **options)
+        assert (made.hash, made.contents) == (wanted.hash, wanted.contents)
+    for options in ({"machine": "xyz"}, scheme):
+        with pytest.raises(cl.ContourlabError):
+            cl.export(*objects, to="st", **options)
+    run = cl.simulate(scenario.machine, scenario.controller, case.reference())
+    columns = {f"{signal}.{axis} [m]": run[signal][:, j] for signal in ("position", "reference") for j, axis in enumerate(run.axes)}
+    log = cl.load_log({"time [s]": run.time} | columns)
+    sources = [scenario.file], [scenario], [scenario.machine, scenario.controller, case.reference()]
+    fits = [cl.refine(*source, log=log, parameter="controller.axes.1.controller.position_gain") for source in sources]
+    values = {fit.result.parameters[0].value for fit in fits}
+    assert len(values) == 1 and values != {scenario.controller.axes["1"].controller.position_gain}
+
+
+@pytest.mark.parametrize(("name", "inputs"), [("circle", []), ("identify", []), ("compare", []), ("check", [3]), ("measure", [None])])
+def test_inputs_of_no_use_are_refused(name: str, inputs: list[object]) -> None:
+    with pytest.raises(cl.ContourlabError):
+        getattr(cl, name)(*inputs)
+
+
 def test_a_program_is_checked_and_its_limits_are(folder: Path, as_json: AsJson) -> None:
     write(folder, PART)
     checked = cl.check("part.ngc")
     assert checked.faults == 0 and json_values(checked) == as_json("check", "part.ngc")
+    with pytest.raises(cl.ContourlabError):
+        checked.plot()  # it has no picture
+    assert (checked.save("out"), names(folder)) == (checked, {"part.ngc"})
     test = cl.limits("part.ngc", velocity="1 mm/s")
     assert test.passed is not None and set(test.to_pandas()["axis"]) == {"x", "y", "z"}
     bars = test.plot()

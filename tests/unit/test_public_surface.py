@@ -1,6 +1,6 @@
 """The public surface: names, signatures and docstrings.
 
-``python tests/unit/test_public_surface.py`` rewrites `SURFACE` after an intended change; review its diff.
+``PYTHONPATH=tests/helpers python tests/unit/test_public_surface.py`` rewrites `SURFACE` after an intended change; review its diff.
 """
 
 from __future__ import annotations
@@ -200,7 +200,7 @@ def surface() -> str:
 
 def test_the_surface_is_as_agreed():
     agreed = SURFACE.read_text(encoding="utf-8").splitlines()
-    assert surface().splitlines() == agreed, "if it should change: python tests/unit/test_public_surface.py"
+    assert surface().splitlines() == agreed, "if it should change: PYTHONPATH=tests/helpers python tests/unit/test_public_surface.py"
 
 
 def test_every_type_in_a_signature_and_every_error_has_a_page():

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from contourlab.app.command_line import as_typed
 from contourlab.app.options import REQUIRED, Options, Part, options
+from contourlab.errors import ParameterError
 
 if TYPE_CHECKING:
     import matplotlib.axes
@@ -41,7 +42,7 @@ class Session:
     progress : bool
         Whether to show a bar.
     command : str
-        The command, as typed; a question that is asked in Python gets the one that does the same.
+        The command, as typed; a question that is asked in Python gets the one that does the same, none if it is about objects.
     """
 
     saving: Mapping[str, Any] = field(default_factory=dict)
@@ -126,6 +127,8 @@ class Answer:
 
         def __getattr__(self, name: str) -> Any:
             """Return what JSON has under a key that is no attribute, as ``scheme`` of ``case.name``."""
+            if name == "findings":
+                return ()  # of an answer that has none
             path = vars(type(self)).get("json_form", {}).get(name, name)
             # Asked again, so that an error inside a property of this name is raised as it is.
             return object.__getattribute__(self, name) if path == name else attrgetter(path)(self)
@@ -217,8 +220,8 @@ class Answer:
             return self._draw(stage, folder, plots)
 
     def save(self, folder: str | Path = "results") -> Any:
-        """Write the files of the answer into a folder; return the answer with their names."""
-        raise NotImplementedError
+        """Write the files of the answer into a folder, if it has any; return the answer with their names."""
+        return self
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
         """Return the words of the command to type next, without the name of the program; words that are None go with the one before."""
@@ -236,15 +239,13 @@ def question(settings: type[Options], name: str = "") -> Callable[[Callable[...,
     def made(ask: Callable[..., AnswerT]) -> Callable[..., AnswerT]:
         @wraps(ask)
         def asked(*inputs: Any, **options: Any) -> AnswerT:
+            chosen = options.pop("settings", None)
+            _check_inputs(asked.__signature__.bind(*inputs, **options), own)  # type: ignore[attr-defined]
             direct = {key: options.pop(key) for key in keys if key in options}
-            chosen = options.pop("settings", None) or settings(**options)
-            words = [
-                "contourlab",
-                name or ask.__name__,
-                *(str(each) for each in inputs if isinstance(each, str | Path)),
-                *chosen.words(),
-            ]
-            with Session(command=as_typed(words)) as session:
+            chosen = chosen or settings(**options)
+            files = [os.fspath(each) for each in inputs if isinstance(each, str | os.PathLike)]  # a log that is read has its name
+            words = ["contourlab", name or ask.__name__, *files, *chosen.words()]
+            with Session(command=as_typed(words) if len(files) == len(inputs) else "") as session:
                 return ask(*inputs, **direct, settings=chosen, session=session)
 
         own = [each for each in inspect.signature(ask).parameters.values() if each.name not in ("settings", "session")]
@@ -261,6 +262,18 @@ def question(settings: type[Options], name: str = "") -> Callable[[Callable[...,
         return asked
 
     return made
+
+
+def _check_inputs(bound: inspect.BoundArguments, own: Iterable[inspect.Parameter]) -> None:
+    """Refuse inputs of no use: none at all, or something else than a file where one is asked for."""
+    for one in own:
+        several = one.kind is inspect.Parameter.VAR_POSITIONAL
+        given = bound.arguments.get(one.name, ())
+        if several and not given:
+            raise ParameterError(one.name, "none", "at least one")
+        for value in (given if several else [given]) if "str | Path" in one.annotation else ():
+            if not isinstance(value, str | os.PathLike) and type(value).__name__ not in one.annotation:
+                raise ParameterError(one.name, type(value).__name__, one.annotation.replace(" | ", " or "))
 
 
 def _default(part: Part) -> Any:

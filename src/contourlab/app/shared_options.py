@@ -126,7 +126,7 @@ class Motion(Judged, ProgramReading):
 
     machine: str | None = option(None, "Machine of a part program: a file, or a shipped name.")
     controller: str | None = option(None, "Controller: a file, or a shipped name; a scenario has its own.")
-    tolerance: str | None = option(None, 'Largest part error of a part program that passes, e.g. "25 um"; a scenario has its own.')
+    tolerance: str | None = option(None, 'Largest part error of a program that passes, e.g. "25 um"; a scenario has its own.', unit="m")
     fit: bool = option(False, "Scale and move a part program into the machine's travel.")
     no_require_end: bool = option(False, "Accept a part program without M2, M30 or %: its last line ends it.")
     dialect: str | None = option(None, "Dialect of a part program: linuxcnc (the default), or grbl.")

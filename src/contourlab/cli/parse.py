@@ -48,7 +48,8 @@ class Group(TyperGroup):
 
     def hold(self, lines: Mapping[str, str], builder: Callable[[str], Any], default: str = "") -> None:
         """Take commands by their lines of help, with what builds one, and the one that may be left out."""
-        self.commands = {name: TyperCommand(name, help=line, rich_help_panel=PANEL_OF.get(name)) for name, line in lines.items()}
+        panels = {} if self.name in PANEL_OF else PANEL_OF
+        self.commands = {name: TyperCommand(name, help=line, rich_help_panel=panels.get(name)) for name, line in lines.items()}
         self.builder, self.default = builder, default
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:

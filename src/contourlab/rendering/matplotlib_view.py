@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, ResultError, refuse
 from contourlab.figures import number
 from contourlab.rendering.charts import Bars, Chart, Curve, Magnified, Matrix, Multiples, Panel, PathChart, Picture, PolarChart
 from contourlab.rendering.style import BAND, INK, LIMIT, MUTED
@@ -107,13 +107,16 @@ def draw_chart(charts: Iterable[Picture], key: str = "", place: Axes | None = No
 
     Raises
     ------
+    ResultError
+        If there is no chart.
     ParameterError
-        If there is no such chart.
+        If none has this key.
     """
     known = list(charts)
+    refuse(not known, ResultError, "this answer has no picture")
     chart = next((chart for chart in known if key in ("", chart.key)), None)
     if chart is None:
-        raise ParameterError("key", repr(key), f"one of {', '.join(chart.key for chart in known) or 'none: the answer has no picture'}")
+        raise ParameterError("key", repr(key), f"one of {', '.join(chart.key for chart in known)}")
     return drawing(chart).axes[0] if place is None else _VIEWS[type(chart)][0](place, chart)
 
 

@@ -63,6 +63,11 @@ class BacklashOutcome(Answer):
             for axis, gap in study.axes.items()
         ]
 
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """The findings of all schemes."""
+        return tuple(each for study in self.schemes.values() for each in study.findings)
+
     def _next(self, asked: Asked) -> Sequence[object]:
         """Compare the schemes."""
         return ["compare", *asked.inputs]

@@ -14,7 +14,7 @@ from contourlab.errors import ParameterError
 class LinuxCNC(Seeded, Margins, LogWindow):
     """Write an excitation for LinuxCNC; with --log, find the gains of each HAL pid."""
 
-    log: tuple[Path, ...] = option((), "Log of a run with the present gains; repeatable. Without: what to run.")
+    log: tuple[Path, ...] = option((), "Log of a run with the present gains; repeatable. Without: what to run.", objects="Log")
     program: Path | None = option(None, "Part program to tune and predict for; by default what the logs ran.")
     for_: str | None = option(None, "Give the gains in the terms of sinumerik, twincat or generic too.")
 

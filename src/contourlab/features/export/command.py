@@ -17,7 +17,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -34,6 +34,7 @@ from contourlab.engine.translate import fmi, hal, structured_text
 from contourlab.engine.translate.control import LIBRARY, Control, Field, bench_of, control_of, header_of, source_of
 from contourlab.errors import ParameterError, ScenarioError, refuse
 from contourlab.features.export.options import Export
+from contourlab.features.run.source import Source, case_asked
 from contourlab.file_kinds import kind_of
 from contourlab.findings import Finding, finding
 from contourlab.loop import Axis, Controller, Machine
@@ -41,9 +42,6 @@ from contourlab.loop.builder import accepted_output
 from contourlab.loop.template import EXTERNALS, build
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result.atomic import write_bytes_atomic
-
-if TYPE_CHECKING:
-    from contourlab.loop import Controller, Machine
 
 Motion = Callable[[str], Array]
 
@@ -172,13 +170,13 @@ def files_of(to: str, axis: AxisControl, motion: Motion) -> dict[str, str | byte
 
 
 @question(Export)
-def export(file: str | Path, *, settings: Export, session: Session = QUIET) -> Exported:
+def export(*source: Source, settings: Export, session: Session = QUIET) -> Exported:
     """Translate the controllers of the axes of a machine into code for a control.
 
     Parameters
     ----------
-    file : str or Path
-        A controller with ``machine``, or a scenario without.
+    *source : str, Path, Scenario, Case, or a Machine, its Controller and a Reference
+        A controller file with ``machine``; or a scenario, as a file or read, or what it consists of.
 
     Returns
     -------
@@ -192,7 +190,7 @@ def export(file: str | Path, *, settings: Export, session: Session = QUIET) -> E
         If a component cannot be translated.
     """
     to = settings.to
-    loaded, steered, motion, inputs = _read(file, settings.machine, settings.scheme, settings.plugin)
+    loaded, steered, motion, inputs = _read(source, settings)
     found = {name: axis_control(loaded, steered, name) for name in settings.axis or loaded.axis_names}
     if len({control.control.name for control in found.values()}) != len(found):
         raise ParameterError("axes", ", ".join(found), "named with letters of ASCII, so that their code has different names")
@@ -204,23 +202,23 @@ def export(file: str | Path, *, settings: Export, session: Session = QUIET) -> E
     return Exported(to, digest, (), described, tuple(_findings(steered, found, to)), made, inputs)
 
 
-def _read(
-    file: str | Path, machine: str | Path | None, scheme: str | None, plugins: Sequence[str | Path]
-) -> tuple[Machine, Controller, Motion, tuple[Any, ...]]:
+def _read(source: Sequence[Source], settings: Export) -> tuple[Machine, Controller, Motion, tuple[Any, ...]]:
     """Return machine, controller, the motion of each axis, and the files read."""
-    from contourlab.scenario import BUILTIN, builtin_file, load_controller, load_machine, load_scenario
+    from contourlab.scenario import BUILTIN, builtin_file, load_controller, load_machine
     from contourlab.scenario.load import named_file
 
+    file, machine, scheme, plugins = source[0], settings.machine, settings.scheme, settings.plugin
     if machine is not None:
         refuse(scheme is not None, ParameterError, "--scheme", scheme, "left out with --machine: only a scenario has schemes")
+        if not isinstance(file, str | Path):
+            raise ParameterError("machine", repr(machine), "left out: only the file of a controller lacks its machine")
         stated = named_file(machine)
         loaded = load_machine(stated, plugins)
         steered = load_controller(named_file(file, "controller"), loaded, plugins)
         return loaded, steered, lambda name: there_and_back(loaded.axis(name), loaded.servo_period), (file, stated)
-    if kind_of(builtin_file(str(file)) if str(file).startswith(BUILTIN) else Path(file)) == "a controller":
+    if isinstance(file, str | Path) and kind_of(builtin_file(str(file)) if str(file).startswith(BUILTIN) else Path(file)) == "a controller":
         raise ScenarioError("a controller needs its machine: name it with --machine", file=file)
-    scenario = load_scenario(file, plugins)
-    case = scenario.base if scheme is None else scenario.case(scheme)
+    scenario, case = case_asked(source, settings)
     planned = cache(case.reference)
 
     def motion(name: str) -> Array:

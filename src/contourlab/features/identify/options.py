@@ -25,7 +25,7 @@ class Identify(LogColumns):
     cutoff: str | None = option(None, 'rigid: cut-off of the low-pass, e.g. "100 Hz": the default, unless the log is too slow.', unit="Hz")
     slowest: str | None = option(None, 'rigid: drop samples below this speed, e.g. "1 mm/s".', unit="m/s")
     decimation: int | None = option(None, "rigid: use every N-th sample; by default every tenth at most.", least=1, advanced=True)
-    validation: Path | None = option(None, "rigid, position-loop: a second log for validation.")
+    validation: Path | None = option(None, "rigid, position-loop: a second log for validation.", objects="Log")
     position_gain: str | None = option(None, 'closed-loop: K_P, e.g. "4 full_scale/mm".')
     velocity_gain: str | None = option(None, 'closed-loop: K_V, e.g. "0.1 full_scale*s/mm".')
     lead: str | None = option(None, 'Travel per turn, e.g. "10 mm": converts torques to forces; two-inertia needs it.', unit="m")

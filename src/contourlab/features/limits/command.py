@@ -324,11 +324,13 @@ class LimitTest(Answer):
         use = Series("use", 100.0 * np.array([peak.use for peak in limited]), np.zeros(len(limited)), scheme_style(0, 1)[0])
         yield Bars("use", self.name, "", "use of the limit [%]", tuple(f"{peak.axis}, {peak.kind}" for peak in limited), (use,))
 
-    def save(self, *, annotate: str | Path | None = None) -> LimitTest:  # type: ignore[override]
+    def save(self, folder: str | Path = "results", *, annotate: str | Path | None = None) -> LimitTest:
         """Write the program with times, limits and errors as comments.
 
         Parameters
         ----------
+        folder : str or Path
+            Gets nothing.
         annotate : str or Path, optional
             File to write; none by default.
 

@@ -89,11 +89,13 @@ class Notched(Answer):
         """The designs, one a row [SI]."""
         return [{"axis": axis, **json_values(design)} for axis, design in self.designs.items()]
 
-    def save(self, *, write: str | Path | None = None) -> Notched:  # type: ignore[override]
+    def save(self, folder: str | Path = "results", *, write: str | Path | None = None) -> Notched:
         """Write the controller, if there is a notch.
 
         Parameters
         ----------
+        folder : str or Path
+            Gets nothing.
         write : str or Path, optional
             Controller file; none by default.
 

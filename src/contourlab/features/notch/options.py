@@ -13,7 +13,7 @@ from contourlab.app.shared_options import LogColumns, Margins, OfScenario, Plugi
 class Notch(Margins, Plugins, LogColumns):
     """Propose a notch filter for each resonance that spoils a loop; write a controller file."""
 
-    log: Path | None = option(None, "Log of an accelerometer on the axis: its resonance counts, in place of the plant's.")
+    log: Path | None = option(None, "Log of an accelerometer on the axis: its resonance counts, in place of the plant's.", objects="Log")
     scheme: str | None = option(None, "Scheme of the scenario; by default the scenario itself.")
     axes: tuple[str, ...] = option((), "Axes, with commas; by default those whose margins are too small.", listed=True)
 

@@ -14,7 +14,7 @@ from contourlab.errors import ParameterError
 class Precompensate(Seeded, Plugins, Dialect, LogAxes):
     """Correct a part program by the contour error that repeats, so that the same control makes a better part."""
 
-    log: tuple[Path, ...] = option((), "Log of a run of the pass written last; repeatable.")
+    log: tuple[Path, ...] = option((), "Log of a run of the pass written last; repeatable.", objects="Log")
     passes: Path | None = option(None, "Folder that keeps what was learned, pass after pass.")
     machine: str | None = option(None, "Machine to simulate; with a log, for its play and its limits.")
     controller: str | None = option(None, "Controller to simulate.")

@@ -21,6 +21,7 @@ from contourlab.features.refine.log_run import Agreement, LogRun, log_run
 from contourlab.features.refine.options import Refine
 from contourlab.features.refine.study import CrossValidation, Refined, RefineSettings, Sought, cross_validated, unseen_findings
 from contourlab.features.refine.study import refine as refined
+from contourlab.features.run.source import Source, scenario_asked
 from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import Log, about
@@ -169,13 +170,13 @@ class Refinement(Answer):
 
 
 @question(Refine)
-def refine(scenario: str | Path, *, settings: Refine, session: Session = QUIET) -> Refinement:
+def refine(*source: Source, settings: Refine, session: Session = QUIET) -> Refinement:
     """Fit parameters of a scenario's machine and controller until the simulation follows logs.
 
     Parameters
     ----------
-    scenario : str or Path
-        A scenario, of all logs or of the first.
+    *source : str, Path, Scenario, Case, or a Machine, its Controller and a Reference
+        A scenario, of all logs or of the first, as a file or read; or what it consists of.
 
     Returns
     -------
@@ -188,12 +189,11 @@ def refine(scenario: str | Path, *, settings: Refine, session: Session = QUIET) 
     ParameterError
         If an option is out of range, or the run at the start diverges.
     """
-    scenarios, logs = (scenario, *settings.also), settings.log
-    if len(scenarios) not in (1, len(logs)):
-        raise ParameterError("--also", f"{len(scenarios)} scenarios for {len(logs)} logs", "one scenario, or one for each log")
-    read = [load_scenario(file, plugins=settings.plugin) for file in scenarios]
-    several = len(scenarios) > 1
-    labels = _labels(scenarios if several else logs)
+    logs, several = settings.log, len(settings.also) > 0
+    if several and len(settings.also) != len(logs) - 1:
+        raise ParameterError("--also", f"{1 + len(settings.also)} scenarios for {len(logs)} logs", "one scenario, or one for each log")
+    read = [scenario_asked(source, settings), *(load_scenario(file, plugins=settings.plugin) for file in settings.also)]
+    labels = _labels([one.file for one in read] if several else logs)
     windows = [[parse_window(text) for text in settings.of_log(i, len(logs)).window] for i in range(len(logs))]
     opened = [_run(read[i if several else 0], log, settings, label) for i, (log, label) in enumerate(zip(logs, labels, strict=True))]
     runs = [run for run, _ in opened]

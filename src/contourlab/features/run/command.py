@@ -408,12 +408,14 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
     outcomes : sequence of Outcome
         At least one.
     command : str
-        As typed.
+        As typed; empty for objects, of which no command can be told.
     out : Path
         Folder of the results.
     proposed : sequence of str
         Files with a changed controller, relative to the folder.
     """
+    if not command:
+        return []
     file, *options = (word for word in shlex.split(command)[2:] if word not in ("--interval", "--no-interval"))
     part = "--controller" in options or "--machine" in options
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from pathlib import Path
 from typing import ClassVar
 
 from contourlab.app.command_line import as_typed
@@ -64,10 +63,6 @@ class Demonstration(Answer):
         tables = [_table(runs) for runs in self.parts.values()]
         verdict = paragraphs([f"{'PASS' if self.passed else 'FAIL'}: {self.sentence}"])
         return "\n\n".join([*tables, verdict, f"report: {self.page}\nnext: {NEXT}"])
-
-    def save(self, folder: str | Path = "results") -> Demonstration:
-        """Write nothing: each part was saved when it ended."""
-        return self
 
 
 def demo(settings: options.Demo, session: Session) -> Demonstration:

@@ -62,14 +62,15 @@ def scenario_asked(inputs: Sequence[Source], settings: Any) -> Scenario:
         case [str() | Path() as file]:
             scenario = scenario_of(file, settings)
         case [Scenario() as scenario]:
-            pass
+            scenario = _as_asked(scenario, settings)
         case [Case() as case]:
-            scenario = Scenario(case.name, Path(), case)
+            scenario = _as_asked(Scenario(case.name, Path(), case), settings)
         case [Machine() as machine, Controller() as controller, Reference() as reference]:
             motion = Contour("reference", axes=machine.axis_names)
             vars(motion)["reading"] = ContourReading(reference.path)  # that of a name would be drawn
-            made = GivenCase("base", machine, controller, motion, FeedSettings("uniform"), RunSettings(), given=reference)
-            scenario = Scenario(machine.name, Path(), made)
+            limit = settings.si("tolerance") if hasattr(settings, "program") else None
+            made = GivenCase("base", machine, controller, motion, FeedSettings("uniform"), RunSettings(limit), given=reference)
+            scenario = _as_asked(Scenario(machine.name, Path(), made), replace(settings, tolerance=None) if limit else settings)
         case _:
             kinds = ", ".join(type(each).__name__ for each in inputs)
             raise ParameterError("inputs", kinds or "none", "a scenario or part program; or a machine, its controller and a reference")
@@ -105,11 +106,7 @@ def scenario_of(file: str | Path, settings: Any) -> Scenario:
         except ProgramEndError as error:
             error.add_note("To run it to its last line: write require_end = false under [program] in the scenario.")
             raise
-        if of_program:
-            _refuse_options(path, settings)
-            return scenario if settings.controller is None else _under(scenario, settings)
-        schemes = getattr(settings, "schemes", ())
-        return chosen(scenario, schemes) if schemes else scenario
+        return _as_asked(scenario, settings)
     machine, controller = (getattr(settings, name, None) for name in ("machine", "controller"))
     if of_program:
         refuse_drawing(path, machine, controller)
@@ -134,6 +131,15 @@ def scenario_of(file: str | Path, settings: Any) -> Scenario:
         raise
 
 
+def _as_asked(scenario: Scenario, settings: Any) -> Scenario:
+    """Return the schemes that are asked for, or the scenario under another controller; refuse options of part programs."""
+    if hasattr(settings, "program"):
+        _refuse_options(scenario.file, settings)
+        return scenario if settings.controller is None else _under(scenario, settings)
+    schemes = getattr(settings, "schemes", ())
+    return chosen(scenario, schemes) if schemes else scenario
+
+
 def _under(scenario: Scenario, settings: Any) -> Scenario:
     """Return the scenario under another controller, without its schemes."""
     name = named_file(settings.controller, "controller")
@@ -150,4 +156,4 @@ def _refuse_options(path: Path, settings: Any) -> None:
         keys[f"--{'no-' if value is False else ''}{name.replace('_', '-')}"] = value, f"{name}{setting} under [program]"
     for option, (value, key) in keys.items():
         if value is not None:
-            raise ScenarioError(f"{option} is for part programs: write {key} in the scenario", file=path)
+            raise ScenarioError(f"{option} is for part programs: write {key} in the scenario", file=path if path.name else "<scenario>")
