@@ -161,6 +161,12 @@ class Answer:
         """What the command prints as JSON."""
         return self
 
+    def to_json(self) -> str:
+        """Return the answer as strict JSON, without NaN or infinity, as ``--json`` prints it."""
+        from contourlab.app.json_values import json_text  # the help does without
+
+        return json_text(self.json)
+
     ROWS: ClassVar[str] = ""
     """The field whose items are the rows of its table; by default the answer is a single row."""
 

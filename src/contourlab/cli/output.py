@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import sys
-from typing import Any
 
 from contourlab.app.command_line import as_typed
 
@@ -34,13 +33,6 @@ def say(text: str) -> None:
         sys.stdout.flush()
     except BrokenPipeError:
         silence()
-
-
-def emit_json(value: Any) -> None:
-    """Print one strict JSON document, without NaN or infinity."""
-    from contourlab.app import json_values  # the help does without
-
-    say(json_values.json_text(value))
 
 
 def suggest(as_json: bool, *words: object) -> None:

@@ -15,7 +15,7 @@ from typer.core import TyperCommand, TyperGroup
 from contourlab.app.options import REQUIRED, Part
 from contourlab.app.session import Command, execute
 from contourlab.cli import output
-from contourlab.cli.output import emit_json, say, suggest, wants_progress
+from contourlab.cli.output import say, suggest, wants_progress
 
 PANELS = {
     "Start": "demo new check run measure circle limits tune commission precompensate",
@@ -130,7 +130,7 @@ def _answered(command: Command, place: str, values: dict[str, Any]) -> int:
     if hasattr(answer, "write"):  # too long for one text
         print(*answer.write(sys.stdout, as_json), sep="\n", end="", file=sys.stderr)
     elif as_json:
-        emit_json(answer.json)
+        say(answer.to_json())
     elif text := answer.text:
         say(text)
     for aside in answer.asides:
