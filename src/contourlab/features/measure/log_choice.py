@@ -8,6 +8,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from contourlab.app.shared_options import LogColumns, LogWindow
 from contourlab.errors import LogError
 from contourlab.features.check.reading import of_control
@@ -16,8 +18,9 @@ from contourlab.logs.mapping import once
 from contourlab.logs.window import Window, parse_window
 
 if TYPE_CHECKING:
-    from contourlab.geometry import Path as Contour
+    from contourlab.feed.route import Route
     from contourlab.loop import Machine
+    from contourlab.program import Program, Reading
 
 PROGRAMS = (".ngc", ".nc", ".gcode", ".gc", ".tap", ".cnc", ".mpf", ".txt")
 """File extensions of part programs; a reference with one of them is a program, not a list of columns."""
@@ -110,11 +113,27 @@ def reference_columns(reference: str, columns: Sequence[str], axes: Sequence[str
     return parse_columns([f"reference.{axis}={name}" for axis, name in zip(axes, names, strict=True)], "--reference")
 
 
-def program_path(program: str | Path, axes: Sequence[str], machine: str | Path | Machine | None = None) -> Contour:
-    """Return the path of a part program in the coordinates of the log's axes, as a machine reads it."""
+def program_of(file: str | Path, axes: Sequence[str], reading: Reading | None = None) -> tuple[Program, Route]:
+    """Return a part program and its route in the coordinates of the log's axes."""
     from contourlab.program import Reading, read_program
-    from contourlab.scenario.load import machine_of, reading_on
     from contourlab.scenario.values import program_route
 
-    reading = Reading(require_end=False) if machine is None else reading_on(machine_of(machine), {"require_end": False})
-    return program_route(read_program(Path(program), reading=reading), tuple(axes)).path
+    program = read_program(Path(file), reading=reading or Reading(require_end=False))
+    return program, program_route(program, tuple(axes))
+
+
+def cut_part(log: Log, route: Route) -> tuple[Log, Route]:
+    """Return log and route from the first cutting move to the last, if the log has their lines and no window: where an approach begins,
+    the program does not say.
+    """
+    from contourlab.feed.route import Route
+    from contourlab.geometry import Path as Contour
+
+    cutting = np.flatnonzero(~route.rapid)
+    lines = route.source_line[cutting]
+    if log.blocks is None or log.given.window is not None or not {lines.min(), lines.max()} <= set(log.blocks.line):
+        return log, route
+    part = slice(cutting[0], cutting[-1] + 1)
+    data = {name: getattr(route, name)[part] for name in ("feedrate", "rapid", "dwell", "source_line")}
+    window = Window("line", float(lines.min()), float(lines.max()))
+    return result_of(log.record, replace(log.given, window=window)), Route(Contour(route.path.curves[part]), **data)
