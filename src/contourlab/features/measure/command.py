@@ -277,12 +277,13 @@ def _judged(file: str | Path | Log, settings: Measure) -> MeasuredRun:
         program, reference = Path(reference), None
     machine = None if settings.machine is None else machine_of(settings.machine)
     log = open_log(file, settings, () if reference is None else reference_columns(reference, settings.column, axes))
-    axes, lines, route, floating = axes or log.result.axes, (), None, False
+    axes, text, route, floating = axes or log.result.axes, None, None, False
     if program is not None:
         reading = Reading(require_end=False) if machine is None else reading_on(machine, {"require_end": False})
         text, route = program_of(program, axes, reading)
         floating = machine is not None and log.record.format != "contourlab" and not zero_known(machine, reading)
-        lines, (log, route) = text.lines, cut_part(log, route)
+        log, route = cut_part(log, route)
+    lines = () if text is None else text.lines
     shift = _shift(settings.shift or ("fit" if floating else None), axes)
     with about(file):
         try:
@@ -290,6 +291,9 @@ def _judged(file: str | Path | Log, settings: Measure) -> MeasuredRun:
         except ResultError as error:
             raise ResultError("; ".join([str(error), *(doubt.text for doubt in log.doubtful)])) from error
     findings = (*log.findings, *measured.findings, *gap_findings(log, measured, of_samples=route is None), *move_findings(log, measured))
+    steps = [axis.name for axis in machine.axes if axis.drive.kind == "step-generator"] if machine is not None else []
+    if steps and "axis_position" not in log.result:
+        findings = (finding("CL415", axes=steps), *findings)
     given: dict[str, Any] = vars(measured) | {"name": log.result.scheme, "findings": findings, "machine": machine}
     return MeasuredRun(**given, log=log, inputs=settings.files(file, *([program] if program else [])), program=lines)
 

@@ -167,8 +167,8 @@ def moving(reference: Array) -> tuple[int, int]:
     return int(changes[0]), int(changes[-1]) + 1
 
 
-def path_of_samples(positions: Array) -> tuple[Path, Array]:
-    """Return the polygon through positions (n, n_axis) [m], and the arc length [m] of each sample.
+def path_of_samples(positions: Array, lines: Index | None = None) -> tuple[Path, Array]:
+    """Return the polygon through positions (n, n_axis) [m], and the arc length [m] of each sample; `lines` (n,) divide its curves.
 
     Samples within ten nanometres of a line between others are dropped. The path is closed where the motion begins and ends in motion and
     the first sample could follow the last: what leads or lags is then on the path, beyond the samples.
@@ -185,6 +185,8 @@ def path_of_samples(positions: Array) -> tuple[Path, Array]:
     points = positions[new]
     arc = _arc_length(points)
     kept = polygon_corners(points, STRAIGHT)
+    if lines is not None:
+        kept = np.union1d(kept, 1 + np.flatnonzero(np.diff(lines[new])))
     gap, first, last = np.linalg.norm(positions[[0, 1, -1]] - positions[[-1, 0, -2]], axis=1)
     closed = bool(0.0 < gap <= NEXT * min(first, last))
     corners = points[np.append(kept, 0) if closed else kept]

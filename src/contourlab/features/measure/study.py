@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index, true_spans
 from contourlab.errors import ResultError
+from contourlab.features.measure.causes import measured_causes
 from contourlab.features.measure.measured_path import farthest, fitted_shift, last_lap, moving, path_of_samples, progress_along, size_of
 from contourlab.features.measure.plausibility import columns_of, motion_findings, period_findings, same_column_findings
 from contourlab.features.run.outcome import judged_spikes
@@ -34,6 +35,8 @@ STILL = 1e-9
 """Distance [m] beyond the ends of a path from which the tool counts as off the path; smaller errors count as zero."""
 NO_REFERENCE = {"reference": "places on the path"}
 """Attribute of a result whose log has no reference; it has no tracking error."""
+NEXT_TO = 1e-12
+"""Distance [m] by which a sample counts as before the place where it is."""
 RISE = 1e-13
 """Least step [m] between places of successive samples on the programmed path, so that they rise."""
 FOLLOWS = 0.5
@@ -74,7 +77,7 @@ def measure(
     axes : tuple of str, optional
         Axes of the contour, in the order of the path's coordinates; by default all.
     shift : ndarray (n_axis,) [m] or "fit", optional
-        Zero of the path in the coordinates of the result; ``"fit"`` for the shift closest to the tool.
+        Zero of the path in the coordinates of the result; ``"fit"`` for the shift closest to the commanded positions, or else to the tool.
     lines : ndarray (n_sample,) of int, optional
         Program line at each sample; a route has its own.
     tolerance : float [m], optional
@@ -99,21 +102,21 @@ def measure(
         if shift is not None:
             raise ResultError("a shift needs a part program: the reference in the log already has the coordinates of the log")
         reference = asked[0]
-        path, along = path_of_samples(reference)
-        motion = Reference.from_samples(reference, period, path, arc_length=along, source_lines=_of_curves(path, along, lines))
+        motion = _followed(reference, period, lines)
     else:
         programmed = route.path
-        if shift is not None:
-            findings += [finding("CL406")] if isinstance(shift, str) else []
-            move = fitted_shift(programmed, position) if isinstance(shift, str) else shift
-            programmed, shifts = placed(programmed, move.tolist()), dict(zip(run.axes, move.tolist(), strict=True))
         is_commanded = "reference" in run and bool(np.isfinite(run["reference"]).all())
-        place, distance = progress_along(programmed, run["reference"] if is_commanded else position)
+        followed = run["reference"] if is_commanded else position
+        if shift is not None:
+            move = fitted_shift(programmed, followed) if isinstance(shift, str) else shift
+            findings += [finding("CL406")] if isinstance(shift, str) and not is_commanded else []
+            programmed, shifts = placed(programmed, move.tolist()), dict(zip(run.axes, move.tolist(), strict=True))
+        place, distance = progress_along(programmed, followed)
         curves = programmed.curve_index(place)
         lines, cutting = route.source_line[curves], ~route.rapid[curves]
         if is_commanded:
-            reference = run["reference"]
-            motion = _commanded(reference, period, programmed, place, lines)
+            reference = followed
+            motion = _followed(reference, period, lines, programmed, place)
         else:
             findings += [finding("CL407", distance=float(distance)), finding("CL417")]
             reference, run = programmed.position(place), replace(run, attributes={**run.attributes, **NO_REFERENCE})
@@ -145,25 +148,30 @@ def measure(
     part = stated or _part(window, cutting)
     motion = replace(motion, chosen=part)
     judged = replace(judged, motion=motion)
-    metrics = _known_metrics(summarise(judged, motion), run, None if stated else window)
+    metrics = _known_metrics(summarise(judged, motion, part), run, None if stated else window)
     verdict = None if tolerance is None else _verdict(motion, judged, tolerance, program, is_whole=stated is not None)
+    if verdict is not None and is_known:
+        verdict = replace(verdict, causes=measured_causes(motion, judged, verdict.worst.sample))
     circles, spikes = circles_of(judged, motion), judged_spikes(judged, motion)
     return Measured(run.scheme, motion, judged, metrics, verdict, circles, spikes, tuple(findings), lines=lines, shift=shifts)
 
 
-def _of_curves(path: Path, along: Array, lines: Index | None) -> Index | None:
-    """Return the program line of each curve of a path from those of samples (n,) at arc lengths (n,) [m]."""
-    middles = 0.5 * (path.breaks[1:] + path.breaks[:-1])
-    return None if lines is None else lines[np.searchsorted(along, middles).clip(0, len(along) - 1)]
+def _followed(
+    reference: Array, period: float, lines: Index | None, programmed: Path | None = None, place: Array | None = None
+) -> Reference:
+    """Return the motion along the path through commanded samples (n, n_axis) [m], with their program lines (n,).
 
-
-def _commanded(reference: Array, period: float, programmed: Path, place: Array, lines: Index) -> Reference:
-    """Return the commanded motion along the path through its samples, which correspond to places (n,) [m] on the programmed path."""
-    path, along = path_of_samples(reference)
-    new = np.append(True, np.diff(along) > 0.0)
-    nodes = along[new], place[new] + RISE * np.arange(np.count_nonzero(new))
-    own = {"source_lines": _of_curves(path, along, lines), "correspondence": Correspondence(*nodes)}
-    return Reference.from_samples(reference, period, path, arc_length=along, programmed=programmed, **own)
+    They correspond to places (n,) [m] on a programmed path, if there is one. A sample where two curves meet belongs to the first.
+    """
+    path, along = path_of_samples(reference, lines)
+    own: dict[str, Any] = {"arc_length": np.maximum(along - NEXT_TO, 0.0), "programmed": programmed}
+    if lines is not None:
+        middles = np.searchsorted(along, 0.5 * (path.breaks[1:] + path.breaks[:-1]))
+        own["source_lines"] = lines[middles.clip(0, len(along) - 1)]
+    if place is not None:
+        new = np.append(True, np.diff(along) > 0.0)
+        own["correspondence"] = Correspondence(along[new], place[new] + RISE * np.arange(np.count_nonzero(new)))
+    return Reference.from_samples(reference, period, path, **own)
 
 
 def _part(window: tuple[int, int], cutting: Flags | None) -> Judged:
