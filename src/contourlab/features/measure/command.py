@@ -19,7 +19,6 @@ from contourlab.arrays import Array
 from contourlab.errors import LogError, ParameterError, ResultError, refused
 from contourlab.features.check.program_check import origin_of
 from contourlab.features.measure.log_choice import (
-    cut_part,
     distinct_names,
     is_program,
     open_log,
@@ -282,7 +281,6 @@ def _judged(file: str | Path | Log, settings: Measure) -> MeasuredRun:
         reading = Reading(require_end=False) if machine is None else reading_on(machine, {"require_end": False})
         text, route = program_of(program, axes, reading)
         floating = machine is not None and log.record.format != "contourlab" and not zero_known(machine, reading)
-        log, route = cut_part(log, route)
     lines = () if text is None else text.lines
     shift = _shift(settings.shift or ("fit" if floating else None), axes)
     with about(file):

@@ -8,8 +8,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from contourlab.app.shared_options import LogColumns, LogWindow
 from contourlab.errors import LogError
 from contourlab.features.check.reading import of_control
@@ -120,20 +118,3 @@ def program_of(file: str | Path, axes: Sequence[str], reading: Reading | None = 
 
     program = read_program(Path(file), reading=reading or Reading(require_end=False))
     return program, program_route(program, tuple(axes))
-
-
-def cut_part(log: Log, route: Route) -> tuple[Log, Route]:
-    """Return log and route from the first cutting move to the last, if the log has their lines and no window: where an approach begins,
-    the program does not say.
-    """
-    from contourlab.feed.route import Route
-    from contourlab.geometry import Path as Contour
-
-    cutting = np.flatnonzero(~route.rapid)
-    lines = route.source_line[cutting]
-    if log.blocks is None or log.given.window is not None or not {lines.min(), lines.max()} <= set(log.blocks.line):
-        return log, route
-    part = slice(cutting[0], cutting[-1] + 1)
-    data = {name: getattr(route, name)[part] for name in ("feedrate", "rapid", "dwell", "source_line")}
-    window = Window("line", float(lines.min()), float(lines.max()))
-    return result_of(log.record, replace(log.given, window=window)), Route(Contour(route.path.curves[part]), **data)

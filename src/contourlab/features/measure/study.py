@@ -104,23 +104,31 @@ def measure(
         reference = asked[0]
         motion = _followed(reference, period, lines)
     else:
-        programmed = route.path
         is_commanded = "reference" in run and bool(np.isfinite(run["reference"]).all())
         followed = run["reference"] if is_commanded else position
+        begin, curve = _first_cut(route, lines, followed)
+        programmed, of_curves, rapid = Path(route.path.curves[curve:]), route.source_line[curve:], route.rapid[curve:]
         if shift is not None:
-            move = fitted_shift(programmed, followed) if isinstance(shift, str) else shift
+            move = fitted_shift(programmed, followed[begin:]) if isinstance(shift, str) else shift
             findings += [finding("CL406")] if isinstance(shift, str) and not is_commanded else []
             programmed, shifts = placed(programmed, move.tolist()), dict(zip(run.axes, move.tolist(), strict=True))
-        place, distance = progress_along(programmed, followed)
-        curves = programmed.curve_index(place)
-        lines, cutting = route.source_line[curves], ~route.rapid[curves]
+        place, distance = progress_along(programmed, followed[begin:])
+        if begin:
+            way, along = path_of_samples(np.vstack([followed[: begin - 1], programmed.position([0.0])]))
+            programmed, place = Path([*way.curves, *programmed.curves]), np.append(along, way.length + place)
+            of_curves, rapid = (np.append([first] * len(way.curves), own) for first, own in ((0, of_curves), (True, rapid)))
+        curves = programmed.curve_index(np.maximum(place - NEXT_TO, 0.0))
+        if lines is None or not begin:
+            lines, cutting = of_curves[curves], ~rapid[curves]
+        else:
+            cutting = np.isin(lines, of_curves[~rapid])
         if is_commanded:
             reference = followed
             motion = _followed(reference, period, lines, programmed, place)
         else:
             findings += [finding("CL407", distance=float(distance)), finding("CL417")]
             reference, run = programmed.position(place), replace(run, attributes={**run.attributes, **NO_REFERENCE})
-            motion = Reference.from_samples(reference, period, programmed, arc_length=place, source_lines=route.source_line)
+            motion = Reference.from_samples(reference, period, programmed, arc_length=place, source_lines=of_curves)
     along = motion.block(0, motion.n_sample).arc_length
     if is_known := not NO_REFERENCE.items() <= run.attributes.items():
         findings += _reference_findings(run.axes, reference, position)
@@ -154,6 +162,16 @@ def measure(
         verdict = replace(verdict, causes=measured_causes(motion, judged, verdict.worst.sample))
     circles, spikes = circles_of(judged, motion), judged_spikes(judged, motion)
     return Measured(run.scheme, motion, judged, metrics, verdict, circles, spikes, tuple(findings), lines=lines, shift=shifts)
+
+
+def _first_cut(route: Route, lines: Index | None, followed: Array) -> tuple[int, int]:
+    """Return the sample and the curve of the first cutting move, if the log moves before and has its line; else 0 and 0.
+
+    Where an approach comes from, no program says: the log does.
+    """
+    curve = int(np.argmin(route.rapid))
+    begin = 0 if lines is None or route.rapid[curve] else int(np.argmax(lines == route.source_line[curve]))
+    return (begin, curve) if begin > 1 and np.ptp(followed[:begin], axis=0).any() else (0, 0)
 
 
 def _followed(
