@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from contourlab.controls.linuxcnc.files import sampler_lines
 from contourlab.errors import ScenarioError
 from contourlab.features.commission.setup import AxisSetup, Setup
 
@@ -94,19 +95,18 @@ def sampler_columns(setup: Setup) -> list[str]:
     return [f"{axis.name}{end}" for axis in setup.axes for end in SIGNALS.values()]
 
 
-def sampler_lines(setup: Setup) -> str:
+def sampler(setup: Setup) -> str:
     """Return HAL lines that record every axis at each servo period."""
     columns = sampler_columns(setup)
-    lines = [
-        "# Lines for contourlab commission. Load them after your own HAL files; remove them when done.",
-        f"loadrt sampler depth=16000 cfg={'f' * len(columns)}",
-        "addf sampler.0 servo-thread",
-    ]
     wired = [(axis, signal) for axis in setup.axes for signal in axis.signals.values()]
-    for k, (column, (axis, signal)) in enumerate(zip(columns, wired, strict=True)):
-        source = signal if not signal.startswith(f"{axis.pid}.") else f"commission-{column} {signal}"
-        lines.append(f"net {source} => sampler.0.pin.{k}  # {column}")
-    return "\n".join(lines) + "\n"
+    sources = [
+        signal if not signal.startswith(f"{axis.pid}.") else f"commission-{column} {signal}"
+        for column, (axis, signal) in zip(columns, wired, strict=True)
+    ]
+    load, add, *nets = sampler_lines(sources, "f" * len(columns))
+    named = [f"{net}  # {column}" for net, column in zip(nets, columns, strict=True)]
+    head = "# Lines for contourlab commission. Load them after your own HAL files; remove them when done."
+    return "\n".join([head, load, add, *named, ""])
 
 
 def steps(setup: Setup, out: Path) -> str:

@@ -25,7 +25,6 @@ from contourlab.metrics.circles import circles_of
 from contourlab.metrics.figures import AxisFigures, Metrics, summarise
 from contourlab.metrics.judge import judge
 from contourlab.rendering.data import JudgedRun
-from contourlab.rendering.judgement import Verdict
 from contourlab.result import Result, Signal
 from contourlab.scenario.placing import placed
 
@@ -118,15 +117,16 @@ def measure(
             programmed, place = Path([*way.curves, *programmed.curves]), np.append(along, way.length + place)
             of_curves, rapid = (np.append([first] * len(way.curves), own) for first, own in ((0, of_curves), (True, rapid)))
         curves = programmed.curve_index(np.maximum(place - NEXT_TO, 0.0))
-        if lines is None or not begin:
-            lines, cutting = of_curves[curves], ~rapid[curves]
+        cutting = ~rapid[curves]
+        if begin:
+            cutting &= np.isin(lines, of_curves[~rapid])
         else:
-            cutting = np.isin(lines, of_curves[~rapid])
+            lines = of_curves[curves]
         if is_commanded:
             reference = followed
             motion = _followed(reference, period, lines, programmed, place)
         else:
-            findings += [finding("CL407", distance=float(distance)), finding("CL417")]
+            findings.append(finding("CL407", distance=float(distance)))
             reference, run = programmed.position(place), replace(run, attributes={**run.attributes, **NO_REFERENCE})
             motion = Reference.from_samples(reference, period, programmed, arc_length=place, source_lines=of_curves)
     along = motion.block(0, motion.n_sample).arc_length
@@ -157,7 +157,7 @@ def measure(
     motion = replace(motion, chosen=part)
     judged = replace(judged, motion=motion)
     metrics = _known_metrics(summarise(judged, motion, part), run, None if stated else window)
-    verdict = None if tolerance is None else _verdict(motion, judged, tolerance, program, is_whole=stated is not None)
+    verdict = None if tolerance is None else unexplained(motion, judged, tolerance, program, is_whole=stated is not None)
     if verdict is not None and is_known:
         verdict = replace(verdict, causes=measured_causes(motion, judged, verdict.worst.sample))
     circles, spikes = circles_of(judged, motion), judged_spikes(judged, motion)
@@ -198,15 +198,6 @@ def _part(window: tuple[int, int], cutting: Flags | None) -> Judged:
     if cutting is None or not 0 < np.count_nonzero(cutting[inside]) < window[1] - window[0]:
         return Judged((window,), "moving part")
     return Judged(tuple((window[0] + start, window[0] + stop) for start, stop in true_spans(cutting[inside])), CUTTING)
-
-
-def _verdict(motion: Reference, judged: Result, tolerance: float, program: tuple[str, ...], *, is_whole: bool) -> Verdict:
-    """Return the verdict. Only a whole run tells what the tool skips: one that lags has not arrived where a log or a cut ends."""
-    verdict = unexplained(motion, judged, tolerance, program)
-    if is_whole or not verdict.left_out:
-        return verdict
-    findings = tuple(found for found in verdict.findings if found.code != "CL201")
-    return replace(verdict, passed=verdict.worst.value <= tolerance, left_out=0.0, findings=findings)
 
 
 def _check_near(judged: Result, path: Path, window: tuple[int, int]) -> None:

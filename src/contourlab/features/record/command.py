@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from contourlab.app.json_values import HIDDEN
 from contourlab.app.results import write_together
 from contourlab.app.session import QUIET, Answer, Session, question
-from contourlab.controls.linuxcnc.files import HalGraph, graph_of, read_ini, units_of
+from contourlab.controls.linuxcnc.files import HalGraph, graph_of, read_ini, sampler_lines, units_of
 from contourlab.controls.linuxcnc.loops import Joint, commanded, feedback, joints
-from contourlab.controls.linuxcnc.machine import LETTERS
-from contourlab.errors import ScenarioError, refuse
+from contourlab.controls.linuxcnc.machine import LETTERS, matches
+from contourlab.errors import ScenarioError
 from contourlab.features.record.options import Record
 from contourlab.findings import Finding, finding
 from contourlab.rendering.table import paragraphs
@@ -21,7 +21,7 @@ from contourlab.rendering.table import paragraphs
 HAL, SCRIPT = "contourlab-record.hal", "contourlab-record.sh"
 SOON = 0.5
 """Time [s] that is recorded before and after the program."""
-_TOKEN = re.compile(r"[\w.:-]+", re.ASCII)
+_NAMES = re.compile(r"[\w.:-]+( [\w.:-]+)?", re.ASCII)
 
 
 @dataclass(frozen=True)
@@ -111,11 +111,14 @@ def record(ini: str | Path, *, settings: Record, session: Session = QUIET) -> Re
         If a file cannot be read, LinuxCNC loads a sampler already, or none of x, y and z moves.
     """
     files = read_ini(ini)
+    if not matches(files.file, files.file.read_bytes()):
+        raise ScenarioError("is no INI file of LinuxCNC", file=ini)
     graph, _ = graph_of(files)
     if loaded := next((line for line in graph.statements if line.words[:2] == ("loadrt", "sampler")), None):
         raise ScenarioError("loads a sampler, and LinuxCNC loads only one: remove it to record with another", file=loaded.place)
     moved = {joint.axis: joint for joint in reversed(joints(files, graph)) if joint.axis in LETTERS}
-    refuse(not moved, ScenarioError, f"{files.file}: has none of the axes x, y and z")
+    if not moved:
+        raise ScenarioError("has none of the axes x, y and z", file=ini)
     axes = tuple(_recorded(graph, moved[letter]) for letter in sorted(moved))
     unit, period, findings = units_of(files)
     findings = [finding("CL866", entry.place, file=entry.value) for entry in graph.unread] + findings
@@ -128,8 +131,7 @@ def record(ini: str | Path, *, settings: Record, session: Session = QUIET) -> Re
     heads = [f"{signal}.{axis.axis} [{length}]" for axis in axes for signal in ("reference", name)]
     values = {"PERIOD": f"{period:.9g}", "KEPT": str(round(SOON / period)), "HEADER": ",".join(["time [s]", *heads, "line"])}
     script = re.sub("@([A-Z]+)@", lambda match: values[match[1]], Path(__file__).with_name("record.sh").read_text(encoding="utf-8"))
-    contents = {HAL: "\n".join([*_sampler(graph, axes), ""]), SCRIPT: script}
-    return Recording(axes, tuple(findings), contents=contents, ini=Path(ini))
+    return Recording(axes, tuple(findings), contents={HAL: _hal(graph, axes), SCRIPT: script}, ini=Path(ini))
 
 
 def _recorded(graph: HalGraph, joint: Joint) -> RecordedAxis:
@@ -143,16 +145,12 @@ def _recorded(graph: HalGraph, joint: Joint) -> RecordedAxis:
     return RecordedAxis(joint.axis, command, position, source, pin)
 
 
-def _sampler(graph: HalGraph, axes: tuple[RecordedAxis, ...]) -> Iterator[str]:
-    """Yield the lines of the HAL file."""
+def _hal(graph: HalGraph, axes: tuple[RecordedAxis, ...]) -> str:
+    """Return the HAL file. A pin keeps the signal that it has."""
     pins = [pin for axis in axes for pin in (axis.command, axis.position)]
     pins += ["motion.program-line", "halui.mode.is-auto", "halui.program.is-idle"]
-    yield "# Made by contourlab record. Load it as last HALFILE; the head of contourlab-record.sh says how."
-    yield f"loadrt sampler depth=16000 cfg={'f' * (len(pins) - 3)}sbb"
-    yield "addf sampler.0 servo-thread"
-    for k, pin in enumerate(pins):
-        signal = graph.signal_of.get(pin)
-        words = [f"contourlab-{k}", pin] if signal is None else [signal]
-        if not all(_TOKEN.fullmatch(word) for word in words):
-            raise ScenarioError(f"{' '.join(words)!r} is no name of HAL", file="HAL")
-        yield " ".join(["net", *words, "=>", f"sampler.0.pin.{k}"])
+    sources = [graph.signal_of.get(pin) or f"contourlab-{k} {pin}" for k, pin in enumerate(pins)]
+    if strange := next((source for source in sources if not _NAMES.fullmatch(source)), None):
+        raise ScenarioError(f"{strange!r} is no name of HAL", file="HAL")
+    head = f"# Made by contourlab record. Load it as last HALFILE; the head of {SCRIPT} says how."
+    return "\n".join([head, *sampler_lines(sources, "f" * (len(pins) - 3) + "sbb"), ""])

@@ -15,7 +15,8 @@ if [ -e "$log" ]; then
     exit 2
 fi
 echo "Start the program. This ends by itself half a second after the program."
-halsampler -t | awk -v period=@PERIOD@ -v kept=@KEPT@ '
+now=$(halcmd getp sampler.0.sample-num)
+halsampler -t | awk -v period=@PERIOD@ -v kept=@KEPT@ -v now="$now" '
 function put(line,    cell, n, i) {
     n = split(line, cell, " ")
     if (!rows++) first = cell[1]
@@ -24,7 +25,7 @@ function put(line,    cell, n, i) {
     print ""
 }
 BEGIN { print "@HEADER@" }
-NF < 2 { next }  # an overrun: the numbers of the samples show the gap
+NF < 2 || $1 < now { next }  # an overrun: the numbers of the samples show the gap; or what was sampled before
 { in_auto = $(NF - 1); is_idle = $NF }
 !begun {
     before[n++ % kept] = $0

@@ -1,4 +1,4 @@
-"""The HAL file and the script of `record`: what they sample of each kind of wiring, and that the script's log is one that `measure` reads."""
+"""The HAL file and the script of `record`: what they sample of each kind of wiring, and that `measure` reads what the script writes."""
 
 from __future__ import annotations
 
@@ -34,8 +34,15 @@ net x-here joint.0.pos-fb => pyvcp.x
 
 def machine(folder: Path, hal: str = SERVO, *more: str) -> Path:
     ini = folder / "m.ini"
-    kept = "[EMCMOT]\nSERVO_PERIOD = 500000\n[TRAJ]\nLINEAR_UNITS = mm\nCOORDINATES = X Y\n[JOINT_0]\nTYPE = LINEAR\n[JOINT_1]\nTYPE = LINEAR\n"
-    ini.write_text("\n".join([kept, *more, "[HAL]", "HALFILE = m.hal"]))
+    own = [
+        "[EMCMOT]",
+        "SERVO_PERIOD = 500000",
+        "[TRAJ]",
+        "LINEAR_UNITS = mm",
+        "COORDINATES = X Y",
+        *(f"[JOINT_{n}]\nTYPE = LINEAR" for n in (0, 1)),
+    ]
+    ini.write_text("\n".join([*own, *more, "[HAL]", "HALFILE = m.hal"]))
     (folder / "m.hal").write_text(hal)
     return ini
 
@@ -108,7 +115,12 @@ def test_the_script_has_nothing_of_the_files(tmp_path: Path) -> None:
 
 
 def sampled(rows: np.ndarray, *, lost: int = 0) -> Iterator[str]:
-    """Yield the lines of ``halsampler -t``: numbers of six decimals, whole ones for s and b, a blank after each; overruns."""
+    """Yield the lines of ``halsampler -t``: numbers of six decimals, whole ones for s and b, a blank after each; overruns.
+
+    The first lines are of an earlier run, which the sampler kept: its numbers are below 70000.
+    """
+    yield "overrun\n"
+    yield from (f"{k} {'1.000000 ' * 4}7 1 {int(k > 69900)} \n" for k in range(69000, 70000))
     for k, row in enumerate(rows.tolist()):
         if lost and k == 1000:
             yield "overrun\n"
@@ -130,12 +142,13 @@ def recorded(folder: Path, lines: Iterator[str], *words: str) -> subprocess.Comp
     if shutil.which("awk") is None or os.name != "posix":
         pytest.skip("the script needs sh and awk")
     answer = cl.record(machine(folder)).save(folder / "recording")
-    samples, tool = folder / "samples", folder / "bin" / "halsampler"
-    samples.write_text("".join(lines))
-    tool.parent.mkdir()
-    tool.write_text(f'#!/bin/sh\n[ "$*" = -t ] && exec cat "{samples}"\n')
-    tool.chmod(tool.stat().st_mode | stat.S_IXUSR)
-    environment = {**os.environ, "PATH": f"{tool.parent}{os.pathsep}{os.environ['PATH']}"}
+    (folder / "samples").write_text("".join(lines))
+    (folder / "bin").mkdir()
+    for name, typed, command in (("halsampler", "-t", f"cat '{folder}/samples'"), ("halcmd", "getp sampler.0.sample-num", "echo 70000")):
+        tool = folder / "bin" / name
+        tool.write_text(f'#!/bin/sh\n[ "$*" = "{typed}" ] && {command}\n')
+        tool.chmod(tool.stat().st_mode | stat.S_IXUSR)
+    environment = {**os.environ, "PATH": f"{folder / 'bin'}{os.pathsep}{os.environ['PATH']}"}
     call = ["sh", str(answer.files[1]), *words]
     return subprocess.run(call, cwd=folder, env=environment, capture_output=True, text=True, timeout=60, check=False)
 
