@@ -118,7 +118,7 @@ def measure(
             of_curves, rapid = (np.append([first] * len(way.curves), own) for first, own in ((0, of_curves), (True, rapid)))
         curves = programmed.curve_index(np.maximum(place - NEXT_TO, 0.0))
         cutting = ~rapid[curves]
-        if begin:
+        if begin and lines is not None:
             cutting &= np.isin(lines, of_curves[~rapid])
         else:
             lines = of_curves[curves]

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from contourlab.app.json_values import HIDDEN
-from contourlab.app.results import write_together
+from contourlab.app.results import filled, write_together
 from contourlab.app.session import QUIET, Answer, Session, question
 from contourlab.controls.linuxcnc.files import HalGraph, graph_of, read_ini, sampler_lines, units_of
 from contourlab.controls.linuxcnc.loops import Joint, commanded, feedback, joints
@@ -130,8 +130,8 @@ def record(ini: str | Path, *, settings: Record, session: Session = QUIET) -> Re
     length = "mm" if unit < 0.01 else "inch"
     heads = [f"{signal}.{axis.axis} [{length}]" for axis in axes for signal in ("reference", name)]
     values = {"PERIOD": f"{period:.9g}", "KEPT": str(round(SOON / period)), "HEADER": ",".join(["time [s]", *heads, "line"])}
-    script = re.sub("@([A-Z]+)@", lambda match: values[match[1]], Path(__file__).with_name("record.sh").read_text(encoding="utf-8"))
-    return Recording(axes, tuple(findings), contents={HAL: _hal(graph, axes), SCRIPT: script}, ini=Path(ini))
+    contents = {HAL: _hal(graph, axes), SCRIPT: filled(Path(__file__).with_name("record.sh"), values)}
+    return Recording(axes, tuple(findings), contents=contents, ini=Path(ini))
 
 
 def _recorded(graph: HalGraph, joint: Joint) -> RecordedAxis:
