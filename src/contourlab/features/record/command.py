@@ -68,7 +68,8 @@ class Recording(Answer):
     def text(self) -> str:
         """What is recorded, findings and files."""
         lines = [f"{axis.axis}: {axis.command} and {axis.position}, from {axis.pin or 'an unknown place'}" for axis in self.axes]
-        return "\n\n".join(filter(None, [*map(paragraphs, (lines, map(str, self.findings), [f"written: {file}" for file in self.files]))]))
+        files = [*(f"written: {file}" for file in self.files), *([f"The head of {SCRIPT} says what to do."] if self.files else [])]
+        return "\n\n".join(filter(None, map(paragraphs, (lines, map(str, self.findings), files))))
 
     def save(self, folder: str | Path = "recording") -> Recording:
         """Write the HAL file and the script, both or none; the head of the script says what to do with them.
