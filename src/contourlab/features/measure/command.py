@@ -155,7 +155,8 @@ class MeasuredRuns(JudgedRuns):
         from contourlab.rendering.page_tables import reversal_text
 
         data = self.data
-        ends = paragraphs([line for run in self.runs for line in (*_read(run), *ending(run))])
+        what = {run.name: "part error" if run.program else "contour error" for run in self.runs}
+        ends = paragraphs([line for run in self.runs for line in (*_read(run), *ending(run, what=what[run.name]))])
         files = [f"{what}: {file}" for what, file in self.files.items()]
         written = "\n".join([*files, *([f"\nnext: {self._step[1]}"] if files else [])])
         return "\n\n".join(filter(None, [comparison_text(data).rstrip(), reversal_text(data), ends, written]))

@@ -383,7 +383,7 @@ def file_names(names: Sequence[str]) -> dict[str, str]:
     return chosen
 
 
-def ending(outcome: JudgedRun, shared: Sequence[Finding] = ()) -> Iterator[str]:
+def ending(outcome: JudgedRun, shared: Sequence[Finding] = (), what: str = "part error") -> Iterator[str]:
     """Yield verdict, causes and findings of a scheme or a log, but for those that all schemes share."""
     verdict = outcome.verdict
     if verdict is not None:
@@ -392,7 +392,7 @@ def ending(outcome: JudgedRun, shared: Sequence[Finding] = ()) -> Iterator[str]:
         # An error within the tolerance alone would not explain the verdict.
         skips = f"the tool skips {figure(verdict.left_out, 'mm')} of the path, " if verdict.left_out else ""
         yield (
-            f"{outcome.name}: {'PASS' if verdict.passed else 'FAIL'}, {skips}largest part error {figure(worst.value, 'um')} against "
+            f"{outcome.name}: {'PASS' if verdict.passed else 'FAIL'}, {skips}largest {what} {figure(worst.value, 'um')} against "
             f"{figure(verdict.tolerance, 'um')}, at {where}, t = {worst.time:.3f} s"
         )
         main = [f"{cause.name} {cause.contribution * 1e6:+.3g} um" for cause in verdict.causes if cause.share >= 0.02]
