@@ -21,6 +21,7 @@ GROUPS = {
             "learn",
             "check",
             "measure",
+            "record",
             "circle",
             "limits",
             "identify",

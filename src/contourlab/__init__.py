@@ -79,6 +79,7 @@ _HOMES = {
     "contourlab.features.measure.command": ("compare", "measure"),
     "contourlab.features.notch.command": ("notch",),
     "contourlab.features.precompensate.command": ("precompensate",),
+    "contourlab.features.record.command": ("record",),
     "contourlab.features.refine.command": ("refine",),
     "contourlab.features.run.command": ("learn", "run"),
     "contourlab.features.run.record": ("simulate_to_file",),

@@ -40,6 +40,7 @@ from contourlab.features.link.result import LinkResult as LinkResult
 from contourlab.features.measure.command import MeasuredRuns as MeasuredRuns
 from contourlab.features.notch.command import Notched as Notched
 from contourlab.features.precompensate.result import Precompensated as Precompensated
+from contourlab.features.record.command import Recording as Recording
 from contourlab.features.refine.command import Refinement as Refinement
 from contourlab.features.run.command import Planned as Planned
 from contourlab.features.run.command import Runs as Runs
@@ -183,6 +184,7 @@ __all__ = [
     "precompensate",
     "read_contour",
     "read_program",
+    "record",
     "refine",
     "reflected_inertia",
     "reflected_mass",
@@ -235,6 +237,8 @@ def measure(log: str | File | Log, *, program: str | File | None = ..., referenc
 def notch(*source: Source, log: str | File | Log | None = ..., scheme: str | None = ..., axes: str | Sequence[str] = ..., gain_margin: float = ..., phase_margin: float = ..., plugin: str | File | Sequence[str | File] = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ..., unit: str | None = ..., window: str | Sequence[str] = ...) -> Notched: ...
 
 def precompensate(part: str | File, *, log: str | File | Log | Sequence[str | File | Log] = ..., passes: str | File | None = ..., machine: str | None = ..., controller: str | None = ..., repeat: int = ..., tolerance: str = ..., cap: str = ..., band: str = ..., seed: int = ..., plugin: str | File | Sequence[str | File] = ..., dialect: str = ..., block_delete: bool = ..., tools: str | File | None = ..., zero: str | None = ..., most_moves: int | None = ..., axes: str | Sequence[str] = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ..., unit: str | None = ..., window: str | Sequence[str] = ...) -> Precompensated: ...
+
+def record(ini: str | File) -> Recording: ...
 
 def refine(*source: Source, window: str | Sequence[str] = ..., log: str | File | Log | Sequence[str | File | Log], parameter: str | Sequence[str], also: str | Sequence[str] = ..., validation: str | File | Log | None = ..., starts: int = ..., plugin: str | File | Sequence[str | File] = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ..., unit: str | None = ...) -> Refinement: ...
 

@@ -280,7 +280,18 @@ class Rig:
             return log
         raise RigError(problem)
 
-    def _once(self, program: str, limit: float) -> list[list[str]]:
+    def record(self, program: str, recording: Path, log: Path, *, limit: float = 300.0) -> Path:
+        """Run a program as a user who records it with the files of ``contourlab record`` in a folder; return the log that they write.
+
+        Raises
+        ------
+        RigError
+            If LinuxCNC or the script failed, or the program did not end.
+        """
+        _build()
+        return self._once(program, limit, recording, log)  # type: ignore[return-value]
+
+    def _once(self, program: str, limit: float, recording: Path | None = None, log: Path | None = None) -> list[list[str]] | Path:
         with tempfile.TemporaryDirectory(prefix="rig") as name:
             folder = Path(name)
             folder.chmod(0o777)  # rtapi_app gives up its rights
@@ -290,7 +301,19 @@ class Rig:
             (folder / "plant.hal").write_text(self._plant_text())
             (folder / "rig.tbl").write_text("T1 P1 D0.1\n")
             (folder / "program.ngc").write_text(program)
-            (folder / "user.py").write_text(USER.replace("LIMIT", f"{limit:g}"))
+            user_text = USER.replace("LIMIT", f"{limit:g}")
+            if recording is not None:
+                for file in recording.iterdir():
+                    shutil.copy(file, folder)
+                named = "HALUI = halui\nHALFILE = contourlab-record.hal\n"
+                ini.write_text(ini.read_text().replace("HALFILE = plant.hal\n", f"HALFILE = plant.hal\n{named}"))
+                plants = [line for line in self._plant_text().splitlines(keepends=True) if "sampler" not in line]
+                (folder / "plant.hal").write_text("".join(plants))
+                script = """["sh", "contourlab-record.sh", "samples.txt"]"""
+                user_text = user_text.replace("""["halsampler", "-t"], stdout=open("samples.txt", "w")""", script)
+                user_text = user_text.replace("time.sleep(0.2)\nsampler.terminate()", "code = sampler.wait(10)\nerror = error or code")
+                assert "sampler.wait" in user_text and script in user_text
+            (folder / "user.py").write_text(user_text)
             (folder / "user.py").chmod(0o755)
             # The folder appears as /mnt behind an empty /tmp. When the first process ends, so do all in its namespace.
             mounts = f"mount --bind {folder} /mnt && mount -t tmpfs none /tmp"
@@ -309,6 +332,8 @@ class Rig:
             state = user.read_text() if user.exists() else f"no answer: {(ran.stdout + ran.stderr)[-400:]}"
             if state != "done":
                 raise RigError(state)
+            if log is not None:
+                return Path(shutil.copy(samples, log))
             lines = samples.read_text().splitlines()
         rows = [line.split() for line in lines]
         return [row for row in rows if len(row) == len(COLUMNS) + 1]

@@ -7,10 +7,12 @@ import re
 import shlex
 from collections.abc import Callable
 from datetime import datetime, timedelta
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pytest
+from made_controls import made_control
 from reference_data import reference_file
 from typed_commands import AsJson, Refused
 
@@ -51,7 +53,7 @@ def test_the_measured_runs_of_the_table(
     assert [axis["rms"] * 1e6 for axis in metrics["tracking_error"]] == pytest.approx(tracking, rel=0.01)
     scheme = found["schemes"][f"line_circle_{file}"]
     assert scheme["servo_period"] == 1e-4
-    own = {"file", "format", "columns", "clock", "notes", "findings", "shift"}
+    own = {"file", "format", "columns", "clock", "notes", "findings", "shift", "verdict"}
     assert set(scheme) == {"axes", "servo_period", "n_sample", "metrics", "circles", "reversals", "reversal_figures"} | own
     assert (tmp_path / "out" / "report.html").stat().st_size > 10_000
     assert json.loads((tmp_path / "out" / "summary.json").read_text()) == found
@@ -189,9 +191,9 @@ def test_a_part_program_as_the_reference(tmp_path: Path, as_json: AsJson, capsys
 def test_runs_of_a_part_program_are_compared_from_their_folders(tmp_path: Path, as_json: AsJson) -> None:
     """A run judged against a program has no drive reference, so neither a run nor a comparison has a tracking error."""
     (tmp_path / "part.ngc").write_text("G21 G90 G64\nG1 X0 Y0 F3000\nG1 X40\nG1 Y30\nG1 X0\nG1 Y0\nM2\n")
-    from contourlab.features.measure.log_choice import program_path
+    from contourlab.features.measure.log_choice import program_of
 
-    path = program_path(str(tmp_path / "part.ngc"), ("x", "y"))
+    path = program_of(tmp_path / "part.ngc", ("x", "y"))[1].path
     along = np.linspace(0.0, path.length, 3000)
     for name, off in (("a", 10e-6), ("b", 15e-6)):
         tool = (path.position(along) + off * path.normal(along)) * 1e3
@@ -223,9 +225,9 @@ def test_a_part_program_in_other_coordinates(tmp_path: Path, as_json: AsJson, re
     """The part lies anywhere on the table: with the shift fitted, the error is the same as with the shift given."""
     program = tmp_path / "part.ngc"
     program.write_text("G21 G90 G64 P0.01\nG0 X0 Y0\nG1 X40 F3000\nG3 X40 Y30 J15\nG1 X10\nG1 X0 Y0\nM2\n")
-    from contourlab.features.measure.log_choice import program_path
+    from contourlab.features.measure.log_choice import program_of
 
-    path = program_path(str(program), ("x", "y"))
+    path = program_of(program, ("x", "y"))[1].path
     along = np.linspace(0.0, path.length, 4000)
     off = path.normal(along) * (8e-6 * np.sin(400.0 * along))[:, None]
     tool = path.position(along) + off + np.array([0.1237, -0.0611])
@@ -521,3 +523,70 @@ def test_a_part_program_and_columns_of_the_reference(tmp_path: Path, as_json: As
     ]
     assert figures == pytest.approx([4e-6, 4e-6, 4e-6], rel=1e-6)  # 4 um beside the first line, 3 um beside the second
     refused(*words, "--program", tmp_path / "part.ngc", "--reference", tmp_path / "part.ngc")
+
+
+@pytest.mark.slow
+def test_a_saved_run_is_measured_as_it_was_judged(tmp_path: Path, as_json: AsJson) -> None:
+    """On the machine of a control's own file, with rounded corners and rapids: verdict, figures and lines are those of the run."""
+    ini, part = reference_file("repro/trial3/router.ini"), reference_file("repro/trial3/bracket.ngc")
+    asked = ("--machine", ini, "--tolerance", "20 um", "--out")
+    run = as_json("run", part, "--no-interval", *asked, tmp_path / "run", code=1)
+    log = as_json("measure", tmp_path / "run" / "signals" / "base.nc", "--program", part, *asked, tmp_path / "log", code=1)
+    assert log["machine"] == run["machine"] and log["passed"] is run["passed"] is False
+    wanted, found = run["schemes"]["base"], log["schemes"]["base"]
+    for error in ("part_error", "planning_deviation"):
+        for figure in ("max", "rms", "mean", "p95", "integral"):
+            assert found["metrics"][error][figure] == pytest.approx(wanted["metrics"][error][figure], rel=1e-9, abs=1e-15)
+    # The path through the samples cuts off a curve by a dt^2 / 8.
+    assert found["metrics"]["contour_error"]["max"] == pytest.approx(wanted["metrics"]["contour_error"]["max"], abs=0.8 * 1e-6 / 8.0)
+    for name in ("judged_time", "basis", "cycle_time", "tracking_error"):
+        assert found["metrics"][name] == wanted["metrics"][name]
+    others = [[(other["moves"], other["time"], other["max"]) for other in each["metrics"]["others"]] for each in (found, wanted)]
+    assert others[0] == others[1]
+    verdicts = [each["verdict"] for each in (found, wanted)]
+    assert [verdict["worst"]["sample"] for verdict in verdicts] == [7151] * 2
+    assert {verdict["worst"]["line"] for verdict in verdicts} <= {26, 27}  # in the corner between them
+    planned = [{cause["name"]: cause["contribution"] for cause in verdict["causes"]}["planning"] for verdict in verdicts]
+    assert planned[0] == pytest.approx(planned[1], rel=1e-9)
+    assert "CL415" not in {one["code"] for one in found["findings"]}  # its positions are those of the axes
+
+
+def recorded(folder: Path, zero: tuple[float, float], *, commanded: bool) -> Path:
+    """Write what a control at 1 kHz records, in machine coordinates: it comes from elsewhere to a zero [mm], then runs a program."""
+    (folder / "part.ngc").write_text("G21 G90 G64 P0.01\nF1200\nG0 X10 Y0\nG1 X30\nY20\nG0 X50\nG1 Y0\nG0 X0 Y0\nM2\n")
+    corners = np.array([[-80.0, 35.0], [10.0, 0.0], [30.0, 0.0], [30.0, 20.0], [50.0, 20.0], [50.0, 0.0], [0.0, 0.0]])
+    lines, rows = [3, 4, 5, 6, 7, 8], []
+    for line, (start, end) in zip(lines, pairwise(corners), strict=True):
+        n = round(np.linalg.norm(end - start) / 0.02)
+        rows += [(line, *(start + (end - start) * k / n)) for k in range(n)] + [(line, *end)] * 50
+    way = np.array(rows)
+    place = way[:, 1:] + zero
+    tool = place + [[0.0, 0.004]] * (way[:, :1] == 4) + [[0.0, 0.009]] * (way[:, :1] == 6)
+    table = [1e-3 * np.arange(len(way)), *tool.T, *(place.T if commanded else ()), way[:, 0]]
+    heads = "time [s],position.x,position.y" + (",reference.x,reference.y" if commanded else "") + ",line"
+    np.savetxt(folder / "log.csv", np.column_stack(table), delimiter=",", comments="", header=heads, fmt="%.9f")
+    return folder / "log.csv"
+
+
+@pytest.mark.parametrize("commanded", [True, False])
+def test_a_recording_in_machine_coordinates(tmp_path: Path, as_json: AsJson, commanded: bool) -> None:
+    """The part lies anywhere, and the approach begins anywhere: neither counts, nor does a rapid between the cuts."""
+    ini = made_control(tmp_path, "linuxcnc", ("LINEAR_UNITS = inch", "LINEAR_UNITS = mm"))
+    log = recorded(tmp_path, (123.4, -56.7), commanded=commanded)
+    asked = ("measure", log, "--program", tmp_path / "part.ngc", "--machine", ini, "--tolerance", "8 um")
+    found = as_json(*asked, "--out", tmp_path / "out")
+    (run,) = found["schemes"].values()
+    # Without commanded positions the fit takes up a part of the offsets of two lines.
+    near = 1e-10 if commanded else 9e-6
+    assert run["shift"] == {"x": pytest.approx(0.1234, abs=near), "y": pytest.approx(-0.0567, abs=near)}
+    given = as_json(*asked, "--shift", "123.4 mm, -56.7 mm", "--out", tmp_path / "out")
+    (run,) = given["schemes"].values()
+    assert given["passed"] and run["verdict"]["worst"]["line"] == 4
+    assert run["verdict"]["worst"]["value"] == pytest.approx(4e-6, rel=1e-6)
+    assert {other["moves"]: other["max"] for other in run["metrics"]["others"]}["rapids"] == pytest.approx(9e-6, rel=1e-6)
+    codes = {one["code"] for one in run["findings"]}
+    assert codes & {"CL407", "CL415"} == ({"CL415"} if commanded else {"CL407", "CL415"})
+    causes = {cause["name"]: cause["contribution"] for cause in run["verdict"]["causes"]}
+    assert causes == (
+        dict.fromkeys(causes, pytest.approx(0.0, abs=1e-8)) | {"breakaway": pytest.approx(4e-6, rel=0.01)} if commanded else {}
+    )

@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import logging
 import os
+import re
 import shutil
 import sys
 import tempfile
@@ -51,6 +52,11 @@ _PRODUCTS = "learned/"
 def proposed(head: str, text: str) -> str:
     """Return a TOML file of proposed gains, with a first line and the note on safety."""
     return f"# {' '.join(head.split())}\n# {SAFETY}\n\n{text}"
+
+
+def filled(file: Path, values: Mapping[str, str]) -> str:
+    """Return the text of a file of ours with a value in place of each ``@NAME@``."""
+    return re.sub("@([A-Z]+)@", lambda match: values[match[1]], file.read_text(encoding="utf-8"))
 
 
 def check_file(file: str | Path, inputs: Iterable[str | os.PathLike[str]] = (), option: str = "--write") -> None:

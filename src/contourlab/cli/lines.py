@@ -17,6 +17,7 @@ LINES = {
     "backlash": "Estimate the backlash of each axis, predict limit cycles, and find the best compensation.",
     "link": "Divide controllers between base and axes: find the lowest message rate that holds.",
     "sweep": "Run studies of thousands to millions of variants; ask their stores. `run` may be left out.",
+    "record": "Write a HAL file and a script that record a run of LinuxCNC for measure.",
     "identify": "Identify a model of an axis from logs; write an axis file with uncertainties.",
     "refine": "Fit parameters of a machine and its controllers until the simulation follows a log.",
     "interpolate": "Correct quadrature signals of an encoder, interpolate them to counts, and measure their errors.",

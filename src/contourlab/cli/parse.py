@@ -20,7 +20,7 @@ from contourlab.cli.output import say, suggest, wants_progress
 PANELS = {
     "Start": "demo new check run measure circle limits tune commission precompensate",
     "Simulate": "compare learn analyse backlash link sweep",
-    "Measure": "identify refine interpolate",
+    "Measure": "record identify refine interpolate",
     "Tune": "notch sensitivity swap export",
     "Papers": "reproduce",
     "Look up": "components machines explain schema canon",

@@ -245,7 +245,7 @@ def judged_part(result: Result, reference: Reference) -> Judged:
     """Return the samples of a result to judge; of a part of a run with laps, the last whole one."""
     first, stop = result.start, result.start + result.n_sample
     judged = reference.judged
-    if judged.basis == LAST_LAP:
+    if judged.basis == LAST_LAP and reference.laps:
         judged = Judged(tuple(lap for lap in reference.laps if first <= lap[0] and lap[1] <= stop)[-1:], LAST_LAP)
     return judged.within(first, result.n_sample)
 

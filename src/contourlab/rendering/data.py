@@ -294,8 +294,8 @@ class ReportData:
 
     @property
     def findings(self) -> list[tuple[str, Finding]]:
-        """The findings of all schemes, each with the name of its scheme; none of logs, whose findings are notes."""
-        return [(scheme.name, finding) for scheme in self.schemes for finding in scheme.findings if not self.is_measured]
+        """The findings of all schemes, each with the name of its scheme."""
+        return [(scheme.name, finding) for scheme in self.schemes for finding in scheme.findings]
 
     @property
     def planned(self) -> Path:

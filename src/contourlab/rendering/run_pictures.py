@@ -233,9 +233,9 @@ def _limited_panel(data: ReportData, axis: int, points: int, name: str) -> Panel
 def _limited(data: ReportData, panel: Panel, name: str, axis: int, factor: float, unit: str) -> Panel:
     """Return the panel with the two limits of the first machine, and a range that flattens neither them nor the curves."""
     machine = next((scheme.machine for scheme in data.schemes if scheme.machine is not None), None)
-    if machine is None:
+    if machine is None or data.axes[axis] not in machine.axis_names:
         return panel
-    part = machine.axes[axis]
+    part = machine.axis(data.axes[axis])
     limit = factor * float(getattr(part.drive, "limit", np.inf) if name == "command" else getattr(part.limits, name))
     if not np.isfinite(limit):
         return panel

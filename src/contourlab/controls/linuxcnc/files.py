@@ -266,6 +266,19 @@ def named_files(ini: Ini) -> list[tuple[Entry, Path | None]]:
     return [(entry, _located(entry, ini)) for entry in entries]
 
 
+def graph_of(ini: Ini) -> tuple[HalGraph, list[Path]]:
+    """Return what all HAL files that an INI file names load, set and connect, and the files; raises as `read_graph`."""
+    named = named_files(ini)
+    files = [path for _, path in named if path is not None]
+    return read_graph(ini, files, [entry for entry, path in named if path is None]), files
+
+
+def sampler_lines(sources: Sequence[str], kinds: str) -> list[str]:
+    """Return HAL lines that record signals, or new signals and their pins, at each servo period; `kinds` are f, s and b, as in its cfg."""
+    nets = (f"net {source} => sampler.0.pin.{k}" for k, source in enumerate(sources))
+    return [f"loadrt sampler depth=16000 cfg={kinds}", "addf sampler.0 servo-thread", *nets]
+
+
 def units_of(ini: Ini) -> tuple[float, float, list[Finding]]:
     """Return the length of a machine unit [m], the servo period [s], and a finding for each that is assumed."""
     entry, period = ini.first("TRAJ", "LINEAR_UNITS"), ini.number("EMCMOT", "SERVO_PERIOD", positive=True)

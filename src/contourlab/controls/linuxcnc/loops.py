@@ -60,12 +60,12 @@ def classified(graph: HalGraph, pid: str) -> LoopClass:
     ((words, (sink, loop)),) = taken.items()
     if loop != "step generator":
         return LoopClass(loop, f"{goes} {sink}, {words}")
-    feedback, source = _feedback(graph, pid)
+    kind, source = feedback(graph, f"{pid}.feedback")
     ways = f"{goes} {sink}, a step generator, and {pid}.feedback comes from {source}"
-    if feedback == "steps":
+    if kind == "steps":
         return LoopClass("step generator", f"{ways}, the count of its own steps: nothing of the machine is in the loop")
-    if feedback == "unseen" or sink.startswith("ppmc."):
-        return LoopClass("unknown", f"{ways}, which {'is not known here' if feedback == 'unseen' else 'may count these steps'}")
+    if kind == "unseen" or sink.startswith("ppmc."):
+        return LoopClass("unknown", f"{ways}, which {'is not known here' if kind == 'unseen' else 'may count these steps'}")
     return LoopClass("velocity drive", ways)
 
 
@@ -131,13 +131,13 @@ def without_pid(graph: HalGraph, joint: int) -> LoopClass:
     return LoopClass("unknown", f"{goes} {others or 'no pin in the files that were read'}")
 
 
-def _feedback(graph: HalGraph, pid: str) -> tuple[str, str]:
-    """Return what a feedback is, one of steps, encoder and unseen, and its pin."""
+def feedback(graph: HalGraph, pin: str) -> tuple[str, str]:
+    """Return what a feedback is, one of steps, encoder and unseen, and the pin that it comes from."""
     sources = dict[str, str]()
-    for group in graph.sources(f"{pid}.feedback"):
-        others = [pin for pin in group if not _READERS.search(pin) and not pin.endswith("-cmd")]
-        encoders = [pin for pin in others if _ENCODERS.search(f"{graph.kind(pin)} {pin}")]
-        steps = [pin for pin in others if _STEPS.search(pin) and pin not in encoders]
+    for group in graph.sources(pin):
+        others = [other for other in group if not _READERS.search(other) and not other.endswith("-cmd")]
+        encoders = [other for other in others if _ENCODERS.search(f"{graph.kind(other)} {other}")]
+        steps = [other for other in others if _STEPS.search(other) and other not in encoders]
         by_kind = {"steps": steps, "encoder": encoders, "unseen": others}
         sources |= dict([(kind, pins[0]) for kind, pins in by_kind.items() if pins][:1])
     if len(sources) == 1:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.controls.contract import FLOATING, ControlFile, computed, driven_by_steps, guessed, read_from, steps_controller, substeps
-from contourlab.controls.linuxcnc.files import LENGTHS, HalGraph, Ini, beside, named_files, read_graph, read_ini, units_of
+from contourlab.controls.linuxcnc.files import LENGTHS, HalGraph, Ini, beside, graph_of, read_ini, units_of
 from contourlab.controls.linuxcnc.loops import Joint, LoopClass, classified, joints, kinematics_of, without_pid
 from contourlab.errors import ScenarioError
 from contourlab.findings import Finding, finding
@@ -33,10 +33,7 @@ def read(file: Path) -> ControlFile:
         If a file cannot be read, a number is faulty, the kinematics couple the axes, or none of x, y and z moves.
     """
     ini = read_ini(file)
-    named = named_files(ini)
-    paths = [path for _, path in named if path is not None]
-    graph = read_graph(ini, paths, [entry for entry, path in named if path is None])
-    return _Machine(ini, graph, paths).control_file()
+    return _Machine(ini, *graph_of(ini)).control_file()
 
 
 @dataclass(eq=False)

@@ -21,7 +21,7 @@ from contourlab.arrays import Array
 from contourlab.controls.linuxcnc.loops import LoopClass
 from contourlab.errors import ParameterError
 from contourlab.features.commission.control_terms import Term, cascade_of, check_control, term_table, terms_of
-from contourlab.features.commission.excitation import excitation, sampler_lines, steps
+from contourlab.features.commission.excitation import excitation, sampler, steps
 from contourlab.features.commission.identification import IdentifiedAxis, identify_axis
 from contourlab.features.commission.loop import GAINS, robustly_stable, run_lanes
 from contourlab.features.commission.options import LinuxCNC
@@ -201,7 +201,7 @@ def _prepared(setup: Setup, inputs: tuple[str | Path, ...], session: Session) ->
     contents: dict[str, str | bytes] = {}
     if setup.closed and not any(axis.idle for axis in setup.axes):
         folder = session.folder if session.saving else Path("commissioning")
-        contents = dict(zip(FIRST, (excitation(setup), sampler_lines(setup), steps(setup, folder)), strict=True))
+        contents = dict(zip(FIRST, (excitation(setup), sampler(setup), steps(setup, folder)), strict=True))
     return Commissioned(axes, {}, {}, {}, {}, setup.findings, answer=answer, contents=contents, inputs=inputs)
 
 

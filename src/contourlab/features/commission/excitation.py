@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from contourlab.app.results import filled
+from contourlab.controls.linuxcnc.files import sampler_lines
 from contourlab.errors import ScenarioError
 from contourlab.features.commission.setup import AxisSetup, Setup
 
@@ -94,51 +96,29 @@ def sampler_columns(setup: Setup) -> list[str]:
     return [f"{axis.name}{end}" for axis in setup.axes for end in SIGNALS.values()]
 
 
-def sampler_lines(setup: Setup) -> str:
+def sampler(setup: Setup) -> str:
     """Return HAL lines that record every axis at each servo period."""
     columns = sampler_columns(setup)
-    lines = [
-        "# Lines for contourlab commission. Load them after your own HAL files; remove them when done.",
-        f"loadrt sampler depth=16000 cfg={'f' * len(columns)}",
-        "addf sampler.0 servo-thread",
-    ]
     wired = [(axis, signal) for axis in setup.axes for signal in axis.signals.values()]
-    for k, (column, (axis, signal)) in enumerate(zip(columns, wired, strict=True)):
-        source = signal if not signal.startswith(f"{axis.pid}.") else f"commission-{column} {signal}"
-        lines.append(f"net {source} => sampler.0.pin.{k}  # {column}")
-    return "\n".join(lines) + "\n"
+    sources = [
+        signal if not signal.startswith(f"{axis.pid}.") else f"commission-{column} {signal}"
+        for column, (axis, signal) in zip(columns, wired, strict=True)
+    ]
+    load, add, *nets = sampler_lines(sources, "f" * len(columns))
+    named = [f"{net}  # {column}" for net, column in zip(nets, columns, strict=True)]
+    head = "# Lines for contourlab commission. Load them after your own HAL files; remove them when done."
+    return "\n".join([head, load, add, *named, ""])
 
 
 def steps(setup: Setup, out: Path) -> str:
     """Return the page with the steps, in Markdown."""
     columns = sampler_columns(setup)
-    ini, hal = setup.ini.file.name, setup.hal.name
-    named = "time [s],sample," + ",".join(column if column.endswith("_out") else f"{column} [{setup.unit_name}]" for column in columns)
+    named = (column if column.endswith("_out") else f"{column} [{setup.unit_name}]" for column in columns)
     rows = [
         f"| {axis.name} | joint {axis.joint} | `{axis.pid}` | "
         f"{axis.limits['low']:g} to {axis.limits['high']:g} {setup.unit_name} | {axis.limits['velocity']:g} {setup.unit_name}/s |"
         for axis in setup.axes
     ]
-    return f"""# Commission {ini}
-
-| axis | joint | pid | travel | fastest |
-|---|---|---|---|---|
-{chr(10).join(rows)}
-
-1. **Copy** your configuration. Nothing in it was changed.
-2. **Sampler.** Put `sampler.hal` beside `{hal}` and add `HALFILE = sampler.hal` as last HALFILE of the copy. If you already load a
-   sampler, add its pins to yours instead.
-3. **Clear the way.** `excite.ngc` moves every axis around the middle of its travel, at up to full speed and acceleration, without a
-   tool or a part. Watch a first run with reduced feed override.
-4. **Record.** Start LinuxCNC, home, then type in a terminal
-
-       halsampler -t > log1.txt
-
-   run `excite.ngc`, and end the recording with Ctrl-C. The columns are: sample, {", ".join(columns)}. A CSV file with a first line such as
-   `{named}` is read as well.
-5. **Answer.**
-
-       contourlab commission linuxcnc {ini} {hal} --log log1.txt --out {out}
-
-6. **Safe first.** Type in the safe values of the answer, run the program again, then the proposed ones.
-"""
+    values = {"INI": setup.ini.file.name, "HAL": setup.hal.name, "OUT": str(out), "AXES": "\n".join(rows)}
+    values |= {"COLUMNS": ", ".join(columns), "HEADER": ",".join(["time [s]", "sample", *named])}
+    return filled(Path(__file__).with_name("steps.md"), values)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import shlex
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, ClassVar, Literal
@@ -18,23 +18,28 @@ from contourlab.app.session import QUIET, Session, question
 from contourlab.app.shared_options import READING
 from contourlab.arrays import Array
 from contourlab.errors import LogError, ParameterError, ResultError, refused
+from contourlab.features.check.program_check import origin_of
 from contourlab.features.check.reading import read_once
 from contourlab.features.measure.log_choice import (
     distinct_names,
     is_program,
     open_log,
-    program_path,
+    program_of,
     reference_columns,
 )
 from contourlab.features.measure.options import Measure
 from contourlab.features.measure.study import Measured, gap_findings, move_findings
 from contourlab.features.measure.study import measure as judged_log
-from contourlab.features.run.command import SCHEMA, JudgedRuns, Runs, compare_schemes, file_names
+from contourlab.features.run.command import SCHEMA, JudgedRuns, Runs, compare_schemes, ending, file_names
 from contourlab.features.run.options import Compare
 from contourlab.figures import figure
 from contourlab.findings import finding
 from contourlab.logs.load import Log, about
+from contourlab.program import Reading
 from contourlab.rendering.data import Provenance, ReportData
+from contourlab.rendering.table import paragraphs
+from contourlab.scenario.load import machine_of, reading_on
+from contourlab.scenario.placing import zero_known
 from contourlab.units import to_si
 
 
@@ -52,7 +57,9 @@ class MeasuredRun(Measured):
         Format of the log.
     servo_period : float [s]
     shift : mapping of str to float [m], or None
-        Shift of the path in the coordinates of the log, by axis; null without --shift.
+        Shift of the path in the coordinates of the log, by axis; null without one.
+    verdict : Verdict or None
+        Null without a tolerance. Its causes are what a log shows of them.
     circles : tuple of CircleFigures
         Each full circle of the path, with the figures of ISO 230-4.
     clock : mapping of str to ClockReport
@@ -71,6 +78,7 @@ class MeasuredRun(Measured):
         "n_sample": "result.n_sample",
         "shift": "shift",
         "metrics": "metrics",
+        "verdict": "verdict",
         "circles": "circles",
         "reversals": "spikes",
         "reversal_figures": "reversal_figures",
@@ -82,6 +90,7 @@ class MeasuredRun(Measured):
 
     log: Log
     inputs: tuple[str | Path, ...]
+    program: tuple[str, ...] = ()
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -96,6 +105,8 @@ class MeasuredRuns(JudgedRuns):
     Attributes
     ----------
     runs : tuple of MeasuredRun
+    machine : dict of str to object, or None
+        Of --machine: name, and of a control's own file the control and the origin of each number.
     tolerance : float or None [m]
     command : str
         The command that does the same.
@@ -106,12 +117,15 @@ class MeasuredRuns(JudgedRuns):
     """
 
     ROW = "run"
-    json_form: ClassVar = {"name": "title"} | {name: name for name in ("command", "tolerance", "passed", "schemes", "schema", "version")}
+    json_form: ClassVar = {"name": "title"} | {
+        name: name for name in ("command", "machine", "tolerance", "passed", "schemes", "schema", "version")
+    }
 
     title: str
     runs: tuple[MeasuredRun, ...]
     tolerance: float | None
     command: str
+    machine: Mapping[str, Any] | None = None
     files: Mapping[str, str] = field(default_factory=dict)
     schema: str = SCHEMA
     version: str = __version__
@@ -119,8 +133,8 @@ class MeasuredRuns(JudgedRuns):
     @property
     def passed(self) -> bool | None:
         """Whether each run is within the tolerance; None without one."""
-        limit = self.tolerance
-        return None if limit is None else all(run.metrics.contour_error.max <= limit for run in self.runs)
+        verdicts = [run.verdict.passed for run in self.runs if run.verdict is not None]
+        return all(verdicts) if verdicts else None
 
     @property
     def schemes(self) -> dict[str, MeasuredRun]:
@@ -130,30 +144,29 @@ class MeasuredRuns(JudgedRuns):
     @property
     def data(self) -> Any:
         """The data of the report."""
-        notes = [str(note) if len(self.runs) == 1 else f"{run.name}: {note}" for run in self.runs for note in run.findings]
-        about_runs: dict[str, Any] = {"tolerance": self.tolerance, "notes": notes, "is_measured": True, "next_steps": [self._step]}
-        return ReportData(self.title, self.runs, Provenance(self.command, self.command), **about_runs)
+        about_runs: dict[str, Any] = {"tolerance": self.tolerance, "is_measured": True, "next_steps": [self._step]}
+        return ReportData(self.title, self.runs, Provenance(self.command, self.command), self.runs[0].program, **about_runs)
 
     @property
     def text(self) -> str:
-        """Tables and findings; files and the next command once it is saved."""
+        """Tables, verdict and findings; files and the next command once it is saved."""
         from contourlab.rendering.comparison import comparison_text
         from contourlab.rendering.page_tables import reversal_text
 
         data = self.data
-        reversals = reversal_text(data)
-        lines = [comparison_text(data).rstrip(), *([f"\n{reversals}"] if reversals else [])]
-        lines += [line for run in self.runs for line in _lines(run, self.tolerance)]
+        what = {run.name: "part error" if run.program else "contour error" for run in self.runs}
+        ends = paragraphs([line for run in self.runs for line in (*_read(run), *ending(run, what=what[run.name]))])
         files = [f"{what}: {file}" for what, file in self.files.items()]
-        return "\n".join([*lines, *files, *([f"\nnext: {self._step[1]}"] if files else [])])
+        written = "\n".join([*files, *([f"\nnext: {self._step[1]}"] if files else [])])
+        return "\n\n".join(filter(None, [comparison_text(data).rstrip(), reversal_text(data), ends, written]))
 
     @property
     def _step(self) -> tuple[str, str]:
         """What to do next, and the command for it: judge the worst run against a tolerance, or identify its worst axis."""
-        worst = max(self.runs, key=lambda run: run.metrics.contour_error.max)
+        worst = max(self.runs, key=lambda run: run.metrics.part_error.max)
         typed = shlex.split(self.command) if len(self.runs) == 1 else ["contourlab", "measure", str(worst.log.record.file)]
         if self.tolerance is None:
-            twice = 2e6 * worst.metrics.contour_error.max
+            twice = 2e6 * worst.metrics.part_error.max
             return "Judge it against a tolerance:", as_typed([*typed, "--tolerance", f"{float(f'{twice:.1g}'):g} um"])
         errors = [math.inf if math.isnan(one.rms) else one.rms for one in worst.metrics.tracking_error]
         axis = worst.result.axes[errors.index(max(errors))]
@@ -216,7 +229,8 @@ def measure(log: str | Path | Log, *, settings: Measure, session: Session = QUIE
     """
     run = _judged(log, settings)
     session.will_write(run.inputs, *_outputs([run]))
-    return MeasuredRuns(run.log.record.file.name, (run,), settings.si("tolerance"), session.command)
+    machine = None if run.machine is None else {"name": run.machine.name, **origin_of(run.machine)}
+    return MeasuredRuns(run.log.record.file.name, (run,), settings.si("tolerance"), session.command, machine)
 
 
 @question(Compare)
@@ -263,16 +277,26 @@ def _judged(file: str | Path | Log, settings: Measure) -> MeasuredRun:
         if program is not None:
             raise ParameterError("--reference", reference, f"columns of the log: --program {program} is the part program")
         program, reference = Path(reference), None
+    machine = None if settings.machine is None else machine_of(settings.machine)
     log = open_log(file, settings, () if reference is None else reference_columns(reference, settings.column, axes))
-    path = program_path(program, axes or log.result.axes, settings.machine) if program else None
+    axes, text, route, floating = axes or log.result.axes, None, None, False
+    if program is not None:
+        reading = Reading(require_end=False) if machine is None else reading_on(machine, {"require_end": False})
+        text, route = program_of(program, axes, reading)
+        floating = machine is not None and log.record.format != "contourlab" and not zero_known(machine, reading)
+    lines = () if text is None else text.lines
+    shift = _shift(settings.shift or ("fit" if floating else None), axes)
     with about(file):
         try:
-            measured = judged_log(log.result, path, axes or None, shift=_shift(settings.shift, axes or log.result.axes))
+            measured = judged_log(log.result, route, axes, shift=shift, lines=log.lines, tolerance=settings.si("tolerance"), program=lines)
         except ResultError as error:
             raise ResultError("; ".join([str(error), *(doubt.text for doubt in log.doubtful)])) from error
-    findings = (*log.findings, *measured.findings, *gap_findings(log, measured, of_samples=path is None), *move_findings(log, measured))
-    given: dict[str, Any] = vars(measured) | {"name": log.result.scheme, "findings": findings, "lines": log.lines}
-    return MeasuredRun(**given, log=log, inputs=settings.files(file, *([program] if program else [])))
+    findings = (*log.findings, *measured.findings, *gap_findings(log, measured, of_samples=route is None), *move_findings(log, measured))
+    steps = [axis.name for axis in machine.axes if axis.drive.kind == "step-generator"] if machine is not None else []
+    if steps and "axis_position" not in log.result:
+        findings = (finding("CL415", axes=steps), *findings)
+    given: dict[str, Any] = vars(measured) | {"name": log.result.scheme, "findings": findings, "machine": machine}
+    return MeasuredRun(**given, log=log, inputs=settings.files(file, *([program] if program else [])), program=lines)
 
 
 def _shift(text: str | None, axes: tuple[str, ...]) -> Array | Literal["fit"] | None:
@@ -308,14 +332,10 @@ def _names(files: Sequence[Path]) -> list[str]:
     raise LogError("is given twice: give two different runs", file=files[0])
 
 
-def _lines(run: MeasuredRun, limit: float | None) -> list[str]:
-    result, error = run.result, run.metrics.contour_error
-    lines = [f"{run.name}: read as {run.log.record.format}, {result.n_sample} samples every {figure(result.servo_period, 'us', 6)}"]
+def _read(run: MeasuredRun) -> Iterator[str]:
+    """Yield how a log was read."""
+    result = run.result
+    yield f"{run.name}: read as {run.log.record.format}, {result.n_sample} samples every {figure(result.servo_period, 'us', 6)}"
     if run.shift is not None:
         shifts = (f"{axis} {figure(value, 'mm', 6)}" for axis, value in run.shift.items())
-        lines.append(f"path shifted by {', '.join(shifts)}")
-    if limit is not None:
-        verdict = "PASS" if error.max <= limit else "FAIL"
-        where = f"at t = {error.worst.time:.4g} s"
-        lines.append(f"{verdict}, largest contour error {figure(error.max, 'um')}, tolerance {figure(limit, 'um')}, {where}")
-    return lines
+        yield f"path shifted by {', '.join(shifts)}"

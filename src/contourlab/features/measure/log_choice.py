@@ -16,8 +16,9 @@ from contourlab.logs.mapping import once
 from contourlab.logs.window import Window, parse_window
 
 if TYPE_CHECKING:
-    from contourlab.geometry import Path as Contour
+    from contourlab.feed.route import Route
     from contourlab.loop import Machine
+    from contourlab.program import Program, Reading
 
 PROGRAMS = (".ngc", ".nc", ".gcode", ".gc", ".tap", ".cnc", ".mpf", ".txt")
 """File extensions of part programs; a reference with one of them is a program, not a list of columns."""
@@ -110,11 +111,10 @@ def reference_columns(reference: str, columns: Sequence[str], axes: Sequence[str
     return parse_columns([f"reference.{axis}={name}" for axis, name in zip(axes, names, strict=True)], "--reference")
 
 
-def program_path(program: str | Path, axes: Sequence[str], machine: str | Path | Machine | None = None) -> Contour:
-    """Return the path of a part program in the coordinates of the log's axes, as a machine reads it."""
+def program_of(file: str | Path, axes: Sequence[str], reading: Reading | None = None) -> tuple[Program, Route]:
+    """Return a part program and its route in the coordinates of the log's axes."""
     from contourlab.program import Reading, read_program
-    from contourlab.scenario.load import machine_of, reading_on
     from contourlab.scenario.values import program_route
 
-    reading = Reading(require_end=False) if machine is None else reading_on(machine_of(machine), {"require_end": False})
-    return program_route(read_program(Path(program), reading=reading), tuple(axes)).path
+    program = read_program(Path(file), reading=reading or Reading(require_end=False))
+    return program, program_route(program, tuple(axes))

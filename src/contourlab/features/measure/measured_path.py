@@ -167,8 +167,8 @@ def moving(reference: Array) -> tuple[int, int]:
     return int(changes[0]), int(changes[-1]) + 1
 
 
-def path_of_samples(positions: Array) -> tuple[Path, Array]:
-    """Return the polygon through positions (n, n_axis) [m], and the arc length [m] of each sample.
+def path_of_samples(positions: Array, lines: Index | None = None) -> tuple[Path, Array]:
+    """Return the polygon through positions (n, n_axis) [m], and the arc length [m] of each sample; `lines` (n,) divide its curves.
 
     Samples within ten nanometres of a line between others are dropped. The path is closed where the motion begins and ends in motion and
     the first sample could follow the last: what leads or lags is then on the path, beyond the samples.
@@ -185,6 +185,8 @@ def path_of_samples(positions: Array) -> tuple[Path, Array]:
     points = positions[new]
     arc = _arc_length(points)
     kept = polygon_corners(points, STRAIGHT)
+    if lines is not None:
+        kept = np.union1d(kept, 1 + np.flatnonzero(np.diff(lines[new])))
     gap, first, last = np.linalg.norm(positions[[0, 1, -1]] - positions[[-1, 0, -2]], axis=1)
     closed = bool(0.0 < gap <= NEXT * min(first, last))
     corners = points[np.append(kept, 0) if closed else kept]
@@ -202,19 +204,23 @@ def _arc_length(points: Array) -> Array:
 
 SAMPLES, ITERATIONS = 5000, 50
 """Samples used, evenly spaced along the tool's travel, and largest number of steps."""
+EXACT = 1e-8
+"""Distance [m] from the path up to which a commanded position is on it: logs round to a nanometre or so."""
 SETTLED = 1e-9
 """Length [m] of the last step."""
 ALONG = 1e-6
 """Share of the normals in a direction below which the path does not determine the shift in it."""
 
 
-def fitted_shift(path: Path, positions: Array) -> Array:
-    """Fit the shift (n_axis,) [m] that brings a path closest to measured positions (least squares).
+def fitted_shift(path: Path, positions: Array, *, is_commanded: bool = False) -> Array:
+    """Fit the shift (n_axis,) [m] that brings a path closest to positions (least squares).
 
     Parameters
     ----------
     positions : ndarray (n, n_axis) [m]
         From the start of the path to its end, or to where the tool stopped.
+    is_commanded : bool
+        Whether they lie on the path but at rounded corners, which then count less the farther they are off.
 
     Raises
     ------
@@ -235,7 +241,7 @@ def fitted_shift(path: Path, positions: Array) -> Array:
     errors = []
     for start in (centres, tool[0] - box[0]):
         try:
-            fits.append(_fit_from(path, tool, np.asarray(start)))
+            fits.append(_fit_from(path, tool, np.asarray(start), is_commanded))
         except ResultError as error:
             errors.append(error)
     if not fits:
@@ -243,7 +249,7 @@ def fitted_shift(path: Path, positions: Array) -> Array:
     return min(fits, key=lambda fit: fit[0])[1]
 
 
-def _fit_from(path: Path, tool: Array, shift: Array) -> tuple[float, Array]:
+def _fit_from(path: Path, tool: Array, shift: Array, is_commanded: bool) -> tuple[float, Array]:
     """Iterate from one start; return the mean squared normal distance [m^2] and the shift [m]."""
     for _ in range(ITERATIONS):
         here = tool - shift
@@ -251,14 +257,16 @@ def _fit_from(path: Path, tool: Array, shift: Array) -> tuple[float, Array]:
         window = 4.0 * float(np.linalg.norm(path.position(along) - here, axis=1).max()) + 1e-6
         foot = path.foot_point(here, along, min(window, 0.25 * path.length))
         tangent = path.tangent(foot.arc_length)
-        normal = np.eye(path.n_axis) - np.einsum("ki,kj->ij", tangent, tangent) / len(tangent)
-        if np.linalg.eigvalsh(normal)[0] < ALONG:
-            raise ResultError("a straight path does not determine the shift along itself: give the shift as lengths")
         # At corners and ends the distance to the foot point has a tangential part.
         off = here - foot.position
         off -= (off * tangent).sum(axis=1, keepdims=True) * tangent
-        step = np.linalg.solve(normal, off.mean(axis=0))
+        square = (off**2).sum(axis=1)
+        weight = 1.0 / (1.0 + square / max(float(np.median(square)), EXACT**2)) if is_commanded else np.ones(len(off))
+        normal = weight.mean() * np.eye(path.n_axis) - np.einsum("k,ki,kj->ij", weight, tangent, tangent) / len(tangent)
+        if np.linalg.eigvalsh(normal)[0] < ALONG * weight.mean():
+            raise ResultError("a straight path does not determine the shift along itself: give the shift as lengths")
+        step = np.linalg.solve(normal, weight @ off / len(off))
         shift = shift + step
         if np.abs(step).max() < SETTLED:
-            return float((off**2).sum(axis=1).mean()), shift
+            return float(square.mean()), shift
     raise ResultError(f"the shift between path and log has not converged after {ITERATIONS} steps: give it as lengths")

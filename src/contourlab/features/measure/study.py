@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Flags, Index, true_spans
 from contourlab.errors import ResultError
+from contourlab.features.measure.causes import measured_causes
 from contourlab.features.measure.measured_path import farthest, fitted_shift, last_lap, moving, path_of_samples, progress_along, size_of
 from contourlab.features.measure.plausibility import columns_of, motion_findings, period_findings, same_column_findings
+from contourlab.features.run.outcome import judged_spikes
+from contourlab.features.run.verdict import unexplained
 from contourlab.feed import Reference
-from contourlab.feed.reference import Judged
+from contourlab.feed.reference import CUTTING, Judged
+from contourlab.feed.route import Correspondence, Route
 from contourlab.findings import Finding, finding
 from contourlab.geometry import Path
 from contourlab.logs import Log
@@ -20,7 +24,6 @@ from contourlab.logs.clock import EVEN
 from contourlab.metrics.circles import circles_of
 from contourlab.metrics.figures import AxisFigures, Metrics, summarise
 from contourlab.metrics.judge import judge
-from contourlab.metrics.reversals import reversal_spikes
 from contourlab.rendering.data import JudgedRun
 from contourlab.result import Result, Signal
 from contourlab.scenario.placing import placed
@@ -31,6 +34,10 @@ STILL = 1e-9
 """Distance [m] beyond the ends of a path from which the tool counts as off the path; smaller errors count as zero."""
 NO_REFERENCE = {"reference": "places on the path"}
 """Attribute of a result whose log has no reference; it has no tracking error."""
+NEXT_TO = 1e-12
+"""Distance [m] by which a sample counts as before the place where it is."""
+RISE = 1e-13
+"""Least step [m] between places of successive samples on the programmed path, so that they rise."""
 FOLLOWS = 0.5
 """Smallest share of the reference's variance that the position of an axis must follow."""
 
@@ -49,50 +56,82 @@ class Measured(JudgedRun):
 
 
 def measure(
-    result: Result, path: Path | None = None, axes: tuple[str, ...] | None = None, *, shift: Array | Literal["fit"] | None = None
+    result: Result,
+    route: Route | None = None,
+    axes: tuple[str, ...] | None = None,
+    *,
+    shift: Array | Literal["fit"] | None = None,
+    lines: Index | None = None,
+    tolerance: float | None = None,
+    program: tuple[str, ...] = (),
 ) -> Measured:
     """Judge a measured run.
 
     Parameters
     ----------
     result : Result
-        With a position, one of `ACTUAL`; and ``reference`` unless a path is given.
-    path : Path, optional
-        Programmed path; by default the path through the samples of the reference.
+        With a position, one of `ACTUAL`; and ``reference`` unless a route is given.
+    route : Route, optional
+        The part program: its cutting moves are judged. By default the path through the samples of the reference is.
     axes : tuple of str, optional
         Axes of the contour, in the order of the path's coordinates; by default all.
     shift : ndarray (n_axis,) [m] or "fit", optional
-        Zero of the path in the coordinates of the result; ``"fit"`` for the shift closest to the tool.
+        Zero of the path in the coordinates of the result; ``"fit"`` for the shift closest to the commanded positions, or else to the tool.
+    lines : ndarray (n_sample,) of int, optional
+        Program line at each sample; a route has its own.
+    tolerance : float [m], optional
+        Largest part error that passes; by default there is no verdict.
+    program : tuple of str
+        Lines of the part program.
 
     Raises
     ------
     ResultError
         If a signal is missing or not finite, nothing moves, the tool is far from the path, or a shift is given without a path.
+
+    Notes
+    -----
+    A reference in the result is what the control commanded: its distance from the program is the planning deviation.
     """
     run = _of_axes(result, axes or result.axes)
-    position, *asked = _signals_of(run, path)
+    position, *asked = _signals_of(run, route)
     findings = [*period_findings(result.servo_period), *motion_findings(position, result.servo_period)]
-    of_samples, shifts = path is None, None
-    if path is None:
+    period, of_axes, of_time, shifts, cutting = result.servo_period, ("sample", "axis"), ("sample",), None, None
+    if route is None:
         if shift is not None:
             raise ResultError("a shift needs a part program: the reference in the log already has the coordinates of the log")
         reference = asked[0]
-        path, along = path_of_samples(reference)
+        motion = _followed(reference, period, lines)
     else:
+        is_commanded = "reference" in run and bool(np.isfinite(run["reference"]).all())
+        followed = run["reference"] if is_commanded else position
+        begin, curve = _first_cut(route, lines, followed)
+        programmed, of_curves, rapid = Path(route.path.curves[curve:]), route.source_line[curve:], route.rapid[curve:]
         if shift is not None:
-            findings += [finding("CL406")] if isinstance(shift, str) else []
-            move = fitted_shift(path, position) if isinstance(shift, str) else shift
-            path, shifts = placed(path, move.tolist()), dict(zip(run.axes, move.tolist(), strict=True))
-        along, distance = progress_along(path, position)
-        findings.append(finding("CL407", distance=float(distance)))
-        if "reference" in run:
-            reference = run["reference"]
+            move = fitted_shift(programmed, followed[begin:], is_commanded=is_commanded) if isinstance(shift, str) else shift
+            findings += [finding("CL406")] if isinstance(shift, str) and not is_commanded else []
+            programmed, shifts = placed(programmed, move.tolist()), dict(zip(run.axes, move.tolist(), strict=True))
+        place, distance = progress_along(programmed, followed[begin:])
+        if begin:
+            way, along = path_of_samples(np.vstack([followed[: begin - 1], programmed.position([0.0])]))
+            programmed, place = Path([*way.curves, *programmed.curves]), np.append(along, way.length + place)
+            of_curves, rapid = (np.append([first] * len(way.curves), own) for first, own in ((0, of_curves), (True, rapid)))
+        curves = programmed.curve_index(np.maximum(place - NEXT_TO, 0.0))
+        cutting = ~rapid[curves]
+        if begin and lines is not None:
+            cutting &= np.isin(lines, of_curves[~rapid])
         else:
-            reference, run = path.position(along), replace(run, attributes={**run.attributes, **NO_REFERENCE})
-    if not NO_REFERENCE.items() <= run.attributes.items():
+            lines = of_curves[curves]
+        if is_commanded:
+            reference = followed
+            motion = _followed(reference, period, lines, programmed, place)
+        else:
+            findings.append(finding("CL407", distance=float(distance)))
+            reference, run = programmed.position(place), replace(run, attributes={**run.attributes, **NO_REFERENCE})
+            motion = Reference.from_samples(reference, period, programmed, arc_length=place, source_lines=of_curves)
+    along = motion.block(0, motion.n_sample).arc_length
+    if is_known := not NO_REFERENCE.items() <= run.attributes.items():
         findings += _reference_findings(run.axes, reference, position)
-    period, of_axes, of_time = result.servo_period, ("sample", "axis"), ("sample",)
-    motion = Reference.from_samples(reference, period, path, arc_length=along)
     simulated = run.with_signals(
         tool_position=Signal(position, of_axes, "m"),
         reference=Signal(reference, of_axes, "m"),
@@ -100,10 +139,9 @@ def measure(
         feedrate=Signal(np.abs(np.gradient(along, period)), of_time, "m/s"),
         reference_velocity=Signal(np.gradient(reference, period, axis=0), of_axes, "m/s"),
     )
-    judged = judge(simulated, motion)
-    window = moving(reference)
-    stated = _stated(run) if of_samples else None
-    if of_samples:
+    judged, window = judge(simulated, motion), moving(reference)
+    stated = _stated(run)
+    if route is None:
         begin, end = window
         window, left_out = _on_the_path(judged, motion, window)
         if stated is not None:
@@ -111,22 +149,65 @@ def measure(
             ranges = ((max(first, kept[0]), min(last, kept[1])) for first, last in stated.ranges)
             stated = stated._replace(ranges=tuple(part for part in ranges if part[0] < part[1]) or (window,))
         findings += [finding("CL408", samples=left_out)] if left_out else []
-        off, size = float(np.sqrt(np.mean(judged["contour_error"][slice(*window)] ** 2))), size_of(path)
-        moved = float(np.ptp(position, axis=0).max())
-        if off > farthest(min(size, moved)):  # as with exchanged columns or different units
-            sizes = f"{off * 1e3:.4g} mm rms, on a path of {size * 1e3:.4g} mm in size, and moves by {moved * 1e3:.4g} mm"
-            cure = "do position and reference have the right columns, axes, coordinates and units?"
-            raise ResultError(f"the tool is off the path of its reference by {sizes}: {cure}")
         findings += _last_lap_findings(judged, motion, window)
+    if is_known:
+        _check_near(judged, motion.path, window)
     findings += _outlier_findings(judged, window)
-    if stated is not None:
-        window = stated.ranges[0][0], stated.ranges[-1][1]
-    metrics = _known_metrics(summarise(judged, motion, stated or Judged((window,), "moving part")), run, None if stated else window)
-    spikes, circles = reversal_spikes(judged, window, reference=motion), circles_of(judged, motion)
-    if stated is not None:
-        counts = stated.mask(run.n_sample)
-        spikes = tuple(spike for spike in spikes if counts[spike.sample])
-    return Measured(run.scheme, motion, judged, metrics, None, circles, spikes, tuple(findings), shift=shifts)
+    part = stated or _part(window, cutting)
+    motion = replace(motion, chosen=part)
+    judged = replace(judged, motion=motion)
+    metrics = _known_metrics(summarise(judged, motion, part), run, None if stated else window)
+    verdict = None if tolerance is None else unexplained(motion, judged, tolerance, program, is_whole=stated is not None)
+    if verdict is not None and is_known:
+        verdict = replace(verdict, causes=measured_causes(motion, judged, verdict.worst.sample))
+    circles, spikes = circles_of(judged, motion), judged_spikes(judged, motion)
+    return Measured(run.scheme, motion, judged, metrics, verdict, circles, spikes, tuple(findings), lines=lines, shift=shifts)
+
+
+def _first_cut(route: Route, lines: Index | None, followed: Array) -> tuple[int, int]:
+    """Return the sample and the curve of the first cutting move, if the log moves before and has its line; else 0 and 0.
+
+    Where an approach comes from, no program says: the log does.
+    """
+    curve = int(np.argmin(route.rapid))
+    begin = 0 if lines is None or route.rapid[curve] else int(np.argmax(lines == route.source_line[curve]))
+    return (begin, curve) if begin > 1 and np.ptp(followed[:begin], axis=0).any() else (0, 0)
+
+
+def _followed(
+    reference: Array, period: float, lines: Index | None, programmed: Path | None = None, place: Array | None = None
+) -> Reference:
+    """Return the motion along the path through commanded samples (n, n_axis) [m], with their program lines (n,).
+
+    They correspond to places (n,) [m] on a programmed path, if there is one. A sample where two curves meet belongs to the first.
+    """
+    path, along = path_of_samples(reference, lines)
+    own: dict[str, Any] = {"arc_length": np.maximum(along - NEXT_TO, 0.0), "programmed": programmed}
+    if lines is not None:
+        middles = np.searchsorted(along, 0.5 * (path.breaks[1:] + path.breaks[:-1]))
+        own["source_lines"] = lines[middles.clip(0, len(along) - 1)]
+    if place is not None:
+        new = np.append(True, np.diff(along) > 0.0)
+        own["correspondence"] = Correspondence(along[new], place[new] + RISE * np.arange(np.count_nonzero(new)))
+    return Reference.from_samples(reference, period, path, **own)
+
+
+def _part(window: tuple[int, int], cutting: Flags | None) -> Judged:
+    """Return the samples to judge: the cutting ones of the window, or all of it if it has none or no other."""
+    inside = slice(*window)
+    if cutting is None or not 0 < np.count_nonzero(cutting[inside]) < window[1] - window[0]:
+        return Judged((window,), "moving part")
+    return Judged(tuple((window[0] + start, window[0] + stop) for start, stop in true_spans(cutting[inside])), CUTTING)
+
+
+def _check_near(judged: Result, path: Path, window: tuple[int, int]) -> None:
+    """Refuse a tool that is far off the path of its reference, as with exchanged columns or different units."""
+    off, size = float(np.sqrt(np.mean(judged["contour_error"][slice(*window)] ** 2))), size_of(path)
+    moved = float(np.ptp(judged["tool_position"], axis=0).max())
+    if off > farthest(min(size, moved)):
+        sizes = f"{off * 1e3:.4g} mm rms, on a path of {size * 1e3:.4g} mm in size, and moves by {moved * 1e3:.4g} mm"
+        cure = "do position and reference have the right columns, axes, coordinates and units?"
+        raise ResultError(f"the tool is off the path of its reference by {sizes}: {cure}")
 
 
 def gap_findings(log: Log, measured: Measured, *, of_samples: bool) -> list[Finding]:
@@ -173,9 +254,10 @@ def move_findings(log: Log, measured: Measured) -> list[Finding]:
     return findings
 
 
-def _signals_of(run: Result, path: Path | None) -> list[Array]:
-    """Return the position (n_sample, n_axis) [m], and without a path the reference; raise one error for all that are missing."""
-    wanted = {"position": next((name for name in ACTUAL if name in run), "position")} | ({"reference": "reference"} if path is None else {})
+def _signals_of(run: Result, route: Route | None) -> list[Array]:
+    """Return the position (n_sample, n_axis) [m], and without a route the reference; raise one error for all that are missing."""
+    wanted = {"position": next((name for name in ACTUAL if name in run), "position")}
+    wanted |= {"reference": "reference"} if route is None else {}
     missing = []
     for kind, name in wanted.items():
         if name not in run:

@@ -18,7 +18,7 @@ order matters where effects interact, and is therefore fixed.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TypeAlias
@@ -191,13 +191,13 @@ WOULD_HELP = {
 
 
 @dataclass(frozen=True)
-class _Place:
+class Place:
     """A sample of a run, and the direction of the error there."""
 
     reference: Reference
     judged: Result
     sample: int
-    rerun: Rerun
+    rerun: Rerun = simulate
 
     @cached_property
     def off(self) -> Array:
@@ -215,13 +215,19 @@ class _Place:
         run = self.rerun(machine, controller, self.reference, on_failure="return", signals=signals)
         return self.of(run.window(self.sample, self.sample + 1)) if run.n_sample > self.sample else float("nan")
 
+    def at(self, position: Array) -> float:
+        """Return the error along this direction of a tool at another position (n_axis,) [m]."""
+        here = self.judged.window(self.sample, self.sample + 1)
+        return self.of(here.with_signals(tool_position=Signal(position[None], ("sample", "axis"), "m")))
+
     def of(self, here: Result) -> float:
+        """Return the error along this direction of another run, of this sample alone."""
         judged = judge(here, self.reference)
         off = judged["tool_position"][0] - self.reference.programmed.position(judged["foot_arc_length"])[0]
         return float(off @ (self.off / (self.size or 1.0)))
 
 
-def _at_start(judged: Result, sample: int) -> str:
+def at_start(judged: Result, sample: int) -> str:
     """Return whether an axis has lately reversed or started from rest."""
     first = max(sample - round(SOON / judged.servo_period), 0)
     if "reference_velocity" not in judged:
@@ -244,7 +250,7 @@ def causes(
 
     `judged` is the run with the judge's signals, `rerun` is `simulate` with its options. The contributions add up to the error.
     """
-    place = _Place(reference, judged, sample, rerun)
+    place = Place(reference, judged, sample, rerun)
     contributions: list[tuple[str, float]] = []
     diverging: list[str] = []
     left, kept = place.size, machine
@@ -257,7 +263,7 @@ def causes(
         if np.isnan(now):
             diverging.append(name)
             continue
-        contributions.append((_at_start(judged, sample) if name == FRICTION and not same else name, left - now))
+        contributions.append((at_start(judged, sample) if name == FRICTION and not same else name, left - now))
         left, kept, controller = now, better, driven
     copies = np.array([place.after(*same_axes(kept, controller, axis.name)) for axis in machine.axes])
     if np.isfinite(copies).any():
@@ -265,9 +271,12 @@ def causes(
         left = float(np.nanmean(copies))
     else:
         diverging.append("servo mismatch")
-    here = judged.window(sample, sample + 1)
-    planning = place.of(here.with_signals(tool_position=Signal(here["reference"], ("sample", "axis"), "m")))
-    contributions += [("lag", left - planning), ("planning", planning)]
+    planning = place.at(judged["reference"][sample])
+    return ranked([*contributions, ("lag", left - planning), ("planning", planning)]), tuple(diverging)
+
+
+def ranked(contributions: Sequence[tuple[str, float]]) -> tuple[Cause, ...]:
+    """Return causes by name and contribution [m], the largest first."""
     total = sum(abs(value) for _, value in contributions) or 1.0
-    ranked = (Cause(name, float(value), float(abs(value) / total)) for name, value in contributions)
-    return tuple(sorted(ranked, key=lambda cause: -cause.share)), tuple(diverging)
+    causes = (Cause(name, float(value), float(abs(value) / total)) for name, value in contributions)
+    return tuple(sorted(causes, key=lambda cause: -cause.share))

@@ -27,6 +27,7 @@ from contourlab.features.run.source import Source, scenario_asked
 from contourlab.figures import figure
 from contourlab.findings import Finding
 from contourlab.metrics.figures import judged_part
+from contourlab.rendering.data import JudgedRun
 from contourlab.rendering.origins import numbers_of
 from contourlab.rendering.stages import begin_stage
 from contourlab.rendering.table import paragraphs
@@ -184,7 +185,7 @@ class Runs(JudgedRuns):
         shows = any(not isinstance(axis.friction, NoFriction) or axis.error.repeatability > 0.0 for axis in axes)
         reversals = reversal_text(data) if shows or any(axis.plant.two_sided and axis.plant.linear() != axis.plant for axis in axes) else ""
         shared = [finding for finding in outcomes[0].findings if all(finding in other.findings for other in outcomes)]
-        endings = [line for outcome in outcomes for line in _ending(outcome, shared)]
+        endings = [line for outcome in outcomes for line in ending(outcome, shared)]
         ends = paragraphs([*endings, *map(str, shared)])
         written = [f"{what}: {file}" for what, file in self.files.items()]
         files = "\n".join([*written, *(f"next: {step}" for _, step in self.steps[:1])])
@@ -382,8 +383,8 @@ def file_names(names: Sequence[str]) -> dict[str, str]:
     return chosen
 
 
-def _ending(outcome: Outcome, shared: Sequence[Finding]) -> Iterator[str]:
-    """Yield verdict, causes and findings of a scheme, but for those that all schemes share."""
+def ending(outcome: JudgedRun, shared: Sequence[Finding] = (), what: str = "part error") -> Iterator[str]:
+    """Yield verdict, causes and findings of a scheme or a log, but for those that all schemes share."""
     verdict = outcome.verdict
     if verdict is not None:
         worst = verdict.worst
@@ -391,7 +392,7 @@ def _ending(outcome: Outcome, shared: Sequence[Finding]) -> Iterator[str]:
         # An error within the tolerance alone would not explain the verdict.
         skips = f"the tool skips {figure(verdict.left_out, 'mm')} of the path, " if verdict.left_out else ""
         yield (
-            f"{outcome.name}: {'PASS' if verdict.passed else 'FAIL'}, {skips}largest part error {figure(worst.value, 'um')} against "
+            f"{outcome.name}: {'PASS' if verdict.passed else 'FAIL'}, {skips}largest {what} {figure(worst.value, 'um')} against "
             f"{figure(verdict.tolerance, 'um')}, at {where}, t = {worst.time:.3f} s"
         )
         main = [f"{cause.name} {cause.contribution * 1e6:+.3g} um" for cause in verdict.causes if cause.share >= 0.02]

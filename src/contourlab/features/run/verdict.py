@@ -103,8 +103,11 @@ def verdict(
     return replace(plain, causes=ranked, findings=tuple(findings), proposed=proposed)
 
 
-def unexplained(reference: Reference, judged: Result, tolerance: float, lines: tuple[str, ...] = ()) -> Verdict:
-    """Return the verdict on a judged run without causes and advice; arguments as for `verdict`."""
+def unexplained(reference: Reference, judged: Result, tolerance: float, lines: tuple[str, ...] = (), *, is_whole: bool = True) -> Verdict:
+    """Return the verdict on a judged run without causes and advice; arguments as for `verdict`.
+
+    Only a whole run tells what the tool skips: one that lags has not arrived where a log, or a cut of it, ends.
+    """
     part = judged_part(judged, reference)
     worst = _place(judged, reference, int(part.samples[np.argmax(np.abs(judged["part_error"][part.samples]))]), lines)
     longest, at_end = left_out(judged, reference, part)
@@ -113,6 +116,7 @@ def unexplained(reference: Reference, judged: Result, tolerance: float, lines: t
     # At a sharp corner a tool within the tolerance may skip several times as much, but not at the end.
     skipped = longest if longest > max(10.0 * tolerance, step) else at_end if at_end > max(2.0 * tolerance, step) else 0.0
     planned, line = _planned(reference, judged)
+    skipped = skipped if is_whole else 0.0
     findings = [finding("CL201", length=skipped)] if skipped else []
     if planned > tolerance:
         findings.append(finding("CL208", deviation=planned, line=line, tolerance=tolerance))

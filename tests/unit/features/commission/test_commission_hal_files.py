@@ -7,7 +7,7 @@ from linuxcnc_rig import Rig
 
 from contourlab.errors import ScenarioError
 from contourlab.features.commission.command import changes
-from contourlab.features.commission.excitation import excitation, sampler_columns, sampler_lines
+from contourlab.features.commission.excitation import excitation, sampler, sampler_columns
 from contourlab.features.commission.setup import Setup, read_setup
 from contourlab.program import parse_program
 
@@ -151,7 +151,7 @@ def test_excitation_stays_within_travel_and_limits(tmp_path: Path) -> None:
 
 def test_sampler_records_each_axis(tmp_path: Path) -> None:
     setup = setup_of(tmp_path)
-    lines = sampler_lines(setup).splitlines()
+    lines = sampler(setup).splitlines()
     assert sampler_columns(setup) == ["x_cmd", "x", "x_out", "y_cmd", "y", "y_out"]
     assert "loadrt sampler depth=16000 cfg=ffffff" in lines
     assert "net y-fb => sampler.0.pin.4  # y" in lines
