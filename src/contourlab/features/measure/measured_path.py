@@ -212,7 +212,7 @@ ALONG = 1e-6
 """Share of the normals in a direction below which the path does not determine the shift in it."""
 
 
-def fitted_shift(path: Path, positions: Array, *, is_commanded: bool = False) -> Array:
+def fitted_shift(path: Path, positions: Array, *, is_commanded: bool = False, cut: float = 0.0) -> Array:
     """Fit the shift (n_axis,) [m] that brings a path closest to positions (least squares).
 
     Parameters
@@ -221,6 +221,8 @@ def fitted_shift(path: Path, positions: Array, *, is_commanded: bool = False) ->
         From the start of the path to its end, or to where the tool stopped.
     is_commanded : bool
         Whether they lie on the path but at rounded corners, which then count less the farther they are off.
+    cut : float [m]
+        Arc length at which the first cut begins: the tool may not have moved before.
 
     Raises
     ------
@@ -229,17 +231,17 @@ def fitted_shift(path: Path, positions: Array, *, is_commanded: bool = False) ->
 
     Notes
     -----
-    The fit starts twice: with the bounding boxes centred on each other, and with the first position on the start of the path. The closer
-    result counts. Each step finds the foot points, then solves for the shift that removes the normal distances. Samples are spaced evenly
+    The fit starts with the bounding boxes centred on each other, and with the first position on the start of the path; and so with the path
+    from its first cut. The closest result counts. Each step finds the foot points, then solves for the shift that removes the normal distances. Samples are spaced evenly
     along the travel, so a resting tool has no weight. A constant offset of the tool counts as shift and disappears from the error.
     """
     travel = _arc_length(positions)
     tool = positions[np.unique(np.searchsorted(travel, np.linspace(0.0, travel[-1], SAMPLES)))]
-    box = path.position(np.linspace(0.0, path.length, SAMPLES))
-    centres = (tool.max(axis=0) + tool.min(axis=0) - box.max(axis=0) - box.min(axis=0)) / 2.0
+    boxes = [path.position(np.linspace(begin, path.length, SAMPLES)) for begin in dict.fromkeys((0.0, cut))]
+    centres = [(tool.max(axis=0) + tool.min(axis=0) - box.max(axis=0) - box.min(axis=0)) / 2.0 for box in boxes]
     fits: list[tuple[float, Array]] = []
     errors = []
-    for start in (centres, tool[0] - box[0]):
+    for start in (*centres, *(tool[0] - box[0] for box in boxes)):
         try:
             fits.append(_fit_from(path, tool, np.asarray(start), is_commanded))
         except ResultError as error:

@@ -108,7 +108,8 @@ def measure(
         begin, curve = _first_cut(route, lines, followed)
         programmed, of_curves, rapid = Path(route.path.curves[curve:]), route.source_line[curve:], route.rapid[curve:]
         if shift is not None:
-            move = fitted_shift(programmed, followed[begin:], is_commanded=is_commanded) if isinstance(shift, str) else shift
+            cut = float(programmed.breaks[np.argmin(rapid)])
+            move = fitted_shift(programmed, followed[begin:], is_commanded=is_commanded, cut=cut) if isinstance(shift, str) else shift
             findings += [finding("CL406")] if isinstance(shift, str) and not is_commanded else []
             programmed, shifts = placed(programmed, move.tolist()), dict(zip(run.axes, move.tolist(), strict=True))
         place, distance = progress_along(programmed, followed[begin:])

@@ -58,6 +58,15 @@ def test_a_shift_is_found_from_a_partial_run_too(name: str, part: tuple[float, f
     assert fitted_shift(PATHS[name], np.vstack([tool, rest]) + np.array([0.1, -0.05])) == pytest.approx([0.1, -0.05], abs=11e-6)
 
 
+def test_a_shift_is_found_where_the_log_begins_with_the_cut() -> None:
+    closed = PATHS["closed"]
+    path = Path([Line((-0.3, 0.2), (0.0, 0.0)), *closed.curves])
+    tool = closed.position(np.linspace(0.0, closed.length, 4000)) + np.array([0.1, -0.05])
+    assert fitted_shift(path, tool, is_commanded=True, cut=float(path.breaks[1])) == pytest.approx([0.1, -0.05], abs=1e-9)
+    with pytest.raises(ResultError):
+        fitted_shift(path, tool, is_commanded=True)
+
+
 def test_a_tool_far_from_the_path() -> None:
     path = PATHS["closed"]
     _, tool = tool_on(path, (0.0, 1.0), 0.0)
