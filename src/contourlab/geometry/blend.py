@@ -142,8 +142,8 @@ def _inverted(c: Array) -> tuple[Array, Array, Array, Flags]:
     return borders, arc, inverse, np.asarray(good.reshape(n, 4).all(axis=1))
 
 
-def _series(terms: Array, quarter: int, x: float) -> float:
-    """Return a Chebyshev series at x."""
+def series(terms: Array, quarter: int, x: float) -> float:
+    """Return the Chebyshev series of a quarter at x."""
     b1, b2 = 0.0, 0.0  # Clenshaw's recursion
     for term in range(terms.shape[1] - 1, 0, -1):
         b1, b2 = 2.0 * x * b1 - b2 + terms[quarter, term], b1
@@ -155,14 +155,7 @@ def parameter(s: float, borders: Array, inverse: Array) -> float:
     quarter = 3 if s >= borders[3] else 2 if s >= borders[2] else 1 if s >= borders[1] else 0
     low, high = borders[quarter], borders[quarter + 1]
     x = min(max((2.0 * s - low - high) / (high - low), -1.0), 1.0)
-    part = 0.5 * (1.0 + _series(inverse, quarter, x))
-    return float(0.25 * (quarter + min(max(part, 0.0), 1.0)))
-
-
-def arc_length(u: float, borders: Array, arc: Array) -> float:
-    """Return the arc length of a parameter on one blend."""
-    quarter = min(int(4.0 * u), 3)
-    return float(borders[quarter] + _series(arc, quarter, 8.0 * u - 2.0 * quarter - 1.0))
+    return float(0.25 * (quarter + min(max(0.5 * (1.0 + series(inverse, quarter, x)), 0.0), 1.0)))
 
 
 def by_length(k, s, order, coefficients, borders, inverse, found, i):  # type: ignore[no-untyped-def]

@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Index
 from contourlab.errors import GeometryError, refuse
-from contourlab.geometry.blend import Blends, arc_length, by_length
+from contourlab.geometry.blend import Blends, by_length, series
 from contourlab.geometry.curve import CurveSequence, interval
 from contourlab.geometry.line_and_arc import Arcs, Lines
 from contourlab.geometry.table import table_pieces
@@ -257,7 +257,8 @@ def _at_parameter(quintics, k, u, borders, arc, span, spot, column):
         square += spot[1, j, column] ** 2
     for j in range(axes):
         spot[1, j, column] /= math.sqrt(square)
-    return 0.0 if u <= 0.0 else span if u >= 1.0 else arc_length(u, borders[k], arc[k])
+    quarter = min(int(4.0 * u), 3)
+    return 0.0 if u <= 0.0 else span if u >= 1.0 else borders[k, quarter] + series(arc[k], quarter, 8.0 * u - 2.0 * quarter - 1.0)
 
 
 _SIGNATURE = (
@@ -379,7 +380,10 @@ def search(
                 if kind == _BLEND:  # all of it, by its parameter: a closest point that the window hides stands for the end of the window
                     h_a, h_b, hidden, enough, shape, row = 0.0, 1.0, 0.0, 1e-10, quintics, k
                 square_b, slope_b, bend_b, _ = _slope(points, i, shape, row, h_a)
-                far = kind == _BLEND and min(bound, math.sqrt(square_b)) * bend[at] > 0.25 * span
+                # Whether it is far must not depend on the samples before: from the start, or from a place about as near as the closest.
+                far = kind == _BLEND and math.sqrt(square_b) * bend[at] > 0.25 * span
+                u = _on_piece(points, i, shape, row, 0.0, 1.0, slope_b, _slope(points, i, shape, row, 1.0)[1], math.inf) if far else 0.0
+                far = far and math.sqrt(_slope(points, i, shape, row, u)[0]) * bend[at] > 0.25 * span
                 cells = max(math.ceil((h_b - h_a) * bend[at] / (_SHORT_TURN if far else _TURN)), 1)
                 width, h_b, origin = (h_b - h_a) / cells, h_a, h_a
                 while cell < cells + more:
