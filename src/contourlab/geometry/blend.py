@@ -90,8 +90,8 @@ def _speeds(c: Array, u: Array) -> Array:
     return np.asarray(np.sqrt(square))
 
 
-def _measured(c: Array) -> tuple[Array, Array, Flags]:
-    """Return the lengths (n,) of quarters c (6, n_axis, n), the series (terms, n) of u over arc length, and which are accurate.
+def _measured(c: Array) -> tuple[Array, Array, Array, Flags]:
+    """Return lengths (n,) of quarters c (6, n_axis, n), the series (terms, n) of arc length over u and its inverse, which are accurate.
 
     The Chebyshev series of the speed is integrated term by term; Newton steps find the parameters of the Chebyshev points of arc length. A
     Gauss rule checks the length; points in between check the inverse.
@@ -119,7 +119,7 @@ def _measured(c: Array) -> tuple[Array, Array, Flags]:
         probe = np.broadcast_to(_PROBES[:, None], (_PROBES.size, c.shape[2]))
         off = np.abs(clenshaw(arc, np.clip(clenshaw(inverse, probe), -1.0, 1.0)) - 0.5 * (1.0 + probe) * length)
         good &= (off <= ACCURACY * length).all(axis=0)
-    return length, inverse, good
+    return length, arc, inverse, good
 
 
 def halves(c: Array) -> Array:
@@ -131,14 +131,23 @@ def halves(c: Array) -> Array:
     return np.stack([left, np.einsum("ij,njk->nik", pascal, left)], axis=1).reshape(-1, *c.shape[1:])
 
 
-def _inverted(c: Array) -> tuple[Array, Array, Flags]:
-    """Return the borders of the quarters (n, 5) [m] of quintics c (n, 6, n_axis), the series (n, 4, terms), and which are accurate."""
+def _inverted(c: Array) -> tuple[Array, Array, Array, Flags]:
+    """Return of quintics c (n, 6, n_axis) the borders (n, 5) [m] of the quarters, both series (n, 4, terms), and which are accurate."""
     n = len(c)
     quarters = np.moveaxis(halves(halves(c)), 0, 2)
     parts = [_measured(quarters[:, :, i : i + _CHUNK].copy()) for i in range(0, 4 * n, _CHUNK)]
-    length, inverse, good = (np.concatenate(column, axis=-1) for column in zip(*parts, strict=True))
+    length, *series, good = (np.concatenate(column, axis=-1) for column in zip(*parts, strict=True))
     borders = np.concatenate([np.zeros((n, 1)), np.cumsum(length.reshape(n, 4), axis=1)], axis=1)
-    return borders, np.ascontiguousarray(inverse.T).reshape(n, 4, _TERMS), np.asarray(good.reshape(n, 4).all(axis=1))
+    arc, inverse = (np.ascontiguousarray(one.T).reshape(n, 4, len(one)) for one in series)
+    return borders, arc, inverse, np.asarray(good.reshape(n, 4).all(axis=1))
+
+
+def series(terms: Array, quarter: int, x: float) -> float:
+    """Return the Chebyshev series of a quarter at x."""
+    b1, b2 = 0.0, 0.0  # Clenshaw's recursion
+    for term in range(terms.shape[1] - 1, 0, -1):
+        b1, b2 = 2.0 * x * b1 - b2 + terms[quarter, term], b1
+    return float(x * b1 - b2 + terms[quarter, 0])
 
 
 def parameter(s: float, borders: Array, inverse: Array) -> float:
@@ -146,11 +155,7 @@ def parameter(s: float, borders: Array, inverse: Array) -> float:
     quarter = 3 if s >= borders[3] else 2 if s >= borders[2] else 1 if s >= borders[1] else 0
     low, high = borders[quarter], borders[quarter + 1]
     x = min(max((2.0 * s - low - high) / (high - low), -1.0), 1.0)
-    b1, b2 = 0.0, 0.0  # Clenshaw's recursion
-    for term in range(inverse.shape[1] - 1, 0, -1):
-        b1, b2 = 2.0 * x * b1 - b2 + inverse[quarter, term], b1
-    part = 0.5 * (1.0 + (x * b1 - b2 + inverse[quarter, 0]))
-    return float(0.25 * (quarter + min(max(part, 0.0), 1.0)))
+    return float(0.25 * (quarter + min(max(0.5 * (1.0 + series(inverse, quarter, x)), 0.0), 1.0)))
 
 
 def by_length(k, s, order, coefficients, borders, inverse, found, i):  # type: ignore[no-untyped-def]
@@ -196,12 +201,17 @@ class Blends(CurveBatch):
 
     def __init__(self, curves: Sequence[Blend]) -> None:
         super().__init__(curves)
-        self.shape = tuple(np.array([getattr(curve, name) for curve in curves]) for name in ("coefficients", "borders", "inverse"))
+        self.shape = tuple(np.array([getattr(curve, name) for curve in curves]) for name in ("coefficients", "borders", "inverse", "arc"))
 
     def derivatives(self, slot: Index, along: Array, order: int) -> Array:
         found = np.empty((order + 1, self.n_axis, along.size))
-        evaluate(np.ascontiguousarray(slot), np.ascontiguousarray(along), order, *self.shape, found)
+        evaluate(np.ascontiguousarray(slot), np.ascontiguousarray(along), order, *self.shape[:3], found)
         return found
+
+    def turning(self) -> Array:
+        """Return the largest turn [rad] by the parameter of each blend, from samples."""
+        found = (shapes(self.shape[0], u) for u in np.linspace(0.0, 1.0, 17)[:, None])
+        return np.asarray(np.max([np.linalg.norm(by_length[2, :, 0], axis=1) * speed[:, 0] for by_length, speed in found], axis=0))
 
     def smallest_radii(self) -> Array:
         n = self.length.size
@@ -241,12 +251,12 @@ class Blend(Curve):
         c = np.array(coefficients, dtype=float)
         if c.ndim != 2 or c.shape[0] != 6 or c.shape[1] < 1 or not np.isfinite(c).all():
             raise GeometryError(f"coefficients of shape {c.shape}: must be finite, (6, n_axis)")
-        borders, inverse, good = _inverted(c[None])
+        borders, arc, inverse, good = _inverted(c[None])
         refuse(not good[0], GeometryError, "a blend without length, or too uneven for its series: use blends(), which divides it")
-        self._fill(c, borders[0], inverse[0], float(borders[0, -1]))
+        self._fill(c, borders[0], arc[0], inverse[0], float(borders[0, -1]))
 
-    def _fill(self, coefficients: Array, borders: Array, inverse: Array, length: float) -> None:
-        self.coefficients, self.borders, self.inverse, self.length = coefficients, borders, inverse, length
+    def _fill(self, coefficients: Array, borders: Array, arc: Array, inverse: Array, length: float) -> None:
+        self.coefficients, self.borders, self.arc, self.inverse, self.length = coefficients, borders, arc, inverse, length
         self.n_axis = coefficients.shape[1]
 
 
@@ -276,22 +286,22 @@ def blends(coefficients: ArrayLike) -> tuple[list[Blend], Index]:
     if not usable.all():
         raise GeometryError(f"blend {int(np.argmin(usable))} has no length, or coordinates that are not finite")
     owner, begin = np.arange(len(c), dtype=np.int64), np.zeros(len(c))
-    made: list[tuple[Index, Array, Array, Array, Array]] = []
+    made: list[tuple[Index, Array, Array, Array, Array, Array]] = []
     for depth in range(DEPTH + 1):
         if not len(c):
             break
-        borders, inverse, good = _inverted(c)
-        made.append((owner[good], begin[good], c[good], borders[good], inverse[good]))
+        borders, arc, inverse, good = _inverted(c)
+        made.append((owner[good], begin[good], c[good], borders[good], arc[good], inverse[good]))
         c, owner, begin = halves(c[~good]), np.repeat(owner[~good], 2), np.repeat(begin[~good], 2)
         begin[1::2] += 0.5 ** (depth + 1)
     if len(c):
         raise GeometryError(f"blend {int(owner[0])} has a cusp, where arc length is undefined")
     if not made:
         return [], owner
-    owner, begin, c, borders, inverse = (np.concatenate(column) for column in zip(*made, strict=True))
+    owner, begin, c, borders, arc, inverse = (np.concatenate(column) for column in zip(*made, strict=True))
     created: list[Blend] = []
     order = np.lexsort([begin, owner])
-    for row in zip(c[order], borders[order], inverse[order], borders[order, -1].tolist(), strict=True):
+    for row in zip(c[order], borders[order], arc[order], inverse[order], borders[order, -1].tolist(), strict=True):
         blend = Blend.__new__(Blend)
         blend._fill(*row)
         created.append(blend)

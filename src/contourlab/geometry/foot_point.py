@@ -1,8 +1,8 @@
 """The exact foot point: the closest point of a path, searched independently for each sample.
 
 In a window around the progress of a sample, each leaf in reach gives its closest point. A leaf is a line or a flat arc, with a closed form,
-or a piece of the table of another curve, with a bracketed Newton iteration that the curve itself ends. The foot point is the nearest of
-these; ties go to the one nearest to the progress, which selects the right branch where the path crosses itself.
+a blend, with a bracketed iteration over its parameter, or a piece of the table of another curve, with one that the curve itself ends. The
+foot point is the nearest of these; ties go to the one nearest to the progress, which selects the right branch where a path crosses itself.
 
 Distances to junctions alone find the leaves in reach. A part of the path with length L, whose ends lie d and e from the point, is nowhere
 closer than (d + e - L) / 2. It is excluded if something is closer. The search halves parts until single leaves remain: a few out of
@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Index
 from contourlab.errors import GeometryError, refuse
-from contourlab.geometry.blend import Blends, by_length
+from contourlab.geometry.blend import Blends, by_length, series
 from contourlab.geometry.curve import CurveSequence, interval
 from contourlab.geometry.line_and_arc import Arcs, Lines
 from contourlab.geometry.table import table_pieces
@@ -36,8 +36,8 @@ _SLACK = 1e-9
 """Error of arc lengths and distances [m]."""
 _TABLE_SLACK = 1e-8
 """More than the error of the table [m]."""
-_TURN = 0.35
-"""Largest turn [rad] of a cell: it has a single closest point."""
+_TURN, _SHORT_TURN = 0.35, 0.011
+"""Largest turn [rad] of a cell: it has a single closest point. The second is for points that may be near a blend's centre of curvature."""
 _AHEAD = 6.0
 """Steps from sample to sample that a list of leaves lasts, about; most leaves on each side in it."""
 _MOST_STEPS = 60
@@ -62,9 +62,9 @@ class _Leaves(NamedTuple):
         Where they are.
     leaf : ndarray (n, 3) of int
         Curve, kind, and number within the kind.
-    bend : ndarray (n,) [1/m]
-        Largest curvature of a piece of the table.
-    lines, arcs, coefficients, borders, inverse, pieces : ndarray
+    bend : ndarray (n,) [1/m], of blends [rad]
+        Largest curvature of a piece of the table, and largest turn by the parameter of a blend.
+    lines, arcs, coefficients, borders, inverse, arc, quintics, pieces : ndarray
         What defines the curves of each kind, and the pieces.
     """
 
@@ -82,6 +82,8 @@ class _Leaves(NamedTuple):
     coefficients: Array
     borders: Array
     inverse: Array
+    arc: Array
+    quintics: Array
     pieces: Array
 
 
@@ -90,9 +92,9 @@ def _leaves(path: CurveSequence) -> _Leaves:
     if "_leaves" in path.__dict__:
         return path.__dict__["_leaves"]  # type: ignore[no-any-return]
     m, axes = len(path.curves), path.n_axis
-    kind, slot = np.full(m, _OTHER), np.zeros(m, dtype=np.int64)
+    kind, slot, bend = np.full(m, _OTHER), np.zeros(m, dtype=np.int64), np.zeros(m)
     lines, arcs = np.zeros((1, 2, axes)), np.zeros((1, 4 + 3 * axes))
-    shape: tuple[Array, ...] = (np.zeros((1, 6, axes)), np.zeros((1, 5)), np.zeros((1, 4, 1)))
+    shape: tuple[Array, ...] = (np.zeros((1, 6, axes)), np.zeros((1, 5)), np.zeros((1, 4, 1)), np.zeros((1, 4, 1)))
     for batch, numbers in path.kinds:
         slot[numbers] = np.arange(numbers.size)
         if isinstance(batch, Lines):
@@ -102,9 +104,9 @@ def _leaves(path: CurveSequence) -> _Leaves:
             each = (batch.radius, batch.start_angle, batch.rate, batch.length, *batch.centre, *batch.u, *batch.v)
             arcs = np.column_stack(each)
         elif isinstance(batch, Blends):
-            kind[numbers], shape = _BLEND, batch.shape
-    direct = kind <= _ARC
-    owner, start, pieces, bend = np.arange(m), path.breaks, np.zeros((1, axes, 6)), np.zeros(m)
+            kind[numbers], bend[numbers], shape = _BLEND, batch.turning(), batch.shape
+    direct = kind <= _BLEND
+    owner, start, pieces = np.arange(m), path.breaks, np.zeros((1, axes, 6))
     if not direct.all():
         owner, begin, coefficients, _ = table_pieces(path, 1e-9 * min(path.length, 1.0))
         kept = np.flatnonzero(~direct[owner] | (np.diff(owner, prepend=-1) > 0))
@@ -112,7 +114,7 @@ def _leaves(path: CurveSequence) -> _Leaves:
         h, square = np.diff(begin)[kept, None] * np.linspace(0.0, 1.0, 5), np.zeros((kept.size, 5))
         for c in pieces.transpose(1, 2, 0)[..., None]:
             square += (2.0 * c[2] + h * (6.0 * c[3] + h * (12.0 * c[4] + h * 20.0 * c[5]))) ** 2
-        bend = np.sqrt(square.max(axis=1))
+        bend = np.where(direct[owner], bend[owner], np.sqrt(square.max(axis=1)))
     junctions, along = path.junctions
     corner = np.where(direct[owner, None], junctions[owner], pieces[:, :, 0])
     path.__dict__["_leaves"] = leaves = _Leaves(
@@ -125,7 +127,7 @@ def _leaves(path: CurveSequence) -> _Leaves:
         np.concatenate([corner, junctions[-1:]]),
         np.column_stack([owner, kind[owner], slot[owner]]),
         bend,
-        *(lines, arcs, *shape, pieces),
+        *(lines, arcs, *shape, shape[0].transpose(0, 2, 1).copy(), pieces),
     )
     return leaves
 
@@ -217,73 +219,58 @@ def _compared(square, away, least, aside):
 
 
 def _slope(points, i, pieces, at, h):
-    """Return squared distance of a point from a piece at h, half its slope, and half its second derivative."""
-    square, slope, bend = 0.0, 0.0, 0.0
+    """Return squared distance of a point from a piece at h, and half its first three derivatives."""
+    square, slope, bend, third = 0.0, 0.0, 0.0, 0.0
     for j in range(points.shape[1]):
         c1, c2, c3, c4, c5 = pieces[at, j, 1], pieces[at, j, 2], pieces[at, j, 3], pieces[at, j, 4], pieces[at, j, 5]
         gap = pieces[at, j, 0] + h * (c1 + h * (c2 + h * (c3 + h * (c4 + h * c5)))) - points[i, j]
         first = c1 + h * (2.0 * c2 + h * (3.0 * c3 + h * (4.0 * c4 + h * 5.0 * c5)))
         second = 2.0 * c2 + h * (6.0 * c3 + h * (12.0 * c4 + h * 20.0 * c5))
         square, slope, bend = square + gap * gap, slope + first * gap, bend + first * first + second * gap
-    return square, slope, bend
+        third += 3.0 * first * second + (6.0 * c3 + h * (24.0 * c4 + h * 60.0 * c5)) * gap
+    return square, slope, bend, third
 
 
-def _at_start(points, i, pieces, at):
-    """Return squared distance of a point from the start of a piece, and half its slope."""
-    square, slope = 0.0, 0.0
-    for j in range(points.shape[1]):
-        gap = pieces[at, j, 0] - points[i, j]
-        square, slope = square + gap * gap, slope + pieces[at, j, 1] * gap
-    return square, slope
-
-
-def _on_piece(points, i, pieces, at, a, b, slope_a, slope_b, curvature):
-    """Return h of the closest point between a and b, where the slope rises through zero, to a tenth of a nanometre."""
+def _on_piece(points, i, pieces, at, a, b, slope_a, slope_b, square):
+    """Return h of the closest point between a and b, where the slope rises through zero; a step with less than `square` is the last."""
     h = a if slope_b <= slope_a else min(max(a - slope_a * (b - a) / (slope_b - slope_a), a), b)
     for _ in range(_MOST_STEPS):
-        _, slope, bend = _slope(points, i, pieces, at, h)
+        _, slope, bend, third = _slope(points, i, pieces, at, h)
         a, b = h if slope < 0.0 else a, h if slope > 0.0 else b
-        after = h - slope / bend if bend > 0.0 else math.inf
+        # Halley's step, which about cubes the error; near a centre of curvature Newton's: the other is small far from the place too.
+        turn = 0.5 * slope * third / bend
+        after = h - slope / (bend - turn if abs(turn) < 0.5 * bend else bend) if bend > 0.0 else math.inf
         after = after if a <= after <= b else 0.5 * (a + b)
         moved, h = abs(after - h), after
-        if moved * moved * (curvature + 1.0) <= 1e-10:  # what is left is its square
+        if moved * moved <= square:
             break
     return h
 
 
-def _on_blend(points, i, coefficients, borders, inverse, k, s, a, b, size, spot, column):
-    """Find the closest point of a blend between a and b, from s; write it and the tangent to a column of `spot`, return its arc length."""
-    axes = points.shape[1]
-    for _ in range(_MOST_STEPS):
-        by_length(k, s, 2, coefficients, borders, inverse, spot, column)
-        slope, bend = 0.0, 0.0
-        for j in range(axes):
-            gap = spot[0, j, column] - points[i, j]
-            slope, bend = slope + spot[1, j, column] * gap, bend + spot[1, j, column] ** 2 + spot[2, j, column] * gap
-        a, b = s if slope < 0.0 else a, s if slope > 0.0 else b
-        after = s - slope / bend if bend > 0.0 else math.inf
-        inside = a <= after <= b
-        moved = (after if inside else 0.5 * (a + b)) - s
-        s += moved
-        if moved == 0.0 or (inside and bend > 0.1 and moved * moved <= _SQUARE * size):
-            for j in range(axes):
-                first, second = spot[1, j, column], spot[2, j, column]
-                spot[0, j, column] += moved * (first + 0.5 * moved * second)
-                spot[1, j, column] = first + moved * second
-            break
-    return s
+def _at_parameter(quintics, k, u, borders, arc, span, spot, column):
+    """Write the point and the tangent of a blend of length `span` at a parameter to a column of `spot`; return the arc length."""
+    axes, square = spot.shape[1], 0.0
+    for j in range(axes):
+        c1, c2, c3, c4, c5 = quintics[k, j, 1], quintics[k, j, 2], quintics[k, j, 3], quintics[k, j, 4], quintics[k, j, 5]
+        spot[0, j, column] = quintics[k, j, 0] + u * (c1 + u * (c2 + u * (c3 + u * (c4 + u * c5))))
+        spot[1, j, column] = c1 + u * (2.0 * c2 + u * (3.0 * c3 + u * (4.0 * c4 + u * 5.0 * c5)))
+        square += spot[1, j, column] ** 2
+    for j in range(axes):
+        spot[1, j, column] /= math.sqrt(square)
+    quarter = min(int(4.0 * u), 3)
+    return 0.0 if u <= 0.0 else span if u >= 1.0 else borders[k, quarter] + series(arc[k], quarter, 8.0 * u - 2.0 * quarter - 1.0)
 
 
 _SIGNATURE = (
     "f8[:,:] f8[:] f8[:] i8 f8 f8[:] f8[:,:,:] f8[:] f8[:] f8[:,:] i8[:,:] f8[:] f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:,:] "
-    "f8[:] f8[:,:] f8[:] f8[:] i8[:,:] f8[:,:] i8[:] i8[:,:] f8[:,:] f8[:,:,:] i8[:,:] f8[:]"
+    "f8[:,:,:] f8[:,:,:] f8[:] f8[:,:] f8[:] f8[:] i8[:,:] f8[:,:] i8[:] i8[:,:] f8[:,:] f8[:,:,:] i8[:,:] f8[:]"
 )
 
 
 @kernel(_SIGNATURE)
 def search(
     points, around, window, closed, length, breaks, tangents, start, along, corner, leaf, bend, lines, arcs, coefficients, borders, inverse,
-    pieces, place, foot, distance, signed, pairs, guess, state, ends, depths, spot, near, close,
+    arc, quintics, pieces, place, foot, distance, signed, pairs, guess, state, ends, depths, spot, near, close,
 ):  # fmt: skip
     """Find foot points from sample state[0] on: `place`, `foot`, `distance`, `signed`.
 
@@ -387,40 +374,42 @@ def search(
                 h_a, h_b = max(low - begin, 0.0), min(high, start[at + 1] - breaks[c]) - begin
                 if h_b < h_a:
                     continue
-                hidden = start[at + 1] - start[at] - (h_b - h_a)
+                hidden, enough, shape, row = start[at + 1] - start[at] - (h_b - h_a), 1e-10 / (bend[at] + 1.0), pieces, at
                 # Both ends of the window are closest points too: cells -1 and `cells`.
-                cells = max(math.ceil((h_b - h_a) * bend[at] / _TURN), 1)
-                cell, width, more = -1 if begin + h_a <= low else 0, (h_b - h_a) / cells, 1 if start[at + 1] - breaks[c] >= high else 0
-                # A piece ends as the next begins.
-                joined = more == 0 and at + 1 < n and leaf[at + 1, 0] == c
-                if h_a == 0.0:
-                    square_b, slope_b = _at_start(points, i, pieces, at)
-                else:
-                    square_b, slope_b, _ = _slope(points, i, pieces, at, h_a)
-                h_b = h_a
+                cell, more = -1 if begin + h_a <= low else 0, 1 if start[at + 1] - breaks[c] >= high else 0
+                if kind == _BLEND:  # all of it, by its parameter: a closest point that the window hides stands for the end of the window
+                    h_a, h_b, hidden, enough, shape, row = 0.0, 1.0, 0.0, 1e-10, quintics, k
+                square_b, slope_b, bend_b, _ = _slope(points, i, shape, row, h_a)
+                # Whether it is far must not depend on the samples before: from the start, or from a place about as near as the closest.
+                far = kind == _BLEND and math.sqrt(square_b) * bend[at] > 0.25 * span
+                u = _on_piece(points, i, shape, row, 0.0, 1.0, slope_b, _slope(points, i, shape, row, 1.0)[1], math.inf) if far else 0.0
+                far = far and math.sqrt(_slope(points, i, shape, row, u)[0]) * bend[at] > 0.25 * span
+                cells = max(math.ceil((h_b - h_a) * bend[at] / (_SHORT_TURN if far else _TURN)), 1)
+                width, h_b, origin = (h_b - h_a) / cells, h_a, h_a
                 while cell < cells + more:
                     if cell < 0 or cell == cells:
-                        s, square = low if cell < 0 else high, square_b
+                        part, u, s, square = False, 0.0 if cell < 0 else 1.0, low if cell < 0 else high, square_b
                         s_a, s_b, apart = s, s, math.sqrt(square_b) > bound + _TABLE_SLACK
                     else:
-                        h_a, square_a, slope_a = h_b, square_b, slope_b
-                        h_b = h_a + width
-                        if joined and cell + 1 == cells:
-                            square_b, slope_b = _at_start(points, i, pieces, at + 1)
-                        else:
-                            square_b, slope_b, _ = _slope(points, i, pieces, at, h_b)
-                        nearest = 0.5 * (math.sqrt(square_a) + math.sqrt(square_b) - width)
+                        h_a, square_a, slope_a, bend_a = h_b, square_b, slope_b, bend_b
+                        h_b = origin + (cell + 1) * width
+                        square_b, slope_b, bend_b, _ = _slope(points, i, shape, row, h_b)
+                        part = far and h_b - h_a > 1e-6 and bend_a * bend_b < 0.0
+                        if part:  # where the slope turns back there may be a closest point on either side
+                            h_b = h_a + (h_b - h_a) * min(max(bend_a / (bend_a - bend_b), 0.01), 0.99)
+                            square_b, slope_b, bend_b, _ = _slope(points, i, shape, row, h_b)
+                        nearest = 0.5 * (math.sqrt(square_a) + math.sqrt(square_b) - (span if kind == _BLEND else width))
                         clear = min(clear, nearest)
                         # Two pieces may each see their common end just beyond the closest point: one candidate too many does no harm.
                         tiny = 1e-9 * (math.sqrt(square_a) + math.sqrt(square_b)) + 1e-13
                         apart = nearest > bound + _TABLE_SLACK or slope_a > tiny or slope_b < -tiny
                         if not apart:
-                            s = begin + _on_piece(points, i, pieces, at, h_a, h_b, slope_a, slope_b, bend[at])
+                            u = _on_piece(points, i, shape, row, h_a, h_b, slope_a, slope_b, enough)
                             s_a, s_b = max(begin + h_a - 1e-7 * length, low), min(begin + h_b + 1e-7 * length, high)
-                            s = min(max(s, s_a), s_b)
+                            s = min(max(begin + u, s_a), s_b)
                             if kind == _OTHER:
-                                square, _, _ = _slope(points, i, pieces, at, s - begin)
-                    cell += 1
+                                square, _, _, _ = _slope(points, i, pieces, at, s - begin)
+                    cell += 0 if part else 1
                     if apart:
                         continue
                     if kind == _OTHER:
@@ -435,7 +424,10 @@ def search(
                         if away + _TABLE_SLACK < best:
                             best, best_at, on, bound = away + _TABLE_SLACK, offset + s, e, min(bound, away + _TABLE_SLACK)
                         continue
-                    s = _on_blend(points, i, coefficients, borders, inverse, k, s, s_a, s_b, start[at + 1] - start[at], spot, 1 - column)
+                    s = _at_parameter(quintics, k, u, borders, arc, span, spot, 1 - column)
+                    if not low <= s <= high:
+                        s = min(max(s, low), high)
+                        by_length(k, s, 1, coefficients, borders, inverse, spot, 1 - column)
                     square, away = _gap(points, i, spot, 1 - column), abs(offset + s - around[i])
                     level, wins = _compared(square, away, least, aside)
                     ties = ties or level
@@ -494,7 +486,7 @@ def _gaps(points, along, closed, length, breaks, start, leaf, lines, arcs, coeff
         if kind == _LINE:
             _, square = _on_line(points, i, lines, k, s - breaks[c], s - breaks[c])
         elif kind == _OTHER:
-            square, _, _ = _slope(points, i, pieces, at, s - start[at])
+            square, _, _, _ = _slope(points, i, pieces, at, s - start[at])
         else:
             if kind == _ARC:
                 _arc_at(arcs, k, s - breaks[c], spot, 0)
@@ -565,7 +557,7 @@ def foot_point(path: CurveSequence, points: ArrayLike, around: ArrayLike, window
 def gaps(path: CurveSequence, points: Array, along: Array) -> Array:
     """Return the distances (n,) [m] of points (n, n_axis) from the places of a path at arc lengths (n,), within 1 nm."""
     own, gap = _leaves(path), np.empty(len(points))
-    curves = own.closed, own.length, own.breaks, own.start, own.leaf, *own[-6:]
+    curves = own.closed, own.length, own.breaks, own.start, own.leaf, *own[-8:-3], own.pieces
     _gaps(np.ascontiguousarray(points), along, *curves, np.empty((3, path.n_axis, 1)), gap)
     return gap
 

@@ -12,6 +12,7 @@ from scipy.optimize import brentq
 
 from contourlab.errors import GeometryError
 from contourlab.geometry import Arc, BSpline, Line, Nurbs, Path, contour, contour_names
+from contourlab.geometry.blend import blends, quintic_bezier
 
 Array = NDArray[np.float64]
 SMOOTH = ["circle", "ellipse", "lemniscate", "star", "butterfly"]
@@ -246,6 +247,24 @@ def test_from_the_centre_of_curvature_of_a_vertex() -> None:
     # Towards the vertex the foot is well defined again; beyond the centre it leaves the vertex, by symmetry.
     nearer = path.foot_point([(a - 0.9 * b * b / a, 0.0)], [1e-3], 0.01)
     assert abs(nearer.arc_length[0]) < 1e-12 * path.length
+
+
+@pytest.mark.parametrize("window", [1.0, 2e-3])
+def test_near_the_centres_of_curvature_of_blends(window: float) -> None:
+    # A short stretch may then have two closest points. The distance is that of the nearer one, or of the end of the window.
+    rng, n = np.random.default_rng(3), 100
+    points = np.array([0.0, 1.0, 2.2, 3.4, 4.6, 6.0])[:, None] * (1e-3, 0.0) + rng.normal(size=(8, 6, 2)) * 4e-4
+    for blend in blends(quintic_bezier(points))[0]:
+        path = Path([blend])
+        around, places = rng.uniform(0.0, path.length, n), np.linspace(0.0, path.length, 4001)
+        far = np.clip(rng.uniform(0.5, 1.6, n) / path.curvature(around), -0.05, 0.05)
+        tool = path.position(around) + far[:, None] * path.normal(around)
+        found, samples = path.foot_point(tool, around, window), path.position(places)
+        for i in range(n):
+            least = np.linalg.norm(samples[np.abs(places - around[i]) <= window] - tool[i], axis=1).min()
+            assert found.distance[i] <= least * (1.0 + 1e-12)
+        np.testing.assert_allclose(np.linalg.norm(path.position(found.arc_length) - tool, axis=1), found.distance, rtol=1e-12)
+        assert np.all(np.abs(found.arc_length - around) <= window + 1e-15)
 
 
 def test_from_the_centre_of_an_ellipse_both_flanks_are_equally_far() -> None:
