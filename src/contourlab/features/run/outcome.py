@@ -270,7 +270,7 @@ def run_case(
     stages : Stages, optional
         Where to show the work.
     explain : bool
-        Whether to find causes and advice of a failed verdict. A case that learns gets none: what it learned belongs to its own machine.
+        Whether to find causes, and advice where the verdict fails. A case that learns gets none: what it learned belongs to its machine.
     costs : bool
         Whether to time the servo tick.
     foretell : bool
@@ -320,7 +320,7 @@ def run_case(
     figures = summarise(judged, reference)
     answer = sampled = None
     if case.tolerance is not None:
-        explain = explain and figures.part_error.max > case.tolerance and learned is None
+        explain = explain and learned is None
         if explain:
             begin(f"looking for the causes of the error of {case.name}")
         ways: dict[str, Any] = {"slower": case.reference, "closer": case.closer, "rerun": partial(simulate, **noise)}
