@@ -24,6 +24,7 @@ from contourlab.features.run.options import Compare, Learn, Run
 from contourlab.features.run.outcome import Outcome, run_case
 from contourlab.features.run.record import switch_file
 from contourlab.features.run.source import Source, scenario_asked
+from contourlab.features.run.trust import NOTABLE
 from contourlab.figures import figure
 from contourlab.findings import Finding
 from contourlab.metrics.figures import judged_part
@@ -182,7 +183,7 @@ class Runs(JudgedRuns):
         data, outcomes = self.data, self.outcomes
         axes = [axis for outcome in outcomes for axis in outcome.case.machine.axes]
         # Friction, backlash and hysteresis show at reversals.
-        shows = any(not isinstance(axis.friction, NoFriction) or axis.error.repeatability > 0.0 for axis in axes)
+        shows = any(not isinstance(axis.friction, NoFriction) or not axis.error.exact for axis in axes)
         reversals = reversal_text(data) if shows or any(axis.plant.two_sided and axis.plant.linear() != axis.plant for axis in axes) else ""
         shared = [finding for finding in outcomes[0].findings if all(finding in other.findings for other in outcomes)]
         answers = [f"{outcome.name}: {answer(outcome)}" for outcome in outcomes if outcome.verdict is not None]
@@ -387,7 +388,7 @@ def file_names(names: Sequence[str]) -> dict[str, str]:
 def _ending(outcome: Outcome, shared: Sequence[Finding]) -> Iterator[str]:
     """Yield causes and findings of a scheme, but for those that all schemes share."""
     if outcome.verdict is not None:
-        main = [f"{cause.name} {cause.contribution * 1e6:+.3g} um" for cause in outcome.verdict.causes if cause.share >= 0.02]
+        main = [f"{cause.name} {cause.contribution * 1e6:+.3g} um" for cause in outcome.verdict.causes if cause.share >= NOTABLE]
         if main:
             yield f"{outcome.name}: causes there: {', '.join(main)}"
     yield from (f"{outcome.name}: {finding}" for finding in outcome.findings if finding not in shared)

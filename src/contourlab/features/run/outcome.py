@@ -23,7 +23,7 @@ from contourlab.errors import ComponentError, DivergenceError, ResultError
 from contourlab.features.check.program_check import about_machine, path_mode_assumed
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
 from contourlab.features.run.lost_steps import lost_steps, with_lost_steps
-from contourlab.features.run.trust import part_interval
+from contourlab.features.run.trust import about_guesses, part_interval
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import LimitReport, Reference, limit_report
 from contourlab.feed.planner import NEAR_FEED
@@ -334,7 +334,7 @@ def run_case(
     bode = bode_of(machine, controller)
     findings = [*_remarks(case, reference, foretold, costs or foretell)]
     findings += [finding("CL205", place=f"axis {axis}") for axis, loop in bode.items() if not loop.margins.stable]
-    findings += lost_steps(machine, reference, judged) if answer is None else ()
+    findings += lost_steps(machine, reference, judged) if answer is None else about_guesses(answer.causes, numbers)
     findings += [noted for part in (learned, answer, sampled) if part is not None for noted in part.findings]
     of_run = (case.name, reference, judged, figures, answer, circles_of(judged, reference), judged_spikes(judged, reference))
     return Outcome(

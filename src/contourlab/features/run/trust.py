@@ -13,17 +13,39 @@ import numpy as np
 from contourlab.arrays import Array, Flags
 from contourlab.components.contract import Component
 from contourlab.errors import ContourlabError
-from contourlab.findings import finding
+from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Learned, Machine, parameters_of
-from contourlab.rendering.judgement import Interval, Number, Rank, Spread
+from contourlab.rendering.judgement import Cause, Interval, Number, Rank, Spread
 from contourlab.rendering.origins import numbers_of
 from contourlab.study import Setting
 from contourlab.study.space import Distribution
 
 SAMPLES = 64
 """Machines that are drawn: two groups of 32 lanes."""
+NOTABLE = 0.02
+"""Least share of a cause that is told."""
 LEVELS = (0.05, 0.95)
 """Shares of the samples below the ends of an interval."""
+
+
+_RESTS_ON = {
+    **dict.fromkeys(("reversal", "breakaway", "friction"), "friction"),
+    **dict.fromkeys(("lag", "compliance", "servo mismatch"), "plant"),
+    "quantisation": "sensor",
+    "saturation": "drive",
+    "disturbance": "disturbance",
+}
+"""Slot of an axis on which a cause of the error rests."""
+
+
+def about_guesses(causes: Sequence[Cause], numbers: Sequence[Number]) -> list[Finding]:
+    """Return a finding on the share of the error at the worst place that rests on guessed numbers, if any does."""
+    guesses = [number.name.split(".") for number in numbers if number.source == "assumed" and number.drawn]
+    slots = {cause: slot for cause, slot in _RESTS_ON.items() if any(name[2] == slot for name in guesses)}
+    resting = [cause for cause in causes if cause.name in slots]
+    share, used = sum(cause.share for cause in resting), {slots[cause.name] for cause in resting if cause.share >= NOTABLE}
+    names = dict.fromkeys(f"axes.*.{'.'.join(name[2:])}" for name in guesses if name[2] in used)
+    return [finding("CL229", share=share, numbers=list(names))] if names else []
 
 
 def part_interval(
