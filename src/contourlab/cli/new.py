@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from contourlab.app.command_line import as_typed
 from contourlab.app.session import Session
 from contourlab.cli.look_up import Entry
-from contourlab.errors import ScenarioError, refuse
+from contourlab.errors import ScenarioError
 from contourlab.features.machines.options import NewMachine
 
 if TYPE_CHECKING:
@@ -29,7 +29,8 @@ def machine(settings: NewMachine, session: Session) -> Entry:
         return Entry(text, text)
     check_folder(out, force=settings.force)
     control = None if settings.from_ is None else control_file(settings.from_)
-    refuse(control is None and settings.from_ is not None, ScenarioError, f"{settings.from_}: no control's own file is known by this name")
+    if control is None and settings.from_ is not None:
+        raise ScenarioError("is not the file of a control that is known: name the INI file of LinuxCNC, for example", file=settings.from_)
     known = {} if control is None else of_control(control)
     if file is None:
         hint = "Press Enter for the value in brackets. Type back for the question before. A bare number has the unit shown."
