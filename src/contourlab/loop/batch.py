@@ -41,9 +41,7 @@ from contourlab.loop.judging import (
     error_figures,
     judge_node,
     part_nodes,
-    play_nodes,
     sums_of,
-    tool_positions,
     wider,
 )
 from contourlab.loop.machine import Controller, Machine
@@ -249,9 +247,7 @@ def simulate_batch(
     compiled = jit_enabled(jit)
     feed = Feed(machine, controller, reference, learned, sampler(compiled))
     begin = feed.first(moving=moving)
-    extra: tuple[Node | Callable[[Signals], Node], ...] = (
-        (*play_nodes(machine, reference), judge_node(machine, reference, view)) if judge else ()
-    )
+    extra: tuple[Node | Callable[[Signals], Node], ...] = (judge_node(machine, reference, view),) if judge else ()
     blended = part and reference.programmed is not reference.path
     if blended:
         extra += part_nodes(machine, reference)
@@ -262,7 +258,7 @@ def simulate_batch(
     )  # fmt: skip
     workers, device = threads or os.cpu_count() or 1, gpu_of_process() if gpu else None
     judged = (JUDGE,) * judge + (PART,) * blended
-    exactly = partial(DoubtfulSamples, positions=tool_positions(machine), reference=reference)
+    exactly = partial(DoubtfulSamples, positions=loop.signals["axis_position"], reference=reference)
     if device is not None:
         lanes = lanes_of(n, sum(memory_rows(loop.schedule)))
         groups = [make_group(loop.schedule, lanes, slice(i, i + lanes), compiled, device) for i in range(0, n, lanes)]

@@ -23,7 +23,7 @@ from contourlab.loop.machine import Axis, Machine
 from contourlab.metrics.judge import MARGIN, planning_deviation, reach
 from contourlab.metrics.run_figures import CONTOUR, EFFORT, figures_from
 from contourlab.metrics.streaming import EFFORT_SUMS, SUMS, effort_step, judge_step
-from contourlab.primitives import fabs, lookup, maximum, minimum, select
+from contourlab.primitives import fabs, lookup, select
 from contourlab.result import Status
 
 JUDGE, PART, PLACE = "judge", "part", "programmed"
@@ -36,34 +36,9 @@ def _counts(reference: Reference) -> Array:
     return reference.judged.mask(reference.n_sample).astype(float)
 
 
-def tool_positions(machine: Machine) -> tuple[str, ...]:
-    """Return the signals of the tool's position: those of the axes, or behind a play."""
+def axis_positions(machine: Machine) -> tuple[str, ...]:
+    """Return the signals of the true positions of the axes; where there is a play, they are behind it."""
     return tuple(f"{axis.name}.{'play' if axis.error.backlash else 'plant'}.position" for axis in machine.axes)
-
-
-def play_nodes(machine: Machine, reference: Reference) -> tuple[Node, ...]:
-    """Return the nodes of the plays behind encoders, as `contourlab.loop.simulate.behind_play`; the judges need them."""
-    start = dict(zip(machine.axis_names, reference.block(0, 1).position[0].tolist(), strict=True))
-    return tuple(
-        Node(
-            f"{axis.name}.play",
-            _PLAY,
-            {"at": Late(f"{axis.name}.plant.position")},
-            {"half": 0.5 * axis.error.backlash},
-            {},
-            {"left": start[axis.name]},
-        )
-        for axis in machine.axes
-        if axis.error.backlash
-    )
-
-
-def _play(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-    left = minimum(maximum(x.left, inp.at - par.half), inp.at + par.half)
-    return (left,), (left,)
-
-
-_PLAY = Step("play", _play, ("half",), (), "", ports("left"), ports("at"), ports("position"))
 
 
 def judge_node(machine: Machine, reference: Reference, view: PathView) -> Node:
@@ -94,7 +69,7 @@ def _judge_node(
     machine: Machine, reference: Reference, path: Path, view: PathView, name: str, arc_length: str, foot: float, planning: float = 0.0
 ) -> Node:
     n = len(machine.axes)
-    position = tuple(signal if signal.endswith("play.position") else Late(signal) for signal in tool_positions(machine))
+    position = tuple(map(Late, axis_positions(machine)))
     wires: dict[str, Any] = {"position": position, "reference": "in.reference", "arc_length": arc_length}
     parameters, cells = room_for(path, min(most_error(machine), LAG * reference.largest_feedrate + MARGIN), planning)
     step = judge_step(view, n, bool(path.corners.size) or not path.closed)

@@ -97,7 +97,7 @@ class AxisError:
     repeatability : float [m], >= 0
         Unidirectional repeatability by ISO 230-2 (4 s): each reversal draws a new offset of the tool, normal with s = a quarter of it.
     backlash : float [m], >= 0
-        Play behind the encoder: the tool rests where friction holds it until the axis has crossed the play. It begins in the middle.
+        Play behind the encoder: the axis rests where friction holds it until the motor has crossed the play. It begins in the middle.
     origins : mapping of str to Origin
         Source of each number, by name.
 
@@ -120,11 +120,6 @@ class AxisError:
             raise ParameterError("error.lead_error", "a table", "finite", "m")
         for name in ("repeatability", "backlash"):
             refuse(not getattr(self, name) >= 0.0, ParameterError, f"error.{name}", f"{getattr(self, name):g}", ">= 0", "m")
-
-    @property
-    def exact(self) -> bool:
-        """Whether the tool is where the axis is."""
-        return not (self.position.size or self.repeatability or self.backlash)
 
 
 DIVISIONS = {

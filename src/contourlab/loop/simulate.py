@@ -22,7 +22,6 @@ from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.parameters import with_values
 from contourlab.loop.switches import Change, prepared, taken_over
 from contourlab.loop.template import Loop, build
-from contourlab.native.kernel import kernel
 from contourlab.primitives import normal
 from contourlab.result import Result, Signal, Status
 
@@ -187,14 +186,6 @@ def result_of(
     )
 
 
-@kernel("f8[:] f8 f8")
-def behind_play(position: Array, left: float, half: float) -> None:
-    """Replace positions by where a play of twice `half` leaves a tool that begins at `left`: it rests between two flanks."""
-    for k in range(position.size):
-        left = min(max(left, position[k] - half), position[k] + half)
-        position[k] = left
-
-
 class ToolPosition:
     """Convert blocks of true axis positions, in order, to tool positions; the direction of motion is kept between blocks."""
 
@@ -202,7 +193,6 @@ class ToolPosition:
         check_seed(trial, "trial")
         self.machine = machine
         self._streams = [stream_of(seed, axis.name, "repeatability", *((trial,) if trial else ())) for axis in machine.axes]
-        self._left = np.full(len(machine.axes), np.nan)  # where each play has left the tool
         self._direction = np.zeros(len(machine.axes))
         self._reversals = np.zeros(len(machine.axes), dtype=int)
         names = machine.axis_names
@@ -211,7 +201,7 @@ class ToolPosition:
     @property
     def exact(self) -> bool:
         """Whether the tool position equals the axis positions."""
-        return not self._shear and all(axis.error.exact for axis in self.machine.axes)
+        return not self._shear and not any(axis.error.position.size or axis.error.repeatability for axis in self.machine.axes)
 
     def of(self, position: Array, velocity: Array) -> Array:
         """Return tool positions (n_sample, n_axis) [m] from axis positions and velocities."""
@@ -219,11 +209,6 @@ class ToolPosition:
             return position
         tool = position.copy()
         for j, axis in enumerate(self.machine.axes):
-            if axis.error.backlash:
-                start = position[0, j] if np.isnan(self._left[j]) else self._left[j]
-                left = np.array(position[:, j])
-                behind_play(left, float(start), 0.5 * axis.error.backlash)
-                tool[:, j], self._left[j] = left, left[-1]
             if axis.error.position.size:
                 tool[:, j] += np.interp(position[:, j], axis.error.position, axis.error.lead_error)
             if axis.error.repeatability:

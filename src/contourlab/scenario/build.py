@@ -433,7 +433,7 @@ def in_place(table: Table, module: Axis, place: Axis) -> tuple[Axis, str]:
     names += [f"limits.{name}" for name in limit_names]
     notes = ["; ".join(names) + " (kept from the replaced axis)"] if names else []
     lost = [slot for slot in AXIS_SLOTS[1:] if slot not in table.entries and getattr(module, slot) != getattr(place, slot)]
-    if "error" not in table.entries and not place.error.exact:
+    if "error" not in table.entries and (place.error.position.size or place.error.repeatability or place.error.backlash):
         lost.append("error")
     if lost:
         notes.append(", ".join(lost) + " (absent; the replaced axis has it)")

@@ -183,7 +183,7 @@ class Runs(JudgedRuns):
         data, outcomes = self.data, self.outcomes
         axes = [axis for outcome in outcomes for axis in outcome.case.machine.axes]
         # Friction, backlash and hysteresis show at reversals.
-        shows = any(not isinstance(axis.friction, NoFriction) or not axis.error.exact for axis in axes)
+        shows = any(not isinstance(axis.friction, NoFriction) or axis.error.repeatability + axis.error.backlash > 0.0 for axis in axes)
         reversals = reversal_text(data) if shows or any(axis.plant.two_sided and axis.plant.linear() != axis.plant for axis in axes) else ""
         shared = [finding for finding in outcomes[0].findings if all(finding in other.findings for other in outcomes)]
         answers = [f"{outcome.name}: {answer(outcome)}" for outcome in outcomes if outcome.verdict is not None]
