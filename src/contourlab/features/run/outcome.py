@@ -270,7 +270,8 @@ def run_case(
     stages : Stages, optional
         Where to show the work.
     explain : bool
-        Whether to find causes, and advice where the verdict fails. A case that learns gets none: what it learned belongs to its machine.
+        Whether to find causes, and advice where the verdict fails. A case that learns gets none: what it learned belongs to its machine;
+        nor does one that changes controllers on the way.
     costs : bool
         Whether to time the servo tick.
     foretell : bool
@@ -320,7 +321,7 @@ def run_case(
     figures = summarise(judged, reference)
     answer = sampled = None
     if case.tolerance is not None:
-        explain = explain and learned is None
+        explain = explain and learned is None and not case.changes
         if explain:
             begin(f"looking for the causes of the error of {case.name}")
         ways: dict[str, Any] = {"slower": case.reference, "closer": case.closer, "rerun": partial(simulate, **noise)}

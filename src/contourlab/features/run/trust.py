@@ -29,23 +29,24 @@ LEVELS = (0.05, 0.95)
 
 
 _RESTS_ON = {
-    **dict.fromkeys(("reversal", "breakaway", "friction"), "friction"),
-    **dict.fromkeys(("lag", "compliance", "servo mismatch"), "plant"),
-    "quantisation": "sensor",
-    "saturation": "drive",
-    "disturbance": "disturbance",
+    "friction": {"reversal", "breakaway", "friction"},
+    "plant": {"lag", "compliance", "servo mismatch"},
+    "sensor": {"quantisation"},
+    "drive": {"saturation"},
+    "disturbance": {"disturbance"},
 }
-"""Slot of an axis on which a cause of the error rests."""
+"""Slots of an axis, and the causes of the error that depend on their numbers."""
 
 
 def about_guesses(causes: Sequence[Cause], numbers: Sequence[Number]) -> list[Finding]:
-    """Return a finding on the share of the error at the worst place that rests on guessed numbers, if any does."""
-    guesses = [number.name.split(".") for number in numbers if number.source == "assumed" and number.drawn]
-    slots = {cause: slot for cause, slot in _RESTS_ON.items() if any(name[2] == slot for name in guesses)}
-    resting = [cause for cause in causes if cause.name in slots]
-    share, used = sum(cause.share for cause in resting), {slots[cause.name] for cause in resting if cause.share >= NOTABLE}
-    names = dict.fromkeys(f"axes.*.{'.'.join(name[2:])}" for name in guesses if name[2] in used)
-    return [finding("CL229", share=share, numbers=list(names))] if names else []
+    """Return a finding on the share of the error at the worst place that depends on guessed numbers, if any does."""
+    guesses, share = dict[str, None](), 0.0
+    for slot, names in _RESTS_ON.items():
+        guessed = [number.name.split(".", 2)[2] for number in numbers if number.source == "assumed" and f".{slot}." in number.name]
+        part = sum(cause.share for cause in causes if cause.name in names)
+        if guessed and part >= NOTABLE:
+            guesses, share = guesses | dict.fromkeys(f"axes.*.{name}" for name in guessed), share + part
+    return [finding("CL229", share=share, numbers=list(guesses))] if guesses else []
 
 
 def part_interval(
