@@ -10,6 +10,7 @@ import pytest
 from each import each
 from made_controls import made_control
 
+import contourlab as cl
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.app.results import SAFETY
 from contourlab.controls import control_file
@@ -353,3 +354,17 @@ def test_a_servo_by_torque_does_not_fit_a_control_of_steps(tmp_path):
     with pytest.raises(ScenarioError) as refused:  # 250 pulses per mm are 6.25 on a full step
         new_machine(known | stepper | {"x.lead": "5 mm"})
     assert refused.value.key == "x.lead"
+
+
+def test_a_machine_from_a_control_reads_programs_as_the_control_does(tmp_path):
+    """The start-up code blends and the unit is the inch, for the commands that plan and for those that read logs."""
+    control = control_file(made_control(tmp_path, "linuxcnc"))
+    given = of_control(control) | {
+        "x.holding_torque": "1.9", "x.rotor_inertia": "0.5", "x.lead": "5.08", "x.moved_mass": "8", "y.same_as": "x", "y.moved_mass": "8",
+    }  # fmt: skip
+    write_machine(new_machine(given, "Made", control), tmp_path / "made")
+    part = tmp_path / "part.ngc"
+    part.write_text("G90 F30\nG1 X1\nG1 Y1\nM2\n", encoding="ascii")
+    by_file, by_answers = (cl.check(part, machine=machine) for machine in (control.file, tmp_path / "made"))
+    assert by_answers.box == by_file.box and by_answers.cycle_time == pytest.approx(by_file.cycle_time)
+    assert not {"CL110", "CL984"} & {note.code for note in by_answers.findings}
