@@ -89,14 +89,13 @@ def axis_tables(axis: SizedAxis) -> dict[str, Any]:
     """Return the axis file."""
     peak = "peak_force" if axis.linear else "peak_torque"
     sensor = "motor_sensor" if axis.resonance else "sensor"
-    tables: dict[str, Any] = {
+    pulse = _number(axis, "pulse") if axis.pulse else None
+    tables = position_drive(axis.period, pulse) if axis.drive == "step-drive" else {"plant": _plant(axis)}
+    tables |= {
         **({"substeps": axis.substeps} if axis.resonance or axis.drive == "stepper" else {}),
-        "plant": {} if axis.drive == "step-drive" else _plant(axis),
         **({"friction": _friction(axis)} if axis.friction else {}),
         "limits": {key: _number(axis, key) for key in ("velocity", "acceleration", "jerk", "travel") if axis.values[key]},
     }
-    if axis.drive == "step-drive":
-        tables |= position_drive(axis.period, _number(axis, "pulse") if axis.pulse else None)
     if not axis.stepping:
         limit = _number(axis, peak, "A", lambda sized: rounded(sized.current), f"{axis.peak:.4g} N")
         encoder = {"kind": "encoder", "resolution": _number(axis, "encoder_resolution")}
