@@ -24,7 +24,7 @@ def sentence(data: ReportData) -> str:
     schemes = data.schemes
     best = min(schemes, key=lambda scheme: (data.passed(scheme) is False, scheme.metrics.part_error.max))
     if len(schemes) == 1:
-        return _alone(data, best)
+        return answer(best)
     size = figure(best.metrics.part_error.max, "um")
     if data.tolerance is None:
         return f"Of {len(schemes)} runs, {best.name} keeps closest to the path: {size} at most."
@@ -33,22 +33,16 @@ def sentence(data: ReportData) -> str:
     return f"{count} within {figure(data.tolerance, 'um', 6)}. Best: {best.name}, {size}."
 
 
-def _alone(data: ReportData, scheme: JudgedRun) -> str:
-    size, verdict = figure(scheme.metrics.part_error.max, "um"), scheme.verdict
-    if not scheme.result.status.ok:
-        return f"The run did not finish: {scheme.result.status.reason}."
-    if verdict is None:
-        return f"The tool leaves the path by {size} at most."
-    return answer(scheme)
-
-
 def answer(scheme: JudgedRun) -> str:
     """Return the verdict on a run: where and how large the error is, its largest cause, and the price of what lowers it.
 
     The price is that of a lower feed and of the best other change, each as it was run alone.
     """
     verdict = scheme.verdict
-    assert verdict is not None
+    if not scheme.result.status.ok:
+        return f"The run did not finish: {scheme.result.status.reason}."
+    if verdict is None:
+        return f"The tool leaves the path by {figure(scheme.metrics.part_error.max, 'um')} at most."
     worst, cause = verdict.worst, max(verdict.causes, key=lambda cause: cause.contribution, default=None)
     where = f"line {worst.line}" if worst.line else "(" + ", ".join(f"{x * 1e3:.3f}" for x in worst.position) + ") mm"
     size, allowed = figure(worst.value, "um"), figure(verdict.tolerance, "um", 6)
