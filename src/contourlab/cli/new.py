@@ -60,6 +60,9 @@ def _ask(question: Question) -> str:
     except EOFError:
         if sys.stdin.isatty():
             raise KeyboardInterrupt from None
+        if question.key == "backlash":  # scripts of answers from before this question end here
+            print("not answered, none is simulated", file=sys.stderr)
+            return ""
         raise ScenarioError("the input ends before this question: answer it too", file="standard input", key=question.key) from None
 
 

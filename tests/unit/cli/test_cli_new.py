@@ -26,7 +26,7 @@ lead = "5 mm"
 """
 TYPED = [
     *("x, y", "", "x on y", "", "1.3", "0.5", "0.6", "", "20 kg", "", "", "", "", ""),
-    *("no", "", "2400 mNm", "500 mNm/A", "1.2", "0.5 cm", "40", "", "", "", "", "", "", ""),
+    *("no", "", "2400 mNm", "500 mNm/A", "1.2", "0.5 cm", "40", "", "", "", "", "", ""),
 ]
 """The same answers in other words, as typed; an empty line takes the default."""
 
@@ -119,7 +119,7 @@ def test_typed_answers_make_the_same_files(answers, tmp_path, monkeypatch, capsy
 
 
 def test_invalid_answers_are_explained_and_asked_again(tmp_path, monkeypatch, capsys):
-    wrong_first = ["x, x", *TYPED[:4], "much", *TYPED[4:]]
+    wrong_first = ["x, x", *TYPED[:4], "much", *TYPED[4:], ""]
     monkeypatch.setattr("sys.stdin", Terminal("\n".join(wrong_first) + "\n"))
     assert main(["new", "machine", "--out", str(tmp_path / "mill")]) == 0
     shown = capsys.readouterr().err
@@ -185,12 +185,13 @@ def test_answers_typed_before_there_was_a_question_name_it(tmp_path, monkeypatch
     """A file of answers that ends early is refused with the question it lacks; with the rest the machine is made."""
     file = reference_file("repro/trial3/ans.txt")
     lines = file.read_text(encoding="utf-8").splitlines()
-    for more, key in (([], "z.unbalanced_mass"), (["6"], "travel"), (["6", "750, 750, 120"], "backlash")):
+    for more, key in (([], "z.unbalanced_mass"), (["6"], "travel")):
         monkeypatch.setattr("sys.stdin", io.StringIO("\n".join([*lines, *more]) + "\n"))
         assert main(["new", "machine", "--out", str(tmp_path / "t")]) == 2
         assert f"standard input: {key}: " in capsys.readouterr().err
-    monkeypatch.setattr("sys.stdin", io.StringIO("\n".join([*lines, "6", "750, 750, 120", ""]) + "\n"))
+    monkeypatch.setattr("sys.stdin", io.StringIO("\n".join([*lines, "6", "750, 750, 120"]) + "\n"))  # backlash was no question
     assert main(["new", "machine", "--out", str(tmp_path / "t")]) == 0
     machine = load_machine(tmp_path / "t" / "machine.toml")
     assert [axis.limits.extent for axis in machine.axes] == [0.75, 0.75, 0.12]
+    assert "backlash" in capsys.readouterr().err and not any(axis.error.backlash for axis in machine.axes)
     assert all(20.0 < axis.friction.values()["coulomb"] < 100.0 for axis in machine.axes)  # a tenth of its motor's force is 249 N
