@@ -53,7 +53,7 @@ def test_the_summary_keeps_its_published_keys(circle: Finished) -> None:
     assert found["version"] == package.__version__
     assert list(found["schemes"]) == ["position loop", "all of it"]
     for one in found["schemes"].values():
-        assert one["verdict"].keys() == {"passed", "tolerance", "worst", "causes", "left_out"}
+        assert one["verdict"].keys() == {"passed", "tolerance", "worst", "causes", "left_out", "changes"}
 
 
 def test_a_failed_tolerance_is_exit_code_1(circle: Finished) -> None:

@@ -68,15 +68,18 @@ def read(said: Said) -> dict[str, Any]:
     return scheme
 
 
-def test_a_circle_runs_and_passes_and_its_next_command_too(contourlab: Run) -> None:
+def test_a_circle_runs_and_passes_and_a_failure_has_a_next_command(contourlab: Run) -> None:
     said = contourlab("run", "circle.toml")
     assert (said.code, said.err) == (0, "")
     result = Result.load("results/signals/base.nc")
     # The count is at the command a period later, the motor close to it.
     off = result["applied_command"][:-1] - result["axis_position"][1:]
     assert 0.05 * FULL_STEP < np.abs(off).max() < 0.5 * FULL_STEP
+    assert "next: " not in said.out
+    Path("circle.toml").write_text(CIRCLE.replace('"30 um"', '"1 um"'), encoding="utf-8")
+    said = contourlab("run", "circle.toml")
     words = shlex.split(next(line for line in said.out.splitlines() if line.startswith("next: ")))[2:]
-    assert words[0] == "sensitivity"
+    assert (said.code, words[0]) == (1, "sensitivity")
     assert main([*words, "--values", "5", "--parts", "curves"]) == 0
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import io
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,21 +11,26 @@ import pytest
 from reference_data import reference_file
 
 import contourlab as cl
+from contourlab.cli.main import main
 from contourlab.features.machines.answers import read_answers
 from contourlab.features.machines.new_machine import new_machine, write_machine
+from contourlab.features.run.outcome import run_case
 from contourlab.features.run.trust import part_interval
 from contourlab.scenario import Case, scenario_from_parts
 from contourlab.study import Setting
 
+RUBBING = {f"{axis}.{key}": value for axis in "xyz" for key, value in (("friction", "44.9 N"), ("damping", "180 N*s/m"))}
+"""Of the machine for which the cascade was made."""
 
-@pytest.fixture
-def case(tmp_path: Path) -> Case:
+
+def made(place: Path, **further: str) -> Case:
     folder = reference_file("repro/router/answers.toml").parent
-    write_machine(new_machine(read_answers(folder / "answers.toml")), tmp_path)
-    return scenario_from_parts(folder / "part.ngc", tmp_path / "machine.toml", tmp_path / "controller.toml").cases()[0]
+    write_machine(new_machine({**read_answers(folder / "answers.toml"), **further}), place)
+    return scenario_from_parts(folder / "part.ngc", place / "machine.toml", place / "controller.toml").cases()[0]
 
 
-def test_the_error_on_cutting_moves_is_that_of_a_hand_made_cascade(case: Case) -> None:
+def test_the_error_on_cutting_moves_is_that_of_a_hand_made_cascade(tmp_path: Path) -> None:
+    case = made(tmp_path, **RUBBING)
     reference, route = case.reference(), case.route()
     result = cl.judge(cl.simulate(case.machine, case.controller, reference), reference)
     assert route is not None
@@ -33,8 +40,40 @@ def test_the_error_on_cutting_moves_is_that_of_a_hand_made_cascade(case: Case) -
 
 
 @pytest.mark.slow
-def test_the_guesses_give_an_interval(case: Case) -> None:
-    interval = part_interval(Setting.of(case))
+def test_the_guesses_give_an_interval(tmp_path: Path) -> None:
+    interval = part_interval(Setting.of(made(tmp_path)))
     assert [one.code for one in interval.findings] == ["CL225", "CL228"]
     assert interval.failed == 0
     assert interval.max is not None and interval.max.low < interval.max.high
+
+
+@pytest.mark.slow
+def test_a_router_from_its_ini_runs_and_says_what_it_rests_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The figure of a run follows the file of the control, the answers and the guesses; a share of the error rests on guesses."""
+    ini = reference_file("repro/trial3/router.ini")
+    typed = ["z on x, x on y", "", "1.9", "0.5", "5", "8", "", "25", "", "6", "6", "20, 20, 10"]
+    monkeypatch.setattr("sys.stdin", io.StringIO("\n".join(typed) + "\n"))
+    assert main(["new", "machine", "--from", str(ini), "--out", str(tmp_path / "made")]) == 0
+    part = ini.parent / "bracket.ngc"
+    runs = cl.run(part, machine=tmp_path / "made", tolerance="50 um", interval=False)
+    (outcome,) = runs.outcomes
+    codes = {note.code: note for note in outcome.findings}
+    assert {"CL980", "CL985"} <= set(codes) and "CL984" not in codes
+    assert set(runs.machine["origin"].values()) == {"read", "computed", "guessed", "datasheet"}
+    causes = {cause.name: cause.contribution for cause in outcome.verdict.causes}
+    assert causes["backlash"] == pytest.approx(10e-6, rel=0.2)
+    assert outcome.verdict.passed
+
+
+def judged_to_100_um(case: Case) -> Case:
+    return replace(case, run=replace(case.run, tolerance=100e-6))
+
+
+@pytest.mark.slow
+def test_a_verdict_on_a_guess_says_so(tmp_path: Path) -> None:
+    outcome = run_case(judged_to_100_um(made(tmp_path)))
+    (note,) = [note for note in outcome.findings if note.code == "CL229"]
+    assert note.values["share"] > 0.8 and "axes.*.friction.coulomb" in note.values["numbers"]
+    known = made(tmp_path / "known", **RUBBING)
+    told = run_case(judged_to_100_um(known)).findings
+    assert "axes.*.friction.coulomb" not in [name for note in told if note.code == "CL229" for name in note.values["numbers"]]

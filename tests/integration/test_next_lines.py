@@ -42,7 +42,7 @@ SLOW = [
     ("learn", "builtin:gecer-ulu/contour-simulated", "--trials", "3"),
 ]
 """Studies whose next step takes minutes are left out."""
-SILENT = {"analyse", "canon", "explain", "measure", "notch", "run"}
+SILENT = {"analyse", "canon", "compare", "explain", "measure", "notch", "run"}
 """Commands whose answer may propose nothing."""
 
 

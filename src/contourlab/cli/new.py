@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 def machine(settings: NewMachine, session: Session) -> Entry:
     """Ask for data-sheet values; write a machine and a controller that fits it."""
-    from contourlab.features.machines.answers import BLANK, answers_text, interview, preset_file, read_answers
+    from contourlab.controls import control_file
+    from contourlab.features.machines.answers import BLANK, answers_text, interview, of_control, preset_file, read_answers
     from contourlab.features.machines.new_machine import check_folder, new_machine, write_machine
     from contourlab.units import show
 
@@ -27,16 +28,20 @@ def machine(settings: NewMachine, session: Session) -> Entry:
         text = (answers_text(BLANK) if file is None else file.read_text(encoding="utf-8")).rstrip()
         return Entry(text, text)
     check_folder(out, force=settings.force)
+    control = None if settings.from_ is None else control_file(settings.from_)
+    if control is None and settings.from_ is not None:
+        raise ScenarioError("is not the file of a control that is known: name the INI file of LinuxCNC, for example", file=settings.from_)
+    known = {} if control is None else of_control(control)
     if file is None:
         hint = "Press Enter for the value in brackets. Type back for the question before. A bare number has the unit shown."
         print(hint, file=sys.stderr)
     try:
-        given = interview(_ask, _remark, new_machine) if file is None else read_answers(file)
-        made = new_machine(given, out.resolve().name)
+        given = interview(_ask, _remark, new_machine, known) if file is None else {**read_answers(file), **known}
+        made = new_machine(given, out.resolve().name, control)
     except ScenarioError as error:
         # Answers from a file are checked here: name the file.
         raise ScenarioError(error.message, file=answers or error.file, key=error.key) from None
-    written = write_machine(made, out, force=settings.force, inputs=() if answers is None else (answers,))
+    written = write_machine(made, out, force=settings.force, inputs=[read for read in (answers, settings.from_) if read is not None])
     lines = [made.summary(), *(f"wrote {target}" for target in written)]
     has_scenario = "scenario.toml" in made.files()
     lines += [f"next: contourlab run {as_typed([str(out)])}"] if has_scenario else []
@@ -55,6 +60,9 @@ def _ask(question: Question) -> str:
     except EOFError:
         if sys.stdin.isatty():
             raise KeyboardInterrupt from None
+        if question.key == "backlash":  # scripts of answers from before this question end here
+            print("not answered, none is simulated", file=sys.stderr)
+            return ""
         raise ScenarioError("the input ends before this question: answer it too", file="standard input", key=question.key) from None
 
 

@@ -76,6 +76,23 @@ def driven_by_steps(period: float, pulse: dict[str, Any] | None) -> dict[str, An
     return {"substeps": substeps(300.0, period), "plant": plant if pulse is None else {**plant, "pulse": pulse}}
 
 
+def position_drive(period: float, pulse: Any = None) -> dict[str, Any]:
+    """Return the tables of an axis whose drive takes positions, or steps with a travel per pulse, and closes all loops.
+
+    Parameters
+    ----------
+    period : float [s]
+        Servo period.
+    pulse : optional
+        As a table holds it.
+    """
+    frequency = guessed("40 Hz", "15 Hz", "100 Hz", "position loop of a servo drive of usual size")
+    ahead = {"value": 0.5, "source": "assumed", "range": [0.0, 1.0], "note": "drives differ"}
+    damping = {"value": 1.0, "source": "assumed", "range": [0.6, 1.4], "note": "drives differ"}
+    plant = {"kind": "step-drive", "natural_frequency": frequency, "damping_ratio": damping, "velocity_feedforward": ahead}
+    return {"substeps": substeps(100.0, period), "plant": {**plant, "pulse": pulse} if pulse else plant}
+
+
 def substeps(frequency: float, period: float) -> int:
     """Return the sub-steps that a plant needs which oscillates at a frequency [Hz]."""
     return max(1, math.ceil(8.0 * math.pi * frequency * period))

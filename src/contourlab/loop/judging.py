@@ -36,6 +36,11 @@ def _counts(reference: Reference) -> Array:
     return reference.judged.mask(reference.n_sample).astype(float)
 
 
+def axis_positions(machine: Machine) -> tuple[str, ...]:
+    """Return the signals of the true positions of the axes; where there is a play, they are behind it."""
+    return tuple(f"{axis.name}.{'play' if axis.error.backlash else 'plant'}.position" for axis in machine.axes)
+
+
 def judge_node(machine: Machine, reference: Reference, view: PathView) -> Node:
     """Return the node that computes the contour error of each lane."""
     return _judge_node(machine, reference, reference.path, view, JUDGE, "in.arc_length", float(reference.block(0, 1).arc_length[0]))
@@ -64,7 +69,7 @@ def _judge_node(
     machine: Machine, reference: Reference, path: Path, view: PathView, name: str, arc_length: str, foot: float, planning: float = 0.0
 ) -> Node:
     n = len(machine.axes)
-    position = tuple(Late(f"{axis.name}.plant.position") for axis in machine.axes)
+    position = tuple(map(Late, axis_positions(machine)))
     wires: dict[str, Any] = {"position": position, "reference": "in.reference", "arc_length": arc_length}
     parameters, cells = room_for(path, min(most_error(machine), LAG * reference.largest_feedrate + MARGIN), planning)
     step = judge_step(view, n, bool(path.corners.size) or not path.closed)

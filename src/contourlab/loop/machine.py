@@ -96,18 +96,21 @@ class AxisError:
         Error of the tool's position over ascending axis positions, linear in between; empty for none.
     repeatability : float [m], >= 0
         Unidirectional repeatability by ISO 230-2 (4 s): each reversal draws a new offset of the tool, normal with s = a quarter of it.
+    backlash : float [m], >= 0
+        Play behind the encoder: the axis rests where friction holds it until the motor has crossed the play. It begins in the middle.
     origins : mapping of str to Origin
         Source of each number, by name.
 
     Raises
     ------
     ParameterError
-        If the table is not finite or not ascending, or the repeatability is negative.
+        If the table is not finite or not ascending, or repeatability or backlash is negative.
     """
 
     position: Array = field(default_factory=lambda: np.zeros(0), metadata=setting("m", "mm"))
     lead_error: Array = field(default_factory=lambda: np.zeros(0), metadata=setting("m", "um"))
     repeatability: float = field(default=0.0, metadata=setting("m", "um", minimum=0.0))
+    backlash: float = field(default=0.0, metadata=setting("m", "um", minimum=0.0))
     origins: Mapping[str, Origin] = field(default_factory=dict, compare=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -115,7 +118,8 @@ class AxisError:
             raise ParameterError("error.position", "a table", "as long as lead_error, with increasing positions", "m")
         if not (np.isfinite(self.position).all() and np.isfinite(self.lead_error).all()):
             raise ParameterError("error.lead_error", "a table", "finite", "m")
-        refuse(not self.repeatability >= 0.0, ParameterError, "error.repeatability", f"{self.repeatability:g}", ">= 0", "m")
+        for name in ("repeatability", "backlash"):
+            refuse(not getattr(self, name) >= 0.0, ParameterError, f"error.{name}", f"{getattr(self, name):g}", ">= 0", "m")
 
 
 DIVISIONS = {

@@ -38,9 +38,9 @@ from contourlab.geometry import Path
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.builder import ZERO, Builder, Overrides, Sensing, Signals, add_taken, check_seed, insert_links, subtract_node, sum_step
 from contourlab.loop.feeding import AHEAD, LEARNED_COMMAND, LEARNED_REFERENCE, SOURCE_LINE
-from contourlab.loop.judging import watch_node
+from contourlab.loop.judging import axis_positions, watch_node
 from contourlab.loop.machine import Axis, Controller, Machine
-from contourlab.primitives import select
+from contourlab.primitives import maximum, minimum, select
 
 
 def add_plants(builder: Builder) -> None:
@@ -72,6 +72,10 @@ def add_plants(builder: Builder) -> None:
         step, tables = link(axis.plant, axis.friction, axis.motor_friction, axis.substeps), axis.plant.table_values()
         repeat = 1 if moves_its_count(axis.plant) else axis.substeps
         builder.nodes.append(Node(f"{name}.plant", step, pushed, values, tables, initial, start, repeat=repeat))
+        if axis.error.backlash:
+            flanks, rest = {"half": 0.5 * axis.error.backlash}, start["position"]
+            behind = Node(f"{name}.play", PLAY, {"at": f"{name}.plant.position"}, flanks, {}, {"left": rest}, {"position": rest})
+            builder.nodes.append(behind)
 
 
 def _resting(plant: Plant, at: float, changed: Mapping[str, Array]) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -148,6 +152,14 @@ def _hand_over(par: Any, x: Any, inp: Any, clock: Any) -> Any:
     return (inp.active, par.kept * offset), (wanted + offset + 0.0 * inp.active, inp.active, offset)
 
 
+def _behind_play(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+    left = minimum(maximum(x.left, inp.at - par.half), inp.at + par.half)
+    return (left,), (left,)
+
+
+PLAY = Step("play", _behind_play, ("half",), states=ports("left"), inputs=ports("at"), outputs=ports("position"))
+"""The position behind a play of twice `half`: friction holds it until a flank pushes."""
+
 ACCEPTED = Step(
     "told",
     lambda par, x, inp, clock: ((), (inp.accepted - select(inp.active == inp.number, inp.offset, 0.0),)),
@@ -185,7 +197,7 @@ def signal_map(builder: Builder, sensing: Mapping[str, Sensing]) -> dict[str, tu
 
     signals = {
         "position": tuple(plain(sensing[name].measured) for name in builder.names),
-        "axis_position": tuple(f"{name}.plant.position" for name in builder.names),
+        "axis_position": axis_positions(builder.machine),
         "axis_velocity": tuple(f"{name}.plant.velocity" for name in builder.names),
         "velocity": tuple(plain(sensing[name].velocity) for name in builder.names),
         "command": tuple(map(builder.filtered, builder.names)),

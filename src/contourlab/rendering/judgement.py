@@ -10,6 +10,8 @@ from contourlab.findings import Finding
 from contourlab.loop import Controller
 from contourlab.units import from_si
 
+FEED = "feed 80 %"
+"""Name of the change that takes the feed down by a fifth."""
 NOT_STATED = "not stated"
 MOST_ITEMS = 4
 """Items of a list that are printed."""
@@ -187,6 +189,24 @@ class Worst:
 
 
 @dataclass(frozen=True, slots=True)
+class Change:
+    """A change that was run alone.
+
+    Attributes
+    ----------
+    name : str
+    part_error : float [m]
+        The largest.
+    added_time : float [s]
+        Time by which the motion is longer.
+    """
+
+    name: str
+    part_error: float
+    added_time: float
+
+
+@dataclass(frozen=True, slots=True)
 class Verdict:
     """Pass or fail against a tolerance.
 
@@ -205,6 +225,8 @@ class Verdict:
         Skipped path, causes that could not be separated, the best changes.
     proposed : Controller or None
         With the best changes; None if they leave the controller as it is.
+    changes : tuple of Change
+        Those that lower the error each by itself, the best first.
     """
 
     passed: bool
@@ -214,3 +236,4 @@ class Verdict:
     left_out: float = 0.0
     findings: tuple[Finding, ...] = field(default=(), metadata={"json": False})
     proposed: Controller | None = field(default=None, metadata={"json": False})
+    changes: tuple[Change, ...] = ()

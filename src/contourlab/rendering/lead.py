@@ -9,11 +9,14 @@ import numpy as np
 from contourlab.arrays import Array, Index
 from contourlab.figures import NONE, figure, number
 from contourlab.rendering.data import JudgedRun, ReportData
-from contourlab.rendering.judgement import Verdict
+from contourlab.rendering.judgement import FEED
 from contourlab.rendering.samples import signal
 
 MOST_LINES, LETTERS = 500, 200
 """Most lines of a program on a page, and letters of a line."""
+
+_WORDS = {"reversal": "friction at the reversal", "breakaway": "friction at the start"}
+"""Causes in other words than their names."""
 
 
 def sentence(data: ReportData) -> str:
@@ -21,7 +24,7 @@ def sentence(data: ReportData) -> str:
     schemes = data.schemes
     best = min(schemes, key=lambda scheme: (data.passed(scheme) is False, scheme.metrics.part_error.max))
     if len(schemes) == 1:
-        return _alone(data, best)
+        return answer(best)
     size = figure(best.metrics.part_error.max, "um")
     if data.tolerance is None:
         return f"Of {len(schemes)} runs, {best.name} keeps closest to the path: {size} at most."
@@ -30,24 +33,28 @@ def sentence(data: ReportData) -> str:
     return f"{count} within {figure(data.tolerance, 'um', 6)}. Best: {best.name}, {size}."
 
 
-def _alone(data: ReportData, scheme: JudgedRun) -> str:
-    size, verdict = figure(scheme.metrics.part_error.max, "um"), scheme.verdict
+def answer(scheme: JudgedRun) -> str:
+    """Return the verdict on a run: where and how large the error is, its largest cause, and the price of what lowers it.
+
+    The price is that of a lower feed and of the best other change, each as it was run alone.
+    """
+    verdict = scheme.verdict
     if not scheme.result.status.ok:
         return f"The run did not finish: {scheme.result.status.reason}."
     if verdict is None:
-        return f"The tool leaves the path by {size} at most."
-    allowed = figure(verdict.tolerance, "um", 6)
-    if verdict.passed:
-        return f"The tool leaves the path by {size} at most; {allowed} are allowed."
-    where = f" at line {verdict.worst.line}" if verdict.worst.line else ""
-    skipped = f", and skips {figure(verdict.left_out, 'mm')} of it" if verdict.left_out else ""
-    return f"The tool leaves the path by {size}{where}{skipped}; {allowed} are allowed.{_reason(verdict)}"
-
-
-def _reason(verdict: Verdict) -> str:
-    cause = f" Main cause: {verdict.causes[0].name}." if verdict.causes else ""
-    best = next((finding for finding in verdict.findings if finding.code == "CL203"), None)
-    return cause + ("" if best is None else f" Best change: {best.values['change']}, to {figure(best.values['after'], 'um')}.")
+        return f"The tool leaves the path by {figure(scheme.metrics.part_error.max, 'um')} at most."
+    worst, cause = verdict.worst, max(verdict.causes, key=lambda cause: cause.contribution, default=None)
+    where = f"line {worst.line}" if worst.line else "(" + ", ".join(f"{x * 1e3:.3f}" for x in worst.position) + ") mm"
+    size, allowed = figure(worst.value, "um"), figure(verdict.tolerance, "um", 6)
+    # An error within the tolerance alone would not explain the verdict.
+    skips = f", the tool skips {figure(verdict.left_out, 'mm')} of the path" if verdict.left_out else ""
+    why = "" if cause is None else f", {_WORDS.get(cause.name, cause.name)}"
+    text = f"{'PASS' if verdict.passed else 'FAIL'} at {where}, t = {worst.time:.3f} s: {size} of {allowed} allowed{skips}{why}."
+    lower_feed = [change for change in verdict.changes if change.name == FEED]
+    for change in [*lower_feed, *[other for other in verdict.changes if other.name != FEED][:1]]:
+        longer = f", {change.added_time:+.2g} s" if abs(change.added_time) > 0.005 else ""
+        text += f" {change.name[0].upper()}{change.name[1:]}: {figure(change.part_error, 'um')}{longer}."
+    return text
 
 
 def lines_at(data: ReportData, along: Array) -> Index:

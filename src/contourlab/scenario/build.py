@@ -16,6 +16,7 @@ from contourlab.components.plant.plant import Plant
 from contourlab.components.registry import component, components
 from contourlab.controls import ControlFile
 from contourlab.errors import ComponentError, UnitError, hint, refuse
+from contourlab.findings import finding
 from contourlab.loop import Axis, AxisController, AxisError, Controller, Division, Limits, Machine
 from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS, NAMED_SLOTS
 from contourlab.scenario.files import EVERY
@@ -233,14 +234,24 @@ def build_machine(part: Table, controls: Sequence[ControlFile] = ()) -> Machine:
     return replace(machine, correlations=read_correlations(table, parts, nodes, within))
 
 
+ANSWERS = ("CL984", "CL988")
+"""Findings on how axes answer, of a control's own file."""
+
+
 def _control(part: Table, controls: Sequence[ControlFile]) -> ControlFile | None:
     """Return the control's own file of a machine; an axis is modelled once it has a plant from elsewhere."""
     control = next((control for control in controls if str(control.file) == part.table("machine").file), None)
     if control is None:
         return None
-    plants = {name: part.table("axes").table(name).table("plant").entries.values() for name in control.unmodelled}
-    left = {name: why for name, why in control.unmodelled.items() if all(node.file == str(control.file) for node in plants[name])}
-    return replace(control, unmodelled=left)
+    plants = {name: part.table("axes").table(name).table("plant").entries.values() for name in control.tables["axes"]}
+    left = [name for name, nodes in plants.items() if all(node.file == str(control.file) for node in nodes)]
+    unmodelled = {name: why for name, why in control.unmodelled.items() if name in left}
+    findings = [
+        finding(note.code, axes=axes, why=note.values["why"]) if note.code in ANSWERS else note
+        for note in control.findings
+        if (axes := [name for name in note.values.get("axes", ()) if name in left]) or note.code not in ANSWERS
+    ]
+    return replace(control, unmodelled=unmodelled, findings=tuple(findings))
 
 
 def _axis_names(table: Table) -> list[str]:
@@ -422,7 +433,7 @@ def in_place(table: Table, module: Axis, place: Axis) -> tuple[Axis, str]:
     names += [f"limits.{name}" for name in limit_names]
     notes = ["; ".join(names) + " (kept from the replaced axis)"] if names else []
     lost = [slot for slot in AXIS_SLOTS[1:] if slot not in table.entries and getattr(module, slot) != getattr(place, slot)]
-    if "error" not in table.entries and (place.error.position.size or place.error.repeatability):
+    if "error" not in table.entries and (place.error.position.size or place.error.repeatability or place.error.backlash):
         lost.append("error")
     if lost:
         notes.append(", ".join(lost) + " (absent; the replaced axis has it)")

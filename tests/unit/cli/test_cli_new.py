@@ -119,7 +119,7 @@ def test_typed_answers_make_the_same_files(answers, tmp_path, monkeypatch, capsy
 
 
 def test_invalid_answers_are_explained_and_asked_again(tmp_path, monkeypatch, capsys):
-    wrong_first = ["x, x", *TYPED[:4], "much", *TYPED[4:]]
+    wrong_first = ["x, x", *TYPED[:4], "much", *TYPED[4:], ""]
     monkeypatch.setattr("sys.stdin", Terminal("\n".join(wrong_first) + "\n"))
     assert main(["new", "machine", "--out", str(tmp_path / "mill")]) == 0
     shown = capsys.readouterr().err
@@ -189,6 +189,9 @@ def test_answers_typed_before_there_was_a_question_name_it(tmp_path, monkeypatch
         monkeypatch.setattr("sys.stdin", io.StringIO("\n".join([*lines, *more]) + "\n"))
         assert main(["new", "machine", "--out", str(tmp_path / "t")]) == 2
         assert f"standard input: {key}: " in capsys.readouterr().err
-    monkeypatch.setattr("sys.stdin", io.StringIO("\n".join([*lines, "6", "750, 750, 120"]) + "\n"))
+    monkeypatch.setattr("sys.stdin", io.StringIO("\n".join([*lines, "6", "750, 750, 120"]) + "\n"))  # backlash was no question
     assert main(["new", "machine", "--out", str(tmp_path / "t")]) == 0
-    assert [axis.limits.extent for axis in load_machine(tmp_path / "t" / "machine.toml").axes] == [0.75, 0.75, 0.12]
+    machine = load_machine(tmp_path / "t" / "machine.toml")
+    assert [axis.limits.extent for axis in machine.axes] == [0.75, 0.75, 0.12]
+    assert "backlash" in capsys.readouterr().err and not any(axis.error.backlash for axis in machine.axes)
+    assert all(20.0 < axis.friction.values()["coulomb"] < 100.0 for axis in machine.axes)  # a tenth of its motor's force is 249 N

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from contourlab.controls.contract import FLOATING, ControlFile, computed, driven_by_steps, guessed, read_from, steps_controller, substeps
+from contourlab.controls.contract import FLOATING, ControlFile, computed, driven_by_steps, position_drive, read_from, steps_controller
 from contourlab.controls.linuxcnc.files import LENGTHS, HalGraph, Ini, beside, graph_of, read_ini, units_of
 from contourlab.controls.linuxcnc.loops import Joint, LoopClass, classified, joints, kinematics_of, without_pid
 from contourlab.errors import ScenarioError
@@ -164,10 +164,7 @@ class _Machine:
             return {**driven_by_steps(self.period, pulse), "drive": drive}
         if loop.loop == "position drive":
             self.guesses[joint.axis] = loop.why
-            frequency = guessed("40 Hz", "15 Hz", "100 Hz", "position loop of a servo drive of usual size")
-            ahead = {"value": 0.5, "source": "assumed", "range": [0.0, 1.0], "note": "drives differ"}
-            plant = {"kind": "step-drive", "natural_frequency": frequency, "velocity_feedforward": ahead}
-            return {"substeps": substeps(100.0, self.period), "plant": plant}
+            return position_drive(self.period)
         self.unmodelled[joint.axis] = loop.why
         return {"plant": {"kind": "step-drive", "natural_frequency": f"{0.02 / self.period:.3g} Hz"}}
 

@@ -68,7 +68,7 @@ def reading_of(file: str | Path, options: Dialect) -> Reading:
     given = {key: getattr(options, key) for key in ("dialect", "block_delete", "tools", "zero", "most_moves")}
     chosen: dict[str, Any] = {key: value for key, value in given.items() if value is not None} | {"require_end": False}
     machine = getattr(options, "machine", None)
-    if machine is None or not of_control(machine):
+    if machine is None:
         return Reading(**chosen)
     from contourlab.scenario.load import machine_of, reading_on
 

@@ -14,8 +14,9 @@ from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
+from contourlab.controls import ControlFile
 from contourlab.errors import ScenarioError, UnitError, check_known, refuse
-from contourlab.features.machines.sizing import KV_RATIO, SizedAxis, rounded
+from contourlab.features.machines.sizing import GRAVITY, KV_RATIO, SizedAxis, rounded
 from contourlab.scenario.quantities import read_number
 from contourlab.scenario.tree import Table, read_tree
 from contourlab.units import from_si, show, split
@@ -24,7 +25,14 @@ _PER_TURN = re.compile(r"\s*(?:/|per)\s*(?:rev(?:olution)?|turn)\b")
 _COUNTS = re.compile(r"(?P<lines>\d+)\s*(?:lines?\s*)?[x×*]\s*(?P<steps>\d+)|(?P<bits>\d+)\s*bits?|(?P<counts>\d+)\s*counts?")
 _PERIOD = re.compile(r"(?P<period>.*[^\d\s])\s*(?:/|x|×)\s*(?P<steps>\d+)")
 _SPEED = re.compile(r"(\d+(?:\.\d*)?)\s*(?:rpm|1/min|U/min)")
-_DRIVES = {"screw": ("screw", "ball-screw", "belt", "rack"), "linear": ("linear", "linear-motor")}
+DRIVES = ("screw", "velocity", "linear", "step-drive", "stepper")
+_OTHER_WORDS = {"ball-screw": "screw", "belt": "screw", "rack": "screw", "torque": "screw", "linear-motor": "linear"}
+SERVO, TURNING = ("screw", "velocity"), ("screw", "velocity", "stepper")
+"""Drives by a motor with a torque constant, and by any motor that turns."""
+LOOPS = (*SERVO, "linear")
+"""Drives whose position loop the control closes."""
+_FASTEST = {"screw": 50.0, "velocity": 50.0, "stepper": 10.0, "linear": 1.0, "step-drive": 0.15}
+"""Turns per second at which motors usually run; of others the speed [m/s]."""
 
 
 @dataclass(frozen=True)
@@ -49,8 +57,8 @@ class Question:
         Lowest and highest value over the guess; None where a number is not drawn.
     asked : bool
         Whether the terminal asks; if not, only a file can answer.
-    drive : str
-        Drive that has it; empty: both.
+    drives : tuple of str
+        Drives that have it; empty: all.
     """
 
     key: str
@@ -58,11 +66,11 @@ class Question:
     unit: str = ""
     least: float = 0.0
     most: float = math.inf
-    default: str | Callable[[SizedAxis], float] | None = None
+    default: str | Callable[[SizedAxis], float | str] | None = None
     rule: str = ""
     spread: tuple[float, float] | None = None
     asked: bool = True
-    drive: str = ""
+    drives: tuple[str, ...] = ()
 
     @property
     def about(self) -> str:
@@ -73,7 +81,8 @@ class Question:
     def guess(self, axis: SizedAxis | None = None) -> str:
         """Return the answer taken without one, as text."""
         if callable(self.default) and axis is not None:
-            return show(self.default(axis), self.unit, 4)
+            guess = self.default(axis)
+            return guess if isinstance(guess, str) else show(guess, self.unit, 4)
         return self.default if isinstance(self.default, str) else ""
 
 
@@ -84,83 +93,112 @@ MACHINE = (
     Question("mounting", "Axes that stand on another axis, e.g. z on y, y on x (Enter: none)", default=""),
     Question("tolerance", "Tolerance of the first run", "um", 0.01, 5000.0, "50 um", asked=False),
     Question("travel", "Travel of each axis from end to end, e.g. 750 mm, 500 mm, 120 mm (Enter: unknown)", default="", asked=False),
+    Question("backlash", "Backlash of each axis, as measured at the table, e.g. 20 um, 20 um, 0 (Enter: none)", default="", asked=False),
 )
+EACH = MACHINE[-2:]
+"""Questions with an answer for each axis."""
 SAME = Question("same_as", "Same as which axis? Name what differs, as in x except moved_mass, lead (no: ask everything)", default="")
 
 
-def _share(axis: SizedAxis) -> float:
-    """Return the force that is guessed for friction [N]: up to a tenth of the command with screws (Ghaffari & Ulsoy), less without."""
-    return (0.05 if axis.linear else 0.1) * axis.force(axis.rated)
+def _rubbing(axis: SizedAxis) -> float:
+    """Return the friction of rails, seals and screw [N] that is guessed from the moved mass m [kg] and the lead l.
+
+    Rails: 0.003 m g, and 4 N m'^(1/3) of seals and preload on each of four carriages, m' = m/10 kg: makers state a coefficient of 0.002 to
+    0.003, and 2 N (size 15) to 20 N (size 45) of seals. Nut: the drag torque 0.05 (tan b)^-0.5 F l/(2 pi) of JIS B 1192 with the lead angle
+    b, which is a force of 0.05 (tan b)^-0.5 F at the table. Its preload F is 3 % of the load rating, usual are 0 to 8 %; the rating is 31
+    N/mm^2 d^2, as in tables of ball screws, and the diameter d = 8 mm m^(1/4) that of machines of this mass.
+    """
+    diameter = 8e-3 * axis.moved_mass**0.25
+    rails = 0.003 * GRAVITY * axis.moved_mass + 16.0 * (0.1 * axis.moved_mass) ** (1.0 / 3.0)
+    return float(rails if axis.linear else rails + 0.05 * 0.03 * 31e6 * diameter**2 * math.sqrt(math.pi * diameter / axis.lead))
 
 
 def _spare(axis: SizedAxis) -> float:
-    """Return the acceleration that the rated force allows beside friction at speed."""
+    """Return the acceleration that the rated force allows beside friction at speed; of a step drive one to its velocity in 0.2 s."""
+    if axis.drive == "step-drive":
+        return float(5.0 * axis.velocity)
     rated = axis.force(axis.rated)
     return float(max(rated - axis.friction - axis.damping * axis.velocity, 0.1 * rated) / axis.mass)
 
 
 AXIS = (
-    Question("drive", "Drive: screw (also belt or rack) or linear (motor)", default="screw"),
-    Question("rated_torque", "Rated torque of the motor", "N*m", 0.02, 500.0, drive="screw"),
+    Question("pulse", "Travel per step pulse", "um", 1e-3, 1000.0, "", "none, or 1600 pulses per turn of a stepper", asked=False),
+    Question(
+        "drive",
+        "Drive: screw (servo by torque; also belt, rack), linear (motor), velocity (servo by velocity), step-drive (closed loop), stepper",
+        default=lambda axis: "stepper" if axis.pulse else "screw", rule="screw, or stepper where steps are known",
+    ),
+    Question("holding_torque", "Holding torque of the stepper at the current of its drive", "N*m", 0.02, 100.0, drives=("stepper",)),
+    Question("rated_torque", "Rated torque of the motor", "N*m", 0.02, 500.0, drives=SERVO),
     Question(
         "peak_torque", "Peak torque of the motor with its drive", "N*m", 0.02, 2000.0, lambda axis: 3.0 * axis.rated,
-        "three times the rated torque", (0.6, 1.4), asked=False, drive="screw",
+        "three times the rated torque", (0.6, 1.4), asked=False, drives=SERVO,
     ),
-    Question("torque_constant", "Torque constant of the motor", "N*m/A", 0.005, 20.0, drive="screw"),
-    Question("rotor_inertia", "Inertia of the rotor", "kg*cm^2", 1e-3, 5000.0, drive="screw"),
+    Question("torque_constant", "Torque constant of the motor", "N*m/A", 0.005, 20.0, drives=SERVO),
+    Question("rotor_inertia", "Inertia of the rotor", "kg*cm^2", 1e-3, 5000.0, drives=TURNING),
     Question(
         "screw_inertia", "Inertia of coupling and screw", "kg*cm^2", 0.0, 20000.0, lambda axis: axis.rotor_inertia,
-        "as the rotor", (0.3, 1.7), asked=False, drive="screw",
+        "as the rotor", (0.3, 1.7), asked=False, drives=TURNING,
     ),
-    Question("lead", "Lead of the screw (travel per turn)", "mm", 0.2, 500.0, "10 mm", spread=(0.5, 1.5), drive="screw"),
-    Question("rated_force", "Rated force of the motor", "N", 0.5, 50000.0, drive="linear"),
+    Question("lead", "Lead of the screw (travel per turn)", "mm", 0.2, 500.0, "10 mm", spread=(0.5, 1.5), drives=TURNING),
+    Question(
+        "corner_speed", "Speed of the axis at which the stepper has 71 % of its holding torque", "m/min", 0.05, 600.0,
+        lambda axis: 400.0 / 60.0 * axis.lead, "400 rpm", (0.6, 1.4), asked=False, drives=("stepper",),
+    ),
+    Question("rated_force", "Rated force of the motor", "N", 0.5, 50000.0, drives=("linear",)),
     Question(
         "peak_force", "Peak force of the motor with its drive", "N", 0.5, 200000.0, lambda axis: 3.0 * axis.rated,
-        "three times the rated force", (0.6, 1.4), asked=False, drive="linear",
+        "three times the rated force", (0.6, 1.4), asked=False, drives=("linear",),
     ),
-    Question("force_constant", "Force constant of the motor", "N/A", 0.2, 5000.0, drive="linear"),
+    Question("force_constant", "Force constant of the motor", "N/A", 0.2, 5000.0, drives=("linear",)),
     Question("moved_mass", "Moved mass, without other axes of this machine on it", "kg", 0.01, 50000.0),
-    Question("efficiency", "Efficiency of the screw", "%", 20.0, 100.0, "90 %", spread=(0.9, 1.1), asked=False, drive="screw"),
+    Question("efficiency", "Efficiency of the screw", "%", 20.0, 100.0, "90 %", spread=(0.9, 1.1), asked=False, drives=TURNING),
     Question(
         "encoder_resolution",
         "Encoder: travel per count (1 um), lines x interpolation (2500 x 4), bits (17 bit), grating / interpolation (20 um / 400)",
         "um", 1e-5, 100.0, lambda axis: 1e-7 if axis.linear else axis.lead / 10000.0,
-        "0.1 um, or 10000 counts per turn of a screw", (0.2, 1.8),
+        "0.1 um, or 10000 counts per turn of a screw", (0.2, 1.8), drives=LOOPS,
     ),
     Question(
-        "velocity", "Velocity limit", "m/min", 0.05, 600.0, lambda axis: 1.0 if axis.linear else 50.0 * axis.lead,
-        "60 m/min, or 3000 rpm of a screw",
+        "velocity", "Velocity limit", "m/min", 0.05, 600.0, lambda axis: _FASTEST[axis.drive] * (axis.lead or 1.0),
+        "3000 rpm of a servo, 600 rpm of a stepper, 60 m/min of a linear motor, 9 m/min of a step drive",
     ),
     Question(
-        "friction", "Sliding friction at the table", "N", 0.0, 20000.0, _share,
-        "a tenth of the rated force, 5 % with a linear motor", (0.5, 1.5), asked=False,
+        "friction", "Sliding friction at the table", "N", 0.0, 20000.0, _rubbing,
+        "rails and preloaded nut of usual size for the moved mass", (0.3, 1.7), asked=False, drives=(*LOOPS, "stepper"),
     ),
     Question(
-        "damping", "Viscous damping at the table", "N*s/m", 0.0, 1e6, lambda axis: _share(axis) / axis.velocity,
-        "as much force as friction at the velocity limit", (0.5, 1.5), asked=False,
+        "damping", "Viscous damping at the table", "N*s/m", 0.0, 1e6, lambda axis: _rubbing(axis) / axis.velocity,
+        "as much force as the guessed friction at the velocity limit", (0.4, 1.6), asked=False, drives=(*LOOPS, "stepper"),
     ),
-    Question("acceleration", "Acceleration limit", "m/s^2", 0.02, 300.0, _spare, "what the rated force allows"),
+    Question(
+        "acceleration", "Acceleration limit", "m/s^2", 0.02, 300.0, _spare,
+        "what the rated force allows, of a stepper half of the holding force; a step drive: to its velocity in 0.2 s",
+    ),
     Question(
         "jerk", "Jerk limit", "m/s^3", 0.5, 1e6, lambda axis: axis.acceleration / 0.05,
         "reaches the acceleration in 50 ms", asked=False,
     ),
     Question("unbalanced_mass", "Unbalanced mass, if the axis is vertical (Enter: balanced, or horizontal)", "kg", 0.01, 50000.0, ""),
-    Question("resonance", "Lowest structural resonance, measured on the assembled machine", "Hz", 1.0, 2000.0, "", "none", asked=False),
+    Question("resonance", "Lowest structural resonance, measured on the assembled machine", "Hz", 1.0, 2000.0, "", "none", asked=False,
+             drives=LOOPS),
     Question(
         "bandwidth", "Bandwidth of the velocity loop (its natural frequency)", "Hz", 0.5, 2000.0, lambda axis: axis.fastest,
-        "the fastest that keeps 6 dB and 30 degrees, with a notch for a resonance",
+        "the fastest that keeps 6 dB and 30 degrees, with a notch for a resonance", drives=LOOPS,
     ),
     Question(
         "kv", "Kv, the gain of the position loop", "1/s", 0.5, 2000.0, lambda axis: KV_RATIO * axis.bandwidth_rate, "0.35 of it in rad/s",
+        drives=LOOPS,
     ),
     Question("travel", "Travel from end to end", "mm", 1.0, 100000.0, "", "unknown", asked=False),
+    Question("backlash", "Backlash at the table", "um", 0.0, 5000.0, "", "none", asked=False),
     Question("mounted_on", "Axis below it", default="", rule="the bed", asked=False),
     Question("stage_mass", "Mass of the whole module, carried by the axis below", "kg", 0.01, 50000.0, lambda axis: axis.moved_mass,
              "the moved mass", asked=False),
 )  # fmt: skip
 QUESTIONS = {question.key: question for question in AXIS}
 KEYS = tuple(QUESTIONS)
-PLACE = ("unbalanced_mass", "travel", "mounted_on", "stage_mass")
+PLACE = ("unbalanced_mass", "travel", "backlash", "mounted_on", "stage_mass")
 """Keys that an axis does not repeat from another."""
 
 
@@ -187,16 +225,18 @@ def read_value(question: Question, key: str, text: str, axis: SizedAxis) -> Any:
         If the answer is missing, not a quantity, or not what machines have.
     """
     if not text and callable(question.default):
-        return rounded(question.default(axis))
+        guess = question.default(axis)
+        return guess if isinstance(guess, str) else rounded(guess)
     text = text or question.guess()
     if not text:
         if question.default is None:
             raise fault(key, f"no answer: give {question.about}")
         return None
     if question.key == "drive":
-        drives = [drive for drive, words in _DRIVES.items() if text.lower() in words]
-        refuse(not drives, fault, key, f"{text!r} is not a drive: write screw or linear")
-        return drives[0]
+        drive = _OTHER_WORDS.get(text.lower(), text.lower())
+        refuse(drive not in DRIVES, fault, key, f"{text!r} is not a drive: write {', '.join(DRIVES)}")
+        refuse(axis.pulse and not drive.startswith("step"), fault, key, "the control makes steps: write stepper or step-drive")
+        return drive
     if not question.unit:
         return text
     refuse(question.unit == "Hz" and "mm" in text, fault, key, f"{text!r} is a Kv: write a frequency, such as 30 Hz")
@@ -287,19 +327,19 @@ def mounting(answers: Mapping[str, str]) -> dict[str, str]:
     return {name: under for name, (_, under) in below.items()}
 
 
-def travels(answers: Mapping[str, str]) -> dict[str, str]:
-    """Return the answers about the travel of each axis, empty for none.
+def for_each(answers: Mapping[str, str], key: str) -> dict[str, str]:
+    """Return the answers of each axis to one of the questions `EACH`, empty for none.
 
     Raises
     ------
     ScenarioError
-        If they are not one for each axis, or one is not a travel.
+        If they are not one for each axis, or one is not of its kind.
     """
-    names, text = axis_names(answers), answers.get("travel", "")
+    names, text = axis_names(answers), answers.get(key, "")
     parts = [part.strip() for part in text.split(",")] if text else [""] * len(names)
-    refuse(len(parts) != len(names), fault, "travel", f"{len(parts)} for the axes {', '.join(names)}: write one for each, with commas")
+    refuse(len(parts) != len(names), fault, key, f"{len(parts)} for the axes {', '.join(names)}: write one for each, with commas")
     for part in parts:
-        read_value(QUESTIONS["travel"], "travel", part, SizedAxis("", 0.0))
+        read_value(QUESTIONS[key], key, part, SizedAxis("", 0.0))
     return dict(zip(names, parts, strict=True))
 
 
@@ -328,7 +368,9 @@ def answers_of(answers: Mapping[str, str], name: str, trail: tuple[str, ...] = (
     refuse(name in trail, fault, f"{name}.{SAME.key}", "the axes repeat each other in a circle")
     other, kept = same_as(answers, name)
     repeated = answers_of(answers, other, (*trail, name)) if other else {}
-    own = {"travel": travels(answers)[name]} | {key: answers[f"{name}.{key}"] for key in KEYS if f"{name}.{key}" in answers}
+    own = {question.key: for_each(answers, question.key)[name] for question in EACH} | {
+        key: answers[f"{name}.{key}"] for key in KEYS if f"{name}.{key}" in answers
+    }
     return {key: text for key, text in repeated.items() if key not in (*kept, *PLACE)} | own
 
 
@@ -342,13 +384,13 @@ def sized(answers: Mapping[str, str], name: str, period: float, until: str = "")
     """
     axis, given = SizedAxis(name, period), answers_of(answers, name)
     for question in takewhile(lambda question: question.key != until, AXIS):
-        text = given.get(question.key, "")
-        if not question.drive or question.drive == axis.values["drive"]:
+        text, axis.values[question.key] = given.get(question.key, ""), None
+        if not question.drives or axis.drive in question.drives:
             axis.values[question.key] = read_value(question, f"{name}.{question.key}", text, axis)
             if not text and question.default:
                 axis.guesses.add(question.key)
         elif text:
-            raise fault(f"{name}.{question.key}", f"a {axis.values['drive']} drive has no such value")
+            raise fault(f"{name}.{question.key}", f"a drive of the kind {axis.drive} has no such value")
     return axis
 
 
@@ -384,14 +426,32 @@ def questions(answers: Mapping[str, str], also: frozenset[str] = frozenset()) ->
             if question.key == "unbalanced_mass" and not name.lower().startswith("z") and not required:
                 continue
             wanted = required or question.key in kept or (question.asked and (not other or question.key in PLACE))
-            if wanted and question.drive in ("", sized(answers, name, period, "rated_torque").values["drive"]):
+            if wanted and (not question.drives or sized(answers, name, period, "holding_torque").drive in question.drives):
                 guess = question.guess(sized(answers, name, period, question.key)) if callable(question.default) else question.default
                 yield replace(question, key=f"{name}.{question.key}", default=guess)
-    yield MACHINE[-1]  # the travel
+    yield from (question for question in EACH if not all(f"{name}.{question.key}" in answers for name in names))
+
+
+def of_control(control: ControlFile) -> dict[str, str]:
+    """Return the answers that a control's own file holds."""
+    period = control.tables["machine"]["servo_period"]
+    known = {"axes": ", ".join(control.tables["axes"]), "servo_period": period if isinstance(period, str) else period["value"]}
+    for name, tables in control.tables["axes"].items():
+        limits, pulse = tables["limits"], tables["plant"].get("pulse")
+        known |= {f"{name}.{key}": limits[key]["value"] for key in ("velocity", "acceleration", "jerk") if key in limits}
+        if "travel" in limits:
+            low, high = (read_number(end, "m", "mm") for end in limits["travel"]["value"])
+            known[f"{name}.travel"] = show(high - low, "mm", 12)
+        if name not in control.unmodelled:  # without pulses its drive takes positions
+            known |= {f"{name}.pulse": pulse["value"]} if pulse else {f"{name}.drive": "step-drive"}
+    return known
 
 
 def interview(
-    ask: Callable[[Question], str], remark: Callable[[ScenarioError], None], check: Callable[[Mapping[str, str]], object]
+    ask: Callable[[Question], str],
+    remark: Callable[[ScenarioError], None],
+    check: Callable[[Mapping[str, str]], object],
+    known: Mapping[str, str] | None = None,
 ) -> dict[str, str]:
     """Ask until all answers are valid and fit together.
 
@@ -403,8 +463,10 @@ def interview(
         Called with what is wrong with an answer, before it is asked again; may raise it.
     check : callable
         Raises ScenarioError with the key of the answer that does not fit.
+    known : mapping of str to str, optional
+        Answers that are not asked.
     """
-    answers: dict[str, str] = {}
+    answers = dict(known or {})
     also: set[str] = set()
     while True:
         question = next((q for q in questions(answers, frozenset(also)) if q.key not in answers), None)
@@ -417,8 +479,8 @@ def interview(
             if text.lower() == "back":
                 answers.pop(next(reversed(answers), ""), None)
                 continue
-            # The default of this question is an answer of its own.
-            text = text or (question.guess() if question.key.endswith(f".{SAME.key}") else "")
+            # The default of these questions is an answer of its own.
+            text = text or (question.guess() if question.key.endswith((f".{SAME.key}", ".drive")) else "")
             _check_answer(question, text, answers)
             answers[question.key] = text
         except ScenarioError as error:
@@ -440,7 +502,8 @@ def _check_answer(question: Question, text: str, answers: Mapping[str, str]) -> 
     else:
         machine_values(tried)
         mounting(tried)
-        travels(tried)
+        for question in EACH:
+            for_each(tried, question.key)
 
 
 def read_answers(file: str | Path) -> dict[str, str]:
@@ -476,10 +539,10 @@ def answers_text(answers: Mapping[str, str]) -> str:
     for name in axis_names(answers):
         own = {key: answers.get(f"{name}.{key}", "") for key in KEYS}
         other, kept = same_as(answers, name)
-        drive = "linear" if own["drive"].startswith("linear") else "screw"
+        drive = _OTHER_WORDS.get(own["drive"].lower(), own["drive"].lower()) or "screw"
         lines += ["", f"[{name}]"]
         lines += [_line(SAME, answers[f"{name}.{SAME.key}"])] if other else []
-        shown = [q for q in AXIS if own[q.key] or (q.key in kept if other else q.drive in ("", drive))]
+        shown = [q for q in AXIS if own[q.key] or (q.key in kept if other else not q.drives or drive in q.drives)]
         lines += [_line(question, own[question.key]) for question in shown]
     return "\n".join(lines) + "\n"
 

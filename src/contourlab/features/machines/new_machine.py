@@ -6,6 +6,7 @@ Nothing here reads input or prints.
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -13,6 +14,7 @@ from typing import Any
 
 from contourlab.app.results import proposed, spared
 from contourlab.components.origin import Origin
+from contourlab.controls.contract import ControlFile, position_drive
 from contourlab.errors import OutputError, ParameterError, refuse
 from contourlab.features.machines.answers import QUESTIONS, answers_text, axis_names, check_keys, fault, machine_values, mounting, sized
 from contourlab.features.machines.command import refuse_existing
@@ -46,7 +48,18 @@ def _noted(value: float, unit: str, origin: Origin) -> Noted:
     return Noted(origin_table(_written(value, unit), origin, lambda end: _written(rounded(end), unit)))
 
 
+def _guessed(value: float, unit: str, low: float, high: float, why: str) -> Noted:
+    return _noted(value, unit, Origin("assumed", span=(low, high), note=f"guess: {why}"))
+
+
 def _plant(axis: SizedAxis) -> dict[str, Any]:
+    if axis.drive == "stepper":
+        given: dict[str, Any] = {key: _number(axis, key) for key in ("holding_torque", "corner_speed", "damping")}
+        given["damping_ratio"] = _guessed(0.1, "", 0.05, 0.15, "steppers on usual drives")
+        if axis.pulse:
+            how = Origin("computed", note="travel of a full step over that of a pulse")
+            given["microsteps"] = _noted(round(axis.microsteps), "", how)
+        return {"kind": "stepper", "mass": _number(axis, "moved_mass"), **_screw(axis), **given}
     noted = {
         "mass": _number(axis, "moved_mass"),
         **({"force_constant": _number(axis, "force_constant")} if axis.linear else _screw(axis)),
@@ -58,17 +71,17 @@ def _plant(axis: SizedAxis) -> dict[str, Any]:
 
 def _screw(axis: SizedAxis) -> dict[str, Noted]:
     inertia = _number(axis, "screw_inertia", of=lambda sized: sized.inertia, note="rotor, coupling and screw")
-    given = {key: _number(axis, key, "" if key == "efficiency" else None) for key in ("lead", "torque_constant", "efficiency")}
+    keys = [key for key in ("lead", "torque_constant", "efficiency") if axis.values[key]]
+    given = {key: _number(axis, key, "" if key == "efficiency" else None) for key in keys}
     return {"inertia": inertia, **given}
 
 
 def _friction(axis: SizedAxis) -> dict[str, Any]:
-    rest = Origin("assumed", span=(axis.friction, 1.5 * axis.friction), note="guess: a quarter above sliding")
     return {
         "kind": "coulomb",
         "coulomb": _number(axis, "friction", note="measure it"),
-        "breakaway": _noted(rounded(1.25 * axis.friction), "N", rest),
-        "stribeck_velocity": _noted(2e-3, "mm/s", Origin("assumed", span=(1e-3, 3e-3), note="guess: typical of rail guides")),
+        "breakaway": _guessed(rounded(1.25 * axis.friction), "N", axis.friction, 1.5 * axis.friction, "a quarter above sliding"),
+        "stribeck_velocity": _guessed(2e-3, "mm/s", 1e-3, 3e-3, "typical of rail guides"),
     }
 
 
@@ -76,14 +89,19 @@ def axis_tables(axis: SizedAxis) -> dict[str, Any]:
     """Return the axis file."""
     peak = "peak_force" if axis.linear else "peak_torque"
     sensor = "motor_sensor" if axis.resonance else "sensor"
-    tables: dict[str, Any] = {
-        **({"substeps": axis.substeps} if axis.resonance else {}),
-        "plant": _plant(axis),
+    pulse = _number(axis, "pulse") if axis.pulse else None
+    tables = position_drive(axis.period, pulse) if axis.drive == "step-drive" else {"plant": _plant(axis)}
+    tables |= {
+        **({"substeps": axis.substeps} if axis.resonance or axis.drive == "stepper" else {}),
         **({"friction": _friction(axis)} if axis.friction else {}),
-        "drive": {"kind": "saturation", "limit": _number(axis, peak, "A", lambda sized: rounded(sized.current), f"{axis.peak:.4g} N")},
-        sensor: {"kind": "encoder", "resolution": _number(axis, "encoder_resolution")},
         "limits": {key: _number(axis, key) for key in ("velocity", "acceleration", "jerk", "travel") if axis.values[key]},
     }
+    if not axis.stepping:
+        limit = _number(axis, peak, "A", lambda sized: rounded(sized.current), f"{axis.peak:.4g} N")
+        encoder = {"kind": "encoder", "resolution": _number(axis, "encoder_resolution")}
+        tables |= {"drive": {"kind": "saturation", "limit": limit}, sensor: encoder}
+    if axis.backlash:
+        tables["error"] = {"backlash": _number(axis, "backlash")}
     if axis.weight:
         note = "weight of the unbalanced mass; the positive direction is up"
         tables["disturbance"] = {"kind": "constant", "force": _number(axis, "unbalanced_mass", "N", lambda sized: -sized.weight, note)}
@@ -107,6 +125,8 @@ def controller_tables(axes: Sequence[SizedAxis]) -> dict[str, Any]:
     """Return the controller file."""
 
     def of_axis(axis: SizedAxis) -> dict[str, Any]:
+        if axis.stepping:
+            return {"controller": "steps"}
         rate = axis.bandwidth_rate
         gains = {
             "bandwidth": Noted(_written(rate, "rad/s"), show(axis.bandwidth, "Hz", 4)),
@@ -166,6 +186,8 @@ class NewMachine:
         Of the first run.
     below : mapping of str to str
         The axis on which an axis stands.
+    control : ControlFile or None
+        The control's own file, which the machine file then names.
     """
 
     name: str
@@ -174,15 +196,30 @@ class NewMachine:
     axes: tuple[SizedAxis, ...]
     below: Mapping[str, str]
     answers: Mapping[str, str]
+    control: ControlFile | None = None
 
-    def files(self) -> dict[str, str]:
-        """Return file name -> TOML text: machine, axes, controller, answers; and a scenario if there is a first contour."""
-        files = {"machine.toml": f"# {self.name}\n\n" + toml(machine_tables(self.name, self.period, self.axes, self.below))}
-        for axis in self.axes:
+    def files(self, folder: str | Path = "") -> dict[str, str]:
+        """Return file name -> TOML text: machine, axes, controller, answers; and a scenario if there is a first contour.
+
+        A machine of a control's own file has all axes in one file, which names that file relative to the folder.
+        """
+        machine = machine_tables(self.name, self.period, self.axes, self.below)
+        if self.control is not None:
+            machine["machine"] = {"file": os.path.relpath(self.control.file, folder or os.curdir), "name": self.name}
+            for axis in self.axes:
+                own, read = axis_tables(axis), self.control.tables["axes"][axis.name]
+                absent = {"jerk"} & axis.guesses  # such a control plans without
+                own["limits"] = {key: value for key, value in own["limits"].items() if key not in {*read["limits"], *absent}}
+                own["plant"] = {key: value for key, value in own["plant"].items() if key != "pulse"}
+                machine["axes"][axis.name] = {**machine["axes"][axis.name], **own}
+                del machine["axes"][axis.name]["file"]
+        files = {"machine.toml": f"# {self.name}\n\n" + toml(machine)}
+        for axis in self.axes if self.control is None else ():
             files[f"axis-{axis.name}.toml"] = f"# Axis {axis.name}; total moved mass {axis.mass:.4g} kg\n\n" + toml(axis_tables(axis))
-        note = "P-PI cascades; the gains follow from bandwidth and Kv"
+        closes = not all(axis.stepping for axis in self.axes)
+        note = "P-PI cascades; the gains follow from bandwidth and Kv" if closes else "it closes no loop, and has no gains"
         files["controller.toml"] = proposed(f"Controller for {self.name}: {note}", toml(controller_tables(self.axes)))
-        scenario = scenario_tables(self.name, self.axes, self.tolerance)
+        scenario = scenario_tables(self.name, self.axes, self.tolerance) if self.control is None else None
         if scenario is not None:
             files["scenario.toml"] = "# Run it with: contourlab run scenario.toml\n\n" + toml(scenario)
         return {**files, ANSWERS: answers_text(self.answers)}
@@ -192,7 +229,7 @@ class NewMachine:
         return paragraphs((line for axis in self.axes for line in _about(axis)), indent="    ")
 
 
-def new_machine(answers: Mapping[str, str], name: str = "My machine") -> NewMachine:
+def new_machine(answers: Mapping[str, str], name: str = "My machine", control: ControlFile | None = None) -> NewMachine:
     """Return a machine from answers.
 
     Parameters
@@ -201,6 +238,8 @@ def new_machine(answers: Mapping[str, str], name: str = "My machine") -> NewMach
         Answers by key of the question: ``servo_period``, ``x.lead``. A bare number has the unit of the question.
     name : str
         Name of a machine whose answers give none.
+    control : ControlFile, optional
+        The control's own file; see `contourlab.features.machines.answers.of_control`.
 
     Raises
     ------
@@ -222,7 +261,7 @@ def new_machine(answers: Mapping[str, str], name: str = "My machine") -> NewMach
         raise fault(f"{hanging[1]}.unbalanced_mass", f"{hanging[0]} hangs already: only one axis is vertical")
     for axis in axes:
         _check(axis, tuple(bare))
-    return NewMachine(general["name"] or name, period, general["tolerance"], axes, below, answers)
+    return NewMachine(general["name"] or name, period, general["tolerance"], axes, below, answers, control)
 
 
 def _carried(name: str, axes: Mapping[str, SizedAxis], below: Mapping[str, str]) -> float:
@@ -233,6 +272,8 @@ def _carried(name: str, axes: Mapping[str, SizedAxis], below: Mapping[str, str])
 
 def _check(axis: SizedAxis, names: Sequence[str]) -> None:
     """Raise if the values of an axis do not fit together."""
+    if axis.drive == "step-drive":
+        return
     effort, unit = ("force", "N") if axis.linear else ("torque", "N*m")
     hanging, moved, rated = axis.unbalanced_mass or 0.0, axis.moved_mass + axis.carried, axis.force(axis.rated)
     horizontal = axis.name.lower() == "x" and {"y", "z"} <= {name.lower() for name in names}
@@ -242,8 +283,10 @@ def _check(axis: SizedAxis, names: Sequence[str]) -> None:
     resonance, most = (show(value, "Hz", 4) for value in (axis.resonance or 0.0, 0.5 / axis.period))
     on_x = f"x is horizontal in a machine with y and z, but {hanging:g} kg hang on it: give them to the vertical axis"
     heavy = f"{hanging:g} kg weigh {axis.weight:.4g} N, more than the rated force of {rated:.4g} N holds"
+    off = f"a full step has {axis.microsteps:.4g} pulses of {show(axis.pulse or 0.0, 'um', 4)}: check it against the steps per millimetre"
     for key, wrong, message in (
-        (f"peak_{effort}", axis.values[f"peak_{effort}"] < axis.rated, f"is below the rated {effort} of {axis.rated:g} {unit}"),
+        ("lead", axis.pulse and not abs(axis.microsteps - max(round(axis.microsteps), 1)) < 0.02, off),
+        (f"peak_{effort}", axis.peak < axis.force(axis.rated), f"is below the rated {effort} of {axis.rated:g} {unit}"),
         ("unbalanced_mass", hanging and horizontal, on_x),
         ("unbalanced_mass", hanging > moved, f"{hanging:g} kg hang, but only {moved:g} kg move"),
         ("friction", axis.friction > rated, f"{axis.friction:g} N exceed the rated force of {rated:.4g} N"),
@@ -252,6 +295,8 @@ def _check(axis: SizedAxis, names: Sequence[str]) -> None:
         ("resonance", not axis.below_half, f"{resonance} is not below half of the servo frequency, {most}: leave it out"),
     ):
         refuse(wrong, fault, f"{axis.name}.{key}", message)
+    if axis.stepping:
+        return
     try:
         stable = axis.margins().stable
     except ParameterError as error:
@@ -266,18 +311,23 @@ def _gains(axis: SizedAxis) -> str:
 
 
 def _about(axis: SizedAxis) -> list[str]:
+    if axis.drive == "step-drive":
+        return [f"axis {axis.name}: follows its steps, with a lag that is guessed; loads and friction do not move it"]
     rotating = "" if axis.linear else f", rotating parts {axis.reflected:.4g} kg ({axis.reflected / axis.mass:.0%})"
     carried = f", {axis.carried:.4g} kg carried" if axis.carried else ""
-    rated, margins, model = axis.force(axis.rated), axis.margins(), axis.plant.loaded(axis.carried).rigid_model()
+    rated, most = axis.force(axis.rated), "held at rest" if axis.stepping else "peak"
     lines = [
         f"axis {axis.name}: {axis.mass:.4g} kg in total: {axis.moved_mass:.4g} kg moved{carried}{rotating}",
-        f"  force {rated:.4g} N rated, {axis.peak:.4g} N peak; {axis.wanted_force:.4g} N needed at its limits",
+        f"  force {rated:.4g} N rated, {axis.peak:.4g} N {most}; {axis.wanted_force:.4g} N needed at its limits",
     ]
     if axis.weight:
         lines.append(f"  {axis.unbalanced_mass:g} kg hang on it: {axis.weight:.4g} N of its rated force")
     loss = {"friction": f"friction {axis.friction:.4g} N", "damping": f"damping {axis.damping:.4g} N*s/m"}
     guessed = [text for key, text in loss.items() if key in axis.guesses]
     lines += [f"  guessed {' and '.join(guessed)}: measure them"] if guessed else []
+    if axis.stepping:
+        return lines
+    margins, model = axis.margins(), axis.plant.loaded(axis.carried).rigid_model()
     lines.append(f"  model {model[0]:.4g} m/s^2/A, {model[1]:.4g} 1/s")
     lines.append(f"  {_gains(axis)}: margins {20.0 * math.log10(margins.gain):.3g} dB, {math.degrees(margins.phase):.3g} deg")
     if margins.gain < ENOUGH[0] or margins.phase < ENOUGH[1]:
@@ -311,7 +361,7 @@ def write_machine(machine: NewMachine, folder: str | Path, *, force: bool = Fals
         If the folder has the name of a file, a file exists (raised before anything is written) or cannot be written.
     """
     check_folder(folder, force=force)
-    targets = {Path(folder) / name: text for name, text in machine.files().items()}
+    targets = {Path(folder) / name: text for name, text in machine.files(folder).items()}
     answers = Path(folder) / ANSWERS
     if any(Path(read).resolve() == answers.resolve() for read in inputs):
         del targets[answers]

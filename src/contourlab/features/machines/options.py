@@ -15,6 +15,9 @@ class NewMachine(Options):
 
     out: Path = option(Path("machine"), "Folder for the files.")
     answers: Path | None = option(None, "Take the answers from a TOML file and ask nothing.", metavar="FILE")
+    from_: Path | None = option(
+        None, "Ask only what a control's own file lacks: INI of LinuxCNC, $$ of grbl, yaml of FluidNC.", metavar="FILE"
+    )
     preset: str | None = option(None, "Take typical answers and ask nothing: router, mill or stage.", metavar="CLASS")
     template: bool = option(False, "Print a file of answers to fill in, and write nothing.")
     force: bool = option(False, "Overwrite existing files.")

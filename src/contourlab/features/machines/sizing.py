@@ -16,6 +16,7 @@ from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.controller.cascade import Cascade
 from contourlab.components.plant.plant import BallScrew, MassDamper, Plant
+from contourlab.components.plant.stepper import Stepper
 from contourlab.components.plant.two_sided import ElasticBallScrew, TwoMass
 from contourlab.components.velocity.filtered_difference import FilteredDifference
 from contourlab.errors import ParameterError
@@ -78,9 +79,14 @@ class SizedAxis:
         return bool(self.values["drive"] == "linear")
 
     @property
+    def stepping(self) -> bool:
+        """Whether the control sends steps and closes no loop."""
+        return self.drive in ("step-drive", "stepper")
+
+    @property
     def rated(self) -> float:
-        """Rated torque [N*m], or force of a linear motor [N]."""
-        return float(self.values["rated_force" if self.linear else "rated_torque"])
+        """Rated torque [N*m], or force of a linear motor [N]; half of the holding torque of a stepper."""
+        return float(0.5 * self.holding_torque if self.drive == "stepper" else self.rated_force if self.linear else self.rated_torque)
 
     @property
     def current(self) -> float:
@@ -95,7 +101,7 @@ class SizedAxis:
     @property
     def reflected(self) -> float:
         """Mass of the rotating parts as seen at the table [kg]."""
-        return 0.0 if self.linear else float(self.inertia * (2.0 * math.pi / self.lead) ** 2)
+        return 0.0 if self.drive in ("linear", "step-drive") else float(self.inertia * (2.0 * math.pi / self.lead) ** 2)
 
     @property
     def mass(self) -> float:
@@ -108,8 +114,8 @@ class SizedAxis:
 
     @property
     def peak(self) -> float:
-        """Peak force at the table [N]."""
-        return self.force(self.peak_force if self.linear else self.peak_torque)
+        """Peak force at the table [N]; the holding force of a stepper."""
+        return self.force(2.0 * self.rated if self.drive == "stepper" else self.peak_force if self.linear else self.peak_torque)
 
     @property
     def weight(self) -> float:
@@ -143,8 +149,9 @@ class SizedAxis:
         elastic = {"resonance": self.own_resonance} if self.resonance else {}
         if self.linear:
             return (TwoMass if elastic else MassDamper)(**own, force_constant=self.force_constant, **elastic)
-        own |= {name: self.values[name] for name in ("lead", "torque_constant", "efficiency")}
-        return (ElasticBallScrew if elastic else BallScrew)(**own, inertia=self.inertia, **elastic)
+        motor = ("holding_torque", "corner_speed") if self.stepping else ("torque_constant",)
+        own |= {name: self.values[name] for name in ("lead", "efficiency", *motor)} | {"inertia": self.inertia}
+        return (Stepper if self.stepping else ElasticBallScrew if elastic else BallScrew)(**own, **elastic)
 
     @property
     def own_resonance(self) -> float:
@@ -155,9 +162,14 @@ class SizedAxis:
         return rounded(self.resonance * math.sqrt(loaded / reduced))
 
     @property
+    def microsteps(self) -> float:
+        """Pulses per full step of a stepper; 0 where the travel per pulse is unknown."""
+        return float(self.lead / (200.0 * self.pulse)) if self.pulse else 0.0
+
+    @property
     def substeps(self) -> int:
-        """Sub-steps that the plant needs."""
-        return int(self.plant.loaded(self.carried).fewest_substeps(self.period)[0])
+        """Sub-steps that the plant needs; of a stepper twice as many, since guesses may make it faster."""
+        return int(self.plant.loaded(self.carried).fewest_substeps(self.period)[0]) * (2 if self.stepping else 1)
 
     @property
     def fastest(self) -> float:

@@ -149,16 +149,17 @@ class MeasuredRuns(JudgedRuns):
 
     @property
     def text(self) -> str:
-        """Tables, verdict and findings; files and the next command once it is saved."""
+        """Verdict, tables, and findings; files and the next command once it is saved."""
         from contourlab.rendering.comparison import comparison_text
+        from contourlab.rendering.lead import answer
         from contourlab.rendering.page_tables import reversal_text
 
         data = self.data
-        what = {run.name: "part error" if run.program else "contour error" for run in self.runs}
-        ends = paragraphs([line for run in self.runs for line in (*_read(run), *ending(run, what=what[run.name]))])
+        answers = paragraphs([f"{run.name}: {answer(run)}" for run in self.runs if run.verdict is not None])
+        ends = paragraphs([line for run in self.runs for line in (*_read(run), *ending(run))])
         files = [f"{what}: {file}" for what, file in self.files.items()]
         written = "\n".join([*files, *([f"\nnext: {self._step[1]}"] if files else [])])
-        return "\n\n".join(filter(None, [comparison_text(data).rstrip(), reversal_text(data), ends, written]))
+        return "\n\n".join(filter(None, [answers, comparison_text(data).rstrip(), reversal_text(data), ends, written]))
 
     @property
     def _step(self) -> tuple[str, str]:

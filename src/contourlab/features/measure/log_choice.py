@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 
 from contourlab.app.shared_options import LogColumns, LogWindow
 from contourlab.errors import LogError
-from contourlab.features.check.reading import of_control
 from contourlab.logs import Column, Columns, Log, Record, parse_columns, read_columns, read_record, result_of
 from contourlab.logs.mapping import once
 from contourlab.logs.window import Window, parse_window
@@ -69,7 +68,8 @@ def _unit_of(machine: str | Path | Machine | None) -> str:
     """Return the unit of a control whose own file a machine is; empty without one."""
     from contourlab.scenario.load import machine_of, reading_on
 
-    return reading_on(machine_of(machine), {}).unit if machine is not None and of_control(machine) else ""
+    made = None if machine is None else machine_of(machine)
+    return "" if made is None or made.control is None else reading_on(made, {}).unit
 
 
 def window_of(file: str | Path | Log, options: LogWindow) -> Window | None:

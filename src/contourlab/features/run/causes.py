@@ -56,7 +56,7 @@ def perfect_geometry(machine: Machine) -> Machine:
     """Return the machine without lead error, squareness and repeatability."""
     if not machine.squareness and not any(a.error.position.size or a.error.repeatability for a in machine.axes):
         return machine
-    return replace(machine, axes=tuple(replace(a, error=AxisError()) for a in machine.axes), squareness={})
+    return replace(machine, axes=tuple(replace(a, error=AxisError(backlash=a.error.backlash)) for a in machine.axes), squareness={})
 
 
 def perfect_sensing(machine: Machine) -> Machine:
@@ -87,8 +87,10 @@ def without_friction(machine: Machine, controller: Controller) -> tuple[Machine,
 
 
 def without_backlash(machine: Machine, controller: Controller) -> tuple[Machine, Controller]:
-    """Return the machine without free travel between motors and loads, under a controller that assumes none."""
+    """Return the machine without free travel between motors and loads or behind encoders, under a controller that assumes none."""
     tight = _with_axes(machine, lambda axis: axis if axis.plant.takes_position else replace(axis, plant=axis.plant.linear()))
+    if any(axis.error.backlash for axis in machine.axes):
+        tight = replace(tight, axes=tuple(replace(axis, error=replace(axis.error, backlash=0.0)) for axis in tight.axes))
     return tight, controller if tight is machine else _with_loops(controller, _unaware)
 
 

@@ -24,6 +24,7 @@ from contourlab.features.run.options import Compare, Learn, Run
 from contourlab.features.run.outcome import Outcome, run_case
 from contourlab.features.run.record import switch_file
 from contourlab.features.run.source import Source, scenario_asked
+from contourlab.features.run.trust import NOTABLE
 from contourlab.figures import figure
 from contourlab.findings import Finding
 from contourlab.metrics.figures import judged_part
@@ -175,6 +176,7 @@ class Runs(JudgedRuns):
     def text(self) -> str:
         """Tables, verdicts and findings; files and the next command once it is saved."""
         from contourlab.rendering.comparison import comparison_text
+        from contourlab.rendering.lead import answer
         from contourlab.rendering.learning_pictures import trials_text
         from contourlab.rendering.page_tables import reversal_text
         from contourlab.rendering.switching import switch_lines
@@ -182,14 +184,15 @@ class Runs(JudgedRuns):
         data, outcomes = self.data, self.outcomes
         axes = [axis for outcome in outcomes for axis in outcome.case.machine.axes]
         # Friction, backlash and hysteresis show at reversals.
-        shows = any(not isinstance(axis.friction, NoFriction) or axis.error.repeatability > 0.0 for axis in axes)
+        shows = any(not isinstance(axis.friction, NoFriction) or axis.error.repeatability + axis.error.backlash > 0.0 for axis in axes)
         reversals = reversal_text(data) if shows or any(axis.plant.two_sided and axis.plant.linear() != axis.plant for axis in axes) else ""
         shared = [finding for finding in outcomes[0].findings if all(finding in other.findings for other in outcomes)]
+        answers = [f"{outcome.name}: {answer(outcome)}" for outcome in outcomes if outcome.verdict is not None]
         endings = [line for outcome in outcomes for line in ending(outcome, shared)]
         ends = paragraphs([*endings, *map(str, shared)])
         written = [f"{what}: {file}" for what, file in self.files.items()]
         files = "\n".join([*written, *(f"next: {step}" for _, step in self.steps[:1])])
-        texts = [comparison_text(data), trials_text(data), reversals, "\n".join(switch_lines(data)), ends, files]
+        texts = [paragraphs(answers), comparison_text(data), trials_text(data), reversals, "\n".join(switch_lines(data)), ends, files]
         return "\n\n".join(filter(None, texts))
 
     def save(self, folder: str | Path = "results", *, plots: Sequence[str] = (), pdf: bool = False, signals: Sequence[str] = ()) -> Runs:
@@ -383,26 +386,17 @@ def file_names(names: Sequence[str]) -> dict[str, str]:
     return chosen
 
 
-def ending(outcome: JudgedRun, shared: Sequence[Finding] = (), what: str = "part error") -> Iterator[str]:
-    """Yield verdict, causes and findings of a scheme or a log, but for those that all schemes share."""
-    verdict = outcome.verdict
-    if verdict is not None:
-        worst = verdict.worst
-        where = f"line {worst.line}" if worst.line else "(" + ", ".join(f"{x * 1e3:.3f}" for x in worst.position) + ") mm"
-        # An error within the tolerance alone would not explain the verdict.
-        skips = f"the tool skips {figure(verdict.left_out, 'mm')} of the path, " if verdict.left_out else ""
-        yield (
-            f"{outcome.name}: {'PASS' if verdict.passed else 'FAIL'}, {skips}largest {what} {figure(worst.value, 'um')} against "
-            f"{figure(verdict.tolerance, 'um')}, at {where}, t = {worst.time:.3f} s"
-        )
-        main = [f"{cause.name} {cause.contribution * 1e6:+.3g} um" for cause in verdict.causes if cause.share >= 0.02]
+def ending(outcome: JudgedRun, shared: Sequence[Finding] = ()) -> Iterator[str]:
+    """Yield causes and findings of a scheme or a log, but for those that all schemes share."""
+    if outcome.verdict is not None:
+        main = [f"{cause.name} {cause.contribution * 1e6:+.3g} um" for cause in outcome.verdict.causes if cause.share >= NOTABLE]
         if main:
             yield f"{outcome.name}: causes there: {', '.join(main)}"
     yield from (f"{outcome.name}: {finding}" for finding in outcome.findings if finding not in shared)
 
 
 def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: Sequence[str]) -> list[tuple[str, str]]:
-    """Return what to do next, and the command for it, the most useful first.
+    """Return what to do next, and the command for it, the most useful first; nothing where a scheme keeps its tolerance.
 
     Parameters
     ----------
@@ -435,15 +429,16 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
     for code in ("CL208", "CL209"):
         if all(any(finding.code == code for finding in outcome.findings) for outcome in judged):
             return [("Change the plan, not the gains:", as_typed(["contourlab", "explain", code]))]
-    passes = any(outcome.verdict is not None and outcome.verdict.passed for outcome in judged)
     steps: list[tuple[str, str]] = []
-    if proposed and part and not passes:
+    if any(outcome.verdict is not None and outcome.verdict.passed for outcome in judged):
+        return steps
+    if proposed and part:
         changed = ["--controller", str(out / proposed[0]), "--out", f"{out}-changed"]
         steps.append(step("Run it with the changed controller:", "run", *_without(options, "--controller", "--out"), *changed))
     scheme = [] if outcomes[-1].name == "base" else ["--scheme", min(judged, key=lambda one: one.metrics.part_error.max).name]
     if not gains and part:
         return steps
-    if not part and (passes or not gains):
+    if not part and not gains:
         return [*steps, step("Find what the error depends on:", *quick[:2], *scheme, *quick[2:])]
     # A command may not write into the folder that it reads from.
     elsewhere = ["--out", f"{out}-tuned"] if any(Path(word).parent == out for word in options) else []

@@ -23,7 +23,7 @@ from contourlab.errors import ComponentError, DivergenceError, ResultError
 from contourlab.features.check.program_check import PathModes, about_machine
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
 from contourlab.features.run.lost_steps import lost_steps, with_lost_steps
-from contourlab.features.run.trust import part_interval
+from contourlab.features.run.trust import about_guesses, part_interval
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import LimitReport, Reference, limit_report
 from contourlab.feed.planner import NEAR_FEED
@@ -270,7 +270,8 @@ def run_case(
     stages : Stages, optional
         Where to show the work.
     explain : bool
-        Whether to find causes and advice of a failed verdict. A case that learns gets none: what it learned belongs to its own machine.
+        Whether to find causes, and advice where the verdict fails. A case that learns gets none: what it learned belongs to its machine;
+        nor does one that changes controllers on the way.
     costs : bool
         Whether to time the servo tick.
     foretell : bool
@@ -320,7 +321,7 @@ def run_case(
     figures = summarise(judged, reference)
     answer = sampled = None
     if case.tolerance is not None:
-        explain = explain and figures.part_error.max > case.tolerance and learned is None
+        explain = explain and learned is None and not case.changes
         if explain:
             begin(f"looking for the causes of the error of {case.name}")
         ways: dict[str, Any] = {"slower": case.reference, "closer": case.closer, "rerun": partial(simulate, **noise)}
@@ -334,7 +335,7 @@ def run_case(
     bode = bode_of(machine, controller)
     findings = [*_remarks(case, reference, foretold, costs or foretell)]
     findings += [finding("CL205", place=f"axis {axis}") for axis, loop in bode.items() if not loop.margins.stable]
-    findings += lost_steps(machine, reference, judged) if answer is None else ()
+    findings += lost_steps(machine, reference, judged) if answer is None else about_guesses(answer.causes, numbers)
     findings += [noted for part in (learned, answer, sampled) if part is not None for noted in part.findings]
     of_run = (case.name, reference, judged, figures, answer, circles_of(judged, reference), judged_spikes(judged, reference))
     return Outcome(

@@ -13,17 +13,40 @@ import numpy as np
 from contourlab.arrays import Array, Flags
 from contourlab.components.contract import Component
 from contourlab.errors import ContourlabError
-from contourlab.findings import finding
+from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Learned, Machine, parameters_of
-from contourlab.rendering.judgement import Interval, Number, Rank, Spread
+from contourlab.rendering.judgement import Cause, Interval, Number, Rank, Spread
 from contourlab.rendering.origins import numbers_of
 from contourlab.study import Setting
 from contourlab.study.space import Distribution
 
 SAMPLES = 64
 """Machines that are drawn: two groups of 32 lanes."""
+NOTABLE = 0.02
+"""Least share of a cause that is told."""
 LEVELS = (0.05, 0.95)
 """Shares of the samples below the ends of an interval."""
+
+
+_RESTS_ON = {
+    "friction": {"reversal", "breakaway", "friction"},
+    "plant": {"lag", "compliance", "servo mismatch"},
+    "sensor": {"quantisation"},
+    "drive": {"saturation"},
+    "disturbance": {"disturbance"},
+}
+"""Slots of an axis, and the causes of the error that depend on their numbers."""
+
+
+def about_guesses(causes: Sequence[Cause], numbers: Sequence[Number]) -> list[Finding]:
+    """Return a finding on the share of the error at the worst place that depends on guessed numbers, if any does."""
+    guesses, share = dict[str, None](), 0.0
+    for slot, names in _RESTS_ON.items():
+        guessed = [number.name.split(".", 2)[2] for number in numbers if number.source == "assumed" and f".{slot}." in number.name]
+        part = sum(cause.share for cause in causes if cause.name in names)
+        if guessed and part >= NOTABLE:
+            guesses, share = guesses | dict.fromkeys(f"axes.*.{name}" for name in guessed), share + part
+    return [finding("CL229", share=share, numbers=list(guesses))] if guesses else []
 
 
 def part_interval(

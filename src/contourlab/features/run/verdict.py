@@ -20,7 +20,7 @@ from contourlab.findings import finding
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.metrics.figures import judged_part, left_out
 from contourlab.metrics.judge import judge
-from contourlab.rendering.judgement import Verdict, Worst
+from contourlab.rendering.judgement import FEED, Change, Verdict, Worst
 from contourlab.result import Result
 from contourlab.threads import in_threads
 
@@ -65,7 +65,7 @@ def verdict(
     closer : callable, optional
         Returns ways to plan closer to the programmed path, by name; tried where planning takes a notable part of the tolerance.
     explain : bool
-        Whether to find causes and advice (about thirty more runs).
+        Whether to find the causes (about ten more runs), and advice where the verdict fails (about twenty).
     rerun : callable, optional
         `contourlab.loop.simulate` with the options of the run.
 
@@ -84,13 +84,15 @@ def verdict(
     ranked, diverging = causes(machine, controller, reference, judged, sample, rerun)
     if diverging:
         findings.append(finding("CL202", causes=diverging))
-    plans: dict[str, Callable[[], Reference]] = {} if slower is None else {"taking the feed down by a fifth": partial(slower, 0.8)}
+    if plain.passed:
+        return replace(plain, causes=ranked, findings=tuple(findings))
+    plans: dict[str, Callable[[], Reference]] = {} if slower is None else {FEED: partial(slower, 0.8)}
     near = closer(SHARE * tolerance) if closer is not None and planned > SHARE * tolerance else {}
     start = Trial((), controller, reference, plain.worst.value)
     if planned > LARGE * tolerance:
-        best = advice(machine, start, tolerance, plans, rerun, near)
+        best, tried = advice(machine, start, tolerance, plans, rerun, near)
     else:
-        best = advice(machine, start, tolerance, {**plans, **near}, rerun)
+        best, tried = advice(machine, start, tolerance, {**plans, **near}, rerun)
     if best is not start:
         times: dict[str, Any] = {"time_before": start.reference.duration, "time_after": best.reference.duration}
         findings.append(finding("CL203", change=", then ".join(best.changes), before=start.worst, after=best.worst, **times))
@@ -100,7 +102,8 @@ def verdict(
         cause = max(left, key=lambda one: one.contribution)
         findings.append(finding("CL204", tolerance=tolerance, cause=cause.name, left=cause.contribution, help=WOULD_HELP[cause.name]))
     proposed = None if best.controller is controller else best.controller
-    return replace(plain, causes=ranked, findings=tuple(findings), proposed=proposed)
+    changes = tuple(Change(trial.changes[0], trial.worst, trial.reference.duration - reference.duration) for trial in tried)
+    return replace(plain, causes=ranked, findings=tuple(findings), proposed=proposed, changes=changes)
 
 
 def unexplained(reference: Reference, judged: Result, tolerance: float, lines: tuple[str, ...] = (), *, is_whole: bool = True) -> Verdict:
@@ -164,8 +167,10 @@ def advice(
     plans: Mapping[str, Callable[[], Reference]] | None = None,
     rerun: Rerun = simulate,
     closer: Mapping[str, Callable[[], Reference]] | None = None,
-) -> Trial:
-    """Return the run after the changes that help most, at most three besides a closer plan; the start itself if none helps.
+) -> tuple[Trial, list[Trial]]:
+    """Return the run after the changes that help most, at most three besides a closer plan, and the runs after one change that help.
+
+    The first is the start itself if none helps; the others begin with the best.
 
     Parameters
     ----------
@@ -185,6 +190,7 @@ def advice(
     if closer:
         frontier = sorted(_trials(machine, start, closer, {}, rerun), key=attrgetter("worst"))[:WIDTH] or frontier
     best, planned = min(frontier, key=attrgetter("worst")), [trial.reference for trial in frontier]
+    alone = [trial for trial in frontier if trial.worst < HELPS * start.worst]
     for _ in range(MOST_CHANGES):
         if best.worst <= tolerance:
             break
@@ -196,9 +202,10 @@ def advice(
             tried += [trial for trial in trials if trial.worst < HELPS * before.worst]
         if not tried:
             break
+        alone += [trial for trial in tried if len(trial.changes) == 1]
         frontier = sorted(tried, key=attrgetter("worst"))[:WIDTH]
         best = min(best, frontier[0], key=attrgetter("worst"))
-    return best if best.worst < start.worst else start
+    return best if best.worst < start.worst else start, sorted(alone, key=attrgetter("worst"))
 
 
 def _trials(

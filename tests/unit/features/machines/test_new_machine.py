@@ -8,11 +8,15 @@ from dataclasses import replace
 
 import pytest
 from each import each
+from made_controls import made_control
 
+import contourlab as cl
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.app.results import SAFETY
+from contourlab.controls import control_file
 from contourlab.errors import OutputError, ScenarioError
-from contourlab.features.machines.answers import BLANK, PRESETS, answers_text, interview, preset_file, read_answers
+from contourlab.features.check.program_check import origin_of
+from contourlab.features.machines.answers import BLANK, PRESETS, answers_text, interview, of_control, preset_file, read_answers
 from contourlab.features.machines.new_machine import new_machine, write_machine
 from contourlab.rendering.origins import numbers_of_machine
 from contourlab.scenario import load_controller, load_machine
@@ -46,7 +50,7 @@ mounted_on = "y"
 """
 TYPED = [
     *("x y z", "", "z on y", "", "1.27 Nm", "0.47 Nm/A", "0.3 kg cm²", "16", "40", "2500 x 4", "15", "3", "", "30"),
-    *("", "60", "", "5", "", ""),
+    *("", "60", "", "5", "", "", ""),
 ]
 """Typed answers for the same machine: an empty line takes the default."""
 
@@ -139,16 +143,16 @@ def test_every_guess_that_is_simulated_has_a_range(tmp_path):
 
 def test_a_repeated_axis_repeats_all_but_its_place():
     x, y, z = new_machine(answers() | {"z.unbalanced_mass": "5 kg"}).axes
-    place = {"moved_mass", "stage_mass", "unbalanced_mass", "mounted_on"}
+    place = {"moved_mass", "stage_mass", "unbalanced_mass", "mounted_on", "friction", "damping"}  # guesses follow the mass
     same = {key: value for key, value in x.values.items() if key not in place}
     assert {key: value for key, value in z.values.items() if key not in place} == same
     assert (x.weight, y.weight, z.weight) == (0.0, 0.0, 49.05)
     assert (x.carried, y.carried, z.carried) == (0.0, 5.0, 0.0)
 
 
-def test_a_router_takes_at_most_twenty_answers():
+def test_a_router_takes_at_most_twenty_one_answers():
     given, keys, remarks = asked_with(TYPED)
-    assert len(keys) == len(TYPED) <= 20
+    assert len(keys) == len(TYPED) <= 21
     assert not remarks
     by_file, by_hand = new_machine(answers()), new_machine(given)
     assert [axis.mass for axis in by_hand.axes] == [axis.mass for axis in by_file.axes]
@@ -158,16 +162,16 @@ def test_a_router_takes_at_most_twenty_answers():
 
 @pytest.mark.parametrize("typed", ["750, 60 cm, 120 mm", "750 mm, , 120"])
 def test_the_travel_of_all_axes_is_one_question(typed):
-    given, keys, _ = asked_with([*TYPED[:-1], typed])
+    given, keys, _ = asked_with([*TYPED[:-2], typed, ""])
     made = new_machine(given)
-    assert keys[-1] == "travel" and [axis.travel for axis in made.axes] == [0.75, 0.6 if "60" in typed else None, 0.12]
+    assert keys[-2] == "travel" and [axis.travel for axis in made.axes] == [0.75, 0.6 if "60" in typed else None, 0.12]
     assert new_machine(answers() | {"x.travel": "750 mm", "y.travel": "60 cm", "z.travel": "120"}).axes[1].travel == 0.6
 
 
 @pytest.mark.parametrize("typed", ["750 mm", "750, 600, x", "750, 600, -1"])
 def test_a_travel_that_does_not_fit_is_asked_again(typed):
-    given, keys, remarks = asked_with([*TYPED[:-1], typed, "750, 600, 120"])
-    assert [error.key for error in remarks] == ["travel"] and keys[-2:] == ["travel", "travel"]
+    given, keys, remarks = asked_with([*TYPED[:-2], typed, "750, 600, 120", ""])
+    assert [error.key for error in remarks] == ["travel"] and keys[-3:] == ["travel", "travel", "backlash"]
     assert [axis.travel for axis in new_machine(given).axes] == [0.75, 0.6, 0.12]
 
 
@@ -271,3 +275,96 @@ def test_a_guess_lies_in_the_middle_of_its_range(tmp_path):
     for number in numbers_of_machine(load_machine(tmp_path / "made" / "machine.toml")):
         if number.range is not None:
             assert number.value == pytest.approx(sum(number.range) / 2.0, rel=0.02), number.name
+
+
+def test_the_guessed_friction_follows_rails_and_screw_not_the_motor():
+    """A motor of three times the torque changes nothing; the measured table of a bench (93 kg, lead 10 mm, 103 N) is within the range."""
+    weak, strong = (new_machine(answers() | {f"{axis}.rated_torque": f"{torque} N*m" for axis in "xyz"}) for torque in (1.0, 3.0))
+    assert [axis.friction for axis in weak.axes] == [axis.friction for axis in strong.axes]
+    heavy = new_machine(answers() | {"x.moved_mass": "93 kg", "x.lead": "10 mm", "x.acceleration": "1", "y.acceleration": "1"}).axes[0]
+    low, high = heavy.span("friction", lambda axis: axis.friction, (0.3, 1.7))
+    assert low < 103.0 < 154.0 < high
+
+
+@each(
+    "drive, more, kind, asked, not_asked",
+    [
+        ("stepper", {"holding_torque": "1.9"}, "stepper", "holding_torque", "kv"),
+        ("step-drive", {}, "step-drive", "moved_mass", "kv"),
+        ("velocity", {}, "ball-screw", "kv", "holding_torque"),
+        ("linear", {"rated_force": "200"}, "mass-damper", "kv", "lead"),
+    ],
+)
+def test_each_drive_has_its_questions_and_its_plant(drive, more, kind, asked, not_asked, tmp_path):
+    typed = {
+        "axes": "x", "x.drive": drive, "x.rated_torque": "1.3", "x.torque_constant": "0.5", "x.rotor_inertia": "0.5", "x.lead": "5",
+        "x.moved_mass": "8", "x.force_constant": "60", "travel": "300 mm", "backlash": "20 um", **{f"x.{k}": v for k, v in more.items()},
+    }  # fmt: skip
+    keys = []
+
+    def ask(question):
+        keys.append(question.key)
+        return typed.get(question.key, "")
+
+    given = interview(ask, lambda error: pytest.fail(error.message), new_machine)
+    assert f"x.{asked}" in keys and f"x.{not_asked}" not in keys and keys[-2:] == ["travel", "backlash"]
+    folder = tmp_path / drive
+    write_machine(new_machine(given), folder)
+    machine = load_machine(folder / "machine.toml")
+    (axis,) = machine.axes
+    controller = load_controller(folder / "controller.toml", machine).axes["x"].controller
+    assert (axis.plant.kind, axis.error.backlash, axis.limits.extent) == (kind, pytest.approx(20e-6), pytest.approx(0.3))
+    assert controller.kind == ("steps" if drive.startswith("step") else "cascade")
+    assert all(origin.span for origin in axis.plant.origins.values() if origin.source == "assumed")
+    again = new_machine(read_answers(folder / "answers.toml"))
+    assert again.files() == new_machine(given).files()
+
+
+@pytest.mark.parametrize("reader", ["linuxcnc", "grbl", "fluidnc"])
+def test_from_a_control_only_what_its_file_lacks_is_asked(reader, tmp_path):
+    file = made_control(tmp_path, reader)
+    control = control_file(file)
+    lead, keys = "5.08" if reader == "linuxcnc" else "8", []
+    typed = {"x.holding_torque": "1.9", "x.rotor_inertia": "0.5", "x.lead": lead, "x.moved_mass": "8", "y.moved_mass": "20"}
+
+    def ask(question):
+        keys.append(question.key)
+        return typed.get(question.key, "")
+
+    known = of_control(control)
+    given = interview(ask, lambda error: pytest.fail(error.message), new_machine, known)
+    assert not set(keys) & set(known) and keys[1] == "x.drive" and not [key for key in keys if "velocity" in key or "travel" in key]
+    write_machine(new_machine(given, "Made", control), tmp_path / "made", inputs=[file])
+    machine, bare = load_machine(tmp_path / "made" / "machine.toml"), load_machine(file)
+    for axis, read in zip(machine.axes, bare.axes, strict=True):
+        assert (axis.limits, axis.drive) == (read.limits, read.drive) and axis.limits.origins == read.limits.origins
+        assert axis.plant.kind == "stepper" and axis.plant.lead / (200.0 * axis.plant.microsteps) == pytest.approx(read.plant.pulse)
+    assert not {"CL984", "CL988"} & {note.code for note in machine.control.findings}
+    kinds = {name.partition(".")[2]: kind for name, kind in origin_of(machine)["origin"].items() if name.startswith("axes")}
+    wanted = {"x.limits.velocity": "read", "x.plant.microsteps": "computed", "x.friction.coulomb": "guessed", "x.plant.mass": "datasheet"}
+    assert wanted.items() <= kinds.items()
+
+
+def test_a_servo_by_torque_does_not_fit_a_control_of_steps(tmp_path):
+    known = of_control(control_file(made_control(tmp_path, "grbl")))
+    with pytest.raises(ScenarioError) as refused:
+        new_machine(known | {"x.drive": "screw", "x.moved_mass": "8"})
+    assert refused.value.key == "x.drive"
+    stepper = {"x.holding_torque": "1.9", "x.rotor_inertia": "0.5", "x.moved_mass": "8", "y.same_as": "x", "y.moved_mass": "8"}
+    with pytest.raises(ScenarioError) as refused:  # 250 pulses per mm are 6.25 on a full step
+        new_machine(known | stepper | {"x.lead": "5 mm"})
+    assert refused.value.key == "x.lead"
+
+
+def test_a_machine_from_a_control_reads_programs_as_the_control_does(tmp_path):
+    """The start-up code blends and the unit is the inch, for the commands that plan and for those that read logs."""
+    control = control_file(made_control(tmp_path, "linuxcnc"))
+    given = of_control(control) | {
+        "x.holding_torque": "1.9", "x.rotor_inertia": "0.5", "x.lead": "5.08", "x.moved_mass": "8", "y.same_as": "x", "y.moved_mass": "8",
+    }  # fmt: skip
+    write_machine(new_machine(given, "Made", control), tmp_path / "made")
+    part = tmp_path / "part.ngc"
+    part.write_text("G90 F30\nG1 X1\nG1 Y1\nM2\n", encoding="ascii")
+    by_file, by_answers = (cl.check(part, machine=machine) for machine in (control.file, tmp_path / "made"))
+    assert by_answers.box == by_file.box and by_answers.cycle_time == pytest.approx(by_file.cycle_time)
+    assert not {"CL110", "CL984"} & {note.code for note in by_answers.findings}

@@ -15,6 +15,7 @@ from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.features.run.outcome import run_case
 from contourlab.features.run.remedies import remedies
 from contourlab.features.run.verdict import Trial, advice
+from contourlab.rendering.judgement import FEED
 from contourlab.scenario import scenario_from_parts
 
 PERIOD = 1e-3
@@ -78,7 +79,7 @@ def test_existing_parts_are_not_tried() -> None:
 
 def improved(one: cl.Machine, by: cl.Controller, tolerance: float) -> tuple[Trial, Trial]:
     start = Trial((), by, circle(), largest(one, by))
-    return start, advice(one, start, tolerance)
+    return start, advice(one, start, tolerance)[0]
 
 
 def test_the_proposed_change_is_the_best_and_its_figure_is_that_of_a_run() -> None:
@@ -116,7 +117,7 @@ def test_a_proposed_cascade_keeps_its_margins() -> None:
 
 def test_without_a_helpful_change_nothing_is_proposed() -> None:
     start = Trial((), controller(), circle(), 0.0)
-    assert advice(machine(), start, 1e-6) is start
+    assert advice(machine(), start, 1e-6) == (start, [])
 
 
 CORNER = "G21 G17 G90 F1500\nG64 P0.2\nG1 X10\nG1 X18 Y6\nM2\n"
@@ -138,3 +139,23 @@ def test_a_planning_error_leads_to_a_closer_plan(tmp_path: Path) -> None:
         assert values["after"] == pytest.approx(run_case(changed).metrics.part_error.max, rel=5e-3)
     assert values["after"] < 40e-6 < 150e-6 < values["before"]
     assert values["time_after"] == by_name[values["change"]]().duration
+
+
+@pytest.mark.slow
+def test_each_price_is_the_figure_of_a_run_with_that_change(tmp_path: Path) -> None:
+    """The price of the feed is that of a scenario with this override; that of a controller is that of the run under it."""
+    part = tmp_path / "part.ngc"
+    part.write_text("G21 G17 G90 G61 F1000\nG1 X10\nG3 X10 Y10 I0 J5\nG1 X0\nG1 Y0\nM2\n", encoding="ascii")
+    case = scenario_from_parts(part, "builtin:xyz", "builtin:xyz-controller", run={"tolerance": "0.5 um"}).base
+    verdict = run_case(case).verdict
+    assert verdict is not None and [c.part_error for c in verdict.changes] == sorted(c.part_error for c in verdict.changes)
+    prices = {change.name: change for change in verdict.changes}
+    assert FEED in prices and len(prices) > 1 and all(change.part_error < 0.99 * verdict.worst.value for change in prices.values())
+    slower = replace(case, feed=replace(case.feed, override=0.8))
+    assert run_case(slower, explain=False).metrics.part_error.max == pytest.approx(prices.pop(FEED).part_error, rel=1e-9)
+    for name, changed in remedies(case.machine, case.controller):
+        if name in prices:
+            largest_error = run_case(replace(case, controller=changed), explain=False).metrics.part_error.max
+            price = prices.pop(name)
+            assert (price.part_error, price.added_time) == (pytest.approx(largest_error, rel=1e-9), 0.0)
+    assert not [name for name in prices if "G6" not in name]

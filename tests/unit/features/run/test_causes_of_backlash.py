@@ -63,7 +63,7 @@ def test_an_offset_is_tried_where_the_gap_has_no_compensation() -> None:
     assert words in dict(remedies(machine, controller))
     judged = cl.judge(cl.simulate(machine, controller, reference), reference)
     start = Trial((), controller, reference, float(np.abs(judged["part_error"]).max()))
-    best = advice(machine, start, 0.0)
+    best = advice(machine, start, 0.0)[0]
     assert best.changes and best.worst < 0.99 * start.worst
     offset = BacklashOffset(backlash_gap=60e-6, backlash_velocity=0.01, backlash_acceleration=1.0)
     assert words not in dict(remedies(*rig(DRIVE, offset)[:2]))

@@ -1,0 +1,82 @@
+"""Play behind the encoder: against a loop over samples, in blocks, in lanes, and as a cause."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from component_rig import make
+
+import contourlab as cl
+from contourlab.errors import ParameterError
+from contourlab.features.run.verdict import verdict
+from contourlab.loop.machine import AxisError
+from contourlab.loop.simulate import simulate_blocks
+from contourlab.study import Setting
+
+GAP = 40e-6
+PERIOD = 1e-3
+
+
+def machine(gap: float) -> cl.Machine:
+    """Return steppers without steps that follow closely: the play is nearly all of the error."""
+    plant = make("plant", "step-drive", natural_frequency=80.0, velocity_feedforward=1.0)
+    return cl.Machine("made", tuple(cl.Axis(name, plant, substeps=8, error=AxisError(backlash=gap)) for name in "xy"), PERIOD)
+
+
+CONTROLLER = cl.Controller(dict.fromkeys("xy", cl.AxisController(make("controller", "steps"))))
+
+
+def circle() -> cl.Reference:
+    return cl.uniform(cl.contour("circle", radius=0.02), 0.25, 2, PERIOD)
+
+
+def by_hand(position: np.ndarray, gap: float) -> np.ndarray:
+    tool = position.copy()
+    for column in tool.T:
+        left = column[0]
+        for k, at in enumerate(column):
+            if at - left > 0.5 * gap:
+                left = at - 0.5 * gap
+            elif left - at > 0.5 * gap:
+                left = at + 0.5 * gap
+            column[k] = left
+    return tool
+
+
+def test_the_tool_rests_between_two_flanks() -> None:
+    run = cl.simulate(machine(GAP), CONTROLLER, circle())
+    np.testing.assert_array_equal(run["axis_position"], by_hand(np.asarray(run["position"]), GAP))
+    np.testing.assert_array_equal(run["tool_position"], run["axis_position"])
+    after = slice(circle().n_sample // 2, None)
+    assert np.abs(run["axis_position"] - run["position"])[after].max() == pytest.approx(0.5 * GAP, rel=1e-9)
+
+
+def test_the_play_goes_on_between_blocks() -> None:
+    whole = cl.simulate(machine(GAP), CONTROLLER, circle())["tool_position"]
+    blocks = [signals["tool_position"] for signals, _ in simulate_blocks(machine(GAP), CONTROLLER, circle(), block=97)]
+    np.testing.assert_array_equal(np.concatenate(blocks), whole)
+
+
+def test_variants_in_lanes_have_the_play() -> None:
+    made: Any = machine(GAP)
+    setting = Setting(made, CONTROLLER, circle())
+    figures = setting.batch({"axes.x.plant.natural_frequency": np.array([80.0, 40.0])}, ["part_error_max"]).figures["part_error_max"]
+    for frequency, figure in zip((80.0, 40.0), figures, strict=True):
+        x = replace(made.axes[0], plant=made.axes[0].plant.replace(natural_frequency=frequency))
+        judged = cl.judge(cl.simulate(replace(made, axes=(x, made.axes[1])), CONTROLLER, circle()), circle())
+        assert figure == pytest.approx(cl.summarise(judged, circle()).part_error.max, abs=1e-7)
+
+
+def test_the_play_is_the_cause() -> None:
+    judged = cl.judge(cl.simulate(machine(GAP), CONTROLLER, circle()), circle())
+    answer = verdict(machine(GAP), CONTROLLER, circle(), judged, 1e-3)
+    assert answer.passed and answer.causes[0].name == "backlash"
+    assert answer.causes[0].contribution == pytest.approx(answer.worst.value, rel=0.3)
+
+
+def test_a_negative_play_is_refused() -> None:
+    with pytest.raises(ParameterError):
+        AxisError(backlash=-1e-6)
