@@ -144,7 +144,7 @@ class MeasuredRuns(JudgedRuns):
     @property
     def data(self) -> Any:
         """The data of the report."""
-        about_runs: dict[str, Any] = {"tolerance": self.tolerance, "is_measured": True, "next_steps": [self._step]}
+        about_runs: dict[str, Any] = {"tolerance": self.tolerance, "is_measured": True, "next_steps": self._steps}
         return ReportData(self.title, self.runs, Provenance(self.command, self.command), self.runs[0].program, **about_runs)
 
     @property
@@ -158,24 +158,26 @@ class MeasuredRuns(JudgedRuns):
         answers = paragraphs([f"{run.name}: {answer(run)}" for run in self.runs if run.verdict is not None])
         ends = paragraphs([line for run in self.runs for line in (*_read(run), *ending(run))])
         files = [f"{what}: {file}" for what, file in self.files.items()]
-        written = "\n".join([*files, *([f"\nnext: {self._step[1]}"] if files else [])])
+        written = "\n".join([*files, *(f"\nnext: {typed}" for _, typed in self._steps if files)])
         return "\n\n".join(filter(None, [answers, comparison_text(data).rstrip(), reversal_text(data), ends, written]))
 
     @property
-    def _step(self) -> tuple[str, str]:
-        """What to do next, and the command for it: judge the worst run against a tolerance, or identify its worst axis."""
+    def _steps(self) -> list[tuple[str, str]]:
+        """What to do next, and the command for it: judge the worst run against a tolerance, or identify its worst axis if it fails."""
+        if self.passed:
+            return []
         worst = max(self.runs, key=lambda run: run.metrics.part_error.max)
         typed = shlex.split(self.command) if len(self.runs) == 1 else ["contourlab", "measure", str(worst.log.record.file)]
         if self.tolerance is None:
             twice = 2e6 * worst.metrics.part_error.max
-            return "Judge it against a tolerance:", as_typed([*typed, "--tolerance", f"{float(f'{twice:.1g}'):g} um"])
+            return [("Judge it against a tolerance:", as_typed([*typed, "--tolerance", f"{float(f'{twice:.1g}'):g} um"]))]
         errors = [math.inf if math.isnan(one.rms) else one.rms for one in worst.metrics.tracking_error]
         axis = worst.result.axes[errors.index(max(errors))]
         known = worst.log.result
         driven = "command" in known and known.signals["command"].unit != "m"
         model = "rigid" if "force" in known else "first-order" if driven else "position-loop"
         words = ["contourlab", "identify", typed[2], "--model", model, "--axis", axis, *chosen_options(typed, *READING)]
-        return "Identify the axis that strays most:", as_typed(words)
+        return [("Identify the axis that strays most:", as_typed(words))]
 
     def save(self, folder: str | Path = "results", *, plots: Sequence[str] = (), **_: Any) -> MeasuredRuns:
         """Write signals, summary.json, report.html and plots into a folder.
