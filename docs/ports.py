@@ -7,7 +7,7 @@ import inspect
 from markup import plain
 
 from contourlab import primitives
-from contourlab.components.families import FAMILY, PORTS, Family, Form, size_of
+from contourlab.components.families import FAMILY, Family, Form, size_of
 
 HEAD = """\
 # Ports and methods of components
@@ -43,6 +43,45 @@ PORT_TABLE = """\
 | port | unit | meaning |
 |---|---|---|
 """
+PORTS = {
+    "position": ("m", "position of the axis: true for sensor and disturbance, predicted after a predictor, else measured"),
+    "velocity": ("m/s", "velocity of the axis, as the velocity part computes it"),
+    "acceleration": ("m/s^2", "mean acceleration over the tick"),
+    "motor_position": ("m", "position measured on the motor side, in load units"),
+    "motor_velocity": ("m/s", "velocity on the motor side"),
+    "load_position": ("m", "position on the load side, measured or estimated by the gap observer"),
+    "load_velocity": ("m/s", "velocity on the load side, measured or estimated by the gap observer"),
+    "reference": ("m", "reference position; for controller and supervisor with all that is added to it"),
+    "reference_velocity": ("m/s", "velocity of the reference"),
+    "reference_acceleration": ("m/s^2", "acceleration of the reference"),
+    "reference_ahead": ("m", "reference position `ahead(dt)` ticks later"),
+    "reference_shift": ("m", "is added to the reference of the controller"),
+    "modified_reference": ("m", "replaces the reference of all axes"),
+    "command": ("command", "command to the drive; of a feedforward or compensation, is added to it"),
+    "correction": ("command", "is added to the commands of all axes"),
+    "feedforward": ("command", "sum of feedforward, compensation, cross-coupling and learned table"),
+    "applied": ("command", "command that leaves the drive, after limit and delay; to a controller or an observer one tick late"),
+    "accepted": ("command", "last command that the drive accepted, before its delay"),
+    "disturbance_estimate": ("command", "estimate of the observer; the controller subtracts it"),
+    "load": ("force", "sum of all outer forces on the axis"),
+    "force": ("force", "force on the axis, positive in its direction"),
+    "gap_state": ("", "place of the motor in the gap: -1 and 1 in contact, 0 between"),
+    "gap": ("m", "estimated size of the gap"),
+    "gap_estimate": ("m", "size of the gap where the gap observer is confident, else 0"),
+    "gap_deviation": ("m", "standard deviation of the estimated size"),
+    "confidence": ("", "probability of the estimated state, 0 to 1"),
+    "active": ("", "number of the active controller: 0 for `controller`, 1, 2 ... for `others`"),
+    "reason": ("", "number of the reason in `reasons`, from 1, at the tick of a switch; else 0"),
+    "arc_length": ("m", "arc length of the reference on the path; it grows over laps"),
+    "source_line": ("", "line of the part program"),
+    "foot_position": ("m", "point of the path nearest to the tool"),
+    "error_vector": ("m", "from the tool to the path"),
+    "contour_error_estimate": ("m", "signed distance from the path, positive left of travel; in space the distance"),
+    "tangent": ("", "unit tangent of the path at the foot point"),
+    "sent": ("any", "signal at the sender"),
+    "received": ("any", "signal at the receiver"),
+}
+"""Unit and meaning of each port. ``command`` and ``force`` are the units of the plant."""
 
 
 def ports_page() -> str:

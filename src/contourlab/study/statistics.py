@@ -36,8 +36,13 @@ def wilson(passed: float, judged: float) -> tuple[float, float]:
         return 0.0, 1.0
     share = passed / judged
     centre = (share + Z * Z / (2 * judged)) / (1 + Z * Z / judged)
-    half = Z / (1 + Z * Z / judged) * math.sqrt(share * (1 - share) / judged + Z * Z / (4 * judged**2))
+    half = _half(share, judged)
     return (max(centre - half, 0.0) if passed else 0.0), (min(centre + half, 1.0) if passed < judged else 1.0)
+
+
+def _half(share: float, n: float) -> float:
+    """Return half of Wilson's interval, also for a share that is not a whole number of n."""
+    return Z / (1 + Z * Z / n) * math.sqrt(share * (1 - share) / n + Z * Z / (4 * n**2))
 
 
 def effective_size(tallies: Sequence[tuple[Array, Array]]) -> float:
@@ -77,12 +82,7 @@ def effective_size(tallies: Sequence[tuple[Array, Array]]) -> float:
 
 def variants_needed(share: float, half: float) -> int:
     """Return how many variants give a yield of `share` a Wilson interval of half width `half`."""
-
-    def negative_half(n: int) -> float:
-        # Half of Wilson's interval, for a share that need not be a whole number of n.
-        return -Z / (1.0 + Z * Z / n) * math.sqrt(share * (1.0 - share) / n + Z * Z / (4.0 * n * n))
-
-    return 1 + bisect_left(range(1, 1 << 50), -half, key=negative_half)
+    return 1 + bisect_left(range(1, 1 << 50), -half, key=lambda n: -_half(share, n))
 
 
 def size_of(flags: Flags, members: Sequence[Index]) -> float:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -11,11 +13,14 @@ from each import each
 import contourlab as cl
 from contourlab.components.contract import Component
 from contourlab.components.declaration import check_class
-from contourlab.components.families import FAMILY, PORTS, size_of
+from contourlab.components.families import FAMILY, size_of
 from contourlab.components.registry import components
 from contourlab.components.supervisor.switching import Supervisor
 from contourlab.engine.step import Port
 from contourlab.units import same_dimension
+
+sys.path.append(str(Path(__file__).parents[3] / "docs"))
+from ports import PORTS
 
 CHOOSING = [name for name, family in FAMILY.items() if family.chooses]
 

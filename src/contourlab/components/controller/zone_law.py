@@ -161,12 +161,6 @@ class TorqueGains(ZoneLaw):
         return {"rate_gain": 2.0 * zeta * w * inertia, "position_gain": w * w * inertia}
 
 
-class TypeTwo(TorqueGains):
-    """Laws of type II."""
-
-    reading: str = READING
-
-
 class Integral(TorqueGains):
     """Laws of type III: with an integral.
 
@@ -201,13 +195,6 @@ class Integral(TorqueGains):
         return 2.0 * math.pi / par.lead, recovery_part(par.tracking_time, dt)
 
 
-_TYPE_1 = {"rate_gain": 400.0, "position_gain": 2000.0, "motor_inertia": 5.2e-3, "lead": 0.016, "backlash_gap": 0.05}
-_TYPE_2 = {"rate_gain": 10.0, "position_gain": 200.0, "motor_inertia": 5.2e-3, "lead": 0.016, "backlash_gap": 0.05}
-
-
-_TYPE_3 = {**_TYPE_2, "integral_gain": 25.0, "anti_windup": "back-calculation"}
-
-
 class ContactZone1(InertiaGains):
     """u = J_m (r_a - K_1 (w_m - r_v) - K_2 (theta_m - r -+ beta)): the motor follows the reference, shifted to the flank it presses on.
 
@@ -216,15 +203,17 @@ class ContactZone1(InertiaGains):
 
     kind = "contact-zone-1"
     reference = "Shahin, ElMaraghy & ElBeheiry, eq 10"
-    example = _TYPE_1
+    example = {"rate_gain": 400.0, "position_gain": 2000.0, "motor_inertia": 5.2e-3, "lead": 0.016, "backlash_gap": 0.05}
 
 
-class ContactZone2(TypeTwo):
+class ContactZone2(TorqueGains):
     """u = J_m r_a - K_1' (w_m - r_v) - K_2' (theta_m - r -+ beta): type I with the gains K' = J_m K, which are torques."""
 
     kind = "contact-zone-2"
     reference = "Shahin, ElMaraghy & ElBeheiry, eq 12"
-    example = _TYPE_2
+    example = {**ContactZone1.example, "rate_gain": 10.0, "position_gain": 200.0}
+
+    reading: str = READING
 
 
 class ContactZone3(Integral):
@@ -232,7 +221,7 @@ class ContactZone3(Integral):
 
     kind = "contact-zone-3"
     reference = "Shahin, ElMaraghy & ElBeheiry, eq 13"
-    example = _TYPE_3
+    example = {**ContactZone2.example, "integral_gain": 25.0, "anti_windup": "back-calculation"}
 
 
 class GapZone1(InertiaGains):
@@ -244,12 +233,12 @@ class GapZone1(InertiaGains):
 
     kind = "gap-zone-1"
     reference = "Shahin, ElMaraghy & ElBeheiry, eq 14"
-    example = {**_TYPE_1, "target": "load"}
+    example = {**ContactZone1.example, "target": "load"}
 
     target: str = text_param(default="reference", choices=("reference", "load"), doc="what the motor follows; the paper prints the load")
 
 
-class GapZone2(TypeTwo):
+class GapZone2(ContactZone2):
     """u = J_m r_a - K_4' (w_m - r_v) - K_5' (theta_m - r -+ beta): the motor follows the reference through the gap.
 
     With the same gains it equals the contact-zone law of this type.
@@ -257,10 +246,9 @@ class GapZone2(TypeTwo):
 
     kind = "gap-zone-2"
     reference = "Shahin, ElMaraghy & ElBeheiry, eq 15"
-    example = _TYPE_2
 
 
-class GapZone3(Integral):
+class GapZone3(ContactZone3):
     """u = J_m r_a - K_4' (w_m - r_v) - K_5' (theta_m - r -+ beta) - K_6 int (theta_m - r): type II with an integral.
 
     With the same gains it equals the contact-zone law of this type.
@@ -268,4 +256,3 @@ class GapZone3(Integral):
 
     kind = "gap-zone-3"
     reference = "Shahin, ElMaraghy & ElBeheiry, eq 16"
-    example = _TYPE_3

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component, LinearModel, param
+from contourlab.components.transport import Transport
 from contourlab.engine.step import Port
 from contourlab.primitives import clip, delayed
 
@@ -31,7 +32,7 @@ class Saturation(Component):
         return LinearModel(none, np.zeros((0, 1)), np.zeros((1, 0)), np.ones((1, 1)), ("command",), ("applied",))
 
 
-class DelayedSaturation(Component):
+class DelayedSaturation(Transport):
     """Amplifier with a command limit and a transport delay of any length.
 
     The delay is n servo periods and a fraction f of one. The applied command is the mean of two neighbouring commands weighted by f, which
@@ -44,17 +45,10 @@ class DelayedSaturation(Component):
     example = {"limit": 0.5, "delay": 0.0123}
     reference = "transport delay of a sampled command"
     outputs = (Port("applied"), Port("accepted"))
-    derived = ("whole", "fraction")
     ring = "command"
 
     limit: float = param(default=math.inf, unit="{command}", minimum=0.0, exclusive=True, doc="largest command in either direction")
     delay: float = param(unit="s", minimum=0.0, maximum=10.0, display="ms", doc="time from command to effect")
-
-    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
-        periods = par.delay / dt
-        # Rounding must not make a whole delay a fraction.
-        whole = np.floor(periods + 1e-9)
-        return whole, np.maximum(periods - whole, 0.0)
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
@@ -62,6 +56,3 @@ class DelayedSaturation(Component):
         newer = clip(delayed(par.ring, clock, par.whole), -par.limit, par.limit)
         older = clip(delayed(par.ring, clock, par.whole + 1.0), -par.limit, par.limit)
         return (), (newer + par.fraction * (older - newer), clip(inp.command, -par.limit, par.limit))
-
-    def ring_length(self, dt: float) -> int:
-        return math.floor(self.delay / dt + 1e-9) + 2

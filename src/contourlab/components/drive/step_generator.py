@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import Component, param
+from contourlab.components.transport import Transport
 from contourlab.engine.step import ports
 from contourlab.errors import ParameterError
 from contourlab.primitives import clip, delayed, fabs, select
@@ -66,7 +67,7 @@ class StepGenerator(Component):
         return {"count": position, "last_command": position}, {"applied": position}
 
 
-class PositionLag(Component):
+class PositionLag(Transport):
     """Delay of positions, whole and fractional, and a resonance or another lag of second order, w^2/(s^2 + 2 D w s + w^2).
 
     These are what a log of commanded and actual position shows of a control and its axis besides the position loop itself. A motion at
@@ -83,7 +84,7 @@ class PositionLag(Component):
     example = {"delay": 0.0077, "frequency": 40.0, "damping_ratio": 0.3}
     reference = "transport delay of sampled positions; lag of second order: Gross, Hamann & Wiegartner 2001"
     states = ports("start", "input_1", "input_2", "output_1", "output_2")
-    derived = ("whole", "fraction", "b0", "a1", "a2")
+    derived = (*Transport.derived, "b0", "a1", "a2")
     ring = "command"
 
     delay: float = param(
@@ -93,8 +94,6 @@ class PositionLag(Component):
     damping_ratio: float = param(default=1.0, minimum=0.0, maximum=10.0, exclusive=True, doc="of the lag, D")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
-        periods = par.delay / dt
-        whole = np.floor(periods + 1e-9)
         lags = par.frequency < math.inf
         turn = np.where(lags, par.frequency, 0.0) * dt
         if np.any(turn >= 0.5):
@@ -104,7 +103,7 @@ class PositionLag(Component):
         k, wide = np.tan(math.pi * turn), 2.0 * par.damping_ratio * np.tan(math.pi * turn)
         size = 1.0 + wide + k * k
         filtered = k * k / size, 2.0 * (k * k - 1.0) / size, (1.0 - wide + k * k) / size
-        return whole, np.maximum(periods - whole, 0.0), *(np.where(lags, value, 0.0) for value in filtered)
+        return *super().derive(par, dt), *(np.where(lags, value, 0.0) for value in filtered)
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
@@ -118,6 +117,3 @@ class PositionLag(Component):
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
         return dict.fromkeys(("start", "input_1", "input_2", "output_1", "output_2"), position), {"applied": position}
-
-    def ring_length(self, dt: float) -> int:
-        return math.floor(self.delay / dt + 1e-9) + 2

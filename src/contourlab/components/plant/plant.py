@@ -110,10 +110,9 @@ class SingleMass(Plant):
         return float(kind.mobility(par) * kind.drive_force(par, 1.0)), float(kind.decay(par))
 
     def linearize(self) -> LinearModel:
-        par = self.constants()
-        mobility, decay = type(self).mobility(par), type(self).decay(par)
-        a = np.array([[0.0, 1.0], [0.0, -decay]])
-        b = np.array([[0.0, 0.0], [mobility * type(self).drive_force(par, 1.0), mobility]])
+        gain, damping = self.rigid_model()
+        a = np.array([[0.0, 1.0], [0.0, -damping]])
+        b = np.array([[0.0, 0.0], [gain, *self.mobilities()]])
         return LinearModel(a, b, np.eye(2), np.zeros((2, 2)), ("command", "load"), ("position", "velocity"))
 
 

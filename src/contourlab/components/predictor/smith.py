@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
 
-from contourlab.components.contract import Component, param
+from contourlab.components.contract import param
 from contourlab.components.mechanics.propagator import doublings_for, propagator
+from contourlab.components.transport import Transport
 from contourlab.engine.step import Port
 from contourlab.primitives import delayed
 
 
-class SmithPredictor(Component):
+class SmithPredictor(Transport):
     """Measured position plus the effect of the commands still in the delay, so that the controller sees a loop without delay.
 
     The model is G w^2/(s (s^2 + 2 zeta w s + w^2)) e^(-s tau), integrated exactly for held commands. The predictor adds the model's
@@ -42,7 +42,7 @@ class SmithPredictor(Component):
     reference = "Smith 1957; model of Gecer Ulu et al., eq 4"
     example = {"dc_gain": 0.9, "damping_ratio": 1.1, "natural_frequency": 150.0, "delay": 0.0123}
     states = (Port("velocity"), Port("acceleration"))
-    derived = ("whole", "fraction", "v0", "x0", "vu", "f0", "xb", "fu", "gain_step", "of_velocity", "of_acceleration")
+    derived = (*Transport.derived, "v0", "x0", "vu", "f0", "xb", "fu", "gain_step", "of_velocity", "of_acceleration")
     ring = "applied"
 
     dc_gain: float = param(unit="m/s/{command}", minimum=0.0, exclusive=True, display="mm/s/{command}", doc="steady speed per command, G")
@@ -51,15 +51,12 @@ class SmithPredictor(Component):
     delay: float = param(unit="s", minimum=0.0, maximum=10.0, display="ms", doc="time from command to effect, tau")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
-        periods = par.delay / dt
-        # As in the drive: rounding must not make a whole delay a fraction.
-        whole = np.floor(periods + 1e-9)
         w, rate = par.natural_frequency, 2.0 * par.damping_ratio * par.natural_frequency
         phi = propagator(0.0 * rate, rate, w * w, dt, doublings_for(float(np.max((rate + w) * dt))))
         v0, _, _, _, _, x0, x1, _, _, _, f0, f1 = phi
         push = par.dc_gain * w * w * dt
         return (
-            *(whole, np.maximum(periods - whole, 0.0)),
+            *super().derive(par, dt),
             *(v0, x0, push * x1, f0, -w * w * x0, push * f1),
             *(par.dc_gain * dt, 2.0 * par.damping_ratio / w, 1.0 / (w * w)),
         )
@@ -78,6 +75,3 @@ class SmithPredictor(Component):
         # From w^2 p' + 2 zeta w p'' + p''' = G w^2 u, integrated once.
         ahead = par.gain_step * (total + par.fraction * newer) - par.of_velocity * velocity - par.of_acceleration * acceleration
         return (velocity, acceleration), (inp.position + ahead,)
-
-    def ring_length(self, dt: float) -> int:
-        return math.floor(self.delay / dt + 1e-9) + 2

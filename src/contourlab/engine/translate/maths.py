@@ -18,10 +18,6 @@ def _operation(name: str) -> Primitive:
     return lambda run, *values: run.graph.op(name, [run.graph.number(value) for value in values])
 
 
-def _arithmetic(name: str) -> Primitive:
-    return lambda run, *values: run.graph.arithmetic(name, *values)
-
-
 def _exp(function: Primitive) -> Primitive:
     """Return exp that calls the function only where exp is not 0: friction laws ask mostly for exp of very negative numbers."""
 
@@ -69,7 +65,7 @@ def _select(run: Any, condition: Any, a: Any, b: Any) -> Any:
 
 EXACT: Mapping[Any, Primitive] = {
     primitives.sqrt: lambda run, x: run.graph.arithmetic("sqrt", run.graph.number(x)),
-    primitives.fabs: _arithmetic("fabs"),
+    primitives.fabs: lambda run, x: run.graph.arithmetic("fabs", x),
     primitives.copysign: _copysign,
     **{getattr(primitives, name): _operation(name) for name in ("floor", "rint", "log", "tanh", "sin", "cos")},
     primitives.uniform: _uniform,

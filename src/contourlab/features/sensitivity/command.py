@@ -16,7 +16,7 @@ from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError, refuse
 from contourlab.features.run.source import Source, case_asked
-from contourlab.features.sensitivity.curves import CHANGE, Curve, Interval, Local
+from contourlab.features.sensitivity.curves import CHANGE, Curve, Interval, Local, present_values
 from contourlab.features.sensitivity.options import PARTS, Plan, SensitivityOptions
 from contourlab.features.sensitivity.study import (
     Drawn,
@@ -24,7 +24,6 @@ from contourlab.features.sensitivity.study import (
     Sample,
     Study,
     distributions,
-    present_values,
     ranking,
     sensitivity_study,
     verdict,

@@ -114,11 +114,14 @@ def curves(space: Space, judge: Judge, count: int = 41) -> tuple[Curve, ...]:
     )
 
 
+def present_values(space: Space, runs: int = 1) -> dict[str, Array]:
+    """Return the present values [SI] of all parameters, for so many runs."""
+    return {variable.name: np.full(runs, variable.value) for variable in space.numbers}
+
+
 def one_at_a_time(space: Space, grids: Sequence[Array]) -> Columns:
     """Return the values of runs that move one parameter at a time through its grid, grid after grid."""
-    total = sum(len(grid) for grid in grids)
-    columns = {variable.name: np.full(total, variable.value) for variable in space.numbers}
-    first = 0
+    columns, first = present_values(space, sum(map(len, grids))), 0
     for variable, grid in zip(space.numbers, grids, strict=True):
         columns[variable.name][first : first + len(grid)] = grid
         first += len(grid)
@@ -248,7 +251,7 @@ def _top(variable: DesignVariable) -> float:
 
 def _judged(space: Space, judge: Judge, moves: Sequence[Mapping[int, float]]) -> Array:
     """Return the figures of runs that move some parameters by relative steps."""
-    columns = {variable.name: np.full(len(moves), variable.value) for variable in space.numbers}
+    columns = present_values(space, len(moves))
     for row, move in enumerate(moves):
         for j, part in move.items():
             variable = space.numbers[j]

@@ -13,7 +13,7 @@ import numpy as np
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError, check_known, refuse, refused
-from contourlab.features.sensitivity.curves import CHANGE, Curve, Local, curves, local
+from contourlab.features.sensitivity.curves import CHANGE, Curve, Local, curves, local, present_values
 from contourlab.features.sensitivity.options import STAGES, Plan
 from contourlab.figures import figure, grouped, listing
 from contourlab.findings import Finding, finding
@@ -254,11 +254,6 @@ def sensitivity_study(
         shares = sampled(saltelli_points(n, plan.base, plan.second_order, plan.seed))
         study = replace(study, sobol_sample=shares, sobol=sobol_indices(shares.values, n, plan.second_order, plan.seed))
     return study
-
-
-def present_values(space: Space) -> dict[str, Array]:
-    """Return the present values [SI] of all parameters, as one run."""
-    return {variable.name: np.array([variable.value]) for variable in space.numbers}
 
 
 LOCAL = "local sensitivity"

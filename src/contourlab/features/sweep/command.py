@@ -24,15 +24,14 @@ from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.app.shared_options import Plugins
 from contourlab.arrays import Array
 from contourlab.engine.gpu import LANES as GPU_LANES
-from contourlab.errors import DivergenceError, ParameterError, ResultError, refuse
+from contourlab.errors import DivergenceError, ParameterError, ResultError, check_known, refuse
 from contourlab.extras import extra_module
 from contourlab.features.run.command import Runs, run_schemes
 from contourlab.features.sweep.chunk import Chunk, agree, chunk_elsewhere, cost_of, joined, run_chunks
 from contourlab.features.sweep.options import Export, Merge, Optimise, Query, Show, Sweep, Worst
 from contourlab.features.sweep.query import Export as ExportedRows
-from contourlab.features.sweep.query import Spread, Yield, counts, display, remarks, rows, rows_text, spreads, variant, yield_of
+from contourlab.features.sweep.query import Spread, Yield, counts, display, quoted, records, remarks, rows, rows_text, spreads, yield_of
 from contourlab.features.sweep.query import export as exported
-from contourlab.features.sweep.query import worst as worst_of
 from contourlab.features.sweep.report import SweepReport, report
 from contourlab.features.sweep.store import AGAIN, Store, numbers_in, read_store, writing
 from contourlab.features.sweep.store import check_folder as check_store
@@ -325,7 +324,7 @@ def _batch(
         chunk = run(places, number)
         store.write(chunk)
         store.log(chunk, perf_counter() - began)
-    names = ", ".join(f'"{name}"' for name in options.minimise)
+    names = ", ".join(map(quoted, options.minimise))
     sql = f"SELECT {names} FROM results WHERE variant BETWEEN {numbers[0]} AND {numbers[-1]} ORDER BY variant"
     for trial, figures in zip(asked, rows(store, sql)[1], strict=True):
         journal.tell(trial, [math.inf if value is None else value for value in figures])
@@ -341,11 +340,11 @@ def _places(trial: Any, levels: Sequence[Array]) -> list[float]:
 
 
 def _result(store: Store, options: Optimise, study: Study) -> Search:
-    names, found = rows(store, "SELECT * FROM results WHERE status = 'ok' ORDER BY variant")
-    values = np.array([[row[names.index(name)] for name in options.minimise] for row in found], dtype=float)
+    found = records(store, "WHERE status = 'ok' ORDER BY variant")
+    values = np.array([[row[name] for name in options.minimise] for row in found], dtype=float)
     front = [] if not found else pareto_front(values).tolist() if len(options.minimise) > 1 else [int(np.argmin(values[:, 0]))]
     shown_rows = sorted({round(place) for place in np.linspace(0, len(front) - 1, SHOWN)}) if front else []
-    best = tuple(dict(zip(names, found[front[i]], strict=True)) for i in shown_rows)
+    best = tuple(found[front[i]] for i in shown_rows)
     about, findings = store.manifest, (*study.findings, *remarks(store, counts(store)))
     figures = {name: about.figures[name] for name in options.minimise}
     return Search(str(store.home), options.chosen, about.variants, store.done, figures, about.columns, len(front), best, findings)
@@ -460,7 +459,9 @@ def worst(store: str | Path, count: int = 10, *, settings: Worst, session: Sessi
         return rerun(store, settings.rerun, settings, session)
     opened = read_store(store)
     names = ("variant", *opened.manifest.modules, settings.figure, *opened.manifest.columns, "status")
-    found = worst_of(opened, count, settings.figure)
+    check_known("--figure", settings.figure, opened.manifest.figures)
+    order = f"status = 'diverged' DESC, {quoted(settings.figure)} DESC, variant"
+    found = records(opened, f"WHERE status <> 'refused' ORDER BY {order} LIMIT {count}")
     units = {**opened.manifest.columns, **opened.manifest.figures}
     return Rows(names, tuple(tuple(row[name] for name in names) for row in found), units, remarks(opened, {}), tuple(found), str(store))
 
@@ -580,7 +581,9 @@ def rerun(folder: str | Path, number: int, settings: Worst, session: Session) ->
         If the variant is not in the store, cannot be built or diverges, or the folder cannot be written.
     """
     store = read_store(folder)
-    row = variant(store, number)
+    row = next(iter(records(store, f"WHERE variant = {number:d}")), None)
+    if row is None:
+        raise ParameterError("--rerun", f"{number}", "the number of a variant in the store")
     fits = (one for one in store.manifest.structures if all(row.get(key) == label for key, label in one.choices.items()))
     if (structure := next(fits, None)) is None:
         raise ResultError(f"{store.home}: has no scenario for variant {number}: restore its manifest.json")

@@ -170,37 +170,10 @@ def yield_of(store: Store) -> Yield | None:
     return Yield(JUDGED, tolerance, passed, len(rows.values), *share)
 
 
-def check_figure(store: Store, figure: str) -> None:
-    """Raise `ParameterError` if a store has no such figure."""
-    check_known("--figure", figure, store.manifest.figures)
-
-
-def worst(store: Store, count: int, figure: str) -> list[dict[str, Any]]:
-    """Return the rows of the variants with the largest figure; those that diverged first.
-
-    Raises
-    ------
-    ParameterError
-        If the store has no such figure.
-    """
-    check_figure(store, figure)
-    sql = f"SELECT * FROM results WHERE status <> 'refused' ORDER BY status = 'diverged' DESC, {quoted(figure)} DESC, variant LIMIT {count}"
-    names, found = rows(store, sql)
+def records(store: Store, which: str) -> list[dict[str, Any]]:
+    """Return whole rows of ``results``, each by column; `which` is the end of the query."""
+    names, found = rows(store, f"SELECT * FROM results {which}")
     return [dict(zip(names, row, strict=True)) for row in found]
-
-
-def variant(store: Store, number: int) -> dict[str, Any]:
-    """Return the row of a variant.
-
-    Raises
-    ------
-    ParameterError
-        If it is not in the store.
-    """
-    names, found = rows(store, f"SELECT * FROM results WHERE variant = {number:d}")
-    if not found:
-        raise ParameterError("--rerun", f"{number}", "the number of a variant in the store")
-    return dict(zip(names, found[0], strict=True))
 
 
 def quoted(name: str) -> str:
@@ -345,7 +318,7 @@ def read_rows(store: Store, figure: str | None = None) -> Rows:
         If the store has no such figure, or no variant that was judged.
     """
     chosen = figure or (JUDGED if JUDGED in store.manifest.figures else next(iter(store.manifest.figures)))
-    check_figure(store, chosen)
+    check_known("--figure", chosen, store.manifest.figures)
     about = store.manifest
     rows = _judged(store, chosen, ["variant", *about.modules, *about.columns, *dict.fromkeys([chosen, *objectives(store)])])
     refuse(not rows.table.num_rows, ParameterError, "STORE", str(store.home), "a store with variants that were judged")

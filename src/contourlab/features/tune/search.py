@@ -98,10 +98,6 @@ class LineRule:
     plateau: str = "robust"
     within: float = 0.01
 
-    def within_budget(self, runs: int, lines: int) -> LineRule:
-        """Return the rule with fewer values per line, 8 at the least, where lines would take more than so many runs."""
-        return replace(self, lanes=max(min(self.lanes, runs // (lines * (1 + REFINEMENTS))), min(self.lanes, 8)))
-
 
 @dataclass(frozen=True, eq=False)
 class Step:

@@ -17,6 +17,7 @@ from contourlab.features.tune.objective import Evaluation, Goal, Problem, evalua
 from contourlab.features.tune.options import Tune
 from contourlab.features.tune.search import (
     FRACTIONS,
+    REFINEMENTS,
     SETTLED,
     GlobalResult,
     LineRule,
@@ -77,7 +78,8 @@ class TuneSettings(Tune):
     def line_rule(self, lines: int) -> LineRule:
         """Return how each of so many lines is searched; before a global search, all together take no more runs than that,
         but 8 values per line at the least."""
-        return self.rule if self.method == "sequential" else self.rule.within_budget(self.budget, self.passes * lines)
+        fitting = self.lanes if self.method == "sequential" else self.budget // (self.passes * lines * (1 + REFINEMENTS))
+        return replace(self.rule, lanes=max(min(self.lanes, fitting), min(self.lanes, 8)))
 
     @property
     def pool(self) -> Executor:
