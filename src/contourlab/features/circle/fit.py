@@ -39,7 +39,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from contourlab.analysis.identification.least_squares import fit_covariance
+from contourlab.analysis.identification.least_squares import fit_records
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.circle.runs import CircleRun
@@ -160,12 +160,9 @@ class Runs:
 
     def solved(self, terms: Sequence[Term]) -> tuple[Array, Array, list[Array]]:
         """Return coefficients, their covariance, and the residual of each run."""
-        designs = self.designs(terms)
-        solution = np.linalg.lstsq(np.concatenate(designs), self.deviation, rcond=None)[0]
-        residuals = [run.deviation - design @ solution for run, design in zip(self.runs, designs, strict=True)]
-        covariance = fit_covariance([design[:, None, :] for design in designs], [residual[:, None] for residual in residuals])
+        solution, covariance, residuals = fit_records(self.designs(terms), [run.deviation for run in self.runs])
         deviations = np.where(np.isfinite(covariance.deviations), covariance.deviations, 0.0)
-        return np.asarray(solution), covariance.correlation * np.outer(deviations, deviations), residuals
+        return solution, covariance.correlation * np.outer(deviations, deviations), residuals
 
 
 @dataclass(frozen=True)
