@@ -22,7 +22,7 @@ from typing import Any, TypeAlias, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.arrays import Array, Flags, Index
+from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
 
@@ -653,8 +653,8 @@ def fit_records(designs: Sequence[Array], values: Sequence[Array]) -> tuple[Arra
     return solution, fit_covariance([design[:, None] for design in designs], [rest[:, None] for rest in residuals]), residuals
 
 
-def parted_deviations(jacobian: Array, residual: Array, parts: int, equal_information: bool = False) -> Array:
-    """Return standard deviations (p,) by the jackknife: the spread of estimates that leave out one part of the record after another.
+def parted(jacobian: Array, residual: Array, parts: int, equal_information: bool = False) -> tuple[Array, float]:
+    """Return what estimates show that leave out one part of the record after another: deviations by the jackknife, and what stays.
 
     Parameters
     ----------
@@ -669,8 +669,10 @@ def parted_deviations(jacobian: Array, residual: Array, parts: int, equal_inform
 
     Returns
     -------
-    ndarray (p,)
-        Infinite if a part alone determines a parameter.
+    deviations : ndarray (p,)
+        Standard deviations; infinite if a part alone determines a parameter.
+    left_out : float
+        Rms residual of the parts under parameters fitted to the others; infinite likewise.
 
     Notes
     -----
@@ -680,38 +682,21 @@ def parted_deviations(jacobian: Array, residual: Array, parts: int, equal_inform
     ----------
     Efron & Stein, "The jackknife estimate of variance", Annals of Statistics 9(3), 1981.
     """
-    moved, lengths, _ = _without_parts(jacobian, residual, parts, equal_information)
-    return np.asarray(np.full(lengths.size, math.inf) if moved is None else np.std(moved, axis=0) * math.sqrt(parts - 1.0) / lengths)
-
-
-def left_out(jacobian: Array, residual: Array, parts: int, equal_information: bool = False) -> float:
-    """Return the rms residual of parts of a record under parameters fitted to the others; see `parted_deviations` for the arguments."""
-    moved, lengths, rows = _without_parts(jacobian, residual, parts, equal_information)
-    if moved is None:
-        return math.inf
-    away = [residual[part] + jacobian[part] @ (step / lengths) for part, step in zip(rows, moved, strict=True)]
-    return float(np.sqrt(np.mean(np.concatenate(away) ** 2)))
-
-
-def _without_parts(jacobian: Array, residual: Array, parts: int, equal_information: bool) -> tuple[Array | None, Array, list[Index]]:
-    """Return by how much the parameters change without each part (parts, p), times the lengths (p,) of the columns; these; and the parts.
-
-    The changes are None if a part alone determines a parameter.
-    """
-    lengths, every = np.linalg.norm(jacobian, axis=0), np.arange(residual.size)
+    lengths, unknown = np.linalg.norm(jacobian, axis=0), (np.full(jacobian.shape[1], math.inf), math.inf)
     if not lengths.all():
-        return None, lengths, []
-    columns = jacobian / lengths
+        return unknown
+    columns, moved, left = jacobian / lengths, list[Array](), list[Array]()
+    normal = columns.T @ columns
     share = (columns**2).sum(axis=1).cumsum()
     ends = np.searchsorted(share, share[-1] * np.arange(1, parts) / parts) if equal_information and lengths.size else parts
-    normal, moved, divided = columns.T @ columns, [], np.array_split(every, ends)
-    for rows in divided:
+    for rows in np.array_split(np.arange(residual.size), ends):
         part = columns[rows]
         rest = normal - part.T @ part
         if lengths.size and np.linalg.cond(rest) * UNTOLD_SHARE > 1.0:
-            return None, lengths, divided
+            return unknown
         moved.append(np.linalg.solve(rest, part.T @ residual[rows]))
-    return np.array(moved), lengths, divided
+        left.append(residual[rows] + part @ moved[-1])
+    return np.std(moved, axis=0) * math.sqrt(parts - 1.0) / lengths, float(np.sqrt(np.mean(np.concatenate(left) ** 2)))
 
 
 PARTS = range(4, 13)
@@ -730,8 +715,8 @@ def descended(
 ) -> tuple[OutputFit, list[Array]]:
     """Fit a model's output (n,) from points (k, p), in steps that bridge its kinks; return the best end, and the values (p,) of all.
 
-    The deviations are those of the jackknife over parts of the record, the largest over several numbers of parts; see `parted_deviations`
-    for `equal_information`.
+    The deviations are those of the jackknife over parts of the record, the largest over several numbers of parts; see `parted` for
+    `equal_information`.
 
     Raises
     ------
@@ -758,14 +743,15 @@ def descended(
     end, size = ends[best], sizes[best]
     inside = (end.values > low) & (end.values < high)
     slopes, away = end.jacobian[:, inside], math.nan
-    robust = np.max([parted_deviations(slopes, end.residual, parts, equal_information) for parts in PARTS], axis=0)
+    by_parts = [parted(slopes, end.residual, parts, equal_information) for parts in PARTS]
+    robust = np.max([deviations for deviations, _ in by_parts], axis=0)
     lengths = np.linalg.norm(slopes, axis=0)
     lengths = np.where(lengths > 0.0, lengths, np.inf)
     inverse = np.linalg.pinv((slopes / lengths).T @ (slopes / lengths), hermitian=True)
     white = np.sqrt(np.diag(inverse)) / lengths * math.sqrt(float(end.residual @ end.residual) / max(measured.size - len(names), 1))
     if equal_information:  # it is equal for all parameters together, not for each
         robust = np.maximum(robust, white)
-        away = size * float(np.mean([left_out(slopes, end.residual, parts, True) for parts in PARTS]))
+        away = size * float(np.mean([left for _, left in by_parts]))
     known, output = (white, robust, correlation_of(inverse)), measured + size * end.residual
     fit = replace(_output_fit(names, end.values, inside, known, 1.0, measured, output), left_out=away)
     return fit, [end.values for end in ends]
