@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -19,7 +19,7 @@ from contourlab.errors import ParameterError
 from contourlab.features.identify.axis_tables import forces_of, plant_numbers, rigid_tables, two_inertia_numbers, two_inertia_tables
 from contourlab.features.identify.options import Identify
 from contourlab.features.identify.records import TRAVEL, AxisRecord, common_unit, log_names, newton_option, reference_name
-from contourlab.features.identify.result import Identification, Propagated, Tables, assumed, figures, propagate
+from contourlab.features.identify.result import Identification, Numbers, Propagated, Tables, assumed, figures, propagate
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
 from contourlab.rendering.charts import Chart, traces_chart
@@ -30,10 +30,6 @@ PRINTED = 24
 FEW = 40
 """Largest number of points drawn with their deviations."""
 COHERENT = 0.5
-EXCITATIONS = ("reference", "command")
-"""What excites an axis: the reference where it moves, else the command; or the command in any case."""
-SIDES = ("motor", "load")
-"""Where the position is measured."""
 MODEL_POINTS = 400
 """Points of a model curve."""
 BEYOND, BELOW_NYQUIST = 2.0, 0.4
@@ -166,9 +162,6 @@ def _rigid_tables(records: Sequence[AxisRecord], fit: DriveFit, mass: float, los
 
 def _measured(records: Sequence[AxisRecord], options: Identify) -> MeasuredResponse:
     """Return position over command of an axis; a moving reference means a closed loop, and it, unlike the command, has no noise."""
-    for option, value, known in (("--excitation", options.excitation, EXCITATIONS), ("--side", options.side, SIDES)):
-        if value not in known:
-            raise ParameterError(option, repr(value), f"one of {', '.join(known)}")
     common_unit(records, "one response")
     runs = []
     for record in records:
@@ -178,12 +171,7 @@ def _measured(records: Sequence[AxisRecord], options: Identify) -> MeasuredRespo
     return measured_response(runs, [record.source for record in records])
 
 
-def _propagated(
-    records: Sequence[AxisRecord],
-    fit: DriveFit,
-    numbers: Callable[[Mapping[str, float]], Mapping[str, float]],
-    note: str = "frequency response",
-) -> Propagated:
+def _propagated(records: Sequence[AxisRecord], fit: DriveFit, numbers: Numbers, note: str = "frequency response") -> Propagated:
     return propagate(numbers, fit.estimate, reference_name(records), note)
 
 
