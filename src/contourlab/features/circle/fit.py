@@ -43,10 +43,8 @@ from contourlab.analysis.identification.least_squares import fit_records
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.circle.runs import CircleRun
-from contourlab.metrics.circles import check_cover, correlated_variance, crossing, is_crossed, outside, past, play_columns
+from contourlab.metrics.circles import AFTER, BEFORE, check_cover, correlated_variance, crossing, is_crossed, outside, past, play_columns
 
-BEFORE, AFTER = math.radians(2.0), math.radians(15.0)
-"""The fit leaves out samples from `BEFORE` a reversal to `AFTER` it, where the spike is."""
 MOST_PERIODIC = 4
 """Cyclic errors and vibrations together."""
 CERTAIN = 5.0
