@@ -55,7 +55,7 @@ MODELS = {
     "linear-motor": Model("frequency:identify_linear_motor", ("excitation",)),
     "two-mass": Model("frequency:identify_two_mass", ("side", "excitation")),
     "two-inertia": Model("frequency:identify_two_inertia", ("motor_inertia", "side", "excitation")),
-    "resonance": Model("resonance:identify_ringing", single="a single run"),
+    "resonance": Model("frequency:identify_ringing", single="a single run"),
     POSITION_LOOP: Model("position_loop:identify_position_loop", ("validation",), "one run, and one with --validation", together=True),
 }
 """Models by name, in the order of the messages."""

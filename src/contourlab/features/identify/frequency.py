@@ -1,4 +1,4 @@
-"""Frequency response of an axis from logs of sines, a chirp, noise or a multisine, and drive models fitted to it."""
+"""Frequency response of an axis from logs of sines, a chirp, noise or a multisine, and drive models fitted to it; a resonance."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from contourlab.analysis.identification.drive_fit import DriveFit
 from contourlab.analysis.identification.filtered_motion import filtered_motion
 from contourlab.analysis.identification.frequency_response import Measured, MeasuredResponse, measured_response, response_findings
 from contourlab.analysis.identification.least_squares import mass_findings
+from contourlab.analysis.identification.resonance import identify_resonance
 from contourlab.arrays import Array, Complex
 from contourlab.components.plant.two_sided import TwoMass
 from contourlab.errors import ParameterError
@@ -20,6 +21,7 @@ from contourlab.features.identify.axis_tables import forces_of, plant_numbers, r
 from contourlab.features.identify.options import Identify
 from contourlab.features.identify.records import TRAVEL, AxisRecord, common_unit, log_names, newton_option, reference_name
 from contourlab.features.identify.result import Identification, Numbers, Propagated, Tables, assumed, figures, propagate
+from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
 from contourlab.rendering.charts import Chart, traces_chart
@@ -307,3 +309,26 @@ def _charts(title: str, response: MeasuredResponse, fit: DriveFit, unit: str) ->
         _bode(title, response, unit, (f, velocity)),
         traces_chart("residual", "Residual of the response", labels, size, below={"phase [deg]": phase}, **more),
     )
+
+
+# --- from an accelerometer alone ------------------------------------------------------------------------------------------------------
+
+RESONANCE_UNITS = {"frequency": "Hz", "damping_ratio": "1"}
+
+
+def identify_ringing(records: Sequence[AxisRecord], options: Identify) -> Identification:
+    """Identify the largest resonance in the acceleration of an axis.
+
+    Raises
+    ------
+    ParameterError
+        See `contourlab.analysis.identification.resonance.identify_resonance`.
+    """
+    (record,) = records
+    fit, title = identify_resonance(record.position, record.period), f"Acceleration of axis {record.axis}, {record.source}"
+    band, largest = fit.spectrum_frequency, float(fit.predicted.max())
+    spectra = {"measured": (band, fit.spectrum / largest), "model": (band, fit.predicted / largest)}
+    chart = traces_chart("spectrum", title, ("frequency [Hz]", "power over the model's largest"), spectra, level=None, log_y=True)
+    said = f"fitted from {figure(float(band[0]), 'Hz', 4)} to {figure(float(band[-1]), 'Hz', 4)}, {band.size} lines of the spectrum"
+    head = "resonance", record.axis, (record.source,), figures(fit, RESONANCE_UNITS), None, fit.usable
+    return Identification(*head, fit.findings, lines=(said,), charts=(chart,))

@@ -9,7 +9,7 @@ to.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -300,7 +300,7 @@ def identify_position_loop(records: Sequence[AxisRecord], options: Identify) -> 
         lines=tuple(line for run in runs for line in _lines(run)),
         points=_table(fits),
         tables=_machine_tables(best) if usable else {},
-        controller=_controller_tables(best) if usable else {},
+        controller={f"controller.axes.{axis}": {"controller": (Steps.kind, "", None)} for axis in best if usable},
         charts=tuple(_chart(rung) for rung in best.values()),
     )
 
@@ -422,8 +422,3 @@ def _machine_tables(best: Mapping[str, Rung]) -> Tables:
             tables |= {f"{place}.{slot}": {"kind": (kind, "", None), **rows}} if rows else {}
         tables[f"{place}.limits"] = position_limits(rung.model.record)
     return tables
-
-
-def _controller_tables(axes: Iterable[str]) -> Tables:
-    """Return the tables of a controller file."""
-    return {f"controller.axes.{axis}": {"controller": (Steps.kind, "", None)} for axis in axes}
