@@ -210,7 +210,7 @@ class Request:
 
     options: Identify
     logs: Sequence[str | Path | Log]
-    _on_logs: list[tuple[Finding, list[str]]] = field(default_factory=list)
+    _on_logs: dict[str, tuple[Finding, list[str]]] = field(default_factory=dict)
     _doubts: list[Finding] = field(default_factory=list)
 
     @property
@@ -245,9 +245,8 @@ class Request:
 
     def findings(self) -> list[Finding]:
         """Return the findings on the logs, and on reading them; one that holds for some logs only names them."""
-        places = ("" if len(names) == len(self.files) else join_names(names) for _, names in self._on_logs)
-        placed = zip((doubt for doubt, _ in self._on_logs), places, strict=True)
-        return [*self._doubts, *(replace(doubt, place=": ".join(filter(None, (at, doubt.place)))) for doubt, at in placed)]
+        named = ((doubt, "" if len(names) == len(self.files) else join_names(names)) for doubt, names in self._on_logs.values())
+        return [*self._doubts, *(replace(doubt, place=": ".join(filter(None, (at, doubt.place)))) for doubt, at in named)]
 
     def _options_of(self, number: int) -> Identify:
         """Return the options of one of the files: its window; that for validation may have its own, too."""
@@ -267,10 +266,7 @@ class Request:
         if not pieces:
             records = [longest_piece(log, records)]
         for on_reading in log.findings:
-            names = next((names for other, names in self._on_logs if other == on_reading), None)
-            if names is None:
-                self._on_logs.append((on_reading, names := []))
-            names.append(name)
+            self._on_logs.setdefault(repr(on_reading), (on_reading, []))[1].append(name)
         for doubt in (doubt for record in records if self.options.model != "resonance" for doubt in record.doubts()):
             if doubt not in self._doubts:
                 self._doubts.append(doubt)
