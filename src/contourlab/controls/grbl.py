@@ -37,7 +37,7 @@ def read(file: Path) -> ControlFile:
     axes = {letter: n for n, letter in enumerate("xyz") if 110 + n in settings}
     if not axes:
         raise ScenarioError("has no $110: save all that the command $$ prints", file=file)
-    tables = {letter: dict(_axis(file, settings, n)) for letter, n in axes.items()}
+    tables = {letter: dict(_axis(settings, n)) for letter, n in axes.items()}
     gaps = {letter: settings.get(160 + n, (0.0, ""))[0] for letter, n in axes.items()}
     findings = [finding("CL986", f"axis {letter}", gap=1e-3 * gap) for letter, gap in gaps.items() if gap]
     return stepping(file, "grblHAL" if {160, 800} & settings.keys() else "grbl", file.stem, tables, findings)
@@ -58,7 +58,7 @@ def _settings(file: Path) -> Iterator[tuple[int, tuple[float, str]]]:
                 raise ScenarioError(f"${match[1]} = {match[2]}: must be a number", file=place)
 
 
-def _axis(file: Path, settings: dict[int, tuple[float, str]], n: int) -> Iterator[tuple[str, Any]]:
+def _axis(settings: dict[int, tuple[float, str]], n: int) -> Iterator[tuple[str, Any]]:
     """Yield the tables of an axis."""
 
     def positive(number: int) -> tuple[float, str] | None:

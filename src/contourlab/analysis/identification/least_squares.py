@@ -607,17 +607,14 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     ----------
     See `contourlab.analysis.identification.least_squares`.
     """
-    p = jacobians[0].shape[-1]
-    if p == 0:  # all parameters are at the bounds of their ranges
-        nothing, none = np.zeros(0), np.zeros((0, 0))
-        return FitCovariance(nothing, nothing, none, np.zeros(0, dtype=bool))
-    flat = np.concatenate([j.reshape(-1, p) for j in jacobians])
+    p = jacobians[0].shape[-1]  # 0 if all parameters are at the bounds of their ranges
+    flat = np.concatenate([j.reshape(r.size, p) for j, r in zip(jacobians, residuals, strict=True)])
     left = np.concatenate([r.ravel() for r in residuals])
     normal = flat.T @ flat
     lengths = np.sqrt(np.diag(normal))
     size = np.where(lengths > 0.0, lengths, 1.0)
     values, vectors = np.linalg.eigh(normal / np.outer(size, size))
-    lost = values <= UNTOLD_SHARE * max(float(values[-1]), 1e-300)
+    lost = values <= UNTOLD_SHARE * values.max(initial=1e-300)
     untold: Flags = (lengths == 0.0) | (np.abs(vectors[:, lost]) > 0.2).any(axis=1)
     inverse = (vectors[:, ~lost] / values[~lost]) @ vectors[:, ~lost].T / np.outer(size, size)
     spare = max(left.size - p, 1)

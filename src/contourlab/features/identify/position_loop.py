@@ -29,7 +29,7 @@ from contourlab.features.identify.options import Identify
 from contourlab.features.identify.records import AxisRecord, log_names, samples_digest
 from contourlab.features.identify.result import Identification, Row, Tables, figures, propagate
 from contourlab.features.measure.measured_path import moving
-from contourlab.features.measure.study import measure
+from contourlab.features.measure.study import FOLLOWS, measure
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.geometry import Line, Path
@@ -73,8 +73,6 @@ LEAST = 30.0
 """Least share [percent] of the variation of the following error that the model of a loop explains."""
 WELL = 0.3
 """Share of the following error that stays, from which there is a finding."""
-FOLLOWS = 0.5
-"""Largest share of the reference's variance in the following error."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -310,7 +308,7 @@ def _check(record: AxisRecord) -> None:
     asked = record.asked()
     late = asked - record.position
     moving(asked[:, None])
-    if np.var(late) > FOLLOWS * np.var(asked):
+    if np.var(late) > (1.0 - FOLLOWS) * np.var(asked):
         wanted = "are column, unit and direction right? A minus ahead of the column's name turns its sign"
         raise ResultError(f"the position of {record.axis} in {record.source} does not follow its reference: {wanted}")
 

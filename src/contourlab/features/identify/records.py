@@ -193,12 +193,8 @@ def longest_piece(log: Log, pieces: Sequence[AxisRecord]) -> AxisRecord:
 
 def samples_digest(pieces: Sequence[AxisRecord]) -> str:
     """Return a digest of position and command; logs with equal digests are the same record."""
-    digest = sha256()
-    for piece in pieces:
-        command = np.zeros(0) if piece.command is None else piece.command
-        digest.update(np.array([piece.position.size, command.size]).tobytes())
-        digest.update(piece.position.tobytes() + command.tobytes())
-    return digest.hexdigest()
+    signals = (signal for piece in pieces for signal in (piece.position, np.zeros(0) if piece.command is None else piece.command))
+    return sha256(b"".join(b"%d %b" % (signal.size, signal.tobytes()) for signal in signals)).hexdigest()
 
 
 # --- the logs of a request ----------------------------------------------------------------------------------------------------------
