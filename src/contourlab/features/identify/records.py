@@ -335,8 +335,8 @@ class Request:
         if text is None:
             return None
         with refused(option, text, wanted):
-            unit = split(text)[1]
-            value = to_si(text, f"N/{unit.partition('/')[2].strip() or 1}" if name == "gain" else unit)
+            number, unit = split(text)
+            value = number * to_si(f"1 {unit}", f"N/{unit.partition('/')[2].strip() or 1}" if name == "gain" else unit)
         if not (0.0 < abs(value) < 1e12 and (value > 0.0 or name == "gain")):
             raise ParameterError(option, text, bound)
         return value
