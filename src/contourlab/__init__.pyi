@@ -39,7 +39,7 @@ from contourlab.features.link.cost import message_rate as message_rate
 from contourlab.features.link.result import LinkResult as LinkResult
 from contourlab.features.measure.command import MeasuredRuns as MeasuredRuns
 from contourlab.features.notch.command import Notched as Notched
-from contourlab.features.precompensate.result import Precompensated as Precompensated
+from contourlab.features.precompensate.command import Precompensated as Precompensated
 from contourlab.features.record.command import Recording as Recording
 from contourlab.features.refine.command import Refinement as Refinement
 from contourlab.features.run.command import Planned as Planned

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from contourlab.findings import Finding
+from contourlab.findings import Finding, finding
 
 LARGEST = 1e9
 """Limit of what a control's file may say; beyond it a number stands for no limit."""
@@ -101,3 +101,24 @@ def substeps(frequency: float, period: float) -> int:
 def steps_controller(axes: Iterable[str]) -> dict[str, Any]:
     """Return the controller of axes that take positions."""
     return {"axes": {axis: {"controller": "steps"} for axis in axes}}
+
+
+def stepping(file: Path, control: str, name: str, tables: dict[str, Any], findings: Iterable[Finding] = (), **program: str) -> ControlFile:
+    """Return the machine of a control of the family of grbl, which counts its steps, from the tables of its axes.
+
+    Parameters
+    ----------
+    control : str
+        Its name; that of a descendant ends in HAL.
+    name : str
+        Of the machine.
+    findings : iterable of Finding
+        Further ones.
+    **program : str
+        How it reads a part program, beside the dialect.
+    """
+    axes = list(tables)
+    machine = {"name": name[:200], "servo_period": PERIOD, "axes": axes}
+    every = {"machine": machine, "axes": tables, "controller": steps_controller(axes), "program": {"dialect": "grbl", **program}}
+    counts = finding("CL984", axes=axes, why=f"{control.removesuffix('HAL')} counts its steps")
+    return ControlFile(file, control, every, findings=(counts, *findings))

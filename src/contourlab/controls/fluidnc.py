@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from contourlab.controls.contract import FLOATING, LARGEST, PERIOD, ControlFile, computed, driven_by_steps, read_from, steps_controller
+from contourlab.controls.contract import FLOATING, LARGEST, ControlFile, computed, driven_by_steps, read_from, stepping
 from contourlab.errors import ScenarioError
 from contourlab.findings import finding
 
@@ -46,15 +46,11 @@ def read(file: Path) -> ControlFile:
     names = [letter for letter in "xyz" if letter in axes]
     if not names:
         raise ScenarioError("has none of the axes x, y and z under axes", file=file)
-    machine = {"name": str(sections.get("name") or file.stem)[:200], "servo_period": PERIOD, "axes": names}
-    findings = [finding("CL984", axes=names, why="FluidNC counts its steps")]
     others = [name for name in axes if name in ("a", "b", "c", "u", "v", "w")]
-    findings += [finding("CL981", file.name, axis=name, why="only x, y and z are read") for name in others]
+    findings = [finding("CL981", file.name, axis=name, why="only x, y and z are read") for name in others]
     tables = {name: dict(_axis(file, name, axes[name])) for name in names}
     homed = [_homed(axes.get(name, {})) for name in "xyz"]
-    program = {"dialect": "grbl", "start": ", ".join(map(repr, homed))}
-    every = {"machine": machine, "axes": tables, "controller": steps_controller(names), "program": program}
-    return ControlFile(file, "FluidNC", every, findings=tuple(findings))
+    return stepping(file, "FluidNC", str(sections.get("name") or file.stem), tables, findings, start=", ".join(map(repr, homed)))
 
 
 def _homed(axis: Mapping[str, Any]) -> float:

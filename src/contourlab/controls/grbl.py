@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from contourlab.controls.contract import FLOATING, LARGEST, PERIOD, ControlFile, computed, driven_by_steps, read_from, steps_controller
+from contourlab.controls.contract import FLOATING, LARGEST, ControlFile, computed, driven_by_steps, read_from, stepping
 from contourlab.errors import ScenarioError
 from contourlab.findings import finding
 
@@ -34,17 +34,13 @@ def read(file: Path) -> ControlFile:
         If a setting is no number, or none of x, y and z has a rate.
     """
     settings = dict(_settings(file))
-    axes = [(n, letter) for n, letter in enumerate("xyz") if 110 + n in settings]
+    axes = {letter: n for n, letter in enumerate("xyz") if 110 + n in settings}
     if not axes:
         raise ScenarioError("has no $110: save all that the command $$ prints", file=file)
-    tables = {letter: dict(_axis(file, settings, n)) for n, letter in axes}
-    names = [letter for _, letter in axes]
-    machine = {"name": file.stem[:200], "servo_period": PERIOD, "axes": names}
-    findings = [finding("CL984", axes=names, why="grbl counts its steps")]
-    gaps = {letter: settings[160 + n][0] for n, letter in axes if 160 + n in settings}
-    findings += [finding("CL986", f"axis {letter}", gap=1e-3 * gap) for letter, gap in gaps.items() if gap]
-    every = {"machine": machine, "axes": tables, "controller": steps_controller(names), "program": {"dialect": "grbl"}}
-    return ControlFile(file, "grblHAL" if {160, 800} & settings.keys() else "grbl", every, findings=tuple(findings))
+    tables = {letter: dict(_axis(settings, n)) for letter, n in axes.items()}
+    gaps = {letter: settings.get(160 + n, (0.0, ""))[0] for letter, n in axes.items()}
+    findings = [finding("CL986", f"axis {letter}", gap=1e-3 * gap) for letter, gap in gaps.items() if gap]
+    return stepping(file, "grblHAL" if {160, 800} & settings.keys() else "grbl", file.stem, tables, findings)
 
 
 def _settings(file: Path) -> Iterator[tuple[int, tuple[float, str]]]:
@@ -62,7 +58,7 @@ def _settings(file: Path) -> Iterator[tuple[int, tuple[float, str]]]:
                 raise ScenarioError(f"${match[1]} = {match[2]}: must be a number", file=place)
 
 
-def _axis(file: Path, settings: dict[int, tuple[float, str]], n: int) -> Iterator[tuple[str, Any]]:
+def _axis(settings: dict[int, tuple[float, str]], n: int) -> Iterator[tuple[str, Any]]:
     """Yield the tables of an axis."""
 
     def positive(number: int) -> tuple[float, str] | None:

@@ -166,13 +166,17 @@ def circle_figures(points: Array, centre: Array, radius: float, clockwise: bool,
         If there are fewer than 8 points.
     """
     refuse(len(points) < 8, ResultError, f"{name}: a circle of {len(points)} samples: give at least 8")
-    out = points - centre
-    deviation = np.linalg.norm(out, axis=1) - radius
+    run = _radial(points - centre, radius, name)
     around = np.linalg.norm(points - least_squares_centre(points), axis=1)
     zone, _ = minimum_zone(points)
-    angle = np.arctan2(out[:, 1], out[:, 0])
-    figures = (zone, float(np.ptp(around)), float(deviation.max()), float(deviation.min()), float(deviation.mean()))
-    return CircleFigures(name, clockwise, radius, angle, deviation, *figures)
+    return replace(run, clockwise=clockwise, circular_deviation=zone, circular_deviation_least_squares=float(np.ptp(around)))
+
+
+def _radial(out: Array, radius: float, name: str = "") -> CircleFigures:
+    """Return a counter-clockwise run of points (n, 2) around zero, without its circular deviation."""
+    angle, deviation = np.arctan2(out[:, 1], out[:, 0]), np.linalg.norm(out, axis=1) - radius
+    figures = math.nan, math.nan, float(deviation.max()), float(deviation.min()), float(deviation.mean())
+    return CircleFigures(name, False, radius, angle, deviation, *figures)
 
 
 def bidirectional(one: CircleFigures, other: CircleFigures) -> Bidirectional:
@@ -253,6 +257,8 @@ def pairs(runs: Sequence[CircleFigures]) -> dict[str, Bidirectional]:
 
 X, Y, DIAGONAL = 4, 6, 8
 """Columns of the design: radius, centre (x, y), scale; backlash of x and its slope, of y and its slope; squareness and servo mismatch."""
+BEFORE, AFTER = math.radians(2.0), math.radians(15.0)
+"""A fit leaves out samples from `BEFORE` a reversal to `AFTER` it, where the spike is."""
 LEAST_SAMPLES = 60
 WIDEST_HOLE = math.radians(12.0)
 """Widest permitted gap between counted samples."""
@@ -334,8 +340,8 @@ def backlash_from_circle(
     *,
     opposite: ArrayLike | None = None,
     axes: tuple[str, str] = ("x", "y"),
-    before: float = math.radians(2.0),
-    after: float = math.radians(15.0),
+    before: float = BEFORE,
+    after: float = AFTER,
 ) -> CircleBacklash:
     """Return the backlash of both axes from measured positions on a full circle.
 
@@ -369,11 +375,7 @@ def backlash_from_circle(
 
 
 def backlash_of_runs(
-    runs: Sequence[CircleFigures],
-    *,
-    axes: tuple[str, str] = ("x", "y"),
-    before: float = math.radians(2.0),
-    after: float = math.radians(15.0),
+    runs: Sequence[CircleFigures], *, axes: tuple[str, str] = ("x", "y"), before: float = BEFORE, after: float = AFTER
 ) -> CircleBacklash:
     """Return the backlash from runs around one circle, from `circle_figures` or `circles_of`: at most one in each sense.
 
@@ -445,17 +447,14 @@ def _run(position: ArrayLike, centre: ArrayLike, radius: float) -> CircleFigures
     refuse(not 0.0 < radius < math.inf, ParameterError, "radius", radius, "finite and > 0", "m")
     refuse(len(points) < LEAST_SAMPLES, ResultError, f"a circle of {len(points)} samples: give at least {LEAST_SAMPLES}")
     refuse(not (np.isfinite(points).all() and np.isfinite(middle).all()), ResultError, "points or centre hold values that are not finite")
-    out = points - middle
-    distance = np.linalg.norm(out, axis=1)
-    if np.abs(distance - radius).max() > 0.2 * radius:
-        raise ResultError(f"points between {distance.min():.6g} m and {distance.max():.6g} m from the centre: no circle of {radius:.6g} m")
-    angle = np.arctan2(out[:, 1], out[:, 0])
-    turned = float(np.unwrap(angle)[-1] - angle[0])
+    run = _radial(points - middle, radius)
+    if np.abs(run.deviation).max() > 0.2 * radius:
+        low, high = radius + run.radial_min, radius + run.radial_max
+        raise ResultError(f"points between {low:.6g} m and {high:.6g} m from the centre: no circle of {radius:.6g} m")
+    turned = float(np.unwrap(run.angle)[-1] - run.angle[0])
     if abs(turned) < 2.0 * math.pi - WIDEST_HOLE:
         raise ResultError(f"points over {math.degrees(turned):.4g} degrees: give a full circle in one sense")
-    away = distance - radius
-    figures = (math.nan, math.nan, float(away.max()), float(away.min()), float(away.mean()))
-    return CircleFigures("", turned < 0.0, radius, angle, away, *figures)
+    return replace(run, clockwise=turned < 0.0)
 
 
 def _signatures(run: CircleFigures, both: bool) -> Array:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from refusals import refuses
 
-from contourlab.analysis.identification.filtered_motion import central_difference, decimate, filtered_motion
+from contourlab.analysis.identification.filtered_motion import decimate, filtered_motion
 from contourlab.errors import ParameterError
 
 PERIOD = 1e-3
@@ -41,13 +41,6 @@ def test_columns_are_decimated_alike_and_a_factor_of_one_changes_nothing() -> No
     values = np.random.default_rng(1).normal(size=(300, 3))
     np.testing.assert_array_equal(decimate(values, 5)[:, 1], decimate(values[:, 1], 5))
     np.testing.assert_array_equal(decimate(values, 1), values)
-
-
-def test_differences_of_a_parabola_are_exact_except_at_its_ends() -> None:
-    t = PERIOD * np.arange(50)
-    rate = central_difference(3.0 * t**2 - t, PERIOD)
-    np.testing.assert_allclose(rate[1:-1], (6.0 * t - 1.0)[1:-1], rtol=1e-9)
-    assert rate[[0, -1]] == pytest.approx([3.0 * PERIOD - 1.0, 3.0 * (t[-1] + t[-2]) - 1.0])
 
 
 def test_filtered_motion_has_no_lag_and_half_its_amplitude_at_the_cut_off() -> None:

@@ -187,10 +187,6 @@ class _Points:
         turn = np.angle(self.response) + np.angle(response / self.response)
         return np.concatenate([np.log(np.abs(response)) * self.weight, turn * self.weight])
 
-    @property
-    def measured(self) -> Array:
-        return np.concatenate([np.log(np.abs(self.response)) * self.weight, np.angle(self.response) * self.weight])
-
     def speed(self, response: Complex) -> Complex:
         return np.asarray(2j * np.pi * self.frequency * response)
 
@@ -391,7 +387,7 @@ def _fitted(points: _Points, model: Callable[[Parameters, Complex], Complex], fr
     def response(x: Parameters) -> Complex:
         return held_response(lambda s: model(x, s), points.frequency, points.period)
 
-    output_fit = fit_output(lambda x: points.row(response(x)), points.measured, free)
+    output_fit = fit_output(lambda x: points.row(response(x)), points.row(points.response), free)
     # Points over frequency are not a record in time, and often few: do not let the robust deviations be smaller.
     output_fit = replace(output_fit, robust_deviations=np.maximum(output_fit.deviations, output_fit.robust_deviations))
     best = output_fit.parameters

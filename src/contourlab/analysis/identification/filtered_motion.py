@@ -62,20 +62,8 @@ def filtered_motion(position: ArrayLike, period: float, *, cutoff: float, order:
     if measured.size <= padding:
         raise ParameterError("position", f"{measured.size} samples", f"more than the {padding} that the filter starts with")
     smooth = np.asarray(sosfiltfilt(butter(order, cutoff / nyquist, output="sos"), measured, padlen=padding), dtype=float)
-    velocity = central_difference(smooth, period)
-    return FilteredMotion(smooth, velocity, central_difference(velocity, period))
-
-
-def central_difference(signal: ArrayLike, period: float) -> Array:
-    """Return the derivative (n,) of a signal by central differences; one-sided at both ends.
-
-    Parameters
-    ----------
-    signal : array_like (n,)
-    period : float [s]
-    """
-    y = np.asarray(signal, dtype=float)
-    return np.asarray(np.r_[y[1] - y[0], 0.5 * (y[2:] - y[:-2]), y[-1] - y[-2]] / period, dtype=float)
+    velocity = np.gradient(smooth, period)
+    return FilteredMotion(smooth, velocity, np.gradient(velocity, period))
 
 
 def decimate(signal: ArrayLike, factor: int) -> Array:

@@ -27,7 +27,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.analysis.identification.filtered_motion import even_record, require_finite
-from contourlab.analysis.identification.least_squares import Estimate, deviation_findings, fit_findings, fit_percent
+from contourlab.analysis.identification.least_squares import Estimate, correlation_of, deviation_findings, fit_findings, fit_percent
 from contourlab.arrays import Array, Index, true_spans
 from contourlab.errors import ParameterError, refuse
 from contourlab.findings import Finding, finding
@@ -556,8 +556,7 @@ def _fitted(model: FrictionModel, v: Array, u: Array, s: Array, both: bool) -> F
     # Maximum likelihood underestimates the scatter by the number of fitted parameters.
     lost = math.sqrt(v.size / max(v.size - count, 1)) if tau > 0.0 else 1.0
     deviations = lost * np.sqrt(np.maximum(np.diag(covariance), 0.0))
-    size = np.sqrt(np.where(np.diag(covariance) > 0.0, np.diag(covariance), 1.0))
-    estimate = tuple(names), x, deviations, deviations, covariance / np.outer(size, size)
+    estimate = tuple(names), x, deviations, deviations, correlation_of(covariance)
     return FrictionCurve(*estimate, model, tau, fit_percent(u, predicted), criterion, plain, predicted)
 
 

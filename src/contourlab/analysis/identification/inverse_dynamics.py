@@ -27,6 +27,7 @@ from contourlab.analysis.identification.least_squares import (
     bartlett,
     check_apart,
     coloured_deviations,
+    correlation_of,
     deviation_findings,
     fit_findings,
     mass_findings,
@@ -200,13 +201,12 @@ def identify_inverse_dynamics(
     inverse = np.linalg.inv(r)
     unscaled = inverse @ inverse.T
     lost = len(names) if chosen.lost_degrees is None else chosen.lost_degrees
-    scale = np.sqrt(np.diag(unscaled))
     fit = InverseDynamicsFit(
         names=names,
         values=values,
         deviations=np.sqrt(np.diag(unscaled) * float(residual @ residual) / max(residual.size - lost, 1)),
         robust_deviations=coloured_deviations(rows.columns, residual, unscaled, bartlett(usual_lags(residual.size))),
-        correlation=unscaled / np.outer(scale, scale),
+        correlation=correlation_of(unscaled),
         settings=chosen,
         **vars(_judged(rows, rows.columns @ values)),
     )

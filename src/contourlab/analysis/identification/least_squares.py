@@ -16,13 +16,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Generator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from contourlab.arrays import Array, Flags, Index
+from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError
 from contourlab.findings import Finding, finding
 
@@ -189,38 +189,41 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
     values = np.asarray(solution.x, dtype=float)
     lowest, highest = values - low <= NEAR_BOUND * scale, high - values <= NEAR_BOUND * scale
     values, inside = np.where(lowest, low, np.where(highest, high, values)), ~(lowest | highest)
-    predicted = output(values)
+    predicted, step = output(values), 1e-4 * np.maximum(np.abs(values), scale)  # wide enough to bridge the kinks of sticking
+    (slopes,) = in_step(lambda points: np.array([output(x) for x in points]), [jacobian(values, predicted, low, high, step)])
+    *known, condition = _covariance(slopes[:, inside], predicted - measured, np.array(names)[inside])
+    return _output_fit(names, values, inside, known, condition, measured, predicted)
+
+
+def _output_fit(
+    names: tuple[str, ...], values: Array, inside: Flags, known: Sequence[Array], condition: float, measured: Array, predicted: Array
+) -> OutputFit:
+    """Return a fit, from white and robust deviations and the correlation of its parameters inside their bounds."""
     white, robust, correlation = np.zeros(len(names)), np.zeros(len(names)), np.eye(len(names))
-    free_names, stuck = (tuple(name for name, is_free in zip(names, inside, strict=True) if is_free == wanted) for wanted in (True, False))
-    slopes = _slopes(output, values, low, high, scale)[:, inside]
-    white[inside], robust[inside], correlation[np.ix_(inside, inside)], condition = _covariance(slopes, predicted - measured, free_names)
+    white[inside], robust[inside], correlation[np.ix_(inside, inside)] = known
+    stuck = tuple(name for name, is_free in zip(names, inside, strict=True) if not is_free)
     return OutputFit(names, values, white, robust, correlation, condition, stuck, measured, predicted, fit_percent(measured, predicted))
 
 
-def _slopes(output: Callable[[Array], Array], at: Array, low: Array, high: Array, scale: Array) -> Array:
-    """Return the sensitivities (n, p) by differences within the bounds, wide enough to bridge the kinks of sticking."""
-    columns = []
-    for i, step in enumerate(np.diag(1e-4 * np.maximum(np.abs(at), scale))):
-        up, down = np.minimum(at + step, high), np.maximum(at - step, low)
-        columns.append((output(up) - output(down)) / max(up[i] - down[i], 1e-300))
-    return np.column_stack(columns)
+def correlation_of(covariance: NDArray[Any]) -> Array:
+    """Return the correlations of a covariance (p, p); 0 for a parameter without variance."""
+    size = np.sqrt(np.where(np.diag(covariance) > 0.0, np.diag(covariance), 1.0))
+    return np.asarray(covariance / np.outer(size, size))
 
 
-def _covariance(slopes: Array, residual: Array, names: Sequence[str]) -> tuple[Array, Array, Array, float]:
+def _covariance(slopes: Array, residual: Array, names: NDArray[Any]) -> tuple[Array, Array, Array, float]:
     """Return deviations for a white and for a correlated residual, correlation, and the condition number of the scaled slopes."""
-    if not names:
+    if not names.size:
         return np.empty(0), np.empty(0), np.empty((0, 0)), 1.0
     lengths = np.linalg.norm(slopes, axis=0)
     if not lengths.all():
         raise ParameterError("record", "a record", f"one in which {names[int(np.argmin(lengths))]} shows")
     scaled = slopes / lengths
-    check_apart(scaled, names, UNTOLD, "vary the command more")
-    condition = float(np.linalg.cond(scaled))
+    check_apart(scaled, names.tolist(), UNTOLD, "vary the command more")
     inverse = np.linalg.inv(scaled.T @ scaled)
-    white = np.sqrt(np.diag(inverse) * float(residual @ residual) / max(residual.size - len(names), 1))
+    white = np.sqrt(np.diag(inverse) * float(residual @ residual) / max(residual.size - names.size, 1))
     robust = coloured_deviations(scaled, residual, inverse, lasting_window(residual))
-    size = np.sqrt(np.diag(inverse))
-    return white / lengths, robust / lengths, inverse / np.outer(size, size), condition
+    return white / lengths, robust / lengths, correlation_of(inverse), float(np.linalg.cond(scaled))
 
 
 def check_apart(scaled: Array, names: Sequence[str], limit: float, cure: str) -> None:
@@ -604,17 +607,14 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     ----------
     See `contourlab.analysis.identification.least_squares`.
     """
-    p = jacobians[0].shape[-1]
-    if p == 0:  # all parameters are at the bounds of their ranges
-        nothing, none = np.zeros(0), np.zeros((0, 0))
-        return FitCovariance(nothing, nothing, none, np.zeros(0, dtype=bool))
-    flat = np.concatenate([j.reshape(-1, p) for j in jacobians])
+    p = jacobians[0].shape[-1]  # 0 if all parameters are at the bounds of their ranges
+    flat = np.concatenate([j.reshape(r.size, p) for j, r in zip(jacobians, residuals, strict=True)])
     left = np.concatenate([r.ravel() for r in residuals])
     normal = flat.T @ flat
     lengths = np.sqrt(np.diag(normal))
     size = np.where(lengths > 0.0, lengths, 1.0)
     values, vectors = np.linalg.eigh(normal / np.outer(size, size))
-    lost = values <= UNTOLD_SHARE * max(float(values[-1]), 1e-300)
+    lost = values <= UNTOLD_SHARE * values.max(initial=1e-300)
     untold: Flags = (lengths == 0.0) | (np.abs(vectors[:, lost]) > 0.2).any(axis=1)
     inverse = (vectors[:, ~lost] / values[~lost]) @ vectors[:, ~lost].T / np.outer(size, size)
     spare = max(left.size - p, 1)
@@ -633,13 +633,25 @@ def fit_covariance(jacobians: Sequence[Array], residuals: Sequence[Array], floor
     covariance = covariance * np.outer(raised, raised)
     np.fill_diagonal(covariance, np.maximum(own, least))
     covariance[untold, untold] = np.inf
-    scale = np.sqrt(np.where(np.diag(inverse) > 0.0, np.diag(inverse), 1.0))
     deviations = np.sqrt(np.maximum(np.diag(covariance), 0.0))
-    return FitCovariance(deviations, np.where(untold, np.inf, white), inverse / np.outer(scale, scale), untold)
+    return FitCovariance(deviations, np.where(untold, np.inf, white), correlation_of(inverse), untold)
 
 
-def parted_deviations(jacobian: Array, residual: Array, parts: int, equal_information: bool = False) -> Array:
-    """Return standard deviations (p,) by the jackknife: the spread of estimates that leave out one part of the record after another.
+def fit_records(designs: Sequence[Array], values: Sequence[Array]) -> tuple[Array, FitCovariance, list[Array]]:
+    """Fit records by linear least squares; return the parameters (p,), their covariance, and the residual (n_k,) of each record.
+
+    Parameters
+    ----------
+    designs : sequence of ndarray (n_k, p)
+    values : sequence of ndarray (n_k,)
+    """
+    solution = np.asarray(np.linalg.lstsq(np.concatenate(designs), np.concatenate(values), rcond=None)[0])
+    residuals = [value - design @ solution for value, design in zip(values, designs, strict=True)]
+    return solution, fit_covariance([design[:, None] for design in designs], [rest[:, None] for rest in residuals]), residuals
+
+
+def parted(jacobian: Array, residual: Array, parts: int, equal_information: bool = False) -> tuple[Array, float]:
+    """Return what estimates show that leave out one part of the record after another: deviations by the jackknife, and what stays.
 
     Parameters
     ----------
@@ -654,8 +666,10 @@ def parted_deviations(jacobian: Array, residual: Array, parts: int, equal_inform
 
     Returns
     -------
-    ndarray (p,)
-        Infinite if a part alone determines a parameter.
+    deviations : ndarray (p,)
+        Standard deviations; infinite if a part alone determines a parameter.
+    left_out : float
+        Rms residual of the parts under parameters fitted to the others; infinite likewise.
 
     Notes
     -----
@@ -665,38 +679,21 @@ def parted_deviations(jacobian: Array, residual: Array, parts: int, equal_inform
     ----------
     Efron & Stein, "The jackknife estimate of variance", Annals of Statistics 9(3), 1981.
     """
-    moved, lengths, _ = _without_parts(jacobian, residual, parts, equal_information)
-    return np.asarray(np.full(lengths.size, math.inf) if moved is None else np.std(moved, axis=0) * math.sqrt(parts - 1.0) / lengths)
-
-
-def left_out(jacobian: Array, residual: Array, parts: int, equal_information: bool = False) -> float:
-    """Return the rms residual of parts of a record under parameters fitted to the others; see `parted_deviations` for the arguments."""
-    moved, lengths, rows = _without_parts(jacobian, residual, parts, equal_information)
-    if moved is None:
-        return math.inf
-    away = [residual[part] + jacobian[part] @ (step / lengths) for part, step in zip(rows, moved, strict=True)]
-    return float(np.sqrt(np.mean(np.concatenate(away) ** 2)))
-
-
-def _without_parts(jacobian: Array, residual: Array, parts: int, equal_information: bool) -> tuple[Array | None, Array, list[Index]]:
-    """Return by how much the parameters change without each part (parts, p), times the lengths (p,) of the columns; these; and the parts.
-
-    The changes are None if a part alone determines a parameter.
-    """
-    lengths, every = np.linalg.norm(jacobian, axis=0), np.arange(residual.size)
+    lengths, unknown = np.linalg.norm(jacobian, axis=0), (np.full(jacobian.shape[1], math.inf), math.inf)
     if not lengths.all():
-        return None, lengths, []
-    columns = jacobian / lengths
+        return unknown
+    columns, moved, left = jacobian / lengths, list[Array](), list[Array]()
+    normal = columns.T @ columns
     share = (columns**2).sum(axis=1).cumsum()
     ends = np.searchsorted(share, share[-1] * np.arange(1, parts) / parts) if equal_information and lengths.size else parts
-    normal, moved, divided = columns.T @ columns, [], np.array_split(every, ends)
-    for rows in divided:
+    for rows in np.array_split(np.arange(residual.size), ends):
         part = columns[rows]
         rest = normal - part.T @ part
         if lengths.size and np.linalg.cond(rest) * UNTOLD_SHARE > 1.0:
-            return None, lengths, divided
+            return unknown
         moved.append(np.linalg.solve(rest, part.T @ residual[rows]))
-    return np.array(moved), lengths, divided
+        left.append(residual[rows] + part @ moved[-1])
+    return np.std(moved, axis=0) * math.sqrt(parts - 1.0) / lengths, float(np.sqrt(np.mean(np.concatenate(left) ** 2)))
 
 
 PARTS = range(4, 13)
@@ -715,8 +712,8 @@ def descended(
 ) -> tuple[OutputFit, list[Array]]:
     """Fit a model's output (n,) from points (k, p), in steps that bridge its kinks; return the best end, and the values (p,) of all.
 
-    The deviations are those of the jackknife over parts of the record, the largest over several numbers of parts; see `parted_deviations`
-    for `equal_information`.
+    The deviations are those of the jackknife over parts of the record, the largest over several numbers of parts; see `parted` for
+    `equal_information`.
 
     Raises
     ------
@@ -742,20 +739,16 @@ def descended(
     best = int(np.argmax(fits))
     end, size = ends[best], sizes[best]
     inside = (end.values > low) & (end.values < high)
-    slopes = end.jacobian[:, inside]
-    white, robust, correlation = np.zeros(len(names)), np.zeros(len(names)), np.eye(len(names))
-    robust[inside] = np.max([parted_deviations(slopes, end.residual, parts, equal_information) for parts in PARTS], axis=0)
+    slopes, away = end.jacobian[:, inside], math.nan
+    by_parts = [parted(slopes, end.residual, parts, equal_information) for parts in PARTS]
+    robust = np.max([deviations for deviations, _ in by_parts], axis=0)
     lengths = np.linalg.norm(slopes, axis=0)
     lengths = np.where(lengths > 0.0, lengths, np.inf)
     inverse = np.linalg.pinv((slopes / lengths).T @ (slopes / lengths), hermitian=True)
-    spread = np.sqrt(np.diag(inverse))
-    white[inside] = spread / lengths * math.sqrt(float(end.residual @ end.residual) / max(measured.size - len(names), 1))
-    correlation[np.ix_(inside, inside)] = inverse / np.maximum(np.outer(spread, spread), 1e-300)
-    away = math.nan
+    white = np.sqrt(np.diag(inverse)) / lengths * math.sqrt(float(end.residual @ end.residual) / max(measured.size - len(names), 1))
     if equal_information:  # it is equal for all parameters together, not for each
         robust = np.maximum(robust, white)
-        away = size * float(np.mean([left_out(slopes, end.residual, parts, True) for parts in PARTS]))
-    stuck = tuple(name for name, is_free in zip(names, inside, strict=True) if not is_free)
-    output = measured + size * end.residual
-    fit = OutputFit(names, end.values, white, robust, correlation, 1.0, stuck, measured, output, fits[best], left_out=away)
+        away = size * float(np.mean([left for _, left in by_parts]))
+    known, output = (white, robust, correlation_of(inverse)), measured + size * end.residual
+    fit = replace(_output_fit(names, end.values, inside, known, 1.0, measured, output), left_out=away)
     return fit, [end.values for end in ends]

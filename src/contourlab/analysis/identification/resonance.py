@@ -117,8 +117,8 @@ def identify_resonance(acceleration: ArrayLike, period: float) -> ResonanceFit:
     known = physical * np.hypot(robust[:2], FORM)
     findings = *deviation_findings(NAMES[0], frequency, known[0]), *deviation_findings(NAMES[1], damping, known[1])
     usable = bool(known[0] < 0.1 * frequency and known[1] < 0.5 * damping and peak / BAND < frequency < peak * BAND)
-    correlation = inverse[:2, :2] / np.outer(white[:2], white[:2])
-    return ResonanceFit(NAMES, physical, physical * white[:2], known, correlation, f, p, scale * expected, usable, findings)
+    estimate = NAMES, physical, physical * white[:2], known, least_squares.correlation_of(inverse[:2, :2])
+    return ResonanceFit(*estimate, f, p, scale * expected, usable, findings)
 
 
 def _peak(a: Array, period: float) -> float:

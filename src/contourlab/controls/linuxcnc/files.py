@@ -260,17 +260,17 @@ def _statement(entry: Entry, ini: Ini) -> Iterator[Statement]:
         yield Statement(entry.file, entry.line, written, tuple(REFERENCE.sub(value, word) for word in written))
 
 
-def named_files(ini: Ini) -> list[tuple[Entry, Path | None]]:
-    """Return the HAL files that an INI file names, in LinuxCNC's order; None for a Tcl script, and where there is no such file."""
+def graph_of(ini: Ini, copy: Path | None = None) -> tuple[HalGraph, list[Path]]:
+    """Return what all HAL files that an INI file names load, set and connect, and the files; raises as `read_graph`.
+
+    A copy, a file that the INI file does not name, holds in place of those that it does.
+    """
     entries = [entry for key in ("HALFILE", "POSTGUI_HALFILE") for entry in ini.values.get(("HAL", key), []) if entry.value]
-    return [(entry, _located(entry, ini)) for entry in entries]
-
-
-def graph_of(ini: Ini) -> tuple[HalGraph, list[Path]]:
-    """Return what all HAL files that an INI file names load, set and connect, and the files; raises as `read_graph`."""
-    named = named_files(ini)
-    files = [path for _, path in named if path is not None]
-    return read_graph(ini, files, [entry for entry, path in named if path is None]), files
+    located = [(entry, _located(entry, ini)) for entry in entries]
+    files = [path for _, path in located if path is not None]
+    if copy is not None and copy.resolve() not in [path.resolve() for path in files]:
+        return read_graph(ini, [copy]), [copy]
+    return read_graph(ini, files, [entry for entry, path in located if path is None]), files
 
 
 def sampler_lines(sources: Sequence[str], kinds: str) -> list[str]:
@@ -279,13 +279,14 @@ def sampler_lines(sources: Sequence[str], kinds: str) -> list[str]:
     return [f"loadrt sampler depth=16000 cfg={kinds}", "addf sampler.0 servo-thread", *nets]
 
 
-def units_of(ini: Ini) -> tuple[float, float, list[Finding]]:
-    """Return the length of a machine unit [m], the servo period [s], and a finding for each that is assumed."""
+def units_of(ini: Ini, graph: HalGraph) -> tuple[float, float, list[Finding]]:
+    """Return the length of a machine unit [m], the servo period [s], and a finding for each file not read and each figure assumed."""
     entry, period = ini.first("TRAJ", "LINEAR_UNITS"), ini.number("EMCMOT", "SERVO_PERIOD", positive=True)
     if period is None and (given := ini.first("EMCMOT", "SERVO_PERIOD")):
         raise ScenarioError(f"SERVO_PERIOD = {given.value}: write it in ns, such as 1000000", file=given.place)
     unit = LENGTHS.get(entry.value.lower()) if entry else None
-    findings = [finding("CL850", entry.place if entry else ini.file.name)] if unit is None else []
+    findings = [finding("CL866", other.place, file=other.value) for other in graph.unread]
+    findings += [finding("CL850", entry.place if entry else ini.file.name)] if unit is None else []
     findings += [finding("CL851", ini.file.name)] if period is None else []
     return unit or LENGTHS["mm"], (period or 1e6) * 1e-9, findings
 

@@ -55,10 +55,9 @@ class _Machine:
         for place, kind in kinematics_of(self.ini, self.graph):
             if kind.partition(" ")[0] != "trivkins":
                 raise ScenarioError(f"kinematics {kind.partition(' ')[0]}: joints are no axes; only trivkins is read", file=place)
-        self.unit, self.period, findings = units_of(self.ini)
-        if (given := self.ini.first("TRAJ", "LINEAR_UNITS")) and any(found.code == "CL850" for found in findings):
+        self.unit, self.period, self.findings = units_of(self.ini, self.graph)
+        if (given := self.ini.first("TRAJ", "LINEAR_UNITS")) and any(found.code == "CL850" for found in self.findings):
             raise ScenarioError(f"LINEAR_UNITS = {given.value}: write mm or inch", file=given.place)
-        self.findings += [finding("CL866", entry.place, file=entry.value) for entry in self.graph.unread] + findings
         axes = dict(sorted(self._joints().items()))
         if not axes:
             raise ScenarioError("has none of the axes x, y and z", file=self.ini.file)

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.analysis.identification.least_squares import fit_covariance
+from contourlab.analysis.identification.least_squares import correlation_of, fit_records
 from contourlab.app.command_line import as_typed, chosen_options
 from contourlab.app.json_values import HIDDEN, write_json
 from contourlab.app.results import staged
@@ -344,9 +344,7 @@ def _root(variance: float) -> float:
 def correlations_of(fit: CircleFit) -> list[Correlation]:
     """Return the pairs of causes whose estimates are correlated by more than `TIED`."""
     terms = [term for term in fit.terms if term.cause != "centre" and term.columns <= 2]
-    deviations = np.sqrt(np.maximum(np.diag(fit.covariance), 1e-300))
-    correlation = fit.covariance / np.outer(deviations, deviations)
-    pairs = []
+    correlation, pairs = correlation_of(fit.covariance), []
     for one, other in combinations(terms, 2):
         at = float(correlation[fit.place(one).start, fit.place(other).start])
         if abs(at) > TIED:
@@ -363,10 +361,8 @@ def lags_of(fit: CircleFit) -> tuple[Lag, ...]:
         # Backlash and friction reverse with the velocity: its sign takes their part.
         designs = [np.column_stack([velocity, np.ones(len(velocity)), np.sign(velocity)]) for velocity in velocities]
         values = [run.lag[:, j] for run in known if run.lag is not None]
-        solution = np.linalg.lstsq(np.concatenate(designs), np.concatenate(values), rcond=None)[0]
-        rest = [(value - design @ solution)[:, None] for value, design in zip(values, designs, strict=True)]
-        deviation = fit_covariance([design[:, None, :] for design in designs], rest).deviations[0]
-        lags.append(Lag(axis, float(solution[0]), float(deviation)))
+        solution, covariance, _ = fit_records(designs, values)
+        lags.append(Lag(axis, float(solution[0]), float(covariance.deviations[0])))
     return tuple(lags)
 
 

@@ -39,14 +39,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from contourlab.analysis.identification.least_squares import fit_covariance
+from contourlab.analysis.identification.least_squares import fit_records
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.circle.runs import CircleRun
-from contourlab.metrics.circles import check_cover, correlated_variance, crossing, is_crossed, outside, past, play_columns
+from contourlab.metrics.circles import AFTER, BEFORE, check_cover, correlated_variance, crossing, is_crossed, outside, past, play_columns
 
-BEFORE, AFTER = math.radians(2.0), math.radians(15.0)
-"""The fit leaves out samples from `BEFORE` a reversal to `AFTER` it, where the spike is."""
 MOST_PERIODIC = 4
 """Cyclic errors and vibrations together."""
 CERTAIN = 5.0
@@ -160,12 +158,9 @@ class Runs:
 
     def solved(self, terms: Sequence[Term]) -> tuple[Array, Array, list[Array]]:
         """Return coefficients, their covariance, and the residual of each run."""
-        designs = self.designs(terms)
-        solution = np.linalg.lstsq(np.concatenate(designs), self.deviation, rcond=None)[0]
-        residuals = [run.deviation - design @ solution for run, design in zip(self.runs, designs, strict=True)]
-        covariance = fit_covariance([design[:, None, :] for design in designs], [residual[:, None] for residual in residuals])
+        solution, covariance, residuals = fit_records(self.designs(terms), [run.deviation for run in self.runs])
         deviations = np.where(np.isfinite(covariance.deviations), covariance.deviations, 0.0)
-        return np.asarray(solution), covariance.correlation * np.outer(deviations, deviations), residuals
+        return solution, covariance.correlation * np.outer(deviations, deviations), residuals
 
 
 @dataclass(frozen=True)

@@ -130,11 +130,8 @@ def on_circle(points: Array, circle: Circle) -> Flags:
 
 def _through(three: Array) -> Circle | None:
     """Return the circle through three points, None on a line."""
-    edges = 2.0 * (three[1:] - three[0])
-    if abs(np.linalg.det(edges)) <= 1e-9 * np.abs(edges).max() ** 2:
-        return None
-    centre = np.linalg.solve(edges, np.sum(three[1:] ** 2, axis=1) - np.sum(three[0] ** 2))
-    return Circle(centre, float(np.linalg.norm(three[0] - centre)))
+    edges = three[1:] - three[0]
+    return None if abs(np.linalg.det(edges)) <= 1e-9 * np.abs(edges).max() ** 2 else _least_squares(three)
 
 
 def _least_squares(points: Array) -> Circle:

@@ -10,17 +10,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.controls.linuxcnc.files import (
-    LENGTHS,
-    REFERENCE,
-    Entry,
-    HalGraph,
-    Ini,
-    named_files,
-    read_graph,
-    read_ini,
-    units_of,
-)
+from contourlab.controls.linuxcnc.files import LENGTHS, REFERENCE, Entry, HalGraph, Ini, graph_of, read_ini, units_of
 from contourlab.controls.linuxcnc.loops import LoopClass, classified, joints
 from contourlab.errors import ScenarioError
 from contourlab.features.commission.loop import GAINS
@@ -129,15 +119,8 @@ def read_setup(ini_file: str | Path, hal_file: str | Path) -> Setup:
     ini, given = read_ini(ini_file), Path(hal_file)
     if given.suffix == ".tcl":
         raise ScenarioError("is a Tcl script, which is not read: give a HAL file with the pid components", file=given)
-    named = named_files(ini)
-    paths = [path for _, path in named if path is not None]
-    # A file that the INI file does not name is a copy: it holds in place of those that it does.
-    if given.resolve() in [path.resolve() for path in paths]:
-        graph = read_graph(ini, paths, [entry for entry, path in named if path is None])
-    else:
-        graph = read_graph(ini, [given])
-    unit, period, findings = units_of(ini)
-    findings = [finding("CL866", entry.place, file=entry.value) for entry in graph.unread] + findings
+    graph, _ = graph_of(ini, given)
+    unit, period, findings = units_of(ini, graph)
     axes = tuple(_Wiring(ini, given, graph, findings).axes())
     if not axes:
         raise ScenarioError("no linear joint has a pid on its motor-pos-cmd: a servo loop in HAL is needed", file=given.name)

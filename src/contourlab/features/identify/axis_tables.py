@@ -249,9 +249,8 @@ def _motion_limits(
         return Origin("assumed", reference=source, note=f"{apart}{reason}: replace it by the axis' own limit")
 
     less = "the drive cannot give more velocity and acceleration at once"
-    rows = (("velocity", share * velocity, top, "m/s", ""), ("acceleration", share * gain, largest, "m/s^2", of_signal))
-    table: dict[str, Row] = {name: (value, unit, origin(value, seen, note, less)) for name, value, seen, unit, note in rows}
-    table["jerk"] = (100.0 * share * gain, "m/s^3", assumed("the acceleration in 10 ms"))
+    velocity, gain = share * velocity, share * gain
+    table = _limits_table(velocity, gain, origin(velocity, top, "", less), origin(gain, largest, of_signal, less))
     more = "velocity and acceleration at their limits need it"
     return table, command, origin(command, forces.largest, "", more) if forces.unit == "N" else assumed("full scale")
 
@@ -261,10 +260,15 @@ def position_limits(record: AxisRecord) -> dict[str, Row]:
     acceleration, of_signal = _largest_acceleration(record)
     velocity, share = fastest(record.position[:, None], record.period), 1.0 + ROOM
     note = f"{100.0 * ROOM:.0f} % above the largest value{{}} in the log: replace it by the axis' own limit"
+    return _limits_table(share * velocity, share * acceleration, assumed(note.format("")), assumed(note.format(of_signal)))
+
+
+def _limits_table(velocity: float, acceleration: float, of_velocity: Origin, of_acceleration: Origin) -> dict[str, Row]:
+    of_jerk, jerk = assumed("the acceleration in 10 ms"), 100.0 * acceleration
     return {
-        "velocity": (share * velocity, "m/s", assumed(note.format(""))),
-        "acceleration": (share * acceleration, "m/s^2", assumed(note.format(of_signal))),
-        "jerk": (100.0 * share * acceleration, "m/s^3", assumed("the acceleration in 10 ms")),
+        "velocity": (velocity, "m/s", of_velocity),
+        "acceleration": (acceleration, "m/s^2", of_acceleration),
+        "jerk": (jerk, "m/s^3", of_jerk),
     }
 
 

@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
 
 from contourlab.app.session import QUIET, Session, question
 from contourlab.errors import ParameterError
-from contourlab.features.identify.frequency import identify_linear_motor, identify_response, identify_two_inertia, identify_two_mass
-from contourlab.features.identify.friction import identify_friction, identify_stiction
 from contourlab.features.identify.options import Identify
 from contourlab.features.identify.records import AxisRecord, Request
-from contourlab.features.identify.resonance import identify_ringing
 from contourlab.features.identify.result import Identification
-from contourlab.features.identify.rigid import identify_behind_observer, identify_open_loop, identify_rigid
 from contourlab.logs.load import Log, about
 
 
@@ -26,8 +22,9 @@ class Model:
 
     Attributes
     ----------
-    study : callable
-        From records of the axis to the model; the last record is that for validation, if given.
+    study : str
+        Module beside this one and its function, from records of the axis to the model; the last record is that for validation, if given.
+        It is imported where it is used: one of them simulates.
     options : tuple of str
         Options that not all models have.
     single : str
@@ -38,35 +35,28 @@ class Model:
         Whether it takes several axes of a log at once.
     """
 
-    study: Callable[[Sequence[AxisRecord], Identify], Identification]
+    study: str
     options: tuple[str, ...] = ()
     single: str = ""
     pieces: bool = False
     together: bool = False
 
 
-def _position_loops(records: Sequence[AxisRecord], options: Identify) -> Identification:
-    """Import what simulates only where it is used."""
-    from contourlab.features.identify.position_loop import identify_position_loop
-
-    return identify_position_loop(records, options)
-
-
-_RIGID = Model(identify_rigid, ("cutoff", "slowest", "decimation", "validation"), "one run, and one with --validation")
+_RIGID = Model("rigid:identify_rigid", ("cutoff", "slowest", "decimation", "validation"), "one run, and one with --validation")
 POSITION_LOOP = "position-loop"
 MODELS = {
     "rigid": _RIGID,
     "rigid-by-direction": _RIGID,
-    "friction": Model(identify_friction, pieces=True),
-    "stiction": Model(identify_stiction, pieces=True),
-    "first-order": Model(identify_open_loop, single="a single run"),
-    "closed-loop": Model(identify_behind_observer, ("position_gain", "velocity_gain"), "a single run"),
-    "frequency-response": Model(identify_response, ("excitation",)),
-    "linear-motor": Model(identify_linear_motor, ("excitation",)),
-    "two-mass": Model(identify_two_mass, ("side", "excitation")),
-    "two-inertia": Model(identify_two_inertia, ("motor_inertia", "side", "excitation")),
-    "resonance": Model(identify_ringing, single="a single run"),
-    POSITION_LOOP: Model(_position_loops, ("validation",), "one run, and one with --validation", together=True),
+    "friction": Model("friction:identify_friction", pieces=True),
+    "stiction": Model("friction:identify_stiction", pieces=True),
+    "first-order": Model("rigid:identify_open_loop", single="a single run"),
+    "closed-loop": Model("rigid:identify_behind_observer", ("position_gain", "velocity_gain"), "a single run"),
+    "frequency-response": Model("frequency:identify_response", ("excitation",)),
+    "linear-motor": Model("frequency:identify_linear_motor", ("excitation",)),
+    "two-mass": Model("frequency:identify_two_mass", ("side", "excitation")),
+    "two-inertia": Model("frequency:identify_two_inertia", ("motor_inertia", "side", "excitation")),
+    "resonance": Model("frequency:identify_ringing", single="a single run"),
+    POSITION_LOOP: Model("position_loop:identify_position_loop", ("validation",), "one run, and one with --validation", together=True),
 }
 """Models by name, in the order of the messages."""
 
@@ -118,7 +108,8 @@ def identify(*logs: str | Path | Log, settings: Identify, session: Session = QUI
         for one in requests:
             records += one.records(model.pieces)
             records += one.read() if settings.validation is not None else []
-        identified = model.study(records, settings)
+        module, _, function = model.study.partition(":")
+        identified: Identification = getattr(import_module(f"contourlab.features.identify.{module}"), function)(records, settings)
     on_logs = {str(doubt): doubt for one in requests for doubt in one.findings()}
     return replace(identified, findings=(*identified.findings, *on_logs.values()), inputs=inputs)
 

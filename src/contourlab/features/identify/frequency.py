@@ -1,9 +1,9 @@
-"""Frequency response of an axis from logs of sines, a chirp, noise or a multisine, and drive models fitted to it."""
+"""Frequency response of an axis from logs of sines, a chirp, noise or a multisine, and drive models fitted to it; a resonance."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -13,13 +13,15 @@ from contourlab.analysis.identification.drive_fit import DriveFit
 from contourlab.analysis.identification.filtered_motion import filtered_motion
 from contourlab.analysis.identification.frequency_response import Measured, MeasuredResponse, measured_response, response_findings
 from contourlab.analysis.identification.least_squares import mass_findings
+from contourlab.analysis.identification.resonance import identify_resonance
 from contourlab.arrays import Array, Complex
 from contourlab.components.plant.two_sided import TwoMass
 from contourlab.errors import ParameterError
 from contourlab.features.identify.axis_tables import forces_of, plant_numbers, rigid_tables, two_inertia_numbers, two_inertia_tables
 from contourlab.features.identify.options import Identify
 from contourlab.features.identify.records import TRAVEL, AxisRecord, common_unit, log_names, newton_option, reference_name
-from contourlab.features.identify.result import Identification, Propagated, Tables, assumed, figures, propagate
+from contourlab.features.identify.result import Identification, Numbers, Propagated, Tables, assumed, figures, propagate
+from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
 from contourlab.rendering.charts import Chart, traces_chart
@@ -30,10 +32,6 @@ PRINTED = 24
 FEW = 40
 """Largest number of points drawn with their deviations."""
 COHERENT = 0.5
-EXCITATIONS = ("reference", "command")
-"""What excites an axis: the reference where it moves, else the command; or the command in any case."""
-SIDES = ("motor", "load")
-"""Where the position is measured."""
 MODEL_POINTS = 400
 """Points of a model curve."""
 BEYOND, BELOW_NYQUIST = 2.0, 0.4
@@ -166,9 +164,6 @@ def _rigid_tables(records: Sequence[AxisRecord], fit: DriveFit, mass: float, los
 
 def _measured(records: Sequence[AxisRecord], options: Identify) -> MeasuredResponse:
     """Return position over command of an axis; a moving reference means a closed loop, and it, unlike the command, has no noise."""
-    for option, value, known in (("--excitation", options.excitation, EXCITATIONS), ("--side", options.side, SIDES)):
-        if value not in known:
-            raise ParameterError(option, repr(value), f"one of {', '.join(known)}")
     common_unit(records, "one response")
     runs = []
     for record in records:
@@ -178,12 +173,7 @@ def _measured(records: Sequence[AxisRecord], options: Identify) -> MeasuredRespo
     return measured_response(runs, [record.source for record in records])
 
 
-def _propagated(
-    records: Sequence[AxisRecord],
-    fit: DriveFit,
-    numbers: Callable[[Mapping[str, float]], Mapping[str, float]],
-    note: str = "frequency response",
-) -> Propagated:
+def _propagated(records: Sequence[AxisRecord], fit: DriveFit, numbers: Numbers, note: str = "frequency response") -> Propagated:
     return propagate(numbers, fit.estimate, reference_name(records), note)
 
 
@@ -319,3 +309,26 @@ def _charts(title: str, response: MeasuredResponse, fit: DriveFit, unit: str) ->
         _bode(title, response, unit, (f, velocity)),
         traces_chart("residual", "Residual of the response", labels, size, below={"phase [deg]": phase}, **more),
     )
+
+
+# --- from an accelerometer alone ------------------------------------------------------------------------------------------------------
+
+RESONANCE_UNITS = {"frequency": "Hz", "damping_ratio": "1"}
+
+
+def identify_ringing(records: Sequence[AxisRecord], options: Identify) -> Identification:
+    """Identify the largest resonance in the acceleration of an axis.
+
+    Raises
+    ------
+    ParameterError
+        See `contourlab.analysis.identification.resonance.identify_resonance`.
+    """
+    (record,) = records
+    fit, title = identify_resonance(record.position, record.period), f"Acceleration of axis {record.axis}, {record.source}"
+    band, largest = fit.spectrum_frequency, float(fit.predicted.max())
+    spectra = {"measured": (band, fit.spectrum / largest), "model": (band, fit.predicted / largest)}
+    chart = traces_chart("spectrum", title, ("frequency [Hz]", "power over the model's largest"), spectra, level=None, log_y=True)
+    said = f"fitted from {figure(float(band[0]), 'Hz', 4)} to {figure(float(band[-1]), 'Hz', 4)}, {band.size} lines of the spectrum"
+    head = "resonance", record.axis, (record.source,), figures(fit, RESONANCE_UNITS), None, fit.usable
+    return Identification(*head, fit.findings, lines=(said,), charts=(chart,))

@@ -21,7 +21,7 @@ from contourlab.errors import ParameterError
 from contourlab.features.identify.options import Identify
 from contourlab.features.identify.records import AxisRecord, command_label, common_unit, log_names, reference_name, unit_findings
 from contourlab.features.identify.result import Figure, Identification, Propagated, Tables, assumed, figures, fitted, propagate
-from contourlab.features.identify.rigid import direction_findings
+from contourlab.features.identify.rigid import both_ways, direction_findings, offset_of
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import about
 from contourlab.rendering.charts import Chart, traces_chart
@@ -75,7 +75,7 @@ def identify_friction(records: Sequence[AxisRecord], options: Identify) -> Ident
         # How the axis file differs from the curve.
         findings += [] if written is curve else [finding("CL513", model=written.name, fit=written.fit / 100.0)]
         findings += direction_findings(written.parameters, units)
-        findings += [finding("CL514")] if _mean(written.parameters, "Fv") > 0.0 else []
+        findings += [finding("CL514")] if both_ways(written.parameters, "Fv") > 0.0 else []
         uncertainty = propagate(lambda x: _numbers(x, written.rises), written, reference_name(records))
         tables = _curve_tables(written, unit, uncertainty)
     return Identification(
@@ -118,18 +118,12 @@ def _stretch_table(stretches: Sequence[Stretch], unit: str) -> Table:
     return Table([*map(Column, heads), Column("log", left=True)], rows=rows)
 
 
-def _mean(x: Mapping[str, float], name: str) -> float:
-    """Return a parameter: the mean of both directions if it has two; 0 if the curve lacks it."""
-    return 0.5 * (x[f"{name}+"] + x[f"{name}-"]) if f"{name}+" in x else x.get(name, 0.0)
-
-
 def _numbers(x: Mapping[str, float], rises: bool) -> dict[str, float]:
     """Return the parameters of the axis file: one friction for both directions, and the difference in level as an offset."""
-    numbers = {"friction.coulomb": max(_mean(x, "Fc"), 0.0), "friction.viscous": max(_mean(x, "Fv"), 0.0)}
+    numbers = {"friction.coulomb": max(both_ways(x, "Fc"), 0.0), "friction.viscous": max(both_ways(x, "Fv"), 0.0)}
     if "vs" in x:
-        numbers |= {"friction.breakaway": _mean(x, "Fc") + _mean(x, "drop"), f"friction.{RISE if rises else DIP}": x["vs"]}
-    offset = 0.5 * (x["Fc+"] - x["Fc-"]) if "Fc+" in x else x.get("offset", 0.0)
-    return {**numbers, "disturbance.force": -offset}
+        numbers |= {"friction.breakaway": both_ways(x, "Fc") + both_ways(x, "drop"), f"friction.{RISE if rises else DIP}": x["vs"]}
+    return {**numbers, "disturbance.force": -offset_of(x)}
 
 
 def _curve_tables(curve: FrictionCurve, unit: str, uncertainty: Propagated) -> Tables:

@@ -32,8 +32,12 @@ class Identify(LogColumns):
     motor_inertia: str | None = option(
         None, 'two-inertia at the load: inertia of motor and screw, e.g. "2 kg*cm^2"; for an axis file.', unit="kg*m^2"
     )
-    side: str = option("motor", "two-mass, two-inertia: where the position is measured, motor or load.")
-    excitation: str = option("reference", "Frequency response: reference, where it moves; or command, if a test signal is added to it.")
+    side: str = option("motor", "two-mass, two-inertia: where the position is measured, motor or load.", choices=("motor", "load"))
+    excitation: str = option(
+        "reference",
+        "Frequency response: reference, where it moves; or command, if a test signal is added to it.",
+        choices=("reference", "command"),
+    )
 
 
 @options

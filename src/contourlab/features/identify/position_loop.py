@@ -9,7 +9,7 @@ to.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -29,7 +29,7 @@ from contourlab.features.identify.options import Identify
 from contourlab.features.identify.records import AxisRecord, log_names, samples_digest
 from contourlab.features.identify.result import Identification, Row, Tables, figures, propagate
 from contourlab.features.measure.measured_path import moving
-from contourlab.features.measure.study import measure
+from contourlab.features.measure.study import FOLLOWS, measure
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.geometry import Line, Path
@@ -73,8 +73,6 @@ LEAST = 30.0
 """Least share [percent] of the variation of the following error that the model of a loop explains."""
 WELL = 0.3
 """Share of the following error that stays, from which there is a finding."""
-FOLLOWS = 0.5
-"""Largest share of the reference's variance in the following error."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -300,7 +298,7 @@ def identify_position_loop(records: Sequence[AxisRecord], options: Identify) -> 
         lines=tuple(line for run in runs for line in _lines(run)),
         points=_table(fits),
         tables=_machine_tables(best) if usable else {},
-        controller=_controller_tables(best) if usable else {},
+        controller={f"controller.axes.{axis}": {"controller": (Steps.kind, "", None)} for axis in best if usable},
         charts=tuple(_chart(rung) for rung in best.values()),
     )
 
@@ -310,7 +308,7 @@ def _check(record: AxisRecord) -> None:
     asked = record.asked()
     late = asked - record.position
     moving(asked[:, None])
-    if np.var(late) > FOLLOWS * np.var(asked):
+    if np.var(late) > (1.0 - FOLLOWS) * np.var(asked):
         wanted = "are column, unit and direction right? A minus ahead of the column's name turns its sign"
         raise ResultError(f"the position of {record.axis} in {record.source} does not follow its reference: {wanted}")
 
@@ -422,8 +420,3 @@ def _machine_tables(best: Mapping[str, Rung]) -> Tables:
             tables |= {f"{place}.{slot}": {"kind": (kind, "", None), **rows}} if rows else {}
         tables[f"{place}.limits"] = position_limits(rung.model.record)
     return tables
-
-
-def _controller_tables(axes: Iterable[str]) -> Tables:
-    """Return the tables of a controller file."""
-    return {f"controller.axes.{axis}": {"controller": (Steps.kind, "", None)} for axis in axes}

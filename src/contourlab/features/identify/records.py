@@ -182,43 +182,6 @@ def reference_name(records: Sequence[AxisRecord]) -> str:
     return names[0] if len(names) == 1 else f"{names[0]} and {len(names) - 1} more"
 
 
-def axis_pieces(
-    log: Log, source: str, axis: str | None, gain: float | None, full_scale: float | None, lead: float | None, kind: str = "position"
-) -> list[AxisRecord]:
-    """Return the signals of one axis of a log, one record for each stretch without a long gap.
-
-    Parameters
-    ----------
-    axis : str or None
-        None if the log has only one.
-    gain : float [N per unit of command] or None
-    full_scale : float [unit of the command] or None
-        Full scale; the command becomes a share of it.
-    lead : float [m] or None
-        Travel per turn; converts a torque to a force.
-    kind : str
-        ``"acceleration"`` for a record of that in place of the position.
-
-    Raises
-    ------
-    ResultError
-        If the log has several axes and none is named, or has no position; if a gain is given for a log that has only forces, or together
-        with the lead for a log of torques.
-    """
-    result = log.result
-    if axis is None and len(result.axes) == 1:
-        axis = result.axes[0]
-    if axis not in result.axes:
-        problem = "which axis?" if axis is None else f"no axis {axis} in {result.source}:"
-        raise ResultError(f"{problem} There are {', '.join(result.axes)}: name one with --axis")
-    whole, spans = _whole(log, axis, gain, full_scale, source, lead, kind), log.stretches(axis)
-    if spans == [(0, whole.position.size)]:
-        return [whole]
-    if not spans:
-        raise ResultError(f"{source} has no stretch without a long gap")
-    return [whole.part(*span) for span in spans]
-
-
 def longest_piece(log: Log, pieces: Sequence[AxisRecord]) -> AxisRecord:
     """Return the longest stretch of a log, with a finding if it is not the whole log."""
     longest = max(pieces, key=lambda piece: piece.position.size)
@@ -230,39 +193,8 @@ def longest_piece(log: Log, pieces: Sequence[AxisRecord]) -> AxisRecord:
 
 def samples_digest(pieces: Sequence[AxisRecord]) -> str:
     """Return a digest of position and command; logs with equal digests are the same record."""
-    digest = sha256()
-    for piece in pieces:
-        command = np.zeros(0) if piece.command is None else piece.command
-        digest.update(np.array([piece.position.size, command.size]).tobytes())
-        digest.update(piece.position.tobytes() + command.tobytes())
-    return digest.hexdigest()
-
-
-def _whole(log: Log, axis: str, gain: float | None, full_scale: float | None, source: str, lead: float | None, kind: str) -> AxisRecord:
-    """Return the signals of an axis, gaps included."""
-    result = log.result
-    position, command, force = log.signal(axis, *POSITIONS[kind]), log.signal(axis, "command"), log.signal(axis, "force")
-    if position is None:
-        problem = f"no {kind} of {axis} in {result.source}: give --column '{kind}.{axis}=NAME [mm{'/s^2' * (kind != 'position')}]'"
-        raise ResultError("; ".join([problem, *(doubt.text for doubt in log.doubtful)]))
-    logged = result.signals["command"].unit if command is not None else ""
-    if command is None and force is None and (command := log.signal(axis, "torque")) is not None:
-        logged = "N*m"
-    if command is None and gain is not None and force is not None:
-        raise ResultError(f"{source} has the force of {axis} and no command: omit --gain")
-    if lead is not None and logged == "N*m" and full_scale is None:
-        if gain is not None:
-            raise ResultError(f"{source} has the torque of {axis}, which --lead converts to a force: omit --gain")
-        gain = 2.0 * np.pi / lead
-    unit = logged
-    if gain is not None and command is not None:
-        command, unit = gain * command, "N"
-    elif full_scale is not None and command is not None:
-        command, unit = command / full_scale, "full_scale"
-    elif gain is None and force is not None:
-        command, unit = force, "N"
-    signals = position, command, unit, log.signal(axis, "reference"), log.signal(axis, "disturbance_estimate")
-    return AxisRecord(source, axis, result.servo_period, *signals, gain=1.0 if gain is None else gain, logged=logged)
+    signals = (signal for piece in pieces for signal in (piece.position, np.zeros(0) if piece.command is None else piece.command))
+    return sha256(b"".join(b"%d %b" % (signal.size, signal.tobytes()) for signal in signals)).hexdigest()
 
 
 # --- the logs of a request ----------------------------------------------------------------------------------------------------------
@@ -274,7 +206,7 @@ class Request:
 
     options: Identify
     logs: Sequence[str | Path | Log]
-    _on_logs: list[tuple[Finding, list[str]]] = field(default_factory=list)
+    _on_logs: dict[str, tuple[Finding, list[str]]] = field(default_factory=dict)
     _doubts: list[Finding] = field(default_factory=list)
 
     @property
@@ -309,9 +241,8 @@ class Request:
 
     def findings(self) -> list[Finding]:
         """Return the findings on the logs, and on reading them; one that holds for some logs only names them."""
-        places = ("" if len(names) == len(self.files) else join_names(names) for _, names in self._on_logs)
-        placed = zip((doubt for doubt, _ in self._on_logs), places, strict=True)
-        return [*self._doubts, *(replace(doubt, place=": ".join(filter(None, (at, doubt.place)))) for doubt, at in placed)]
+        named = ((doubt, "" if len(names) == len(self.files) else join_names(names)) for doubt, names in self._on_logs.values())
+        return [*self._doubts, *(replace(doubt, place=": ".join(filter(None, (at, doubt.place)))) for doubt, at in named)]
 
     def _options_of(self, number: int) -> Identify:
         """Return the options of one of the files: its window; that for validation may have its own, too."""
@@ -324,22 +255,69 @@ class Request:
 
     def read(self, number: int = -1, pieces: bool = False) -> list[AxisRecord]:
         """Return the signals of the axis in one of the files, by default in that for validation."""
-        options, name, log = self.options, self.names[Path(self.files[number])], self.log(number)
-        kind = "acceleration" if options.model == "resonance" else "position"
+        name, log = self.names[Path(self.files[number])], self.log(number)
         self._check_unit(log)
-        records = axis_pieces(log, name, options.axis, self._gain(), self._full_scale(), options.si("lead"), kind)
+        records = self._pieces(log, name)
         self._check_lead(records[0])
         if not pieces:
             records = [longest_piece(log, records)]
         for on_reading in log.findings:
-            names = next((names for other, names in self._on_logs if other == on_reading), None)
-            if names is None:
-                self._on_logs.append((on_reading, names := []))
-            names.append(name)
-        for doubt in (doubt for record in records if kind == "position" for doubt in record.doubts()):
+            self._on_logs.setdefault(repr(on_reading), (on_reading, []))[1].append(name)
+        for doubt in (doubt for record in records if self.options.model != "resonance" for doubt in record.doubts()):
             if doubt not in self._doubts:
                 self._doubts.append(doubt)
         return records
+
+    def _pieces(self, log: Log, source: str) -> list[AxisRecord]:
+        """Return the signals of the axis in a log, one record for each stretch without a long gap.
+
+        Raises
+        ------
+        ResultError
+            If the log has several axes and none is named, or has no position; if a gain is given for a log that has only forces, or
+            together with the lead for a log of torques.
+        """
+        result, axis = log.result, self.options.axis
+        if axis is None and len(result.axes) == 1:
+            axis = result.axes[0]
+        if axis not in result.axes:
+            problem = "which axis?" if axis is None else f"no axis {axis} in {result.source}:"
+            raise ResultError(f"{problem} There are {', '.join(result.axes)}: name one with --axis")
+        whole, spans = self._whole(log, source, axis), log.stretches(axis)
+        if spans == [(0, whole.position.size)]:
+            return [whole]
+        if not spans:
+            raise ResultError(f"{source} has no stretch without a long gap")
+        return [whole.part(*span) for span in spans]
+
+    def _whole(self, log: Log, source: str, axis: str) -> AxisRecord:
+        """Return the signals of an axis, gaps included."""
+        result, lead = log.result, self.options.si("lead")
+        gain = self._given("gain", 'a force per command, such as "35.15 N/V"', "other than 0, and below 1e12 in magnitude")
+        full_scale = self._given("full_scale", 'a command, such as "10 V"', "> 0")
+        kind = "acceleration" if self.options.model == "resonance" else "position"
+        position, command, force = log.signal(axis, *POSITIONS[kind]), log.signal(axis, "command"), log.signal(axis, "force")
+        if position is None:
+            problem = f"no {kind} of {axis} in {result.source}: give --column '{kind}.{axis}=NAME [mm{'/s^2' * (kind != 'position')}]'"
+            raise ResultError("; ".join([problem, *(doubt.text for doubt in log.doubtful)]))
+        logged = result.signals["command"].unit if command is not None else ""
+        if command is None and force is None and (command := log.signal(axis, "torque")) is not None:
+            logged = "N*m"
+        if command is None and gain is not None and force is not None:
+            raise ResultError(f"{source} has the force of {axis} and no command: omit --gain")
+        if lead is not None and logged == "N*m" and full_scale is None:
+            if gain is not None:
+                raise ResultError(f"{source} has the torque of {axis}, which --lead converts to a force: omit --gain")
+            gain = 2.0 * np.pi / lead
+        unit = logged
+        if gain is not None and command is not None:
+            command, unit = gain * command, "N"
+        elif full_scale is not None and command is not None:
+            command, unit = command / full_scale, "full_scale"
+        elif gain is None and force is not None:
+            command, unit = force, "N"
+        signals = position, command, unit, log.signal(axis, "reference"), log.signal(axis, "disturbance_estimate")
+        return AxisRecord(source, axis, result.servo_period, *signals, gain=1.0 if gain is None else gain, logged=logged)
 
     def _check_lead(self, record: AxisRecord) -> None:
         """Raise if a travel per turn is given but not needed."""
@@ -351,28 +329,16 @@ class Request:
         seen = f"the command of {record.source} is in {record.unit}" if record.unit else f"{record.source} has no command"
         raise ParameterError("--lead", lead, f"omitted, or used with a command in N*m, for model {model}: {seen}")
 
-    def _gain(self) -> float | None:
-        """Return the force per command, in SI."""
-        text = self.options.gain
+    def _given(self, name: str, wanted: str, bound: str) -> float | None:
+        """Return the force per command, or the command at full scale, in SI."""
+        text, option = getattr(self.options, name), f"--{name.replace('_', '-')}"
         if text is None:
             return None
-        with refused("--gain", text, 'a force per command, such as "35.15 N/V"'):
+        with refused(option, text, wanted):
             number, unit = split(text)
-            force, _, below = unit.partition("/")
-            value = number * to_si(f"1 {force.strip()}", "N") / to_si(f"1 {below.strip()}", below.strip())
-        if not 0.0 < abs(value) < 1e12:
-            raise ParameterError("--gain", text, "other than 0, and below 1e12 in magnitude")
-        return value
-
-    def _full_scale(self) -> float | None:
-        text = self.options.full_scale
-        if text is None:
-            return None
-        with refused("--full-scale", text, 'a command, such as "10 V"'):
-            number, unit = split(text)
-            value = number * to_si(f"1 {unit}", unit)
-        if not 0.0 < value < 1e12:
-            raise ParameterError("--full-scale", text, "> 0")
+            value = number * to_si(f"1 {unit}", f"N/{unit.partition('/')[2].strip() or 1}" if name == "gain" else unit)
+        if not (0.0 < abs(value) < 1e12 and (value > 0.0 or name == "gain")):
+            raise ParameterError(option, text, bound)
         return value
 
     def _check_unit(self, log: Log) -> None:

@@ -29,6 +29,8 @@ Row = tuple[Any, str, Origin | None]
 """A value in SI, its unit, and its origin (None for words, lists and whole numbers)."""
 Tables = dict[str, dict[str, Row]]
 """Rows of an axis file, or of a machine or controller file, by table, such as ``"axes.x.plant"``, and key."""
+Numbers = Callable[[Mapping[str, float]], Mapping[str, float]]
+"""From the parameters of a fit to those of an axis file, such as ``"plant.mass"``, both by name."""
 AT_BOUND = "at the bound of the search: the log does not determine it"
 SHOWN = {"m": "um", "m/s": "m/min"}
 
@@ -237,15 +239,13 @@ class Propagated:
         return fitted(self.log, deviation, note or self.note)
 
 
-def propagate(
-    numbers: Callable[[Mapping[str, float]], Mapping[str, float]], estimate: Estimate, log: str = "", note: str = ""
-) -> Propagated:
+def propagate(numbers: Numbers, estimate: Estimate, log: str = "", note: str = "") -> Propagated:
     """Propagate the uncertainty of fitted parameters to the parameters of an axis file.
 
     Parameters
     ----------
     numbers : callable
-        Maps fitted parameters to those of the axis file, such as ``"plant.mass"``, both by name.
+        Of the axis file.
     estimate : Estimate
         A parameter without a robust deviation, for example at its bound, adds nothing.
     log, note : str

@@ -65,10 +65,8 @@ def identify_rigid(records: Sequence[AxisRecord], options: Identify) -> Identifi
     forces = forces_of([record])
 
     def numbers(x: Mapping[str, float]) -> dict[str, float]:
-        viscous, coulomb, offset = x.get("Fv"), x.get("Fc"), x.get("offset")
-        if viscous is None or coulomb is None or offset is None:  # by direction: a component has the same friction for both
-            viscous, coulomb, offset = 0.5 * (x["Fv+"] + x["Fv-"]), 0.5 * (x["Fc+"] + x["Fc-"]), 0.5 * (x["Fc+"] - x["Fc-"])
-        return plant_numbers(forces, 1.0 / x["M"], viscous / x["M"]) | {"friction.coulomb": coulomb, "disturbance.force": -offset}
+        plant = plant_numbers(forces, 1.0 / x["M"], both_ways(x, "Fv") / x["M"])
+        return plant | {"friction.coulomb": both_ways(x, "Fc"), "disturbance.force": -offset_of(x)}
 
     uncertainty = propagate(numbers, replace(fit, robust_deviations=fit.known), record.source)
     findings, tables = [*lowered, *fit.findings], Tables()
@@ -125,6 +123,16 @@ def direction_findings(x: Mapping[str, float], units: Mapping[str, str]) -> list
     """
     names = [name.removesuffix("+") for name in x if name.endswith("+")]
     return [finding("CL515", name, forward=x[f"{name}+"], backward=x[f"{name}-"], unit=units[name]) for name in names]
+
+
+def both_ways(x: Mapping[str, float], name: str) -> float:
+    """Return a parameter, 0 if there is none; the mean of both directions if it has two: a component has the same friction for both."""
+    return 0.5 * (x[f"{name}+"] + x[f"{name}-"]) if f"{name}+" in x else x.get(name, 0.0)
+
+
+def offset_of(x: Mapping[str, float]) -> float:
+    """Return the offset of the command, which by direction is half the difference of the Coulomb friction."""
+    return 0.5 * (x["Fc+"] - x["Fc-"]) if "Fc+" in x else x.get("offset", 0.0)
 
 
 def _force(record: AxisRecord) -> np.ndarray:

@@ -22,7 +22,7 @@ from contourlab.features.check.program_check import DEFAULT_MACHINE, FAULTY, OUT
 from contourlab.features.check.reading import read_once, reading_of, refuse_drawing
 from contourlab.features.limits.log_limits import KINDS, AxisPeak, control_samples, course, moving_part
 from contourlab.features.limits.options import Limits
-from contourlab.features.measure.log_choice import PROGRAMS, open_log
+from contourlab.features.measure.log_choice import PROGRAMS, open_log, program_of
 from contourlab.features.measure.measured_path import progress_along
 from contourlab.features.measure.plausibility import known_signal
 from contourlab.features.measure.study import ACTUAL
@@ -185,11 +185,9 @@ def _logged(file: str | Path | Log, options: Limits, tolerance: float, reading: 
 
 def _lines_of(log: Log, options: Limits, axes: Sequence[str], position: Array, reading: Reading) -> tuple[Index, Array | None]:
     """Return the program line of each sample, 0 for none, and the distance from the program's path [m]."""
-    n = len(position)
-    lines = np.zeros(n, dtype=np.int64)
-    errors: Array | None = None
+    lines, errors = np.zeros(len(position), dtype=np.int64), None
     if options.program is not None:
-        route = program_route(read_program(Path(options.program), reading=reading), tuple(axes))
+        _, route = program_of(options.program, axes, reading)
         with about(log):
             along, _ = progress_along(route.path, position)
         lines = np.asarray(route.source_line[route.path.curve_index(along)], dtype=np.int64)

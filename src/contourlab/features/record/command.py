@@ -121,8 +121,7 @@ def record(ini: str | Path, *, settings: Record, session: Session = QUIET) -> Re
     if not moved:
         raise ScenarioError("has none of the axes x, y and z", file=ini)
     axes = tuple(_recorded(graph, moved[letter]) for letter in sorted(moved))
-    unit, period, findings = units_of(files)
-    findings = [finding("CL866", entry.place, file=entry.value) for entry in graph.unread] + findings
+    unit, period, findings = units_of(files, graph)
     steps, unseen = ([axis.axis for axis in axes if axis.source == source] for source in ("steps", "unseen"))
     findings += [finding(code, axes=names) for code, names in (("CL415", steps), ("CL992", unseen)) if names]
     findings += [finding("CL993", files.file.name)] if files.first("HAL", "HALUI") is None else []
