@@ -748,7 +748,7 @@ def descended(
     lengths = np.linalg.norm(slopes, axis=0)
     lengths = np.where(lengths > 0.0, lengths, np.inf)
     inverse = np.linalg.pinv((slopes / lengths).T @ (slopes / lengths), hermitian=True)
-    spread = np.sqrt(np.diag(inverse))
+    spread = np.sqrt(np.maximum(np.diag(inverse), 0.0))  # rounding may turn the sign
     white[inside] = spread / lengths * math.sqrt(float(end.residual @ end.residual) / max(measured.size - len(names), 1))
     correlation[np.ix_(inside, inside)] = inverse / np.maximum(np.outer(spread, spread), 1e-300)
     away = math.nan

@@ -232,8 +232,9 @@ def fitted_shift(path: Path, positions: Array, *, is_commanded: bool = False, cu
     Notes
     -----
     The fit starts with the bounding boxes centred on each other, and with the first position on the start of the path; and so with the path
-    from its first cut. The closest result counts. Each step finds the foot points, then solves for the shift that removes the normal distances. Samples are spaced evenly
-    along the travel, so a resting tool has no weight. A constant offset of the tool counts as shift and disappears from the error.
+    from its first cut. The closest result counts. Each step finds the foot points, then solves for the shift that removes the normal
+    distances. Samples are spaced evenly along the travel, so a resting tool has no weight. A constant offset of the tool counts as shift
+    and disappears from the error.
     """
     travel = _arc_length(positions)
     tool = positions[np.unique(np.searchsorted(travel, np.linspace(0.0, travel[-1], SAMPLES)))]
