@@ -298,7 +298,8 @@ def _judged(file: str | Path | Log, settings: Measure) -> MeasuredRun:
                 _, route = program_of(program, axes, _with_zero(reading, known))
             measured = judged_log(log.result, route, axes, shift=shift, lines=log.lines, tolerance=settings.si("tolerance"), program=lines)
         except ResultError as error:
-            hints = [f"G53 in line {fixed[0]} does not move with the part: give its zero with --shift"] if fixed and known is None else []
+            is_unsure = bool(fixed) and known is None and log.lines is None
+            hints = [f"G53 in line {fixed[0]} does not move with the part: give its zero with --shift"] if is_unsure else []
             raise ResultError("; ".join([str(error), *hints, *(doubt.text for doubt in log.doubtful)])) from error
     findings = (*log.findings, *measured.findings, *gap_findings(log, measured, of_samples=route is None), *move_findings(log, measured))
     findings += tuple(one for one in fit.findings if one.code == "CL406") if fit is not None else ()
