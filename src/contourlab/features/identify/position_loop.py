@@ -57,6 +57,8 @@ UNITS = {
 }
 CLEAR = 3.0
 """Least size of the first parameter of a term, in deviations."""
+FULL = ("velocity_feedforward", 1.0)
+"""A common choice, clear although it is at a bound and so has no deviation."""
 RUN_IN = 0.5
 """Time [s] that is simulated before the log: at rest, or at its first speed."""
 DESCENT = DescentSettings(difference=1e-3, visible=1e-3, most_iterations=200, least_gain=1e-7)
@@ -177,8 +179,8 @@ class Rung:
     def betters(self, other: Rung) -> bool:
         """Return whether it predicts better than another, and shows clearly what it has in addition."""
         first = {TERMS[term][0] for term in self.model.terms if term not in other.model.terms}
-        more = (0.0 < CLEAR * deviation < abs(value) for name, value, deviation in self.known if name in first)
-        return self.left_out < other.left_out and all(more)
+        clear = (0.0 < CLEAR * deviation < abs(value) or (name, value) == FULL for name, value, deviation in self.known if name in first)
+        return self.left_out < other.left_out and all(clear)
 
 
 _LAGS = (), ("lag",), ("resonance",)
@@ -328,10 +330,10 @@ def _doubts(best: Rung, rungs: Sequence[Rung], stays: float) -> Iterator[Finding
     if stays > WELL:
         yield finding("CL594", axis, stays=stays)
     for name, value, deviation in best.known:
-        if deviation == 0.0:
-            yield finding("CL595", axis, parameter=name, value=value, unit=UNITS[name])
-        else:
+        if deviation != 0.0:
             yield from deviation_findings(f"{axis}, {name}", value, deviation)
+        elif (name, value) != FULL:
+            yield finding("CL595", axis, parameter=name, value=value, unit=UNITS[name])
     for term in TERMS:
         tried = [rung.left_out for rung in rungs if term in rung.model.terms]
         if not tried or term in best.model.terms or (term == "lag" and "resonance" in best.model.terms):

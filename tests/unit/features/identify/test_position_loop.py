@@ -104,6 +104,15 @@ def test_friction_is_seen_at_reversals() -> None:
         assert abs(value - true[name]) < 3.0 * deviation < 0.3 * true[name]
 
 
+@pytest.mark.parametrize("delay", [PERIOD, 0.0033])
+def test_full_feedforward_is_seen(delay: float) -> None:
+    """It is at the bound of the search, where it has no deviation."""
+    true = {"Kv": 30.0, "delay": delay, "velocity_feedforward": 1.0, "lag": 0.002}
+    best, _ = fit_loop(record(moves(), followed(moves(), true)))
+    assert best.model.terms == ("feedforward", "lag") and best.left_out < 0.01
+    assert best.fit.parameters == pytest.approx(true, rel=0.01)
+
+
 def test_without_a_reversal_there_is_no_friction_but_a_finding() -> None:
     one_way = moves((0.05, 0.02, 0.03))
     assert not reverses(record(one_way, one_way))
