@@ -609,6 +609,16 @@ def test_a_move_in_machine_coordinates_does_not_move_with_the_part(tmp_path: Pat
     assert ("CL406" in {one["code"] for one in run["findings"]}) == (shift == "fit" and not commanded)
 
 
+def test_a_measured_run_that_is_saved_is_judged_again_where_it_was(tmp_path: Path, as_json: AsJson) -> None:
+    """Its cutting moves count, though no program says again which they are."""
+    log = recorded(tmp_path, (0.0, 0.0), commanded=True)
+    found = as_json("measure", log, "--program", tmp_path / "part.ngc", "--unit", "mm", "--out", tmp_path / "out")
+    again = as_json("measure", tmp_path / "out" / "signals" / "log.nc", "--out", tmp_path / "again")
+    (first,), (second,) = (one["schemes"].values() for one in (found, again))
+    assert second["metrics"]["contour_error"]["rms"] == pytest.approx(first["metrics"]["contour_error"]["rms"], rel=1e-9)
+    assert second["metrics"]["judged_time"] == first["metrics"]["judged_time"]
+
+
 def test_a_move_in_machine_coordinates_asks_for_the_zero(tmp_path: Path, refused: Refused) -> None:
     """Without the lines of the program, the log does not say up to where it is the part that counts."""
     log = recorded(tmp_path, (123.4, -56.7), commanded=True, home=(0.0, 0.0))

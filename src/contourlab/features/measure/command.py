@@ -200,7 +200,8 @@ class MeasuredRuns(JudgedRuns):
         files = file_names([run.name for run in self.runs])
         with staged(folder, *_outputs(self.runs), inputs=[file for run in self.runs for file in run.inputs]) as stage:
             for run in self.runs:
-                run.result.save(stage / "signals" / f"{files[run.name]}.nc")
+                attributes = {**run.result.attributes, "judged": run.metrics.judged.text}
+                replace(run.result, attributes=attributes).save(stage / "signals" / f"{files[run.name]}.nc")
             self._write(stage, plots)
         return replace(self, files={"report": str(Path(folder) / "report.html")})
 
@@ -286,7 +287,7 @@ def _judged(file: str | Path | Log, settings: Measure) -> MeasuredRun:
     if program is not None:
         text, route = program_of(program, axes, reading)
         floating = machine is not None and log.record.format != "contourlab" and not zero_known(machine, reading)
-    lines, fixed = ((), ()) if text is None else (text.lines, [line for line, _ in text.machine_points])
+    lines, fixed = () if text is None else text.lines, [] if text is None else [line for line, _ in text.machine_points]
     shift, known, fit = _shift(settings.shift or ("fit" if floating else None), axes), None, None
     with about(file):
         try:
