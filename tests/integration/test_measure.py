@@ -551,11 +551,16 @@ def test_a_saved_run_is_measured_as_it_was_judged(tmp_path: Path, as_json: AsJso
     assert "CL415" not in {one["code"] for one in found["findings"]}  # its positions are those of the axes
 
 
-def recorded(folder: Path, zero: tuple[float, float], *, commanded: bool) -> Path:
-    """Write what a control at 1 kHz records, in machine coordinates: it comes from elsewhere to a zero [mm], then runs a program."""
-    (folder / "part.ngc").write_text("G21 G90 G64 P0.01\nF1200\nG0 X10 Y0\nG1 X30\nY20\nG0 X50\nG1 Y0\nG0 X0 Y0\nM2\n")
-    corners = np.array([[-80.0, 35.0], [10.0, 0.0], [30.0, 0.0], [30.0, 20.0], [50.0, 20.0], [50.0, 0.0], [0.0, 0.0]])
-    lines, rows = [3, 4, 5, 6, 7, 8], []
+def recorded(folder: Path, zero: tuple[float, float], *, commanded: bool, home: tuple[float, float] | None = None) -> Path:
+    """Write what a control at 1 kHz records, in machine coordinates: it comes from elsewhere to a zero [mm], then runs a program.
+
+    Before its last cut it may go home, in machine coordinates [mm].
+    """
+    way_home = "" if home is None else f"G53 G0 X{home[0]} Y{home[1]}\n"
+    (folder / "part.ngc").write_text(f"G21 G90 G64 P0.01\nF1200\nG0 X10 Y0\nG1 X30\nY20\n{way_home}G0 X50 Y20\nG1 Y0\nG0 X0 Y0\nM2\n")
+    places = [[-80.0, 35.0], [10.0, 0.0], [30.0, 0.0], [30.0, 20.0], [50.0, 20.0], [50.0, 0.0], [0.0, 0.0]]
+    corners = np.array([*places[:4], *([np.subtract(home, zero)] if home else []), *places[4:]])
+    lines, rows = range(3, 3 + len(corners) - 1), []
     for line, (start, end) in zip(lines, pairwise(corners), strict=True):
         n = round(np.linalg.norm(end - start) / 0.02)
         rows += [(line, *(start + (end - start) * k / n)) for k in range(n)] + [(line, *end)] * 50
@@ -590,3 +595,34 @@ def test_a_recording_in_machine_coordinates(tmp_path: Path, as_json: AsJson, com
     assert causes == (
         dict.fromkeys(causes, pytest.approx(0.0, abs=1e-8)) | {"breakaway": pytest.approx(4e-6, rel=0.01)} if commanded else {}
     )
+
+
+@pytest.mark.parametrize("commanded", [True, False])
+@pytest.mark.parametrize("shift", ["fit", "123.4 mm, -56.7 mm"])
+def test_a_move_in_machine_coordinates_does_not_move_with_the_part(tmp_path: Path, as_json: AsJson, shift: str, commanded: bool) -> None:
+    log = recorded(tmp_path, (123.4, -56.7), commanded=commanded, home=(0.0, 0.0))
+    found = as_json("measure", log, "--program", tmp_path / "part.ngc", "--unit", "mm", "--shift", shift, "--out", tmp_path / "out")
+    (run,) = found["schemes"].values()
+    near = 1e-10 if commanded or shift != "fit" else 9e-6
+    assert run["shift"] == {"x": pytest.approx(0.1234, abs=near), "y": pytest.approx(-0.0567, abs=near)}
+    assert run["metrics"]["part_error"]["max"] == pytest.approx(4e-6, abs=1e-10 + near)
+    assert ("CL406" in {one["code"] for one in run["findings"]}) == (shift == "fit" and not commanded)
+
+
+def test_a_measured_run_that_is_saved_is_judged_again_where_it_was(tmp_path: Path, as_json: AsJson) -> None:
+    """Its cutting moves count, though no program says again which they are."""
+    log = recorded(tmp_path, (0.0, 0.0), commanded=True)
+    found = as_json("measure", log, "--program", tmp_path / "part.ngc", "--unit", "mm", "--out", tmp_path / "out")
+    again = as_json("measure", tmp_path / "out" / "signals" / "log.nc", "--out", tmp_path / "again")
+    (first,), (second,) = (one["schemes"].values() for one in (found, again))
+    assert second["metrics"]["contour_error"]["rms"] == pytest.approx(first["metrics"]["contour_error"]["rms"], rel=1e-9)
+    assert second["metrics"]["judged_time"] == first["metrics"]["judged_time"]
+
+
+def test_a_move_in_machine_coordinates_asks_for_the_zero(tmp_path: Path, refused: Refused) -> None:
+    """Without the lines of the program, the log does not say up to where it is the part that counts."""
+    log = recorded(tmp_path, (123.4, -56.7), commanded=True, home=(0.0, 0.0))
+    log.write_text("\n".join(row.rpartition(",")[0] for row in log.read_text().splitlines()))
+    asked = ("measure", log, "--program", tmp_path / "part.ngc", "--unit", "mm", "--shift")
+    assert "--shift" in refused(*asked, "fit", "--out", tmp_path / "out")
+    assert "--shift" not in refused(*asked, "1 mm, 2 mm", "--out", tmp_path / "out")

@@ -12,7 +12,7 @@ import math
 import operator
 import os
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 from types import NoneType
@@ -148,7 +148,7 @@ class Part:
         if value is None:
             return None if self.default is REQUIRED else self.default
         if self.many:
-            values = (value,) if isinstance(value, str | os.PathLike) else tuple(value)
+            values = tuple(value) if isinstance(value, Iterable) and not isinstance(value, str | os.PathLike) else (value,)
             if self.option.listed:
                 values = tuple(name for text in values for name in (map(str.strip, text.split(",")) if isinstance(text, str) else [text]))
             return tuple(self._one(item) for item in values)

@@ -55,7 +55,7 @@ def test_values_get_the_type_of_their_option() -> None:
     [
         ("budget", 31), ("budget", 10_001), ("budget", 3.5), ("budget", True and "many"), ("share", 0.0), ("share", float("nan")),
         ("method", "two"), ("tolerance", "25"), ("tolerance", "25 kg"), ("tolerance", "-1 um"), ("tolerance", 25e-6), ("quick", 1),
-        ("axes", [1]),
+        ("axes", [1]), ("axes", 1), ("plugin", 1),
     ],
 )  # fmt: skip
 def test_a_value_out_of_bounds_names_its_option(name: str, value: Any) -> None:

@@ -745,7 +745,8 @@ def descended(
     lengths = np.linalg.norm(slopes, axis=0)
     lengths = np.where(lengths > 0.0, lengths, np.inf)
     inverse = np.linalg.pinv((slopes / lengths).T @ (slopes / lengths), hermitian=True)
-    white = np.sqrt(np.diag(inverse)) / lengths * math.sqrt(float(end.residual @ end.residual) / max(measured.size - len(names), 1))
+    spread = np.sqrt(np.maximum(np.diag(inverse), 0.0))  # rounding may turn the sign
+    white = spread / lengths * math.sqrt(float(end.residual @ end.residual) / max(measured.size - len(names), 1))
     if equal_information:  # it is equal for all parameters together, not for each
         robust = np.maximum(robust, white)
         away = size * float(np.mean([left for _, left in by_parts]))

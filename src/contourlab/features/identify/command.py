@@ -125,6 +125,6 @@ def _usual_model(log: Log, options: Identify) -> str:
 def _axes(log: Log, asked: str | None) -> list[str]:
     """Return the axes that are asked for, or all whose reference moves."""
     if asked is not None:
-        return [axis.strip() for axis in asked.split(",")]
+        return list(dict.fromkeys(axis.strip() for axis in asked.split(",")))
     references = {axis: log.signal(axis, "reference") for axis in log.result.axes}
     return [axis for axis, values in references.items() if values is not None and np.ptp(values) > 0.0] or list(references)

@@ -23,7 +23,7 @@ from contourlab.components.drive.step_generator import PositionLag
 from contourlab.components.friction.laws import Coulomb, NoFriction
 from contourlab.components.origin import Origin
 from contourlab.components.plant.stepper import StepDrive
-from contourlab.errors import ResultError
+from contourlab.errors import ResultError, refuse
 from contourlab.features.identify.axis_tables import position_limits
 from contourlab.features.identify.options import Identify
 from contourlab.features.identify.records import AxisRecord, log_names, samples_digest
@@ -57,6 +57,8 @@ UNITS = {
 }
 CLEAR = 3.0
 """Least size of the first parameter of a term, in deviations."""
+FULL = ("velocity_feedforward", 1.0)
+"""A common choice, clear although it is at a bound and so has no deviation."""
 RUN_IN = 0.5
 """Time [s] that is simulated before the log: at rest, or at its first speed."""
 DESCENT = DescentSettings(difference=1e-3, visible=1e-3, most_iterations=200, least_gain=1e-7)
@@ -92,7 +94,7 @@ class LoopModel:
         """Parameters with bounds."""
         period = self.record.period
         every = {
-            "Kv": Free(20.0, 0.2, 0.5 / period, 10.0),
+            "Kv": Free(min(20.0, 0.1 / period), 0.2, 0.5 / period, 10.0),
             "delay": Free(2.0 * period, period, period + 0.2, period),
             "velocity_feedforward": Free(0.5, 0.0, 1.0, 0.5),
             "lag": Free(period, FASTEST * period, 0.2, period),
@@ -175,8 +177,8 @@ class Rung:
     def betters(self, other: Rung) -> bool:
         """Return whether it predicts better than another, and shows clearly what it has in addition."""
         first = {TERMS[term][0] for term in self.model.terms if term not in other.model.terms}
-        more = (0.0 < CLEAR * deviation < abs(value) for name, value, deviation in self.known if name in first)
-        return self.left_out < other.left_out and all(more)
+        clear = (0.0 < CLEAR * deviation < abs(value) or (name, value) == FULL for name, value, deviation in self.known if name in first)
+        return self.left_out < other.left_out and all(clear)
 
 
 _LAGS = (), ("lag",), ("resonance",)
@@ -272,15 +274,16 @@ def identify_position_loop(records: Sequence[AxisRecord], options: Identify) -> 
             fitted[record.axis] = record
         elif np.ptp(record.asked()) > 0.0:
             second.append(record)
+    refuse(len(records) > len(fitted) and not second, ResultError, f"no axis moves in {records[-1].source}: it validates nothing")
     fits = {axis: fit_loop(record) for axis, record in fitted.items()}
     best = {axis: rung for axis, (rung, _) in fits.items()}
-    findings = [doubt for rung, rungs in fits.values() for doubt in _doubts(rung, rungs)]
+    runs = [_predicted(best, ones) for ones in (list(fitted.values()), second) if ones]
+    findings = [doubt for axis, (rung, rungs) in fits.items() for doubt in _doubts(rung, rungs, runs[0]["axes"][axis]["stays"])]
     usable = not any(doubt.entry.severity == "error" for doubt in findings)
     findings += [finding("CL516", one.source) for one in second[:1] if samples_digest([one]) == samples_digest([fitted[one.axis]])]
     alone = len(best) == 1
     known = {axis: figures(rung.fit, UNITS) for axis, rung in best.items() if usable}
     parameters = {name if alone else f"{name} {axis}": one for axis, of_axis in known.items() for name, one in of_axis.items()}
-    runs = [_predicted(best, ones) for ones in (list(fitted.values()), second) if ones]
     terms = [
         {"axis": axis, "terms": rung.model.terms, "stays": rung.stays, "left_out": rung.left_out, "chosen": rung is best[axis]}
         for axis, (_, rungs) in fits.items()
@@ -306,33 +309,34 @@ def identify_position_loop(records: Sequence[AxisRecord], options: Identify) -> 
 def _check(record: AxisRecord) -> None:
     """Raise if a position does not follow its reference."""
     asked = record.asked()
-    late = asked - record.position
-    moving(asked[:, None])
+    late, of_axis = asked - record.position, f"{record.axis} in {record.source}"
+    refuse(not np.ptp(asked) > 0.0, ResultError, f"the reference of {of_axis} does not move: it is the same at all samples")
+    refuse(not np.ptp(late) > 0.0, ResultError, f"the position of {of_axis} is its reference: nothing of the loop shows")
     if np.var(late) > (1.0 - FOLLOWS) * np.var(asked):
         wanted = "are column, unit and direction right? A minus ahead of the column's name turns its sign"
-        raise ResultError(f"the position of {record.axis} in {record.source} does not follow its reference: {wanted}")
+        raise ResultError(f"the position of {of_axis} does not follow its reference: {wanted}")
 
 
-def _doubts(best: Rung, rungs: Sequence[Rung]) -> Iterator[Finding]:
-    """Yield findings on what the log does not tell of an axis."""
+def _doubts(best: Rung, rungs: Sequence[Rung], stays: float) -> Iterator[Finding]:
+    """Yield findings on what the log does not tell of an axis; `stays` is the share of the following error that stays in a prediction."""
     record = best.model.record
     axis = f"axis {record.axis}"
     said_little = best.fit.fit < LEAST
     if unknown := [name for name, _, deviation in best.known if said_little or not math.isfinite(deviation)]:
         yield finding("CL591", axis, parameters=unknown)
         return
-    if best.stays > WELL:
-        yield finding("CL594", axis, stays=best.stays)
+    if stays > WELL:
+        yield finding("CL594", axis, stays=stays)
     for name, value, deviation in best.known:
-        if deviation == 0.0:
-            yield finding("CL595", axis, parameter=name, value=value, unit=UNITS[name])
-        else:
+        if deviation != 0.0:
             yield from deviation_findings(f"{axis}, {name}", value, deviation)
+        elif (name, value) != FULL:
+            yield finding("CL595", axis, parameter=name, value=value, unit=UNITS[name])
     for term in TERMS:
         tried = [rung.left_out for rung in rungs if term in rung.model.terms]
         if not tried or term in best.model.terms or (term == "lag" and "resonance" in best.model.terms):
             continue
-        if math.isfinite(left := min(tried)):
+        if best.left_out <= (left := min(tried)) < math.inf:
             yield finding("CL592", axis, term=term, left=left, without=best.left_out)
         else:
             yield finding("CL596", axis, term=term)

@@ -16,7 +16,7 @@ from contourlab.app.command_line import as_typed, chosen_options
 from contourlab.app.results import staged
 from contourlab.app.session import QUIET, Session, question
 from contourlab.app.shared_options import READING
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Index
 from contourlab.errors import LogError, ParameterError, ResultError, refused
 from contourlab.features.check.program_check import origin_of
 from contourlab.features.check.reading import read_once
@@ -32,12 +32,14 @@ from contourlab.features.measure.study import Measured, gap_findings, move_findi
 from contourlab.features.measure.study import measure as judged_log
 from contourlab.features.run.command import SCHEMA, JudgedRuns, Runs, compare_schemes, ending, file_names
 from contourlab.features.run.options import Compare
+from contourlab.feed.route import Route
 from contourlab.figures import figure
 from contourlab.findings import finding
 from contourlab.logs.load import Log, about
 from contourlab.program import Reading
 from contourlab.rendering.data import Provenance, ReportData
 from contourlab.rendering.table import paragraphs
+from contourlab.result import Result
 from contourlab.scenario.load import machine_of, reading_on
 from contourlab.scenario.placing import zero_known
 from contourlab.units import to_si
@@ -201,7 +203,8 @@ class MeasuredRuns(JudgedRuns):
         files = file_names([run.name for run in self.runs])
         with staged(folder, *_outputs(self.runs), inputs=[file for run in self.runs for file in run.inputs]) as stage:
             for run in self.runs:
-                run.result.save(stage / "signals" / f"{files[run.name]}.nc")
+                attributes = {**run.result.attributes, "judged": run.metrics.judged.text}
+                replace(run.result, attributes=attributes).save(stage / "signals" / f"{files[run.name]}.nc")
             self._write(stage, plots)
         return replace(self, files={"report": str(Path(folder) / "report.html")})
 
@@ -283,23 +286,46 @@ def _judged(file: str | Path | Log, settings: Measure) -> MeasuredRun:
     machine = None if settings.machine is None else machine_of(settings.machine)
     log = open_log(file, settings, () if reference is None else reference_columns(reference, settings.column, axes))
     axes, text, route, floating = axes or log.result.axes, None, None, False
+    reading = Reading(require_end=False) if machine is None else reading_on(machine, {"require_end": False})
     if program is not None:
-        reading = Reading(require_end=False) if machine is None else reading_on(machine, {"require_end": False})
         text, route = program_of(program, axes, reading)
         floating = machine is not None and log.record.format != "contourlab" and not zero_known(machine, reading)
-    lines = () if text is None else text.lines
-    shift = _shift(settings.shift or ("fit" if floating else None), axes)
+    lines, fixed = () if text is None else text.lines, [] if text is None else [line for line, _ in text.machine_points]
+    shift, known, fit = _shift(settings.shift or ("fit" if floating else None), axes), None, None
     with about(file):
         try:
+            if isinstance(shift, str) and route is not None and fixed and log.lines is not None:
+                fit = _fitted(log.result, route, axes, log.lines, fixed)
+                shift = np.array([(fit.shift or {})[axis] for axis in axes])
+            if isinstance(shift, np.ndarray) and program is not None and reading.parameters is None:
+                known, shift = dict(zip(axes, shift.tolist(), strict=True)), None
+                _, route = program_of(program, axes, _with_zero(reading, known))
             measured = judged_log(log.result, route, axes, shift=shift, lines=log.lines, tolerance=settings.si("tolerance"), program=lines)
         except ResultError as error:
-            raise ResultError("; ".join([str(error), *(doubt.text for doubt in log.doubtful)])) from error
+            is_unsure = bool(fixed) and known is None and log.lines is None
+            hints = [f"G53 in line {fixed[0]} does not move with the part: give its zero with --shift"] if is_unsure else []
+            raise ResultError("; ".join([str(error), *hints, *(doubt.text for doubt in log.doubtful)])) from error
     findings = (*log.findings, *measured.findings, *gap_findings(log, measured, of_samples=route is None), *move_findings(log, measured))
+    findings += tuple(one for one in fit.findings if one.code == "CL406") if fit is not None else ()
     steps = [axis.name for axis in machine.axes if axis.drive.kind == "step-generator"] if machine is not None else []
     if steps and "axis_position" not in log.result:
         findings = (finding("CL415", axes=steps), *findings)
     given: dict[str, Any] = vars(measured) | {"name": log.result.scheme, "findings": findings, "machine": machine}
+    given |= {} if known is None else {"shift": known}
     return MeasuredRun(**given, log=log, inputs=settings.files(file, *([program] if program else [])), program=lines)
+
+
+def _fitted(result: Result, route: Route, axes: tuple[str, ...], lines: Index, fixed: Sequence[int]) -> Measured:
+    """Fit the zero of a program to the log up to its first move in machine coordinates, in lines `fixed`, after the first cut."""
+    cut = int(np.argmax(lines == route.source_line[int(np.argmin(route.rapid))]))
+    stop = cut + next(iter(np.flatnonzero(np.isin(lines[cut:], fixed)).tolist()), len(lines) - cut)
+    return judged_log(result.window(0, stop), route, axes, shift="fit", lines=lines[:stop])
+
+
+def _with_zero(reading: Reading, zero: Mapping[str, float]) -> Reading:
+    """Return how to read a program whose zero [m] is known: unlike the part, moves in machine coordinates stay where they are."""
+    unit = to_si(f"1 {reading.unit}", "m")
+    return replace(reading, zero=",".join(f"{zero.get(letter, 0.0) / unit:.17g}" for letter in "xyz"))
 
 
 def _shift(text: str | None, axes: tuple[str, ...]) -> Array | Literal["fit"] | None:

@@ -142,7 +142,7 @@ def measure(
     )
     judged, window = judge(simulated, motion), moving(reference)
     stated = _stated(run)
-    if route is None:
+    if is_known:
         begin, end = window
         window, left_out = _on_the_path(judged, motion, window)
         if stated is not None:
@@ -150,8 +150,7 @@ def measure(
             ranges = ((max(first, kept[0]), min(last, kept[1])) for first, last in stated.ranges)
             stated = stated._replace(ranges=tuple(part for part in ranges if part[0] < part[1]) or (window,))
         findings += [finding("CL408", samples=left_out)] if left_out else []
-        findings += _last_lap_findings(judged, motion, window)
-    if is_known:
+        findings += _last_lap_findings(judged, motion, window) if route is None else []
         _check_near(judged, motion.path, window)
     findings += _outlier_findings(judged, window)
     part = stated or _part(window, cutting)
@@ -288,13 +287,15 @@ def _on_the_path(judged: Result, reference: Reference, window: tuple[int, int]) 
     If a log begins in motion, a lagging tool is still before the first sample of the reference, on a path that the log does not contain.
     Its distance there is lag. The same holds for a leading tool if the log ends in motion.
     """
-    path, tool, foot = reference.path, judged["tool_position"], judged["foot_arc_length"]
+    path, tool, error = reference.path, judged["tool_position"], np.abs(judged["contour_error"])
     start, stop = window
     ends = np.array([0.0, path.length])
     behind, ahead = (((tool - at) @ tangent) for at, tangent in zip(path.position(ends), path.tangent(ends), strict=True))
-    before, beyond = (foot <= 0.0) & (behind < -STILL), (foot >= path.length) & (ahead > STILL)
+    # The nearest point is an end. The foot points in the result may be those on a program.
+    at_begin, at_end = (np.linalg.norm(tool - at, axis=1) <= error + NEXT_TO for at in path.position(ends))
+    before, beyond = at_begin & (behind < -STILL), at_end & (ahead > STILL)
     first = int(np.argmin(before)) if start == 0 and not before.all() else start
-    last = stop - int(np.argmin(beyond[:stop][::-1])) if stop >= len(foot) - 1 and not beyond.all() else stop
+    last = stop - int(np.argmin(beyond[:stop][::-1])) if stop >= len(error) - 1 and not beyond.all() else stop
     if path.closed or last - first < 2:
         return window, 0
     return (first, last), first - start + stop - last

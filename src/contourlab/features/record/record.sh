@@ -37,5 +37,6 @@ NF < 2 || $1 < now { next }  # an overrun: the numbers of the samples show the g
 }
 { put($0); rest = is_idle ? rest + 1 : 0 }
 rest >= kept { exit }
+END { if (rest < kept) { print "The samples ended before the program: the log is not whole." > "/dev/stderr"; exit 1 } }
 ' > "$log"
 echo "$log has the run"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -103,6 +104,15 @@ def test_friction_is_seen_at_reversals() -> None:
         assert abs(value - true[name]) < 3.0 * deviation < 0.3 * true[name]
 
 
+@pytest.mark.parametrize("delay", [PERIOD, 0.0033])
+def test_full_feedforward_is_seen(delay: float) -> None:
+    """It is at the bound of the search, where it has no deviation."""
+    true = {"Kv": 30.0, "delay": delay, "velocity_feedforward": 1.0, "lag": 0.002}
+    best, _ = fit_loop(record(moves(), followed(moves(), true)))
+    assert best.model.terms == ("feedforward", "lag") and best.left_out < 0.01
+    assert best.fit.parameters == pytest.approx(true, rel=0.01)
+
+
 def test_without_a_reversal_there_is_no_friction_but_a_finding() -> None:
     one_way = moves((0.05, 0.02, 0.03))
     assert not reverses(record(one_way, one_way))
@@ -139,6 +149,48 @@ def test_much_noise_widens_the_deviations_only() -> None:
     for rung in (quiet, loud):
         assert all(abs(value - true[name]) < 4.0 * deviation for name, value, deviation in rung.known)
     assert dict(zip(loud.fit.names, loud.fit.robust_deviations, strict=True))["Kv"] > 5.0 * quiet.fit.deviation("Kv")
+
+
+def test_a_position_that_is_the_reference_shows_no_loop() -> None:
+    with pytest.raises(ResultError):
+        identify_position_loop([record(moves(), moves())], Identify())
+
+
+def test_a_validation_at_rest_is_refused() -> None:
+    reference = moves()
+    rest = np.zeros(500)
+    with pytest.raises(ResultError):
+        identify_position_loop([record(reference, followed(reference, CASES["lag"])), record(rest, rest)], Identify())
+
+
+def test_a_loop_sampled_slowly() -> None:
+    """The gain where a search begins is within its bounds, and can be simulated."""
+    reference, period = moves(), 0.25
+    asked = AxisRecord("log", "x", period, reference, None, "", reference, None)
+    true = {"Kv": 0.8, "delay": 0.4}
+    exact = LoopModel(asked).positions([true])[0]
+    noise = NOISE * np.random.default_rng(0).standard_normal(exact.size)
+    answer = identify_position_loop([replace(asked, position=exact + noise)], Identify())
+    assert {name: part.value for name, part in answer.parameters.items()} == pytest.approx(true, rel=0.02)
+
+
+def test_what_stays_in_a_prediction_is_told() -> None:
+    """The fit leaves a constant to the encoder; the prediction does not."""
+    reference = moves()
+    shifted = followed(reference, CASES["no feedforward"]) + 0.01
+    answer = identify_position_loop([record(reference, shifted)], Identify())
+    assert answer.usable and "CL594" in {doubt.code for doubt in answer.findings}
+
+
+def test_a_term_that_predicts_better_is_not_said_to_be_absent() -> None:
+    """A loop without delay: its best feedforward has a lag at its bound, and is left out."""
+    time = PERIOD * np.arange(3000)
+    reference = 0.05 * np.cos(math.pi * time)
+    share = math.exp(-PERIOD / 0.021)
+    position = reference[0] + lfilter([0.0, 1.0 - share], [1.0, -share], reference - reference[0])
+    answer = identify_position_loop([record(reference, np.asarray(position))], Identify())
+    told = [doubt.values for doubt in answer.findings if doubt.code == "CL592"]
+    assert told and all(one["left"] >= one["without"] for one in told)
 
 
 STRETCHES = {"first": "0..1493", "second": "1494.."}

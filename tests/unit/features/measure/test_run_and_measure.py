@@ -99,3 +99,16 @@ def test_samples_off_the_ends_of_an_open_path_do_not_count(tmp_path: File) -> No
     (left_out,) = [note for note in found.findings if note.code == "CL408"]
     assert found.metrics.contour_error.max < 1e-7
     assert found.metrics.judged_time == pytest.approx((300 - left_out.values["samples"]) * PERIOD, abs=1.5 * PERIOD)
+
+
+def test_a_log_that_begins_and_ends_in_motion_has_the_same_contour_error_with_its_program() -> None:
+    """Where the tool is before the first command, its distance is lag, whatever the path is known from."""
+    route = route_from_program(parse_program("G21 G17 G90\n" + PROGRAMS["circle"]), ("x", "y"))
+    reference = plan(route, AxisLimits([0.2] * 2, [2.0] * 2, [100.0] * 2), PERIOD)
+    asked = reference.block(0, reference.n_sample).position[400:900]
+    late = reference.block(0, reference.n_sample).position[395:895]
+    signals = {name: Signal(data, ("sample", "axis"), "m") for name, data in (("reference", asked), ("position", late))}
+    log = Result("log", ("x", "y"), PERIOD, signals)
+    alone, along = measure(log), measure(log, route)
+    assert along.metrics.contour_error.max == alone.metrics.contour_error.max < 1e-7
+    assert [note.values for note in along.findings] == [note.values for note in alone.findings] == [{"samples": 5}]

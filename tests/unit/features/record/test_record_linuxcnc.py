@@ -172,6 +172,13 @@ def test_lost_samples_are_a_gap(tmp_path: Path) -> None:
     assert [gap.missing for gap in next(iter(log.clocks.values())).gaps] == [30]
 
 
+@pytest.mark.parametrize("share", [0.0, 0.5, 0.7])
+def test_samples_that_end_before_the_program_are_no_success(tmp_path: Path, share: float) -> None:
+    lines = list(sampled(program_run()[:6500]))
+    ran = recorded(tmp_path, iter(lines[: round(share * len(lines))]), "run.csv")
+    assert ran.returncode == 1 and "run.csv" not in ran.stdout
+
+
 def test_a_log_that_is_there_is_kept(tmp_path: Path) -> None:
     (tmp_path / "run.csv").write_text("mine")
     assert recorded(tmp_path, sampled(program_run()), "run.csv").returncode == 2
