@@ -626,3 +626,13 @@ def test_a_move_in_machine_coordinates_asks_for_the_zero(tmp_path: Path, refused
     asked = ("measure", log, "--program", tmp_path / "part.ngc", "--unit", "mm", "--shift")
     assert "--shift" in refused(*asked, "fit", "--out", tmp_path / "out")
     assert "--shift" not in refused(*asked, "1 mm, 2 mm", "--out", tmp_path / "out")
+
+
+@pytest.mark.parametrize(("n", "codes"), [(2000, set()), (100, {"CL417"})])
+def test_a_log_that_is_too_slow_for_its_contour_error_says_so(n: int, codes: set[str]) -> None:
+    """A tool that lags along the circle is on it: an error of 2 R sin^2(pi/(2 n)) is that of the line through the samples."""
+    reference = circle(n)
+    angle = np.linspace(0.0, 2.0 * np.pi, n) - np.pi / n
+    found = measure(run_of(0.02 * np.column_stack([np.cos(angle), np.sin(angle)]) * (1.0 + 2e-6), reference))
+    assert {one.code for one in found.findings} & {"CL417"} == codes
+    assert (found.metrics.contour_error.max > 1e-6) == bool(codes)

@@ -38,6 +38,8 @@ NEXT_TO = 1e-12
 """Distance [m] by which a sample counts as before the place where it is."""
 RISE = 1e-13
 """Least step [m] between places of successive samples on the programmed path, so that they rise."""
+COARSE = 0.5
+"""Share of the largest contour error by which the path may bulge between two samples."""
 FOLLOWS = 0.5
 """Smallest share of the reference's variance that the position of an axis must follow."""
 
@@ -160,6 +162,8 @@ def measure(
     verdict = None if tolerance is None else unexplained(motion, judged, tolerance, program, is_whole=stated is not None)
     if verdict is not None and is_known:
         verdict = replace(verdict, causes=measured_causes(motion, judged, verdict.worst.sample))
+    if is_known and stated is None:
+        findings += _sampling_findings(reference[slice(*window)], metrics.contour_error.max)
     circles, spikes = circles_of(judged, motion), judged_spikes(judged, motion)
     return Measured(run.scheme, motion, judged, metrics, verdict, circles, spikes, tuple(findings), lines=lines, shift=shifts)
 
@@ -318,6 +322,15 @@ def _outlier_findings(judged: Result, window: tuple[int, int]) -> list[Finding]:
     if others > 0.5 * error[worst] or error[worst] < STILL:
         return []
     return [finding("CL410", time=float(judged.time[window[0] + worst]), others=others)]
+
+
+def _sampling_findings(reference: Array, largest: float) -> list[Finding]:
+    """Return a finding if the commanded path bulges between its samples by as much as counts in the largest contour error [m]."""
+    chord, bend = reference[2:] - reference[:-2], np.diff(reference, 2, axis=0)
+    along = chord / np.maximum(np.linalg.norm(chord, axis=1, keepdims=True), 1e-300)
+    across = bend - (bend * along).sum(axis=1, keepdims=True) * along
+    bulge = float(np.linalg.norm(across, axis=1).max(initial=0.0)) / 8.0  # height of an arc over its chord
+    return [finding("CL417", bulge=bulge, largest=largest)] if bulge > max(COARSE * largest, STILL) else []
 
 
 def _known_metrics(metrics: Metrics, run: Result, window: tuple[int, int] | None) -> Metrics:
