@@ -295,12 +295,18 @@ def test_each_next_command_runs_as_printed(tmp_path: Path, capsys: pytest.Captur
     monkeypatch.chdir(tmp_path)
     assert main(["compare", "builtin:ghaffari/demo-stage", "--schemes", "position loop", "--out", "run"]) in (0, 1)
     capsys.readouterr()
-    words, named = ["measure", "run/signals/position-loop.nc"], []
-    while words[0] == "measure":
-        assert main([*words, "--out", "measured"]) == 0
-        words = shlex.split(capsys.readouterr().out.splitlines()[-1].removeprefix("next: contourlab "))
-        named.append(words[0])
-    assert named == ["measure", "identify"]
+
+    def proposed(*words: str) -> list[str]:
+        assert main([*words, "--out", "measured"]) in (0, 1)
+        lines = [line for line in capsys.readouterr().out.splitlines() if line.startswith("next: ")]
+        return shlex.split(lines[-1].removeprefix("next: contourlab ")) if lines else []
+
+    log = "run/signals/position-loop.nc"
+    judged = proposed("measure", log)
+    assert judged[0] == "measure"
+    assert not proposed(*judged)  # it passes
+    words = proposed("measure", log, "--tolerance", "1 nm")
+    assert words[0] == "identify"
     assert main(words) in (0, 1)  # 1: the model explains too little
 
 
