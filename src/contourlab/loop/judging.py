@@ -72,6 +72,8 @@ def _judge_node(
     position = tuple(map(Late, axis_positions(machine)))
     wires: dict[str, Any] = {"position": position, "reference": "in.reference", "arc_length": arc_length}
     parameters, cells = room_for(path, min(most_error(machine), LAG * reference.largest_feedrate + MARGIN), planning)
+    if any(batch.sixth is not None and batch.sixth.any() for batch, _ in path.kinds):
+        view = view_of(path, arcs=0.01)  # figures within 1 pm of the exact judge; halved pieces are closer than their bound
     step = judge_step(view, n, bool(path.corners.size) or not path.closed)
     tables = {**view.tables, **cells, "counts": _counts(reference)}
     return Node(name, step, wires, {**view.parameters, **parameters}, tables, {"foot": foot})
