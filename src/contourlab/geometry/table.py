@@ -122,8 +122,7 @@ def table_pieces(path: CurveSequence, tolerance: float, pieces: int = 1, arcs: f
     longest = path.length / max(pieces, 1) * (1.0 + 1e-12)
     parts, bound = [], 0.0
     for batch, numbers in path.kinds:
-        divide, most = (_bisect, tolerance) if batch.sixth is None else (_evenly, arcs * tolerance)
-        slot, left, right, worst = divide(batch, most, longest)
+        slot, left, right, worst = _bisect(batch, tolerance, longest) if batch.sixth is None else _evenly(batch, arcs * tolerance, longest)
         parts.append((numbers[slot], left, right))
         bound = max(bound, worst)
     index, a, b = (np.concatenate(column) for column in zip(*parts, strict=True))

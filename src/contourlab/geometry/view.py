@@ -89,10 +89,9 @@ def _circle(path: Path) -> PathView:
     radius = 1.0 / float(np.hypot(*at_start[2]))
     centre = at_start[0] + radius * radius * at_start[2]
     spoke = at_start[0] - centre
-    sense = math.copysign(1.0, spoke[0] * at_start[1][1] - spoke[1] * at_start[1][0])
     parameters = {
         "path_radius": radius,
-        "path_rate": sense / radius,
+        "path_rate": math.copysign(1.0, spoke[0] * at_start[1][1] - spoke[1] * at_start[1][0]) / radius,
         "path_phase": math.atan2(spoke[1], spoke[0]),
         "path_centre_0": float(centre[0]),
         "path_centre_1": float(centre[1]),
