@@ -71,7 +71,7 @@ def _judge_node(
     position = tuple(map(Late, axis_positions(machine)))
     wires: dict[str, Any] = {"position": position, "reference": "in.reference", "arc_length": arc_length}
     parameters, cells = room_for(path, min(most_error(machine), LAG * reference.largest_feedrate + MARGIN), planning)
-    # Figures within 1 pm of the exact judge need finer arcs; halved pieces of other curves are closer than their bound.
+    # Finer arcs bring the figures within 1 pm or 1e-6 of the exact judge's; halved pieces of other curves are closer than their bound.
     view = view_of(path, arcs=0.01) if any(np.any(batch.sixth) for batch, _ in path.kinds if batch.sixth is not None) else view
     step = judge_step(view, len(machine.axes), bool(path.corners.size) or not path.closed)
     tables = {**view.tables, **cells, "counts": _counts(reference)}
