@@ -95,7 +95,7 @@ def look_up(along, inverse_cell, halvings, start, coefficients, cell, order, fou
                 found[2, i, j] = 2.0 * c2 + h * (6.0 * c3 + h * (12.0 * c4 + h * 20.0 * c5))
 
 
-def path_table(path: CurveSequence, tolerance: float, pieces: int = 1) -> PathTable:
+def path_table(path: CurveSequence, tolerance: float, pieces: int = 1, arcs: float = 1.0) -> PathTable:
     """Return the table of a path.
 
     Parameters
@@ -103,24 +103,26 @@ def path_table(path: CurveSequence, tolerance: float, pieces: int = 1) -> PathTa
     tolerance : float [m], > 0
     pieces : int
         Least number of pieces, evenly spread.
+    arcs : float, > 0
+        Share of the tolerance for arcs: a hundredth takes twice their pieces.
 
     Raises
     ------
     GeometryError
         If the tolerance is not positive, or below the rounding of a curve.
     """
-    _, start, coefficients, bound = table_pieces(path, tolerance, pieces)
+    _, start, coefficients, bound = table_pieces(path, tolerance, pieces, arcs)
     cell, inverse, halvings = _cells(start, path.length)
     return PathTable(start, coefficients, cell, inverse, bound, path.length, path.closed, halvings)
 
 
-def table_pieces(path: CurveSequence, tolerance: float, pieces: int = 1) -> tuple[Index, Array, Array, float]:
+def table_pieces(path: CurveSequence, tolerance: float, pieces: int = 1, arcs: float = 1.0) -> tuple[Index, Array, Array, float]:
     """Return curve, start and coefficients of the pieces of a table, and the bound of its error; arguments as of `path_table`."""
     refuse(not tolerance > 0.0, GeometryError, f"tolerance = {tolerance!r}: must be > 0 m")
     longest = path.length / max(pieces, 1) * (1.0 + 1e-12)
     parts, bound = [], 0.0
     for batch, numbers in path.kinds:
-        slot, left, right, worst = (_evenly if batch.sixth is not None else _bisect)(batch, tolerance, longest)
+        slot, left, right, worst = _bisect(batch, tolerance, longest) if batch.sixth is None else _evenly(batch, arcs * tolerance, longest)
         parts.append((numbers[slot], left, right))
         bound = max(bound, worst)
     index, a, b = (np.concatenate(column) for column in zip(*parts, strict=True))

@@ -17,6 +17,7 @@ from contourlab.arrays import Array
 from contourlab.errors import ParameterError
 from contourlab.geometry.line_and_arc import Arc
 from contourlab.geometry.path import Path
+from contourlab.geometry.table import path_table
 from contourlab.primitives import clip, cos, dot, floor, lookup, maximum, select, sin, sub
 
 
@@ -54,7 +55,7 @@ def check_view(view: PathView | None, path: Path) -> None:
 
 
 @lru_cache(maxsize=4)
-def view_of(path: Path, tolerance: float = 1e-10, pieces: int | None = None, analytic: bool = True) -> PathView:
+def view_of(path: Path, tolerance: float = 1e-10, pieces: int | None = None, analytic: bool = True, arcs: float = 1.0) -> PathView:
     """Return the view of a path; the last few are cached.
 
     Parameters
@@ -65,10 +66,12 @@ def view_of(path: Path, tolerance: float = 1e-10, pieces: int | None = None, ana
         Least number of pieces.
     analytic : bool
         Whether a circle is evaluated in closed form.
+    arcs : float, > 0
+        Share of the tolerance for arcs.
     """
     if analytic and path.closed and path.n_axis == 2 and len(path.curves) == 1 and isinstance(path.curves[0], Arc):
         return replace(_circle(path), made=(path, tolerance, pieces, analytic))
-    table = path.table(tolerance, pieces=pieces or 1)
+    table = path_table(path, tolerance, pieces or 1, arcs)
     parameters = {
         "path_inverse_cell": float(table.inverse_cell),
         "path_length": path.length,
@@ -78,7 +81,7 @@ def view_of(path: Path, tolerance: float = 1e-10, pieces: int | None = None, ana
         "path_last_piece": float(len(table.coefficients) - 1),
     }
     tables = {"path_start": table.start, "path_coefficients": table.coefficients, "path_cell": table.cell}
-    return PathView(_table_evaluator(path.n_axis, table.halvings), parameters, tables, path, (path, tolerance, pieces, analytic))
+    return PathView(_table_evaluator(path.n_axis, table.halvings), parameters, tables, path, (path, tolerance, pieces, analytic, arcs))
 
 
 def _circle(path: Path) -> PathView:
@@ -86,10 +89,9 @@ def _circle(path: Path) -> PathView:
     radius = 1.0 / float(np.hypot(*at_start[2]))
     centre = at_start[0] + radius * radius * at_start[2]
     spoke = at_start[0] - centre
-    sense = math.copysign(1.0, spoke[0] * at_start[1][1] - spoke[1] * at_start[1][0])
     parameters = {
         "path_radius": radius,
-        "path_rate": sense / radius,
+        "path_rate": math.copysign(1.0, spoke[0] * at_start[1][1] - spoke[1] * at_start[1][0]) / radius,
         "path_phase": math.atan2(spoke[1], spoke[0]),
         "path_centre_0": float(centre[0]),
         "path_centre_1": float(centre[1]),
