@@ -11,20 +11,20 @@ from collections import Counter
 from pathlib import Path
 
 BUDGETS = {
-    "analysis": 4592,
+    "analysis": 4574,
     "app": 894,
     "cli": 477,
-    "components": 5293,
+    "components": 5247,
     "contours": 1553,
-    "controls": 654,
-    "engine": 3285,
-    "features": 18211,
+    "controls": 652,
+    "engine": 3283,
+    "features": 18154,
     "feed": 2216,
     "findings": 55,
-    "geometry": 2065,
+    "geometry": 2064,
     "logs": 1910,
     "loop": 2251,
-    "metrics": 1045,
+    "metrics": 1040,
     "native": 249,
     "papers": 3363,
     "program": 2352,
@@ -32,7 +32,7 @@ BUDGETS = {
     "result": 402,
     "scenario": 1961,
     "study": 1412,
-    "without papers": 54055,
+    "without papers": 53925,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 
