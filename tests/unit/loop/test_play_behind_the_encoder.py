@@ -10,10 +10,15 @@ import pytest
 from component_rig import make
 
 import contourlab as cl
+from contourlab.components.origin import Origin
 from contourlab.errors import ParameterError
+from contourlab.features.run.lost_steps import lost_steps
+from contourlab.features.run.trust import about_guesses
 from contourlab.features.run.verdict import verdict
 from contourlab.loop.machine import AxisError
 from contourlab.loop.simulate import simulate_blocks
+from contourlab.rendering.judgement import Cause
+from contourlab.rendering.origins import numbers_of
 from contourlab.study import Setting
 
 GAP = 40e-6
@@ -75,6 +80,23 @@ def test_the_play_is_the_cause() -> None:
     answer = verdict(machine(GAP), CONTROLLER, circle(), judged, 1e-3)
     assert answer.passed and answer.causes[0].name == "backlash"
     assert answer.causes[0].contribution == pytest.approx(answer.worst.value, rel=0.3)
+
+
+def test_a_stepper_loses_no_step_in_a_play() -> None:
+    plant = make("plant", "stepper", mass=10.0, inertia=1e-4, lead=5e-3, holding_torque=2.2)
+    axes = tuple(cl.Axis(name, plant, substeps=8, error=AxisError(backlash=6.0 * plant.full_step)) for name in "xy")
+    wide, slow = cl.Machine("made", axes, PERIOD), cl.uniform(cl.contour("circle", radius=0.01), 0.02, 1, PERIOD)
+    run = cl.simulate(wide, CONTROLLER, slow)
+    assert np.abs(run["axis_position"] - run["position"]).max() == pytest.approx(3.0 * plant.full_step, rel=1e-9)
+    assert lost_steps(wide, slow, run) == ()
+
+
+def test_a_guessed_play_counts_as_a_guess_of_its_axis() -> None:
+    made = machine(GAP)
+    guessed = replace(made.axes[0], error=AxisError(backlash=GAP, origins={"backlash": Origin("assumed")}))
+    causes = [Cause("backlash", 30e-6, 0.75), Cause("geometry", 10e-6, 0.25)]
+    (note,) = about_guesses(causes, numbers_of(replace(made, axes=(guessed, made.axes[1])), CONTROLLER))
+    assert (note.code, note.values["share"], note.values["numbers"]) == ("CL229", 0.75, ["axes.x.error.backlash"])
 
 
 def test_a_negative_play_is_refused() -> None:

@@ -17,14 +17,14 @@ from contourlab.result import Result
 def lost_steps(machine: Machine, reference: Reference, result: Result) -> tuple[Finding, ...]:
     """Return a finding for each axis whose motor was more than two full steps from its count: there its torque pulls it away.
 
-    The result needs the signals ``applied_command``, ``axis_position`` and ``arc_length``.
+    The result needs the signals ``applied_command``, ``axis_position``, ``arc_length``, and ``position`` where there is a play.
     """
     findings = []
     for i, axis in enumerate(machine.axes):
         if not isinstance(axis.plant, Stepper):
             continue
-        # A command is reached at the next sample.
-        off = result["applied_command"][:-1, i] - result["axis_position"][1:, i]
+        # A command is reached at the next sample; behind a play the table is off without a step lost.
+        off = result["applied_command"][:-1, i] - result["position" if axis.error.backlash else "axis_position"][1:, i]
         beyond = np.flatnonzero(np.abs(off) > 2.0 * axis.plant.full_step)
         if beyond.size:
             sample = int(beyond[0]) + 1

@@ -6,6 +6,7 @@ depends on the seed only: the figures are the same for any number of threads.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
@@ -15,6 +16,7 @@ from contourlab.components.contract import Component
 from contourlab.errors import ContourlabError
 from contourlab.findings import Finding, finding
 from contourlab.loop import Controller, Learned, Machine, parameters_of
+from contourlab.loop.simulate import ToolPosition
 from contourlab.rendering.judgement import Cause, Interval, Number, Rank, Spread
 from contourlab.rendering.origins import numbers_of
 from contourlab.study import Setting
@@ -30,23 +32,33 @@ LEVELS = (0.05, 0.95)
 
 _RESTS_ON = {
     "friction": {"reversal", "breakaway", "friction"},
+    "motor_friction": {"reversal", "breakaway", "friction"},
     "plant": {"lag", "compliance", "servo mismatch"},
     "sensor": {"quantisation"},
     "drive": {"saturation"},
     "disturbance": {"disturbance"},
+    "plant.backlash_gap": {"backlash"},
+    "error.backlash": {"backlash"},
+    "error.lead_error": {"geometry"},
+    "error.repeatability": {"geometry"},
 }
-"""Slots of an axis, and the causes of the error that depend on their numbers."""
+"""Slots of an axis, or single numbers, and the causes of the error that depend on their numbers."""
 
 
 def about_guesses(causes: Sequence[Cause], numbers: Sequence[Number]) -> list[Finding]:
     """Return a finding on the share of the error at the worst place that depends on guessed numbers, if any does."""
-    guesses, share = dict[str, None](), 0.0
+    axes, guesses, resting = set[str](), dict[str, set[str]](), set[str]()
     for slot, names in _RESTS_ON.items():
-        guessed = [number.name.split(".", 2)[2] for number in numbers if number.source == "assumed" and f".{slot}." in number.name]
-        part = sum(cause.share for cause in causes if cause.name in names)
-        if guessed and part >= NOTABLE:
-            guesses, share = guesses | dict.fromkeys(f"axes.*.{name}" for name in guessed), share + part
-    return [finding("CL229", share=share, numbers=list(guesses))] if guesses else []
+        of_slot = [number for number in numbers if re.match(rf"axes\.\w+\.{slot}(\.|$)", number.name)]
+        axes |= {number.name.split(".")[1] for number in of_slot}
+        guessed = [number.name.split(".", 2)[1:] for number in of_slot if number.source == "assumed"]
+        if guessed and sum(cause.share for cause in causes if cause.name in names) >= NOTABLE:
+            resting |= names
+            for axis, name in guessed:
+                guesses.setdefault(name, set()).add(axis)
+    told = [f"axes.{axis}.{name}" for name, of in guesses.items() for axis in (["*"] if of == axes else sorted(of))]
+    share = sum(cause.share for cause in causes if cause.name in resting)
+    return [finding("CL229", share=share, numbers=told)] if told else []
 
 
 def part_interval(
@@ -111,6 +123,7 @@ def part_interval(
     main = main_contributor(ranks, chance)
     findings = [finding("CL225", rms_low=rms.low, rms_high=rms.high, max_low=largest.low, max_high=largest.high, samples=n)]
     findings += [finding("CL226", failed=failed, samples=n)] if failed else []
+    findings += [] if ToolPosition(machine, setting.seed).exact else [finding("CL230")]
     findings += [finding("CL227", beyond=beyond, samples=n)] if beyond else []
     findings += [finding("CL228", number=main)] if main else []
     return Interval(n, rms, largest, failed, beyond, ranks, chance, main, tuple(findings), columns, figures)

@@ -75,6 +75,14 @@ def test_a_force_across_the_path_gives_the_quantiles_of_its_normal_distribution(
     assert [one.code for one in found.findings] == ["CL225", "CL228"]
 
 
+def test_geometric_errors_are_left_out_and_named() -> None:
+    given = axis("y", 40.0, force=Origin("fitted", deviation=5.0, reference="log"))
+    bent = replace(machine(axis("x"), given), squareness={("x", "y"): 1e-3})
+    for built, told in ((replace(bent, squareness={}), 0), (bent, 1)):
+        found = part_interval(Setting(built, controller(), along_x()))
+        assert [one.code for one in found.findings].count("CL230") == told
+
+
 def test_a_number_without_effect_has_no_significant_rank() -> None:
     pushed = axis("y", 40.0, force=Origin(**FITTED, deviation=5.0))
     moving = axis("x", mass=Origin(**FITTED, deviation=1.0))
