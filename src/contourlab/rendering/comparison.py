@@ -152,7 +152,7 @@ def _note(data: ReportData) -> str:
     """Describe what the numbers do not show."""
     notes = [_judged_parts(data.schemes)]
     if data.is_measured:
-        notes.append("Positions are those of the log's encoders: errors that no encoder measures are not included.")
+        notes.append("Positions are those of the log: errors that neither its encoders nor its tool position show are not included.")
     elif not data.is_blended:
         notes.append("The planned path equals the programmed path, so contour error and part error are equal.")
     if len(data.schemes) > 1:
