@@ -185,7 +185,7 @@ class NewMachine:
     tolerance : float [m]
         Of the first run.
     below : mapping of str to str
-        The axis on which an axis stands.
+        The axis on which an axis stands; step drives, which no load moves, are left out.
     control : ControlFile or None
         The control's own file, which the machine file then names.
     """
@@ -255,6 +255,7 @@ def new_machine(answers: Mapping[str, str], name: str = "My machine", control: C
     general, below = machine_values(answers), mounting(answers)
     period = general["servo_period"]
     bare = {name: sized(answers, name, period) for name in axis_names(answers)}
+    below = {name: under for name in below if (under := _bearing(name, bare, below))}
     axes = tuple(replace(axis, carried=_carried(axis.name, bare, below)).slowed_down() for axis in bare.values())
     hanging = [axis.name for axis in axes if axis.weight]
     if len(hanging) > 1:
@@ -262,6 +263,12 @@ def new_machine(answers: Mapping[str, str], name: str = "My machine", control: C
     for axis in axes:
         _check(axis, tuple(bare))
     return NewMachine(general["name"] or name, period, general["tolerance"], axes, below, answers, control)
+
+
+def _bearing(name: str, axes: Mapping[str, SizedAxis], below: Mapping[str, str]) -> str:
+    """Return the first axis below whose plant has a mass, which a step drive has not; empty for none."""
+    under = below.get(name, "")
+    return under if not under or axes[under].drive != "step-drive" else _bearing(under, axes, below)
 
 
 def _carried(name: str, axes: Mapping[str, SizedAxis], below: Mapping[str, str]) -> float:

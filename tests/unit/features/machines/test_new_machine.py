@@ -320,6 +320,15 @@ def test_each_drive_has_its_questions_and_its_plant(drive, more, kind, asked, no
     assert again.files() == new_machine(given).files()
 
 
+def test_what_stands_on_a_step_drive_loads_the_axis_below_it(tmp_path):
+    servo = {"y.rated_torque": "1.3", "y.torque_constant": "0.5", "y.rotor_inertia": "0.5", "y.lead": "5", "y.moved_mass": "20"}
+    drives = {"x.drive": "step-drive", "x.moved_mass": "3", "z.drive": "step-drive", "z.moved_mass": "4"}
+    for y, mass in ((servo, 7.0), ({"y.drive": "step-drive", "y.moved_mass": "20"}, 0.0)):
+        write_machine(new_machine({"mounting": "z on x, x on y", **drives, **y}), tmp_path, force=True)
+        machine = load_machine(tmp_path / "machine.toml")
+        assert [machine.carried_mass(name) for name in "xyz"] == [0.0, mass, 0.0]
+
+
 @pytest.mark.parametrize("reader", ["linuxcnc", "grbl", "fluidnc"])
 def test_from_a_control_only_what_its_file_lacks_is_asked(reader, tmp_path):
     file = made_control(tmp_path, reader)
