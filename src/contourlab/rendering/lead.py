@@ -52,7 +52,7 @@ def answer(scheme: JudgedRun) -> str:
     text = f"{'PASS' if verdict.passed else 'FAIL'} at {where}, t = {worst.time:.3f} s: {size} of {allowed} allowed{skips}{why}."
     lower_feed = [change for change in verdict.changes if change.name == FEED]
     for change in [*lower_feed, *[other for other in verdict.changes if other.name != FEED][:1]]:
-        longer = f", {change.added_time:+.2g} s" if abs(change.added_time) > 0.005 else ""
+        longer = f", {float(f'{change.added_time:.2g}'):+g} s" if abs(change.added_time) > 0.005 else ""
         text += f" {change.name[0].upper()}{change.name[1:]}: {figure(change.part_error, 'um')}{longer}."
     return text
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import synthetic
 
+from contourlab.rendering.judgement import FEED, Change
 from contourlab.rendering.lead import lines_at, program_lines, sentence
 
 
@@ -18,6 +19,13 @@ def test_the_sentence_has_the_figures_of_the_verdict() -> None:
     assert f"{worst:.3g} um" in alone and "5 um" in alone and "line 4" in alone and "reversal" in alone
     unjudged = replace(data.schemes[0], verdict=None)
     assert f"{worst:.3g} um" in sentence(replace(data, schemes=[unjudged], tolerance=None))
+
+
+def test_a_price_of_many_seconds_has_no_exponent() -> None:
+    data = synthetic.report((8e-6,))
+    verdict = replace(data.schemes[0].verdict, changes=(Change(FEED, 4e-6, 904.0), Change("a change", 3e-6, -0.123)))
+    text = sentence(replace(data, schemes=[replace(data.schemes[0], verdict=verdict)]))
+    assert "4 um, +900 s" in text and "3 um, -0.12 s" in text
 
 
 def test_a_line_has_the_largest_error_of_its_samples() -> None:

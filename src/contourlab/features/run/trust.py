@@ -35,6 +35,7 @@ _RESTS_ON = {
     "motor_friction": {"reversal", "breakaway", "friction"},
     "plant": {"lag", "compliance", "servo mismatch"},
     "sensor": {"quantisation"},
+    "motor_sensor": {"quantisation"},
     "drive": {"saturation"},
     "disturbance": {"disturbance"},
     "plant.backlash_gap": {"backlash"},
