@@ -65,6 +65,21 @@ def test_a_router_from_its_ini_runs_and_says_what_it_rests_on(tmp_path: Path, mo
     assert outcome.verdict.passed
 
 
+def test_answers_do_not_contradict_the_file_of_the_control(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    dump, answers = tmp_path / "grbl.txt", tmp_path / "answers.toml"
+    dump.write_text("$100=200.0\n$110=3000.0\n$120=200.0\n$130=300.0\n", encoding="ascii")
+    words = ["new", "machine", "--from", str(dump)]
+    assert main([*words, "--template"]) == 0
+    template = capsys.readouterr().out
+    assert 'holding_torque = ""' in template and "rated_torque" not in template and "[y]" not in template
+    filled = template.replace('torque = ""', 'torque = "1"').replace('inertia = ""', 'inertia = "1"').replace('mass = ""', 'mass = "8"')
+    for text, code in ((filled, 0), (filled.replace('velocity = "', 'velocity = "1'), 2)):
+        answers.write_text(text, encoding="utf-8")
+        assert main([*words, "--answers", str(answers), "--out", str(tmp_path / "made"), "--force"]) == code
+    assert "x.velocity" in capsys.readouterr().err
+    assert main(["new", "machine", "--from", str(tmp_path / "none.ini"), "--template"]) == 2
+
+
 def judged_to_100_um(case: Case) -> Case:
     return replace(case, run=replace(case.run, tolerance=100e-6))
 

@@ -539,7 +539,7 @@ def answers_text(answers: Mapping[str, str]) -> str:
     for name in axis_names(answers):
         own = {key: answers.get(f"{name}.{key}", "") for key in KEYS}
         other, kept = same_as(answers, name)
-        drive = _OTHER_WORDS.get(own["drive"].lower(), own["drive"].lower()) or "screw"
+        drive = _OTHER_WORDS.get(own["drive"].lower(), own["drive"].lower()) or ("stepper" if own["pulse"] else "screw")
         lines += ["", f"[{name}]"]
         lines += [_line(SAME, answers[f"{name}.{SAME.key}"])] if other else []
         shown = [q for q in AXIS if own[q.key] or (q.key in kept if other else not q.drives or drive in q.drives)]
