@@ -82,6 +82,21 @@ def test_the_play_is_the_cause() -> None:
     assert answer.causes[0].contribution == pytest.approx(answer.worst.value, rel=0.3)
 
 
+def test_an_offset_on_reversal_is_proposed_at_the_price_of_a_run_with_it() -> None:
+    limited = replace(machine(GAP), axes=tuple(replace(axis, limits=cl.Limits(acceleration=2.0)) for axis in machine(GAP).axes))
+    values = {"backlash_gap": GAP, "backlash_velocity": (2.0 * GAP) ** 0.5, "backlash_acceleration": 2.0}
+    offset = replace(CONTROLLER.axes["x"], compensation=make("compensation", "backlash-offset", **values))
+    slow = cl.uniform(cl.contour("circle", radius=0.02), 0.02, 2, PERIOD)
+
+    def worst(controller: cl.Controller) -> float:
+        return float(cl.summarise(cl.judge(cl.simulate(limited, controller, slow), slow), slow).part_error.max)
+
+    plain, compensated = worst(CONTROLLER), worst(cl.Controller(dict.fromkeys("xy", offset)))
+    answer = verdict(limited, CONTROLLER, slow, cl.judge(cl.simulate(limited, CONTROLLER, slow), slow), 1e-6)
+    (price,) = [change.part_error for change in answer.changes if "backlash" in change.name]
+    assert price == pytest.approx(compensated, rel=1e-9) and price < 0.6 * plain
+
+
 def test_a_stepper_loses_no_step_in_a_play() -> None:
     plant = make("plant", "stepper", mass=10.0, inertia=1e-4, lead=5e-3, holding_torque=2.2)
     axes = tuple(cl.Axis(name, plant, substeps=8, error=AxisError(backlash=6.0 * plant.full_step)) for name in "xy")

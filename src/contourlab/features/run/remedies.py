@@ -123,11 +123,11 @@ def _friction_fed_forward(machine: Machine, name: str, part: AxisController) -> 
 
 
 def _compensated(machine: Machine, name: str, part: AxisController) -> AxisController:
-    """Add an offset where the loop is closed over the motor and no part compensates the backlash."""
+    """Add an offset for a play that the loop does not see, where no part compensates one."""
     axis = machine.axis(name)
-    lost_motion = lost_motion_of(axis)
+    lost_motion = axis.error.backlash + (lost_motion_of(axis) if part.feedback == "motor" else 0.0)
     aware = part.compensation is not None or any("backlash_gap" in law.parameters for law in part.controllers.values())
-    if not lost_motion > 0.0 or part.feedback != "motor" or aware:
+    if not lost_motion > 0.0 or aware:
         return part
     return replace(part, compensation=offset_of(axis, lost_motion)[0])
 
