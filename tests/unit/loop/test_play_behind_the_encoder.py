@@ -110,7 +110,9 @@ def test_a_guessed_play_counts_as_a_guess_of_its_axis() -> None:
     made = machine(GAP)
     guessed = replace(made.axes[0], error=AxisError(backlash=GAP, origins={"backlash": Origin("assumed")}))
     causes = [Cause("backlash", 30e-6, 0.75), Cause("geometry", 10e-6, 0.25)]
-    (note,) = about_guesses(causes, numbers_of(replace(made, axes=(guessed, made.axes[1])), CONTROLLER))
+    numbers = numbers_of(replace(made, axes=(guessed, made.axes[1])), CONTROLLER)
+    assert about_guesses(causes, numbers, {"x": 0.1e-6, "y": 40e-6}) == []
+    (note,) = about_guesses(causes, numbers, {"x": 40e-6, "y": 0.1e-6})
     assert (note.code, note.values["share"], note.values["numbers"]) == ("CL229", 0.75, ["axes.x.error.backlash"])
 
 

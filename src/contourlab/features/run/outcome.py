@@ -22,6 +22,7 @@ from contourlab.engine.runner import make_group
 from contourlab.errors import ComponentError, DivergenceError, ResultError
 from contourlab.features.check.program_check import PathModes, about_machine
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
+from contourlab.features.run.causes import Place
 from contourlab.features.run.lost_steps import lost_steps, with_lost_steps
 from contourlab.features.run.trust import about_guesses, part_interval
 from contourlab.features.run.verdict import verdict
@@ -335,7 +336,11 @@ def run_case(
     bode = bode_of(machine, controller)
     findings = [*_remarks(case, reference, foretold, costs or foretell)]
     findings += [finding("CL205", place=f"axis {axis}") for axis, loop in bode.items() if not loop.margins.stable]
-    findings += lost_steps(machine, reference, judged) if answer is None else about_guesses(answer.causes, numbers)
+    if answer is None:
+        findings += lost_steps(machine, reference, judged)
+    else:
+        off = Place(reference, judged, answer.worst.sample).off
+        findings += about_guesses(answer.causes, numbers, dict(zip(machine.axis_names, off.tolist(), strict=True)))
     findings += [noted for part in (learned, answer, sampled) if part is not None for noted in part.findings]
     of_run = (case.name, reference, judged, figures, answer, circles_of(judged, reference), judged_spikes(judged, reference))
     return Outcome(

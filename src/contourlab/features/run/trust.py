@@ -6,6 +6,7 @@ depends on the seed only: the figures are the same for any number of threads.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 
@@ -46,18 +47,22 @@ _RESTS_ON = {
 """Slots of an axis, or single numbers, and the causes of the error that depend on their numbers."""
 
 
-def about_guesses(causes: Sequence[Cause], numbers: Sequence[Number]) -> list[Finding]:
-    """Return a finding on the share of the error at the worst place that depends on guessed numbers, if any does."""
+def about_guesses(causes: Sequence[Cause], numbers: Sequence[Number], off: Mapping[str, float]) -> list[Finding]:
+    """Return a finding on the share of the error at the worst place that depends on guessed numbers, if any does.
+
+    `off` is the error there by axis [m]: an axis across which the error is does not make it.
+    """
+    acting = {axis for axis, part in off.items() if abs(part) >= math.sqrt(NOTABLE) * math.hypot(*off.values())}
     axes, guesses, resting = set[str](), dict[str, set[str]](), set[str]()
     for slot, names in _RESTS_ON.items():
         of_slot = [number for number in numbers if re.match(rf"axes\.\w+\.{slot}(\.|$)", number.name)]
         axes |= {number.name.split(".")[1] for number in of_slot}
         guessed = [number.name.split(".", 2)[1:] for number in of_slot if number.source == "assumed"]
-        if guessed and sum(cause.share for cause in causes if cause.name in names) >= NOTABLE:
+        if any(axis in acting for axis, _ in guessed) and sum(cause.share for cause in causes if cause.name in names) >= NOTABLE:
             resting |= names
             for axis, name in guessed:
                 guesses.setdefault(name, set()).add(axis)
-    told = [f"axes.{axis}.{name}" for name, of in guesses.items() for axis in (["*"] if of == axes else sorted(of))]
+    told = [f"axes.{axis}.{name}" for name, of in guesses.items() for axis in (["*"] if of == axes else sorted(of & acting))]
     share = sum(cause.share for cause in causes if cause.name in resting)
     return [finding("CL229", share=share, numbers=told)] if told else []
 
