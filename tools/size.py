@@ -13,12 +13,12 @@ from pathlib import Path
 BUDGETS = {
     "analysis": 4574,
     "app": 894,
-    "cli": 477,
+    "cli": 484,
     "components": 5247,
     "contours": 1553,
     "controls": 652,
     "engine": 3283,
-    "features": 18154,
+    "features": 18179,
     "feed": 2216,
     "findings": 55,
     "geometry": 2064,
@@ -32,7 +32,7 @@ BUDGETS = {
     "result": 402,
     "scenario": 1961,
     "study": 1412,
-    "without papers": 53925,
+    "without papers": 53957,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

@@ -185,7 +185,7 @@ def test_commissioning_prints_its_figures(folder: Path, capsys: pytest.CaptureFi
 
     said("machines", 1)
     said("run")
-    (verdict,) = re.findall(r"^```\n(FAIL, largest contour error .*)\n```", text, re.MULTILINE)
+    (verdict,) = re.findall(r"^```\n(position-loop: FAIL .*)\n```", text, re.MULTILINE)
     assert verdict in said("measure")
     identified = said("identify")
     rows = re.findall(r"^\| (\w+) \| ([\d.]+) \| ([\d.e-]+) \| ([\d.e-]+) \|", text, re.MULTILINE)

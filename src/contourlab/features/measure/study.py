@@ -330,7 +330,7 @@ def _sampling_findings(reference: Array, largest: float) -> list[Finding]:
     along = chord / np.maximum(np.linalg.norm(chord, axis=1, keepdims=True), 1e-300)
     across = bend - (bend * along).sum(axis=1, keepdims=True) * along
     bulge = float(np.linalg.norm(across, axis=1).max(initial=0.0)) / 8.0  # height of an arc over its chord
-    return [finding("CL417", bulge=bulge, largest=largest)] if bulge > max(COARSE * largest, STILL) else []
+    return [finding("CL417", bulge=bulge, largest=largest)] if largest > STILL and bulge > COARSE * largest else []
 
 
 def _known_metrics(metrics: Metrics, run: Result, window: tuple[int, int] | None) -> Metrics:
