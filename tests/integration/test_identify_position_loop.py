@@ -91,6 +91,7 @@ def files_of(machine: Path, other: Path | None = None) -> list[str]:
     return ["--machine", str(other or machine), "--controller", str(machine.with_name("machine-controller.toml"))]
 
 
+@pytest.mark.slow
 def test_one_axis_can_be_named_and_the_model_too(log: Path, as_json: AsJson) -> None:
     answer = as_json("identify", log, "--axis", "y", "--model", "position-loop", "--window", "0..1500", "--validation", log)
     assert answer["axis"] == "y" and {*answer["parameters"]} >= {"Kv", "delay"}
@@ -98,6 +99,7 @@ def test_one_axis_can_be_named_and_the_model_too(log: Path, as_json: AsJson) -> 
     assert answer["details"]["runs"][1]["axes"]["y"]["stays"] < 0.05
 
 
+@pytest.mark.slow
 def test_a_second_log_with_the_same_samples_is_named(log: Path, as_json: AsJson) -> None:
     assert "CL516" in codes(as_json("identify", log, "--axis", "x", "--validation", log))
 

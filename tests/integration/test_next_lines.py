@@ -20,11 +20,7 @@ QUICK = [
     ("check", "part.ngc"),
     ("canon", "part.ngc"),
     ("limits", "part.ngc", "--machine", "xyz"),
-    ("run", *PART, "--no-interval"),
     ("run", *PART, "--no-interval", "--tolerance", "1 mm"),
-    ("analyse", STAGE),
-    ("notch", STAGE),
-    ("machines",),
     ("components", "coulomb"),
     ("explain", "CL104"),
     ("check", "inch.ngc", "--machine", "m.ini"),
@@ -34,6 +30,10 @@ QUICK = [
     ("interpolate", "signals.csv", "--pitch", "20 um", "--resolution", "25 nm"),
 ]
 SLOW = [
+    ("run", *PART, "--no-interval"),
+    ("analyse", STAGE),
+    ("notch", STAGE),
+    ("machines",),
     ("circle", "circle.csv", "--unit", "mm"),
     ("run", *PART, "--no-interval", "--tolerance", "0.5 um"),
     ("compare", STAGE),

@@ -129,6 +129,7 @@ def test_near_pull_out_it_moves_as_an_independent_solver_says(corner_speed: floa
     assert (np.abs(orders - 2.0) < 0.3).all()
 
 
+@pytest.mark.slow
 def test_with_bristles_too_it_moves_as_an_independent_solver_says() -> None:
     motor, level, bristle, inner = stepper(), 60.0, 2e7, 1e3
     x, count = out_and_back(motor, level, 0.9)

@@ -243,6 +243,7 @@ def test_a_log_has_the_unit_of_its_machine(tmp_path: Path) -> None:
     assert found.max == cl.measure(tmp_path / "log.csv", unit="inch").runs[0].metrics.contour_error.max
 
 
+@pytest.mark.slow
 def test_the_router_of_a_newcomer(tmp_path: Path) -> None:
     """INI, HAL and part to a verdict in one command; every number has its origin."""
     folder = reference_file("repro", "trial3")

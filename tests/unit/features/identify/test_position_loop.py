@@ -93,6 +93,7 @@ def test_the_terms_are_found(case: str) -> None:
         assert set(best.model.terms) == set(TERMS[case])
 
 
+@pytest.mark.slow
 def test_friction_is_seen_at_reversals() -> None:
     true = {"Kv": 40.0, "delay": 0.0035, "velocity_feedforward": 0.9, "friction_offset": 4e-6}
     reference = moves()
@@ -113,6 +114,7 @@ def test_full_feedforward_is_seen(delay: float) -> None:
     assert best.fit.parameters == pytest.approx(true, rel=0.01)
 
 
+@pytest.mark.slow
 def test_without_a_reversal_there_is_no_friction_but_a_finding() -> None:
     one_way = moves((0.05, 0.02, 0.03))
     assert not reverses(record(one_way, one_way))
@@ -174,6 +176,7 @@ def test_a_loop_sampled_slowly() -> None:
     assert {name: part.value for name, part in answer.parameters.items()} == pytest.approx(true, rel=0.02)
 
 
+@pytest.mark.slow
 def test_what_stays_in_a_prediction_is_told() -> None:
     """The fit leaves a constant to the encoder; the prediction does not."""
     reference = moves()
@@ -182,6 +185,7 @@ def test_what_stays_in_a_prediction_is_told() -> None:
     assert answer.usable and "CL594" in {doubt.code for doubt in answer.findings}
 
 
+@pytest.mark.slow
 def test_a_term_that_predicts_better_is_not_said_to_be_absent() -> None:
     """A loop without delay: its best feedforward has a lag at its bound, and is left out."""
     time = PERIOD * np.arange(3000)

@@ -63,6 +63,7 @@ def test_plugins_are_named_again() -> None:
     assert chosen_options(options, "--plugin") == ["--plugin", "a.py", "--plugin", "b.py"]
 
 
+@pytest.mark.slow
 def test_a_search_does_not_write_where_its_controller_lies(part: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main([*part, "--out", "results"]) == 0
     capsys.readouterr()
