@@ -119,3 +119,10 @@ def test_a_log_with_a_force_still_has_a_mass(tmp_path: Path, as_json: AsJson) ->
     heads = "time [s],x cmd [mm],x pos [mm],push [N]"
     np.savetxt(file, np.column_stack([time, 1e3 * place, 1e3 * place, force]), delimiter=",", header=heads, comments="", fmt="%.9g")
     assert as_json("identify", file, "--column", "force.x=push")["model"] == "rigid"
+
+
+@pytest.mark.slow
+def test_machine_and_controller_are_written_together_or_not_at_all(log: Path, refused: Refused, tmp_path: Path) -> None:
+    (tmp_path / "machine-controller.toml").mkdir()
+    refused("identify", log, "--axis", "x", "--write", tmp_path / "machine.toml")
+    assert [file.name for file in tmp_path.iterdir() if file.suffix == ".toml"] == ["machine-controller.toml"]

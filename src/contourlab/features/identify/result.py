@@ -14,13 +14,13 @@ import numpy as np
 
 from contourlab.analysis.identification.least_squares import Estimate
 from contourlab.app.json_values import HIDDEN, json_values
+from contourlab.app.results import write_together
 from contourlab.app.session import Answer, Asked
 from contourlab.components.origin import Origin
 from contourlab.findings import Finding
 from contourlab.logs.reading import join_names
 from contourlab.rendering.charts import Chart
 from contourlab.rendering.table import Column, Table, paragraphs
-from contourlab.result import write_text_atomic
 from contourlab.scenario.provenance import origin_table
 from contourlab.scenario.toml_text import Noted, toml
 from contourlab.units import from_si
@@ -168,9 +168,9 @@ class Identification(Answer):
         wanted = None if write is None else Path(write)
         file = wanted if self.usable and self.tables else None
         if file is not None:
-            write_text_atomic(file, self.axis_text())
-            if self.controller:
-                write_text_atomic(_beside(file), self._text_of(self.controller, {}))
+            texts: dict[Path, str | bytes] = {file: self.axis_text()}
+            texts |= {_beside(file): self._text_of(self.controller, {})} if self.controller else {}
+            write_together(texts, self.inputs, "--write")
         return replace(self, wanted=wanted, axis_file=file, plots=drawn)
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
@@ -245,7 +245,7 @@ def propagate(numbers: Numbers, estimate: Estimate, log: str = "", note: str = "
     Parameters
     ----------
     numbers : callable
-        Of the axis file.
+        See `Numbers`.
     estimate : Estimate
         A parameter without a robust deviation, for example at its bound, adds nothing.
     log, note : str
