@@ -19,7 +19,7 @@ def test_a_recorded_program_is_measured_with_no_option(tmp_path: Path) -> None:
     rig = Rig({"x": Plant(play=0.0, friction=15.0), "y": Plant(play=0.0, friction=15.0)})
     ini, _ = rig.write(tmp_path / "machine")
     recording = cl.record(ini).save(tmp_path / "recording")
-    assert "CL993" in {one.code for one in recording.findings}  # the rig loads halui only where it is told to
+    assert "CL993" in {one.code for one in recording.findings}  # the rig loads halui only on request
     log = rig.record(PROGRAM, tmp_path / "recording", tmp_path / "run.csv")
     rows = np.loadtxt(log, delimiter=",", skiprows=1)
     time, line, commands = rows[:, 0], rows[:, -1].astype(int), rows[:, [1, 3]]

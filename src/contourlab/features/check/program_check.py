@@ -307,7 +307,7 @@ class PlannedMotion:
 
     @cached_property
     def remarks(self) -> Remarks:
-        """What is said of the program on the machine."""
+        """The findings on this program and machine."""
         return Remarks(self.machine, self.reading, named=self._given is not None)
 
     def add(self, part: Part) -> None:

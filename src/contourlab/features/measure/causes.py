@@ -21,7 +21,7 @@ from contourlab.rendering.judgement import Cause
 from contourlab.result import Result
 
 DOUBTFUL, UNLIKE = 0.1, 1e-2
-"""Weight of friction where the log does not tell it from lag, as at one speed; share of the largest term below which none is told apart."""
+"""Weight of the terms of friction, which at one speed look like lag; share of the largest term below which a term counts as none."""
 
 
 def measured_causes(reference: Reference, judged: Result, sample: int) -> tuple[Cause, ...]:

@@ -26,7 +26,7 @@ from contourlab.study.space import Distribution
 SAMPLES = 64
 """Machines that are drawn: two groups of 32 lanes."""
 NOTABLE = 0.02
-"""Least share of a cause that is told."""
+"""Causes of a smaller share are not mentioned."""
 LEVELS = (0.05, 0.95)
 """Shares of the samples below the ends of an interval."""
 

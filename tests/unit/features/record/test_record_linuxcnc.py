@@ -54,7 +54,7 @@ def nets(text: str) -> dict[str, list[str]]:
 
 
 def test_the_newcomers_router(tmp_path: Path) -> None:
-    """Step generators, nothing of the machine in the loop: that is said; the HAL file names pins that nothing else nets."""
+    """Where step generators count their own steps, a finding warns. The HAL file names pins that nothing else nets."""
     answer = cl.record(reference_file("repro/trial3/router.ini")).save(tmp_path / "out")
     assert [(axis.axis, axis.command, axis.position, axis.source) for axis in answer.axes] == [
         (letter, f"joint.{n}.pos-cmd", f"joint.{n}.pos-fb", "steps") for n, letter in enumerate("xyz")
