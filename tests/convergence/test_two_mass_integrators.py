@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from exact_run import simulate_exact
 from numpy.typing import NDArray
 from scipy.linalg import expm
-from tests.helpers.exact_run import simulate_exact
 from two_mass_reference import Reference
 from two_mass_rig import DRIVE, NONE, Drive, energy
 

@@ -7,7 +7,7 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from tests.helpers.typed_commands import invoke
+from typed_commands import invoke
 
 from contourlab.app.results import SAFETY
 from contourlab.features.export.command import export

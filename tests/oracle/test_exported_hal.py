@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from exported_axes import exported
 from linuxcnc_rig import Plant, Rig, missing
-from tests.helpers.exported_axes import exported
 
 from contourlab.engine.translate import hal
 from contourlab.features.export.command import export

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from graph_oracle import Bounded, Oracle, UnsureError
 from step_programs import TABLE, Writer, schedule_of, step_of
-from tests.helpers.translated_group import TranslatedGroup, in_c
+from translated_group import TranslatedGroup, in_c
 
 from contourlab.arrays import Array
 from contourlab.engine.gpu import gpu_of_process

@@ -7,11 +7,11 @@ import math
 import numpy as np
 import pytest
 from backlash_loops import FREE, HALF_GAP, J_L, J_M, K_S, PAPER, drive, integrated, paper_loop
+from exact_run import simulate_exact
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from refusals import refuses
 from scipy.linalg import expm
-from tests.helpers.exact_run import simulate_exact
 
 from contourlab.analysis.backlash.periodic_orbit import exponentials
 from contourlab.errors import ParameterError

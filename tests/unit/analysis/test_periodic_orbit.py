@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 from backlash_loops import FREE, HALF_GAP, J_L, J_M, K_S, PAPER, SCHEME_II, drive, integrated
-from tests.helpers.exact_run import simulate_exact
+from exact_run import simulate_exact
 
 from contourlab.analysis.backlash.lure import BacklashLoop, axis_backlash_loop
 from contourlab.analysis.backlash.periodic_orbit import PeriodicOrbit, Shooter, close_orbit, find_orbits

@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 from backlash_loops import HALF_GAP, K_S, PAPER, SCHEME_II, drive
+from exact_run import simulate_exact
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tests.helpers.exact_run import simulate_exact
 
 from contourlab.analysis.backlash.lure import BacklashLoop
 from contourlab.papers.shahin.circle_criterion import circle_criterion

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 from backlash_loops import integrated
-from tests.helpers.exact_run import ExactRun, simulate_exact
+from exact_run import ExactRun, simulate_exact
 
 from contourlab.papers.shahin.limit_cycle_cases import CASES, CASES_WITHOUT, LimitCycleCase, compare
 

@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 from backlash_loops import FREE, HALF_GAP, J_L, J_M, K_S, PAPER, SCHEME_II, SCHEME_III, drive, paper_loop
+from exact_run import simulate_exact
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tests.helpers.exact_run import simulate_exact
 
 from contourlab.errors import ParameterError
 from contourlab.papers.shahin.lure_postnikov import energy_function

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from each import each
-from tests.helpers.translated_group import Maker, TranslatedGroup, in_c, in_machine_code
+from translated_group import Maker, TranslatedGroup, in_c, in_machine_code
 
 from contourlab.components.conformance import PERIOD, subject
 from contourlab.components.contract import Component

@@ -6,7 +6,7 @@ from functools import partial
 
 import numpy as np
 import pytest
-from tests.helpers.translated_group import TranslatedGroup
+from translated_group import TranslatedGroup
 
 import contourlab as cl
 from contourlab.engine.runner import CompiledGroup

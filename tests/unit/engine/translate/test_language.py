@@ -15,7 +15,7 @@ import pytest
 from each import each
 from hypothesis import example, given
 from hypothesis import strategies as st
-from tests.helpers.translated_group import in_machine_code
+from translated_group import in_machine_code
 
 from contourlab.engine.step import Port, Step
 from contourlab.engine.translate import graph

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.helpers.structured_text import FunctionBlock
+from structured_text import FunctionBlock
 from tests.unit.engine.translate.test_production import PERIOD, TABLE, WIDTHS, run, schedule_of
 
 from contourlab.engine.runner import CompiledGroup, InterpretedGroup

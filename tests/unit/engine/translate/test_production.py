@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 from each import each
-from tests.helpers.translated_group import TranslatedGroup
+from translated_group import TranslatedGroup
 
 from contourlab.arrays import Array
 from contourlab.components.conformance import PERIOD, subject

@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from each import each
-from tests.helpers.exported_axes import CASES, REFUSED, excited, exported
-from tests.helpers.refusals import refuses
+from exported_axes import CASES, REFUSED, excited, exported
+from refusals import refuses
 
 from contourlab.components.ideal import IdealSensor
 from contourlab.errors import ParameterError

@@ -7,7 +7,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from tests.helpers.exported_axes import CASES, REFUSED, excited, exported
+from exported_axes import CASES, REFUSED, excited, exported
 
 from contourlab.engine.translate import control
 

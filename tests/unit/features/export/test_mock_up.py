@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.helpers.exported_axes import excited, exported
+from exported_axes import excited, exported
 
 from contourlab.engine.translate import control, fmi
 from contourlab.features.export.command import compiler, unit_of

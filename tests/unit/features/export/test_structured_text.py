@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.helpers.exported_axes import CASES, REFUSED, excited, exported
-from tests.helpers.structured_text import FunctionBlock
+from exported_axes import CASES, REFUSED, excited, exported
+from structured_text import FunctionBlock
 
 from contourlab.engine.translate.structured_text import input_name, plain, twincat
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.helpers.modelled import Modelled
+from modelled import Modelled
 
 from contourlab.components.controller.position import PositionController
 from contourlab.components.friction.laws import NoFriction

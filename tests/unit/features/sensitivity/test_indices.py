@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from tests.helpers.modelled import Modelled
+from modelled import Modelled
 
 from contourlab.errors import ParameterError
 from contourlab.features.sensitivity.options import Plan
