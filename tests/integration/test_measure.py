@@ -512,6 +512,22 @@ def test_the_recording_of_a_production_machine(
         assert (values["rms"] * 1e6, values["largest"] * 1e6) == (pytest.approx(rms_of, abs=0.0005), pytest.approx(largest_of, abs=0.005))
 
 
+def test_rapid_moves_alone_get_no_verdict(tmp_path: Path, as_json: AsJson, refused: Refused) -> None:
+    """Neither where the log says which moves are rapid, nor where the program does."""
+    (tmp_path / "part.ngc").write_text("G21 G90\nG0 X20\nG1 X20 Y20 F1000\nM2\n", encoding="utf-8")
+    x = np.minimum(np.arange(1000) * 4e-5, 0.02)
+    log = named(tmp_path, "x pos [mm],y pos [mm]", x, 1e-6 * np.sin(1e3 * x))
+    for words in (
+        ["measure", reference_file("data/sinumerik/capture-840d.json"), "--axes", "X1,Y1", "--window", "700..1000"],
+        ["measure", log, "--program", tmp_path / "part.ngc", "--window", "0..400"],
+    ):
+        found = as_json(*words, "--out", tmp_path / "out")
+        (run,) = found["schemes"].values()
+        assert (run["verdict"], run["metrics"]["basis"]) == (None, "rapid moves")
+        assert "CL418" in [one["code"] for one in run["findings"]]
+        refused(*words, "--tolerance", "1 m", "--out", tmp_path / "judged")
+
+
 def test_a_part_program_and_columns_of_the_reference(tmp_path: Path, as_json: AsJson, refused: Refused) -> None:
     (tmp_path / "part.ngc").write_text("G21 G90\nF1200\nG1 X20\nY20\nM2\n", encoding="utf-8")
     x, y = np.minimum(np.arange(1000) * 0.04, 20.0), np.maximum(np.arange(1000) * 0.04 - 20.0, 0.0)

@@ -162,7 +162,7 @@ class Judged(NamedTuple):
         return inside
 
 
-WHOLE, LAST_LAP, CUTTING = "whole motion", "last lap", "cutting moves"
+WHOLE, LAST_LAP, CUTTING, RAPIDS = "whole motion", "last lap", "cutting moves", "rapid moves"
 
 
 def ranges_of_curves(profile: Profile, breaks: Array, chosen: Flags, servo_period: float, n_sample: int) -> tuple[tuple[int, int], ...]:

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.arrays import Array, Index, true_spans
+from contourlab.arrays import Array, Flags, Index, true_spans
 from contourlab.errors import FeedError, GeometryError, LogError, ParameterError, ResultError, UnitError, refuse, refused
 from contourlab.findings import Finding, finding
 from contourlab.logs.clock import (
@@ -92,6 +92,12 @@ class Log:
     def lines(self) -> Index | None:
         """Line of the part program at each sample (n_sample,), 0 for none; None if the log does not say."""
         return None if self.blocks is None else np.append(self.blocks.line, 0)[self.block]
+
+    @property
+    def rapid(self) -> Flags | None:
+        """Whether each sample (n_sample,) is of a block that is known to be a rapid move; None if the log does not say."""
+        known = None if self.blocks is None else self.blocks.is_rapid
+        return None if known is None else np.append(known, False)[self.block]
 
     def span(self, window: Window) -> tuple[float, float]:
         """Return the times [s] in the result between which a part of the log lies."""

@@ -32,6 +32,7 @@ from contourlab.features.measure.study import Measured, gap_findings, move_findi
 from contourlab.features.measure.study import measure as judged_log
 from contourlab.features.run.command import SCHEMA, JudgedRuns, Runs, compare_schemes, ending, file_names
 from contourlab.features.run.options import Compare
+from contourlab.feed.reference import RAPIDS
 from contourlab.feed.route import Route
 from contourlab.figures import figure
 from contourlab.findings import finding
@@ -166,9 +167,9 @@ class MeasuredRuns(JudgedRuns):
     @property
     def _steps(self) -> list[tuple[str, str]]:
         """What to do next, and the command for it: judge the worst run against a tolerance, or identify its worst axis if it fails."""
-        if self.passed:
-            return []
         worst = max(self.runs, key=lambda run: run.metrics.part_error.max)
+        if self.passed or worst.metrics.judged.basis == RAPIDS:
+            return []
         typed = shlex.split(self.command) if len(self.runs) == 1 else ["contourlab", "measure", str(worst.log.record.file)]
         if self.tolerance is None:
             twice = 2e6 * worst.metrics.part_error.max
@@ -300,7 +301,8 @@ def _judged(file: str | Path | Log, settings: Measure) -> MeasuredRun:
             if isinstance(shift, np.ndarray) and program is not None and reading.parameters is None:
                 known, shift = dict(zip(axes, shift.tolist(), strict=True)), None
                 _, route = program_of(program, axes, _with_zero(reading, known))
-            measured = judged_log(log.result, route, axes, shift=shift, lines=log.lines, tolerance=settings.si("tolerance"), program=lines)
+            given: dict[str, Any] = {"lines": log.lines, "rapid": log.rapid, "tolerance": settings.si("tolerance"), "program": lines}
+            measured = judged_log(log.result, route, axes, shift=shift, **given)
         except ResultError as error:
             is_unsure = bool(fixed) and known is None and log.lines is None
             hints = [f"G53 in line {fixed[0]} does not move with the part: give its zero with --shift"] if is_unsure else []
@@ -310,7 +312,7 @@ def _judged(file: str | Path | Log, settings: Measure) -> MeasuredRun:
     steps = [axis.name for axis in machine.axes if axis.drive.kind == "step-generator"] if machine is not None else []
     if steps and "axis_position" not in log.result:
         findings = (finding("CL415", axes=steps), *findings)
-    given: dict[str, Any] = vars(measured) | {"name": log.result.scheme, "findings": findings, "machine": machine}
+    given = vars(measured) | {"name": log.result.scheme, "findings": findings, "machine": machine}
     given |= {} if known is None else {"shift": known}
     return MeasuredRun(**given, log=log, inputs=settings.files(file, *([program] if program else [])), program=lines)
 

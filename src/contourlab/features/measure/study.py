@@ -8,14 +8,14 @@ from typing import Any, Literal
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index, true_spans
-from contourlab.errors import ResultError
+from contourlab.errors import ResultError, refuse
 from contourlab.features.measure.causes import measured_causes
 from contourlab.features.measure.measured_path import farthest, fitted_shift, last_lap, moving, path_of_samples, progress_along, size_of
 from contourlab.features.measure.plausibility import columns_of, motion_findings, period_findings, same_column_findings
 from contourlab.features.run.outcome import judged_spikes
 from contourlab.features.run.verdict import unexplained
 from contourlab.feed import Reference
-from contourlab.feed.reference import CUTTING, Judged
+from contourlab.feed.reference import CUTTING, RAPIDS, Judged
 from contourlab.feed.route import Correspondence, Route
 from contourlab.findings import Finding, finding
 from contourlab.geometry import Path
@@ -64,6 +64,7 @@ def measure(
     *,
     shift: Array | Literal["fit"] | None = None,
     lines: Index | None = None,
+    rapid: Flags | None = None,
     tolerance: float | None = None,
     program: tuple[str, ...] = (),
 ) -> Measured:
@@ -81,6 +82,8 @@ def measure(
         Zero of the path in the coordinates of the result; ``"fit"`` for the shift closest to the commanded positions, or else to the tool.
     lines : ndarray (n_sample,) of int, optional
         Program line at each sample; a route has its own.
+    rapid : ndarray (n_sample,) of bool, optional
+        Whether the log says of each sample that it is of a rapid move.
     tolerance : float [m], optional
         Largest part error that passes; by default there is no verdict.
     program : tuple of str
@@ -89,7 +92,8 @@ def measure(
     Raises
     ------
     ResultError
-        If a signal is missing or not finite, nothing moves, the tool is far from the path, or a shift is given without a path.
+        If a signal is missing or not finite, nothing moves, the tool is far from the path, a shift is given without a path, or a tolerance
+        without any cutting move.
 
     Notes
     -----
@@ -155,7 +159,11 @@ def measure(
         findings += _last_lap_findings(judged, motion, window) if route is None else []
         _check_near(judged, motion.path, window)
     findings += _outlier_findings(judged, window)
-    part = stated or _part(window, cutting)
+    part = stated or _part(window, cutting, rapid)
+    if part.basis == RAPIDS:
+        cure = "choose another --window, or omit the tolerance"
+        refuse(tolerance is not None, ResultError, f"no cutting move is among the samples, and rapid moves have no tolerance: {cure}")
+        findings.append(finding("CL418"))
     motion = replace(motion, chosen=part)
     judged = replace(judged, motion=motion)
     metrics = _known_metrics(summarise(judged, motion, part), run, None if stated else window)
@@ -196,10 +204,12 @@ def _followed(
     return Reference.from_samples(reference, period, path, **own)
 
 
-def _part(window: tuple[int, int], cutting: Flags | None) -> Judged:
-    """Return the samples to judge: the cutting ones of the window, or all of it if it has none or no other."""
+def _part(window: tuple[int, int], cutting: Flags | None, rapid: Flags | None) -> Judged:
+    """Return the samples to judge: the cutting ones of the window, or all of it if it has none, or none is known to be rapid."""
     inside = slice(*window)
-    if cutting is None or not 0 < np.count_nonzero(cutting[inside]) < window[1] - window[0]:
+    if (cutting is not None and not cutting[inside].any()) or (cutting is None and rapid is not None and rapid[inside].all()):
+        return Judged((window,), RAPIDS)
+    if cutting is None or cutting[inside].all():
         return Judged((window,), "moving part")
     return Judged(tuple((window[0] + start, window[0] + stop) for start, stop in true_spans(cutting[inside])), CUTTING)
 
@@ -244,17 +254,17 @@ def gap_findings(log: Log, measured: Measured, *, of_samples: bool) -> list[Find
 
 def move_findings(log: Log, measured: Measured) -> list[Finding]:
     """Return the contour error of the cutting moves and of the rapid moves, if the log tells them apart."""
-    blocks, at = log.blocks, log.block
-    if blocks is None or at is None or blocks.is_rapid is None:
+    at, lines, rapid = log.block, log.lines, log.rapid
+    if at is None or lines is None or rapid is None:
         return []
     error, judged = np.abs(measured.result["contour_error"]), measured.metrics.judged.samples
     judged = judged[at[judged] >= 0]
-    is_rapid, findings = blocks.is_rapid[at[judged]], []
+    is_rapid, findings = rapid[judged], []
     for place, samples in (("cutting moves", judged[~is_rapid]), ("rapid moves", judged[is_rapid])):
         if samples.size:
             worst, rms = samples[np.argmax(error[samples])], float(np.sqrt(np.mean(error[samples] ** 2)))
-            line = int(blocks.line[at[worst]])
-            findings.append(finding("CL414", place, samples=samples.size, rms=rms, largest=float(error[worst]), line=line))
+            largest, line = float(error[worst]), int(lines[worst])
+            findings.append(finding("CL414", place, samples=samples.size, rms=rms, largest=largest, line=line))
     return findings
 
 
