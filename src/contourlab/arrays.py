@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import fields
 from functools import reduce
 from itertools import pairwise
 from pathlib import Path
@@ -17,6 +18,14 @@ Index = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
 _CACHE_LINE = 64
+
+
+class ByValue:
+    """Equality of a dataclass with arrays, which has ``eq=False``: type and compared fields are equal, arrays in shape and values."""
+
+    def __eq__(self, other: object) -> bool:
+        names = [part.name for part in fields(self) if part.compare]  # type: ignore[arg-type]  # a dataclass inherits it
+        return type(self) is type(other) and all(np.array_equal(getattr(self, name), getattr(other, name)) for name in names)
 
 
 def across(combine: Callable[[Array, Array], Array], rows: Array) -> Array:

@@ -29,7 +29,7 @@ from typing import Any, ClassVar, dataclass_transform
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.arrays import Array, Complex
+from contourlab.arrays import Array, ByValue, Complex
 from contourlab.components.families import FAMILIES as FAMILIES
 from contourlab.components.families import FAMILY, size_of
 from contourlab.components.origin import Origin
@@ -285,8 +285,8 @@ def require_positive(**values: float) -> None:
             raise ParameterError(name, f"{value:g}", "> 0 and finite")
 
 
-@dataclass(frozen=True)
-class LinearModel:
+@dataclass(frozen=True, eq=False)
+class LinearModel(ByValue):
     """A linear model x' = A x + B u, y = C x + D u with named inputs and outputs, in continuous time.
 
     Attributes

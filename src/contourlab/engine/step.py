@@ -202,7 +202,7 @@ Wire = str | Late | float
 """A signal (``"node.port"``, or ``"node.port[i]"`` of a vector), a feedback edge, or a constant."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Node:
     """One step in the schedule.
 

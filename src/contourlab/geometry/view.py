@@ -21,7 +21,7 @@ from contourlab.geometry.table import path_table
 from contourlab.primitives import clip, cos, dot, floor, lookup, maximum, select, sin, sub
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PathView:
     """A path for a step.
 

@@ -54,7 +54,7 @@ from contourlab.metrics.run_figures import PART as OF_PART
 from contourlab.notebook import Figure, Frame, curves, facts_line, facts_table, frame, grid, svg
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class BatchResult:
     """Figures of each variant, arrays (n_variant,).
 

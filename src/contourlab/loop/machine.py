@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import Array, ByValue
 from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.saturation import Saturation
@@ -86,8 +86,8 @@ class Limits:
         return any(map(math.isfinite, (*self.ends, self.extent)))
 
 
-@dataclass(frozen=True)
-class AxisError:
+@dataclass(frozen=True, eq=False)
+class AxisError(ByValue):
     """Error of the tool's position that the encoder of an axis cannot see.
 
     Attributes

@@ -6,14 +6,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import Array, ByValue
 from contourlab.errors import ResultError
 
 DIMENSIONS = (("sample",), ("sample", "axis"))
 
 
-@dataclass(frozen=True)
-class Signal:
+@dataclass(frozen=True, eq=False)
+class Signal(ByValue):
     """One signal with its unit.
 
     Parameters

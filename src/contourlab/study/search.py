@@ -26,7 +26,7 @@ RESTARTS = (0.05, 0.01)
 """First step of the restarts. Gains compensate each other, so the optima lie along narrow, curved valleys: long steps overshoot them."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Found:
     """The result of a search.
 

@@ -164,6 +164,15 @@ def test_memory_does_not_grow_when_a_run_is_streamed(machine: cl.Machine, contro
     assert peaks[1] < 1.3 * peaks[0]
 
 
+def test_machines_are_equal_by_their_values() -> None:
+    """Tables of errors are arrays, whose own comparison has no truth value."""
+
+    def with_error(end: float) -> cl.Machine:
+        return with_axis(stage(), "x", error=cl.AxisError(np.array([0.0, 0.1]), np.array([0.0, end])))
+
+    assert with_error(1e-6) == with_error(1e-6) != with_error(2e-6)
+
+
 def test_values_out_of_range_are_refused() -> None:
     for bad in (0.0, -1.0, math.nan):
         with pytest.raises(cl.ContourlabError, match=r"limits\.velocity"):

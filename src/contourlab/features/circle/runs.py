@@ -78,7 +78,7 @@ class CircleRun:
         return np.asarray((self.radius + self.deviation)[:, None] * np.column_stack([np.cos(self.turned), np.sin(self.turned)]))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Circle:
     """A nominal circle in the plane: centre (2,) and radius [m]."""
 

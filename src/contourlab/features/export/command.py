@@ -266,7 +266,7 @@ _REASONS = {
 }
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class AxisControl:
     """The controller of one axis.
 
@@ -471,7 +471,7 @@ SAMPLES = 2000
 """Most samples of a recorded run."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Recorded:
     """A run of the servo loop of one axis.
 

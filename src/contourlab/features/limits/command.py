@@ -384,7 +384,9 @@ class LimitTest(Answer):
 
     def _sentence(self) -> str:
         of = {"plan": "planned", "reference": "commanded", "position": "measured"}[self.source]
-        verdict = {True: "PASS, all limits hold", False: "FAIL, a limit is exceeded", None: "no limits given"}[self.passed]
+        codes, faults = {found.code for found in self.findings}, {"a limit is exceeded": {"CL472"}, "the travel is left": {*OUTSIDE}}
+        failed = " and ".join(fault for fault, of_fault in faults.items() if of_fault & codes)
+        verdict = {True: "PASS, all limits hold", False: f"FAIL, {failed}", None: "no limits given"}[self.passed]
         at = f" of {self.machine}" if self.machine else ""
         if self.planned_within:
             given, own = f"the given {listing(self.given)}", f"the limits of {self.machine}"

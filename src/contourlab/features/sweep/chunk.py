@@ -25,7 +25,7 @@ OK, DIVERGED, REFUSED = STATUSES = ("ok", "diverged", "refused")
 """Status of a variant: judged; left its following-error limit or became non-finite; a combination that a component refuses."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Chunk:
     """Results of a chunk.
 
