@@ -16,7 +16,7 @@ from contourlab.features.machines.answers import read_answers
 from contourlab.features.machines.new_machine import new_machine, write_machine
 from contourlab.features.run.outcome import run_case
 from contourlab.features.run.trust import part_interval
-from contourlab.scenario import Case, scenario_from_parts
+from contourlab.scenario import Case, load_machine, scenario_from_parts
 from contourlab.study import Setting
 
 RUBBING = {f"{axis}.{key}": value for axis in "xyz" for key, value in (("friction", "44.9 N"), ("damping", "180 N*s/m"))}
@@ -78,6 +78,17 @@ def test_answers_do_not_contradict_the_file_of_the_control(tmp_path: Path, capsy
         assert main([*words, "--answers", str(answers), "--out", str(tmp_path / "made"), "--force"]) == code
     assert "x.velocity" in capsys.readouterr().err
     assert main(["new", "machine", "--from", str(tmp_path / "none.ini"), "--template"]) == 2
+
+
+@pytest.mark.parametrize(("preset", "drive"), [("router", "stepper"), ("mill", "step-drive")])
+def test_a_preset_has_the_drives_of_a_control_that_makes_steps(tmp_path: Path, preset: str, drive: str) -> None:
+    ini = reference_file("repro/trial3/router.ini")
+    assert main(["new", "machine", "--from", str(ini), "--preset", preset, "--out", str(tmp_path)]) == 0
+    answers = read_answers(tmp_path / "answers.toml")
+    assert {answers[f"{axis}.drive"] for axis in "xyz"} == {drive}
+    assert answers.get("x.holding_torque") == ("1.9 N*m" if drive == "stepper" else None)
+    assert answers["x.velocity"] == "133 mm/s" and "x.rated_torque" not in answers
+    assert load_machine(tmp_path / "machine.toml").axis_names == ("x", "y", "z")
 
 
 def judged_to_100_um(case: Case) -> Case:

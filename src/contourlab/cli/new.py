@@ -18,28 +18,29 @@ if TYPE_CHECKING:
 def machine(settings: NewMachine, session: Session) -> Entry:
     """Ask for data-sheet values; write a machine and a controller that fits it."""
     from contourlab.controls import control_file
-    from contourlab.features.machines.answers import BLANK, answers_text, axis_names, interview, of_control, preset_file, read_answers
+    from contourlab.features.machines.answers import BLANK, answers_text, axis_names, interview, of_control, preset_answers, read_answers
     from contourlab.features.machines.new_machine import check_folder, new_machine, write_machine
     from contourlab.units import show
 
     out, answers = settings.out, settings.answers
-    file = answers if settings.preset is None else preset_file(settings.preset)
     if settings.from_ is not None and not settings.from_.is_file():
         raise ScenarioError("no such file", file=settings.from_)
     control = None if settings.from_ is None else control_file(settings.from_)
     if control is None and settings.from_ is not None:
         raise ScenarioError("is not the file of a control that is known: name the INI file of LinuxCNC, for example", file=settings.from_)
     known = {} if control is None else of_control(control)
+    preset = {} if settings.preset is None else preset_answers(settings.preset, known)
     if settings.template:
         blank = {key: text for key, text in BLANK.items() if not known or key.partition(".")[0] in axis_names(known)} | known
-        text = (answers_text(blank) if file is None else file.read_text(encoding="utf-8")).rstrip()
+        text = (answers_text(preset or blank) if answers is None else answers.read_text(encoding="utf-8")).rstrip()
         return Entry(text, text)
     check_folder(out, force=settings.force)
-    if file is None:
+    asks = answers is None and not preset
+    if asks:
         hint = "Press Enter for the value in brackets. Type back for the question before. A bare number has the unit shown."
         print(hint, file=sys.stderr)
     try:
-        given = interview(_ask, _remark, new_machine, known) if file is None else read_answers(file)
+        given = interview(_ask, _remark, new_machine, known) if asks else read_answers(answers) if answers else preset
         for key, text in known.items() if answers is not None else ():
             if given.get(key, text) != text:
                 raise ScenarioError(f"{given[key]!r}, but the control's file has {text}: leave it out", key=key)

@@ -11,7 +11,7 @@ from refusals import refuses
 
 from contourlab.errors import ContourlabError, ProgramError
 from contourlab.features.check.program_check import check
-from contourlab.features.machines.answers import preset_file, read_answers
+from contourlab.features.machines.answers import preset_answers
 from contourlab.features.machines.new_machine import new_machine, write_machine
 from contourlab.features.run.outcome import run_case
 from contourlab.geometry.path import boxes
@@ -26,7 +26,7 @@ AXES = {"x": 0.6, "y": 0.8, "z": 0.12}
 @pytest.fixture(scope="module")
 def router(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("machine") / "router"
-    write_machine(new_machine(read_answers(preset_file("router"))), folder)
+    write_machine(new_machine(preset_answers("router", {})), folder)
     return folder
 
 

@@ -526,10 +526,24 @@ def read_answers(file: str | Path) -> dict[str, str]:
     return answers
 
 
-def preset_file(name: str) -> Path:
-    """Return the file of answers of a class of machines: one of `PRESETS`."""
+def preset_answers(name: str, known: Mapping[str, str]) -> dict[str, str]:
+    """Return the answers of a class of machines, one of `PRESETS`, with those of a control's own file in their place.
+
+    The table ``steps`` of a preset is for the axes for which such a control makes steps. Each axis keeps what its drive has.
+    """
     check_known("--preset", name, PRESETS)
-    return Path(str(files("contourlab.features.machines"))) / "presets" / f"{name}.toml"
+    given = read_answers(Path(str(files("contourlab.features.machines"))) / "presets" / f"{name}.toml")
+    steps = {key: text for key in KEYS if (text := given.pop(f"steps.{key}", ""))}
+    if not known:
+        return given
+    answers = {question.key: given[question.key] for question in MACHINE if question.key in given} | known
+    for axis in axis_names(answers):
+        own = answers_of(given, axis) if axis in axis_names(given) else {}
+        own |= {"drive": "stepper", **steps} if f"{axis}.pulse" in known else {}
+        drive = known.get(f"{axis}.drive", own.get("drive", "screw"))
+        kept = [question.key for question in AXIS if own.get(question.key) and drive in (question.drives or DRIVES)]
+        answers = {f"{axis}.{key}": own[key] for key in kept} | answers
+    return answers
 
 
 def answers_text(answers: Mapping[str, str]) -> str:

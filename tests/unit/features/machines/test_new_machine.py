@@ -16,7 +16,7 @@ from contourlab.app.results import SAFETY
 from contourlab.controls import control_file
 from contourlab.errors import OutputError, ScenarioError
 from contourlab.features.check.program_check import origin_of
-from contourlab.features.machines.answers import BLANK, PRESETS, answers_text, interview, of_control, preset_file, read_answers
+from contourlab.features.machines.answers import BLANK, PRESETS, answers_text, interview, of_control, preset_answers, read_answers
 from contourlab.features.machines.new_machine import new_machine, write_machine
 from contourlab.rendering.origins import numbers_of_machine
 from contourlab.scenario import load_controller, load_machine
@@ -85,7 +85,7 @@ def test_an_encoder_in_several_words(words, metres):
 
 
 def test_a_grating_is_interpolated():
-    stage = read_answers(preset_file("stage"))
+    stage = preset_answers("stage", {})
     assert new_machine(stage).axes[0].encoder_resolution == pytest.approx(50e-9)
     with pytest.raises(ScenarioError) as refused:
         new_machine(stage | {"x.encoder_resolution": "2500 x 4"})
@@ -191,7 +191,7 @@ def test_what_does_not_fit_together_is_asked_again():
 
 def test_saved_answers_make_the_same_machine(tmp_path):
     for name in PRESETS:
-        made = new_machine(read_answers(preset_file(name)))
+        made = new_machine(preset_answers(name, {}))
         write_machine(made, tmp_path / name)
         again = new_machine(read_answers(tmp_path / name / "answers.toml"))
         assert again.files() == made.files()
