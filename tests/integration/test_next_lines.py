@@ -27,6 +27,7 @@ QUICK = [
     ("check", "inch.ngc", "--machine", "grbl.txt"),
     ("run", "inch.ngc", "--machine", "m.ini", "--no-require-end", "--tolerance", "1 mm"),
     ("measure", "capture.json", "--axes", "X1,Y1", "--window", "0..1493"),
+    ("limits", "bare.csv", "--machine", "m.ini", "--axes", "x,y"),
     ("interpolate", "signals.csv", "--pitch", "20 um", "--resolution", "25 nm"),
 ]
 SLOW = [
@@ -35,6 +36,8 @@ SLOW = [
     ("notch", STAGE),
     ("machines",),
     ("circle", "circle.csv", "--unit", "mm"),
+    ("circle", "bare.csv", "--machine", "m.ini", "--tolerance", "1 um"),
+    ("measure", "bare.csv", "--machine", "m.ini", "--tolerance", "1 um"),
     ("run", *PART, "--no-interval", "--tolerance", "0.5 um"),
     ("compare", STAGE),
     ("tune", STAGE, "--budget", "64"),
@@ -63,6 +66,8 @@ def folder(tmp_path: Path) -> Path:
         comments="",
         delimiter=",",
     )
+    bare = np.column_stack([time, circle / 50.0, np.column_stack([lagging[:, 0] / 50.0, lagging[:, 1] / 49.0])])  # the machine has the unit
+    np.savetxt(tmp_path / "bare.csv", bare, header="time [s],reference.x,reference.y,position.x,position.y", comments="", delimiter=",")
     np.savetxt(tmp_path / "signals.csv", np.column_stack([np.cos(10.0 * time), 1.05 * np.sin(10.0 * time)]), delimiter=",")
     (tmp_path / "study.toml").write_text(
         f'scenario = "{STAGE}"\nvariants = 4\n[vary]\n"axes.*.friction.coulomb" = {{ values = ["50 %", "150 %"] }}\n'

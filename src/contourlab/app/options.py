@@ -175,8 +175,8 @@ class Part:
 
     def words(self, value: Any) -> Iterator[str]:
         """Yield the words that give a value, nothing for the default."""
-        if value == self.default or value is None or self.is_object(value):
-            return
+        if value == self.default or value is None or (self.is_object(value) and not isinstance(value, os.PathLike)):
+            return  # a log that is read has its name
         if self.option.argument:
             yield from map(str, value) if self.many else (str(value),)
         elif self.kind is bool:
@@ -235,6 +235,12 @@ class Options:
         """
         part, text = self.PARTS[name], getattr(self, name)
         return None if text is None else positive(name, text, part.option.unit, part.wanted)
+
+    @property
+    def is_typed(self) -> bool:
+        """Whether `words` says all: no machine, for example, is given as an object."""
+        objects = [getattr(self, name) for name, part in self.PARTS.items() if part.is_object(getattr(self, name))]
+        return all(isinstance(each, os.PathLike) for each in objects)
 
     def words_of(self, kind: type[Options]) -> list[str]:
         """Return the words of a command that has the options of a base."""

@@ -251,7 +251,7 @@ def question(settings: type[Options], name: str = "") -> Callable[[Callable[...,
             chosen = chosen or settings(**options)
             files = [os.fspath(each) for each in inputs if isinstance(each, str | os.PathLike)]  # a log that is read has its name
             words = ["contourlab", name or ask.__name__, *files, *chosen.words()]
-            with Session(command=as_typed(words) if len(files) == len(inputs) else "") as session:
+            with Session(command=as_typed(words) if len(files) == len(inputs) and chosen.is_typed else "") as session:
                 return ask(*inputs, **direct, settings=chosen, session=session)
 
         own = [each for each in inspect.signature(ask).parameters.values() if each.name not in ("settings", "session")]

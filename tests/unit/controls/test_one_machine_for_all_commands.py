@@ -85,6 +85,9 @@ def test_a_file_is_read_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
         read.clear()
         asked()
         assert len(read) == 1
+    of_object = cl.measure(log, machine=load_machine(machine))  # which no command can name
+    assert (of_object.command, of_object.data.next_steps) == ("", [])
+    assert cl.circle(log, machine=load_machine(machine)).next_step == ""
 
 
 @pytest.mark.parametrize(

@@ -15,6 +15,7 @@ from contourlab.app.json_values import HIDDEN
 from contourlab.app.options import positive
 from contourlab.app.results import check_file
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
+from contourlab.app.shared_options import LogAxes
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import LogError, ParameterError, ProgramError, ResultError, refuse
 from contourlab.features.check.canon import Listed
@@ -366,7 +367,7 @@ class LimitTest(Answer):
             return ["limits", file, *of_log, *limits, "--annotate", out]
         if self.source == "plan":
             return ["check", file, "--machine", settings.machine]
-        return ["measure", file]
+        return ["measure", file, *settings.words_of(LogAxes), *settings.PARTS["machine"].words(settings.machine)]
 
     @property
     def worst(self) -> tuple[ProgramLine, ...]:

@@ -536,7 +536,7 @@ def preset_answers(name: str, known: Mapping[str, str]) -> dict[str, str]:
     steps = {key: text for key in KEYS if (text := given.pop(f"steps.{key}", ""))}
     if not known:
         return given
-    answers = {question.key: given[question.key] for question in MACHINE if question.key in given} | known
+    answers = {**{question.key: given[question.key] for question in MACHINE if question.key in given}, **known}
     for axis in axis_names(answers):
         own = answers_of(given, axis) if axis in axis_names(given) else {}
         own |= {"drive": "stepper", **steps} if f"{axis}.pulse" in known else {}

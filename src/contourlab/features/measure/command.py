@@ -12,10 +12,9 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 
 from contourlab import __version__
-from contourlab.app.command_line import as_typed, chosen_options
+from contourlab.app.command_line import as_typed
 from contourlab.app.results import staged
 from contourlab.app.session import QUIET, Session, question
-from contourlab.app.shared_options import READING
 from contourlab.arrays import Array, Index
 from contourlab.errors import LogError, ParameterError, ResultError, refused
 from contourlab.features.check.program_check import origin_of
@@ -25,6 +24,7 @@ from contourlab.features.measure.log_choice import (
     is_program,
     open_log,
     program_of,
+    read_again,
     reference_columns,
 )
 from contourlab.features.measure.options import Measure
@@ -168,7 +168,7 @@ class MeasuredRuns(JudgedRuns):
     def _steps(self) -> list[tuple[str, str]]:
         """What to do next, and the command for it: judge the worst run against a tolerance, or identify its worst axis if it fails."""
         worst = max(self.runs, key=lambda run: run.metrics.part_error.max)
-        if self.passed or worst.metrics.judged.basis == RAPIDS:
+        if self.passed or not self.command or worst.metrics.judged.basis == RAPIDS:
             return []
         typed = shlex.split(self.command) if len(self.runs) == 1 else ["contourlab", "measure", str(worst.log.record.file)]
         if self.tolerance is None:
@@ -179,7 +179,7 @@ class MeasuredRuns(JudgedRuns):
         known = worst.log.result
         driven = "command" in known and known.signals["command"].unit != "m"
         model = "rigid" if "force" in known else "first-order" if driven else "position-loop"
-        words = ["contourlab", "identify", typed[2], "--model", model, "--axis", axis, *chosen_options(typed, *READING)]
+        words = ["contourlab", "identify", typed[2], "--model", model, "--axis", axis, *read_again(typed)]
         return [("Identify the axis that strays most:", as_typed(words))]
 
     def save(self, folder: str | Path = "results", *, plots: Sequence[str] = (), **_: Any) -> MeasuredRuns:
