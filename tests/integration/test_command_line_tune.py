@@ -212,7 +212,7 @@ def test_a_scheme_is_chosen_by_its_name(capsys: pytest.CaptureFixture[str]) -> N
         (["--gain-margin", "-1"], "0 to 60"),
         (["--plots", "bmp"], "png"),
         (["--write", "tuned.txt"], ".toml"),
-        (["--machine", "xyz"], "--machine is for part programs"),
+        (["--tolerance", "1 um"], "--tolerance is for part programs"),
         (["--parameter", "x.position_gian"], "controller.axes.x.controller.position_gain"),
         (["--parameter", "x.plant.gain"], "a parameter of the controller"),
         (["--parameter", "x.integral_gain=9 1/s..2 1/s"], "bounds 9 to 2 1/s: must be in order, the lower one first"),

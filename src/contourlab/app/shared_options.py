@@ -98,8 +98,9 @@ class Schemes(Plugins):
 
 @options
 class Judged(Plugins):
-    """Moves to judge."""
+    """Moves to judge, and the machine."""
 
+    machine: str | None = option(None, "Machine of a part program, or in place of the scenario's: a file, or a shipped name.")
     judge: str | None = option(None, 'Moves to judge: cutting (the default), all, or "lines 10-40": cutting moves of these lines.')
 
 
@@ -124,7 +125,6 @@ class Dialect(ProgramReading):
 class Motion(Judged, ProgramReading):
     """A scenario, or a part program with a machine and a controller."""
 
-    machine: str | None = option(None, "Machine of a part program: a file, or a shipped name.")
     controller: str | None = option(None, "Controller: a file, or a shipped name; a scenario has its own.")
     tolerance: str | None = option(None, 'Largest part error of a program that passes, e.g. "25 um"; a scenario has its own.', unit="m")
     fit: bool = option(False, "Scale and move a part program into the machine's travel.")

@@ -10,6 +10,7 @@ from typing import Any
 from contourlab.components.registry import load_plugin
 from contourlab.contours import SUFFIXES, unit_size
 from contourlab.contours.reader import ContourOptions
+from contourlab.controls import control_file
 from contourlab.errors import ProgramError, ScenarioError, hint, refuse
 from contourlab.file_kinds import kind_of
 from contourlab.geometry import contour_names, contour_parameters
@@ -358,7 +359,17 @@ def _in_folder(given: str | Path) -> str | Path:
     raise ScenarioError(f"is a folder without scenario.toml: name a scenario{others and f', such as {others}'}", file=folder)
 
 
-def load_scenario(file: str | Path, plugins: Sequence[str | Path] = ()) -> Scenario:
+def _on(content: Table, machine: str | Path | None) -> Table:
+    """Return a scenario on another machine, if one is given; the file of a control brings its controller, if it has one."""
+    if machine is None:
+        return content
+    name = named_file(machine)
+    control = control_file(Path(name))
+    own = () if control is None or "controller" not in control.tables else ("controller",)
+    return content.without("axes", *own).having(**from_mapping({"machine": name}, COMMAND_LINE).entries)
+
+
+def load_scenario(file: str | Path, plugins: Sequence[str | Path] = (), machine: str | Path | None = None) -> Scenario:
     """Read a scenario.
 
     Parameters
@@ -367,6 +378,8 @@ def load_scenario(file: str | Path, plugins: Sequence[str | Path] = ()) -> Scena
         Or ``builtin:`` and the name of a shipped one; of a folder, its ``scenario.toml``.
     plugins : sequence of str or Path
         Python files with further components.
+    machine : str or Path, optional
+        In place of the machine of the scenario: a file, or the name of a shipped one. The file of a control has a controller, too.
 
     Returns
     -------
@@ -384,16 +397,18 @@ def load_scenario(file: str | Path, plugins: Sequence[str | Path] = ()) -> Scena
     'position loop'
     """
     reader, content = _open(_in_folder(file), plugins, "a scenario")
-    return _scenario(reader, content, Path(content.file))
+    return _scenario(reader, _on(content, machine), Path(content.file))
 
 
-def changed_case(file: str | Path, scheme: str, changes: Table, plugins: Sequence[str | Path] = ()) -> Case:
+def changed_case(
+    file: str | Path, scheme: str, changes: Table, plugins: Sequence[str | Path] = (), machine: str | Path | None = None
+) -> Case:
     """Return the case of a scenario, or of one of its schemes, with other tables and keys.
 
     Parameters
     ----------
-    file, plugins
-        As in `load_axis`.
+    file, plugins, machine
+        As in `load_scenario`.
     scheme : str
         Empty for the base.
     changes : Table
@@ -405,6 +420,7 @@ def changed_case(file: str | Path, scheme: str, changes: Table, plugins: Sequenc
         As `load_scenario`; or if there is no such scheme.
     """
     reader, content = _open(_in_folder(file), plugins)
+    content = _on(content, machine)
     schemes = content.table("schemes")
     if scheme and scheme not in schemes.entries:
         raise content.error(f"no scheme {scheme!r}: {hint(scheme, schemes.entries)}", "schemes")

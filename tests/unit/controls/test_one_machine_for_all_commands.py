@@ -13,10 +13,11 @@ from typed_commands import invoke
 import contourlab as cl
 from contourlab.app.json_values import json_values
 from contourlab.controls.linuxcnc import machine as reader
-from contourlab.errors import ProgramError, ScenarioError
+from contourlab.errors import ParameterError, ProgramError, ScenarioError
 from contourlab.features.check.program_check import about_machine, check
 from contourlab.features.limits.command import limits
 from contourlab.features.run.outcome import run_case
+from contourlab.features.sweep.study import load_study
 from contourlab.program import Reading, parse_program
 from contourlab.scenario import load_machine, load_scenario, save
 from contourlab.scenario.load import reading_on, scenario_from_parts
@@ -251,3 +252,18 @@ def test_a_number_that_stands_for_no_limit_is_none_in_every_command(tmp_path: Pa
             ini.number("JOINT_0", key, positive=positive)
     with pytest.raises(ScenarioError):
         load_machine(made(tmp_path, ("SERVO_PERIOD = 1000000", "SERVO_PERIOD = 1e10"))[0])
+
+
+def test_a_machine_takes_the_place_of_that_of_a_scenario(tmp_path: Path) -> None:
+    """It brings the controller of its control, whose loops are closed there."""
+    machine, part = made(tmp_path)
+    scenario, study = tmp_path / "s.toml", tmp_path / "study.toml"
+    scenario.write_text(f'machine = "builtin:xyz"\ncontroller = "builtin:xyz-controller"\nprogram = "{part.name}"\n')
+    study.write_text('scenario = "s.toml"\nvariants = 2\n[vary]\n"feed.override" = { values = [0.5, 1.0] }\n')
+    own = [axis.plant for axis in load_machine(machine).axes]
+    cases = [load_scenario(scenario, machine=machine).base, *load_study(study, machine=str(machine)).cases.values()]
+    assert [[axis.plant for axis in case.machine.axes] for case in cases] == [own] * len(cases)
+    said = invoke(tmp_path, "compare", "s.toml", "--machine", machine.name, "--no-interval", "--json")
+    assert said.code == 0 and json.loads(said.out)["machine"]["source"] == "LinuxCNC"
+    with pytest.raises(ParameterError):
+        cl.compare(load_scenario(scenario), machine=str(machine))

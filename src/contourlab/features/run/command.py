@@ -23,7 +23,7 @@ from contourlab.features.learn import learn as learn_machine
 from contourlab.features.run.options import Compare, Learn, Run
 from contourlab.features.run.outcome import Outcome, run_case
 from contourlab.features.run.record import switch_file
-from contourlab.features.run.source import Source, scenario_asked
+from contourlab.features.run.source import Source, is_scenario, scenario_asked
 from contourlab.features.run.trust import NOTABLE
 from contourlab.figures import figure
 from contourlab.findings import Finding
@@ -412,14 +412,14 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
     if not command:
         return []
     file, *options = (word for word in shlex.split(command)[2:] if word not in ("--interval", "--no-interval"))
-    part = "--controller" in options or "--machine" in options
+    part = not is_scenario(file)
 
     def step(title: str, *words: str) -> tuple[str, str]:
         return title, as_typed(["contourlab", words[0], file, *words[1:]])
 
     gains = not all(axis.plant.takes_position for outcome in outcomes for axis in outcome.case.machine.axes)
     about = [] if gains else ["--parameter", "axes.*.plant.damping_ratio"]
-    quick = ["sensitivity", "--quick", *about, *chosen_options(options, "--plugin")]
+    quick = ["sensitivity", "--quick", *about, *chosen_options(options, "--plugin", "--machine")]
     judged = [outcome for outcome in outcomes if outcome.verdict is not None]
     if not judged:
         limit = max(2.0 * min(outcome.metrics.part_error.max for outcome in outcomes), 1e-9)  # not the rounding of a straight line
@@ -432,7 +432,7 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
     steps: list[tuple[str, str]] = []
     if any(outcome.verdict is not None and outcome.verdict.passed for outcome in judged):
         return steps
-    if proposed and part:
+    if proposed and (part or "--controller" in options):
         changed = ["--controller", str(out / proposed[0]), "--out", f"{out}-changed"]
         steps.append(step("Run it with the changed controller:", "run", *_without(options, "--controller", "--out"), *changed))
     scheme = [] if outcomes[-1].name == "base" else ["--scheme", min(judged, key=lambda one: one.metrics.part_error.max).name]

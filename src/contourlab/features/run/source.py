@@ -58,6 +58,8 @@ def scenario_asked(inputs: Sequence[Source], settings: Any) -> Scenario:
     ScenarioError, ProgramError, ParameterError
         If the file cannot be read, or an option does not fit it.
     """
+    if getattr(settings, "machine", None) is not None and not all(isinstance(each, str | Path) for each in inputs):
+        raise ParameterError("machine", repr(settings.machine), "left out where no file is asked about")
     match inputs:
         case [str() | Path() as file]:
             scenario = scenario_of(file, settings)
@@ -83,6 +85,12 @@ def case_asked(inputs: Sequence[Source], settings: Any) -> tuple[Scenario, Case]
     return scenario, scenario.base if not settings.scheme else scenario.case(settings.scheme)
 
 
+def is_scenario(file: str | Path) -> bool:
+    """Return whether the name of a file is that of a scenario or a folder, not that of a part program."""
+    path = Path(file)
+    return (str(file).startswith(BUILTIN) and path.suffix != ".ngc") or path.suffix.lower() == ".toml" or path.is_dir()
+
+
 def scenario_of(file: str | Path, settings: Any) -> Scenario:
     """Read a scenario, or make one from a part program where the options have a program's.
 
@@ -92,7 +100,7 @@ def scenario_of(file: str | Path, settings: Any) -> Scenario:
         ``.toml``: a scenario; a folder: its ``scenario.toml``; anything else is a part program.
     settings : Options
         See `scenario_asked`. A part program needs ``machine`` and ``controller``; the folder of a machine stands for both. A scenario runs
-        under the controller that is given, without its schemes.
+        on the machine that is given, and under the controller that is given, then without its schemes.
 
     Raises
     ------
@@ -100,9 +108,9 @@ def scenario_of(file: str | Path, settings: Any) -> Scenario:
         If the content is invalid, or an option does not fit the file.
     """
     path, of_program = Path(file), hasattr(settings, "program")
-    if (str(file).startswith(BUILTIN) and path.suffix != ".ngc") or path.suffix.lower() == ".toml" or path.is_dir():
+    if is_scenario(file):
         try:
-            scenario = load_scenario(file, plugins=settings.plugin)
+            scenario = load_scenario(file, settings.plugin, getattr(settings, "machine", None))
         except ProgramEndError as error:
             error.add_note("To run it to its last line: write require_end = false under [program] in the scenario.")
             raise
@@ -150,7 +158,7 @@ def _under(scenario: Scenario, settings: Any) -> Scenario:
 
 def _refuse_options(path: Path, settings: Any) -> None:
     """Refuse the options of part programs beside a scenario; name the key to write there."""
-    keys = {"--machine": (settings.machine, "machine"), "--tolerance": (settings.tolerance, "tolerance under [run]")}
+    keys = {"--tolerance": (settings.tolerance, "tolerance under [run]")}
     for name, value in settings.program.items():
         setting = f" = {str(value).lower()}" if isinstance(value, bool) else ""
         keys[f"--{'no-' if value is False else ''}{name.replace('_', '-')}"] = value, f"{name}{setting} under [program]"

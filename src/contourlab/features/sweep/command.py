@@ -377,7 +377,7 @@ def sweep(study: str | Path, *, settings: Sweep, session: Session = QUIET) -> Sw
     check_store(settings.out, resume=settings.resume)
     made, executor, stages = 0, settings.pool, session.stages()
     stages.begin("planning the motions")
-    planned = load_study(study, settings.plugin, stages.advance)
+    planned = load_study(study, settings.plugin, stages.advance, machine=settings.machine)
     wanted = settings.chosen(planned.design.chunks)
     with executor.started(planned.plugins, AGAIN) as pool:
         cost = cost_of(planned, wanted, numbers_in(settings.out), executor, pool)
@@ -424,7 +424,7 @@ def optimise(study: str | Path, *, settings: Optimise, session: Session = QUIET)
     check_store(settings.out, resume=settings.resume)
     stages, executor = session.stages(), settings.pool
     stages.begin("planning the motions")
-    planned, levels = _space(load_study(study, settings.plugin, stages.advance, variants=1), settings)
+    planned, levels = _space(load_study(study, settings.plugin, stages.advance, variants=1, machine=settings.machine), settings)
     with (
         executor.started(planned.plugins, AGAIN) as pool,
         writing(settings.out, planned, resume=settings.resume) as store,

@@ -16,6 +16,7 @@ class Stored(Workers, Plugins):
     """A store to write."""
 
     out: Path = option(Path("store"), "Folder for the results; created if missing.")
+    machine: str | None = option(None, "In place of the scenario's machine: a file, or a shipped name.")
     resume: bool = option(False, "Continue a store; starts an empty one.")
 
     def __post_init__(self) -> None:

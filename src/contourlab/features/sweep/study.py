@@ -184,6 +184,7 @@ def load_study(
     progress: Callable[[int, int], None] = lambda done, total: None,
     *,
     variants: int | None = None,
+    machine: str | None = None,
 ) -> Study:
     """Read a study file, and plan the motion of each structure.
 
@@ -196,6 +197,8 @@ def load_study(
         Called with the structures built and in all.
     variants : int, optional
         Counts if the file names no number.
+    machine : str, optional
+        In place of the machine of the scenario.
 
     Raises
     ------
@@ -225,7 +228,7 @@ def load_study(
     name = plain.scenario if plain.scenario.startswith(BUILTIN) else str(path.parent / plain.scenario)
     if not name.startswith(BUILTIN) and not Path(name).exists():
         raise content.error(f"no file {plain.scenario!r} in {path.parent.as_posix()}{shipped_hint(plain.scenario)}", "scenario")
-    scenario = load_scenario(name, plugins)
+    scenario = load_scenario(name, plugins, machine)
     schemes = [case.name for case in scenario.all_cases]
     asked = [(str(item), one.table, "values") for one in variations if one.key == "scheme" for item in one.items]
     for scheme, table, key in [*([(plain.scheme, content, "scheme")] if plain.scheme else []), *asked]:
@@ -234,7 +237,7 @@ def load_study(
     base = scenario.case(plain.scheme) if plain.scheme else scenario.base
 
     def case_of(scheme: str, changes: Table) -> Case:
-        return changed_case(name, scheme or plain.scheme or "", changes, plugins)
+        return changed_case(name, scheme or plain.scheme or "", changes, plugins, machine)
 
     varied = _varied(variations, base, case_of, plain.design == "list", progress)
     left_out = tuple(repr(case.name) for case in scenario.cases() if case.name != "base") if schemes and not asked else ()
