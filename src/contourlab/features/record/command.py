@@ -36,6 +36,8 @@ class RecordedAxis:
         Where the position comes from: "steps" is the count of a step generator.
     pin : str
         The pin that it comes from, as far as it is known.
+    others : mapping of str to str
+        Of an axis with several joints: the positions of the others, by their columns in the log, which are no signal unless named as one.
     """
 
     axis: str
@@ -43,6 +45,7 @@ class RecordedAxis:
     position: str
     source: str
     pin: str
+    others: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,10 +120,12 @@ def record(ini: str | Path, *, settings: Record, session: Session = QUIET) -> Re
     graph, _ = graph_of(files)
     if loaded := next((line for line in graph.statements if line.words[:2] == ("loadrt", "sampler")), None):
         raise ScenarioError("loads a sampler, and LinuxCNC loads only one: remove it to record with another", file=loaded.place)
-    moved = {joint.axis: joint for joint in reversed(joints(files, graph)) if joint.axis in LETTERS}
+    of_axes = [(joint, _recorded(graph, joint)) for joint in joints(files, graph) if joint.axis in LETTERS]
+    moved = {own.axis: own for _, own in reversed(of_axes)}
     if not moved:
         raise ScenarioError("has none of the axes x, y and z", file=ini)
-    axes = tuple(_recorded(graph, moved[letter]) for letter in sorted(moved))
+    others = [(own.axis, f"gantry_{own.axis}_{joint.number}", own.position) for joint, own in of_axes if own not in moved.values()]
+    axes = tuple(replace(moved[a], others={name: pin for axis, name, pin in others if axis == a}) for a in sorted(moved))
     unit, period, findings = units_of(files, graph)
     steps, unseen = ([axis.axis for axis in axes if axis.source == source] for source in ("steps", "unseen"))
     findings += [finding(code, axes=names) for code, names in (("CL415", steps), ("CL992", unseen)) if names]
@@ -128,7 +133,8 @@ def record(ini: str | Path, *, settings: Record, session: Session = QUIET) -> Re
     # A position that is no count of steps is that of the axis, also where the loop is closed on a count.
     name = "axis_position" if all(axis.source == "encoder" for axis in axes) else "position"
     length = "mm" if unit < 0.01 else "inch"
-    heads = [f"{signal}.{axis.axis} [{length}]" for axis in axes for signal in ("reference", name)]
+    heads = [f"{head} [{length}]" for axis in axes for head in (f"reference.{axis.axis}", f"{name}.{axis.axis}", *axis.others)]
+    findings += [finding("CL994", axis=axis.axis, pin=axis.position, name=name, columns=axis.others) for axis in axes if axis.others]
     values = {"PERIOD": f"{period:.9g}", "KEPT": str(round(SOON / period)), "HEADER": ",".join(["time [s]", *heads, "line"])}
     contents = {HAL: _hal(graph, axes), SCRIPT: filled(Path(__file__).with_name("record.sh"), values)}
     return Recording(axes, tuple(findings), contents=contents, ini=Path(ini))
@@ -147,7 +153,7 @@ def _recorded(graph: HalGraph, joint: Joint) -> RecordedAxis:
 
 def _hal(graph: HalGraph, axes: tuple[RecordedAxis, ...]) -> str:
     """Return the HAL file. A pin keeps the signal that it has."""
-    pins = [pin for axis in axes for pin in (axis.command, axis.position)]
+    pins = [pin for axis in axes for pin in (axis.command, axis.position, *axis.others.values())]
     pins += ["motion.program-line", "halui.mode.is-auto", "halui.program.is-idle"]
     sources = [graph.signal_of.get(pin) or f"contourlab-{k} {pin}" for k, pin in enumerate(pins)]
     if strange := next((source for source in sources if not _NAMES.fullmatch(source)), None):

@@ -85,6 +85,22 @@ def test_encoders_and_scales(tmp_path: Path) -> None:
     assert {one.code for one in answer.findings} == {"CL993"}
 
 
+def test_both_motors_of_a_gantry(tmp_path: Path) -> None:
+    """The first is the axis; the other is a column that counts where it is named."""
+    ini = machine(tmp_path, SERVO.replace("x-here", "y-here").replace("joint.0.pos-fb", "joint.1.pos-fb"))
+    ini.write_text(ini.read_text().replace("COORDINATES = X Y", "COORDINATES = X X"))
+    answer = cl.record(ini)
+    assert [(axis.axis, axis.position, dict(axis.others)) for axis in answer.axes] == [
+        ("x", "joint.0.pos-fb", {"gantry_x_1": "pid.y.feedback"})
+    ]
+    (found,) = [one for one in answer.findings if one.code == "CL994"]
+    assert found.values["pin"] == "joint.0.pos-fb"
+    assert "cfg=fffsbb" in answer.contents["contourlab-record.hal"]
+    (tmp_path / "log.csv").write_text("time [s],reference.x [mm],axis_position.x [mm],gantry_x_1 [mm]\n0,0,0,1\n1,1,1,2\n2,2,2,3\n")
+    assert load_log(tmp_path / "log.csv").result.signals["axis_position"].data[0] == 0.0
+    assert load_log(tmp_path / "log.csv", columns=["axis_position.x=gantry_x_1"]).result.signals["axis_position"].data[0] == 1e-3
+
+
 def test_a_sampler_that_is_there_and_axes_that_are_not(tmp_path: Path) -> None:
     with pytest.raises(ScenarioError, match=r"m\.hal:1"):
         cl.record(machine(tmp_path, "loadrt sampler depth=1000 cfg=f\n"))
