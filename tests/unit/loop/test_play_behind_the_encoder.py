@@ -114,6 +114,11 @@ def test_a_guessed_play_counts_as_a_guess_of_its_axis() -> None:
     assert about_guesses(causes, numbers, {"x": 0.1e-6, "y": 40e-6}) == []
     (note,) = about_guesses(causes, numbers, {"x": 40e-6, "y": 0.1e-6})
     assert (note.code, note.values["share"], note.values["numbers"]) == ("CL229", 0.75, ["axes.x.error.backlash"])
+    limited = replace(made.axes[0], limits=replace(made.axes[0].limits, acceleration=2.0, origins={"acceleration": Origin("assumed")}))
+    numbers = numbers_of(replace(made, axes=(limited, made.axes[1])), CONTROLLER)
+    assert about_guesses(causes, numbers, {"x": 40e-6, "y": 0.0}) == []
+    (note,) = about_guesses([Cause("lag", 30e-6, 0.75)], numbers, {"x": 40e-6, "y": 0.0})
+    assert note.values["numbers"] == ["axes.x.limits.acceleration"]
 
 
 def test_a_negative_play_is_refused() -> None:

@@ -101,15 +101,18 @@ SAME = Question("same_as", "Same as which axis? Name what differs, as in x excep
 
 
 def _rubbing(axis: SizedAxis) -> float:
-    """Return the friction of rails, seals and screw [N] that is guessed from the moved mass m [kg] and the lead l.
+    """Return the friction of rails, seals and screw [N] that is guessed from the mass m [kg] on the rails and the lead l.
 
-    Rails: 0.003 m g, and 4 N m'^(1/3) of seals and preload on each of four carriages, m' = m/10 kg: makers state a coefficient of 0.002 to
-    0.003, and 2 N (size 15) to 20 N (size 45) of seals. Nut: the drag torque 0.05 (tan b)^-0.5 F l/(2 pi) of JIS B 1192 with the lead angle
-    b, which is a force of 0.05 (tan b)^-0.5 F at the table. Its preload F is 3 % of the load rating, usual are 0 to 8 %; the rating is 31
-    N/mm^2 d^2, as in tables of ball screws, and the diameter d = 8 mm m^(1/4) that of machines of this mass.
+    Rails: 0.003 m g, and 4 N m'^(1/3) of seals and preload on each of four carriages, m' = m/10 kg. Thomson and Rollon state a coefficient
+    of 0.002 to 0.003; seals take 2 to 5 N by Nippon Bearing, 0.2 to 1 N by Rollon (Mono Rail 15 to 55). Nut: the drag torque 0.05 (tan
+    b)^-0.5 F l/(2 pi) of JIS B 1192 with the lead angle b, which is a force of 0.05 (tan b)^-0.5 F at the table. Its preload F is 3 % of
+    the load rating: makers allow 10 %, and a nut with play has none. The rating is 31 N/mm^2 d^2, as in tables of ball screws, and the
+    diameter d = 8 mm m^(1/4) that of machines of this mass. For 10 kg and a lead of 10 mm that is 36 N, with seals of 2 N and no preload
+    8 N: hence the range.
     """
-    diameter = 8e-3 * axis.moved_mass**0.25
-    rails = 0.003 * GRAVITY * axis.moved_mass + 16.0 * (0.1 * axis.moved_mass) ** (1.0 / 3.0)
+    mass = axis.moved_mass + axis.carried
+    diameter = 8e-3 * mass**0.25
+    rails = 0.003 * GRAVITY * mass + 16.0 * (0.1 * mass) ** (1.0 / 3.0)
     return float(rails if axis.linear else rails + 0.05 * 0.03 * 31e6 * diameter**2 * math.sqrt(math.pi * diameter / axis.lead))
 
 
@@ -165,7 +168,7 @@ AXIS = (
     ),
     Question(
         "friction", "Sliding friction at the table", "N", 0.0, 20000.0, _rubbing,
-        "rails and preloaded nut of usual size for the moved mass", (0.3, 1.7), asked=False, drives=(*LOOPS, "stepper"),
+        "rails and preloaded nut of usual size for the moved mass", (0.2, 1.8), asked=False, drives=(*LOOPS, "stepper"),
     ),
     Question(
         "damping", "Viscous damping at the table", "N*s/m", 0.0, 1e6, lambda axis: _rubbing(axis) / axis.velocity,
@@ -374,15 +377,15 @@ def answers_of(answers: Mapping[str, str], name: str, trail: tuple[str, ...] = (
     return {key: text for key, text in repeated.items() if key not in (*kept, *PLACE)} | own
 
 
-def sized(answers: Mapping[str, str], name: str, period: float, until: str = "") -> SizedAxis:
-    """Return an axis with the values of its questions up to `until`, or of all.
+def sized(answers: Mapping[str, str], name: str, period: float, until: str = "", carried: float = 0.0) -> SizedAxis:
+    """Return an axis, which carries a mass [kg], with the values of its questions up to `until`, or of all.
 
     Raises
     ------
     ScenarioError
         If an answer is missing or implausible; has the key of its question.
     """
-    axis, given = SizedAxis(name, period), answers_of(answers, name)
+    axis, given = SizedAxis(name, period, carried=carried), answers_of(answers, name)
     for question in takewhile(lambda question: question.key != until, AXIS):
         text, axis.values[question.key] = given.get(question.key, ""), None
         if not question.drives or axis.drive in question.drives:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -256,7 +256,7 @@ def new_machine(answers: Mapping[str, str], name: str = "My machine", control: C
     period = general["servo_period"]
     bare = {name: sized(answers, name, period) for name in axis_names(answers)}
     below = {name: under for name in below if (under := _bearing(name, bare, below))}
-    axes = tuple(replace(axis, carried=_carried(axis.name, bare, below)).slowed_down() for axis in bare.values())
+    axes = tuple(sized(answers, name, period, carried=_carried(name, bare, below)).slowed_down() for name in bare)
     hanging = [axis.name for axis in axes if axis.weight]
     if len(hanging) > 1:
         raise fault(f"{hanging[1]}.unbalanced_mass", f"{hanging[0]} hangs already: only one axis is vertical")

@@ -43,8 +43,9 @@ _RESTS_ON = {
     "error.backlash": {"backlash"},
     "error.lead_error": {"geometry"},
     "error.repeatability": {"geometry"},
+    r"limits\.(acceleration|jerk)": {"lag", "compliance", "servo mismatch", "saturation"},
 }
-"""Slots of an axis, or single numbers, and the causes of the error that depend on their numbers."""
+"""Slots of an axis, or single numbers, and the causes of the error that depend on their numbers; limits of velocity bound rapid moves."""
 
 
 def about_guesses(causes: Sequence[Cause], numbers: Sequence[Number], off: Mapping[str, float]) -> list[Finding]:

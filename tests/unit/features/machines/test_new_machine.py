@@ -282,7 +282,12 @@ def test_the_guessed_friction_follows_rails_and_screw_not_the_motor():
     weak, strong = (new_machine(answers() | {f"{axis}.rated_torque": f"{torque} N*m" for axis in "xyz"}) for torque in (1.0, 3.0))
     assert [axis.friction for axis in weak.axes] == [axis.friction for axis in strong.axes]
     heavy = new_machine(answers() | {"x.moved_mass": "93 kg", "x.lead": "10 mm", "x.acceleration": "1", "y.acceleration": "1"}).axes[0]
-    low, high = heavy.span("friction", lambda axis: axis.friction, (0.3, 1.7))
+    stacked = new_machine(answers() | {"x.stage_mass": "200 kg", "z.stage_mass": "200 kg"}).axes  # the rails below bear them as well
+    assert [after.friction > before.friction for after, before in zip(stacked, weak.axes, strict=True)] == [
+        bool(axis.carried) for axis in stacked
+    ]
+    assert any(axis.carried for axis in stacked)
+    low, high = heavy.span("friction", lambda axis: axis.friction, (0.2, 1.8))
     assert low < 103.0 < 154.0 < high
 
 
