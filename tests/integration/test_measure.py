@@ -573,12 +573,12 @@ def test_a_saved_run_is_measured_as_it_was_judged(tmp_path: Path, as_json: AsJso
     assert "CL415" not in {one["code"] for one in found["findings"]}  # its positions are those of the axes
 
 
-def recorded(folder: Path, zero: tuple[float, float], *, commanded: bool, home: tuple[float, float] | None = None) -> Path:
+def recorded(folder: Path, zero: tuple[float, float], *, commanded: bool, home: tuple[float, float] | None = None, code: str = "") -> Path:
     """Write what a control at 1 kHz records, in machine coordinates: it comes from elsewhere to a zero [mm], then runs a program.
 
     Before its last cut it may go home, in machine coordinates [mm].
     """
-    way_home = "" if home is None else f"G53 G0 X{home[0]} Y{home[1]}\n"
+    way_home = "" if home is None else f"{code or f'G53 G0 X{home[0]} Y{home[1]}'}\n"
     (folder / "part.ngc").write_text(f"G21 G90 G64 P0.01\nF1200\nG0 X10 Y0\nG1 X30\nY20\n{way_home}G0 X50 Y20\nG1 Y0\nG0 X0 Y0\nM2\n")
     places = [[-80.0, 35.0], [10.0, 0.0], [30.0, 0.0], [30.0, 20.0], [50.0, 20.0], [50.0, 0.0], [0.0, 0.0]]
     corners = np.array([*places[:4], *([np.subtract(home, zero)] if home else []), *places[4:]])
@@ -619,10 +619,13 @@ def test_a_recording_in_machine_coordinates(tmp_path: Path, as_json: AsJson, com
     )
 
 
+@pytest.mark.parametrize("code", ["", "G28"])
 @pytest.mark.parametrize("commanded", [True, False])
 @pytest.mark.parametrize("shift", ["fit", "123.4 mm, -56.7 mm"])
-def test_a_move_in_machine_coordinates_does_not_move_with_the_part(tmp_path: Path, as_json: AsJson, shift: str, commanded: bool) -> None:
-    log = recorded(tmp_path, (123.4, -56.7), commanded=commanded, home=(0.0, 0.0))
+def test_a_move_in_machine_coordinates_does_not_move_with_the_part(
+    tmp_path: Path, as_json: AsJson, shift: str, commanded: bool, code: str
+) -> None:
+    log = recorded(tmp_path, (123.4, -56.7), commanded=commanded, home=(0.0, 0.0), code=code)
     found = as_json("measure", log, "--program", tmp_path / "part.ngc", "--unit", "mm", "--shift", shift, "--out", tmp_path / "out")
     (run,) = found["schemes"].values()
     near = 1e-10 if commanded or shift != "fit" else 9e-6

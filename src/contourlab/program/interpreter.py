@@ -175,6 +175,7 @@ def go_home(block: Block, state: ModalState, code: int, line: int) -> list[Move]
         state.parameters.write_point(first, state.axes)
         return []
     words = block.words
+    state.machine_points.append((line, (math.nan, math.nan, math.nan)))
     moves = state.straight(state.target(words), line)
     home = state.frame.point(state.parameters.point(first))
     named = [letter in words for letter in "XYZ"]

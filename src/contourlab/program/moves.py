@@ -287,7 +287,7 @@ class Program:
     notices : tuple of Notice
         Where the dialect was lenient.
     machine_points : tuple of (int, (x, y, z))
-        Line and target of each G53 [m], nan for an axis that it does not name.
+        Line and target of each G53 [m], nan for an axis that it does not name; lines of G28 and G30, whose home another file may hold.
     """
 
     name: str

@@ -278,7 +278,7 @@ class ModalState:
     made : int
         Number of moves made.
     machine_points : list of (int, (x, y, z))
-        Line and target of each G53 [m], nan for an axis that it does not name.
+        Line and target of each G53 [m], nan for an axis that it does not name; lines of G28 and G30, whose home another file may hold.
     """
 
     parameters: Parameters = field(default_factory=Parameters)

@@ -298,14 +298,18 @@ def _judged(file: str | Path | Log, settings: Measure) -> MeasuredRun:
             if isinstance(shift, str) and route is not None and fixed and log.lines is not None:
                 fit = _fitted(log.result, route, axes, log.lines, fixed)
                 shift = np.array([(fit.shift or {})[axis] for axis in axes])
-            if isinstance(shift, np.ndarray) and program is not None and reading.parameters is None:
+            if isinstance(shift, np.ndarray) and program is not None and fixed and reading.parameters is None:
                 known, shift = dict(zip(axes, shift.tolist(), strict=True)), None
                 _, route = program_of(program, axes, _with_zero(reading, known))
             given: dict[str, Any] = {"lines": log.lines, "rapid": log.rapid, "tolerance": settings.si("tolerance"), "program": lines}
             measured = judged_log(log.result, route, axes, shift=shift, **given)
         except ResultError as error:
             is_unsure = bool(fixed) and known is None and log.lines is None
-            hints = [f"G53 in line {fixed[0]} does not move with the part: give its zero with --shift"] if is_unsure else []
+            hints = (
+                [f"line {fixed[0]} leads to machine coordinates, which do not move with the part: give its zero with --shift"]
+                if is_unsure
+                else []
+            )
             raise ResultError("; ".join([str(error), *hints, *(doubt.text for doubt in log.doubtful)])) from error
     findings = (*log.findings, *measured.findings, *gap_findings(log, measured, of_samples=route is None), *move_findings(log, measured))
     findings += tuple(one for one in fit.findings if one.code == "CL406") if fit is not None else ()
