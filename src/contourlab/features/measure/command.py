@@ -304,12 +304,8 @@ def _judged(file: str | Path | Log, settings: Measure) -> MeasuredRun:
             given: dict[str, Any] = {"lines": log.lines, "rapid": log.rapid, "tolerance": settings.si("tolerance"), "program": lines}
             measured = judged_log(log.result, route, axes, shift=shift, **given)
         except ResultError as error:
-            is_unsure = bool(fixed) and known is None and log.lines is None
-            hints = (
-                [f"line {fixed[0]} leads to machine coordinates, which do not move with the part: give its zero with --shift"]
-                if is_unsure
-                else []
-            )
+            hints = [f"line {line} moves in machine coordinates: give the zero of the part with --shift" for line in fixed[:1]]
+            hints = hints if known is None and log.lines is None else []
             raise ResultError("; ".join([str(error), *hints, *(doubt.text for doubt in log.doubtful)])) from error
     findings = (*log.findings, *measured.findings, *gap_findings(log, measured, of_samples=route is None), *move_findings(log, measured))
     findings += tuple(one for one in fit.findings if one.code == "CL406") if fit is not None else ()
