@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from reference_data import reference_file
 
-from contourlab.analysis.identification.least_squares import DescentSettings
+from contourlab.analysis.identification.descent import DescentSettings
 from contourlab.cli.main import main
 from contourlab.features.commission.records import read_log
 from contourlab.features.commission.setup import read_setup

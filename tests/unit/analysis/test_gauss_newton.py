@@ -8,18 +8,8 @@ import numpy as np
 import pytest
 from scipy.signal import lfilter
 
-from contourlab.analysis.identification.least_squares import (
-    DAMPINGS,
-    DescentSettings,
-    Free,
-    descend,
-    descended,
-    fit_covariance,
-    in_step,
-    jacobian,
-    parted,
-    spread_starts,
-)
+from contourlab.analysis.identification.descent import DAMPINGS, DescentSettings, descend, in_step, jacobian, spread_starts
+from contourlab.analysis.identification.least_squares import Free, descended, fit_covariance, parted
 from contourlab.errors import ParameterError
 
 RNG = np.random.default_rng(5)

@@ -10,8 +10,9 @@ from typing import TypeAlias
 
 import numpy as np
 
+from contourlab.analysis.identification.descent import DescentSettings, spread_starts
 from contourlab.analysis.identification.first_order import first_order_start
-from contourlab.analysis.identification.least_squares import DescentSettings, Free, Model, OutputFit, arrays_of, descended, spread_starts
+from contourlab.analysis.identification.least_squares import Free, Model, OutputFit, arrays_of, descended
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array, true_spans
 from contourlab.errors import ParameterError

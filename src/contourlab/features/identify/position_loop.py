@@ -16,7 +16,8 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.analysis.identification.least_squares import DescentSettings, Free, OutputFit, descended, deviation_findings
+from contourlab.analysis.identification.descent import DescentSettings
+from contourlab.analysis.identification.least_squares import Free, OutputFit, descended, deviation_findings
 from contourlab.arrays import Array
 from contourlab.components.controller.steps import Steps
 from contourlab.components.drive.step_generator import PositionLag

@@ -9,7 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.analysis.identification.least_squares import Descent, DescentSettings, FitCovariance, descend, fit_covariance, spread_starts
+from contourlab.analysis.identification.descent import Descent, DescentSettings, descend, spread_starts
+from contourlab.analysis.identification.least_squares import FitCovariance, fit_covariance
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError, ResultError, refuse

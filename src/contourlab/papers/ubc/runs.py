@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from contourlab.analysis.identification.least_squares import DescentSettings
+from contourlab.analysis.identification.descent import DescentSettings
 from contourlab.errors import LogError
 from contourlab.features.refine.log_run import Agreement, LogRun, log_run
 from contourlab.features.refine.study import CrossValidation, RefineSettings, Window, cross_validated, refine

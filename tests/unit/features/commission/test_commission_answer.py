@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from made_two_masses import TwoMasses
 
-from contourlab.analysis.identification.least_squares import DescentSettings
+from contourlab.analysis.identification.descent import DescentSettings
 from contourlab.app.json_values import json_values
 from contourlab.app.results import SAFETY
 from contourlab.errors import ParameterError
