@@ -96,6 +96,12 @@ def test_what_a_quick_command_proposes_runs(contourlab: Run, folder: Path, words
     assert follow(contourlab, folder, words) or words[0] in SILENT
 
 
+def test_no_run_is_proposed_that_lacks_a_plant(contourlab: Run, folder: Path) -> None:
+    (folder / "m.ini").write_text((folder / "m.ini").read_text().replace("HALCMD", "#"))
+    said = contourlab("check", "inch.ngc", "--machine", "m.ini")
+    assert said.code == 0 and "CL988" in said.out and "next:" not in said.out
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("words", SLOW, ids=" ".join)
 def test_what_a_study_proposes_runs(contourlab: Run, folder: Path, words: tuple[str, ...]) -> None:
