@@ -15,17 +15,16 @@ from typing import Any
 import numpy as np
 
 from contourlab.analysis.identification.least_squares import correlation_of, fit_records
-from contourlab.app.command_line import as_typed, chosen_options
+from contourlab.app.command_line import as_typed
 from contourlab.app.json_values import HIDDEN, write_json
 from contourlab.app.results import staged
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
-from contourlab.app.shared_options import READING
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.circle.fit import CircleFit, ReversalSpike, Term, fit_circle
 from contourlab.features.circle.options import Circle
 from contourlab.features.circle.runs import CircleRun, find_circle, is_polar, own_columns, polar_runs, runs_of
-from contourlab.features.measure.log_choice import open_log
+from contourlab.features.measure.log_choice import kept_options, open_log
 from contourlab.features.measure.plausibility import columns_of, known_signal
 from contourlab.features.measure.study import ACTUAL
 from contourlab.figures import figure, number
@@ -240,7 +239,7 @@ class CircleTest(Answer):
             wanted = float(f"{5e5 * self.circular_deviation:.1g}")
             return f"{self.command} {as_typed(['--tolerance', f'{wanted:g} um'])}"
         if self.lag:
-            kept = chosen_options(shlex.split(self.command), *READING)
+            kept = kept_options(shlex.split(self.command))
             return as_typed(["contourlab", "identify", str(self.inputs[0]), "--model", "position-loop", *kept])
         return as_typed(["contourlab", "explain", self.findings[0].code if self.findings else "CL480"])
 

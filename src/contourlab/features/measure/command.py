@@ -12,10 +12,9 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 
 from contourlab import __version__
-from contourlab.app.command_line import as_typed, chosen_options
+from contourlab.app.command_line import as_typed
 from contourlab.app.results import staged
 from contourlab.app.session import QUIET, Session, question
-from contourlab.app.shared_options import READING
 from contourlab.arrays import Array, Index
 from contourlab.errors import LogError, ParameterError, ResultError, refused
 from contourlab.features.check.program_check import origin_of
@@ -23,6 +22,7 @@ from contourlab.features.check.reading import read_once
 from contourlab.features.measure.log_choice import (
     distinct_names,
     is_program,
+    kept_options,
     open_log,
     program_of,
     reference_columns,
@@ -178,7 +178,7 @@ class MeasuredRuns(JudgedRuns):
         known = worst.log.result
         driven = "command" in known and known.signals["command"].unit != "m"
         model = "rigid" if "force" in known else "first-order" if driven else "position-loop"
-        words = ["contourlab", "identify", typed[2], "--model", model, "--axis", axis, *chosen_options(typed, *READING)]
+        words = ["contourlab", "identify", typed[2], "--model", model, "--axis", axis, *kept_options(typed)]
         return [("Identify the axis that strays most:", as_typed(words))]
 
     def save(self, folder: str | Path = "results", *, plots: Sequence[str] = (), **_: Any) -> MeasuredRuns:

@@ -8,7 +8,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from contourlab.app.shared_options import LogColumns, LogWindow
+from contourlab.app.command_line import chosen_options
+from contourlab.app.shared_options import READING, LogColumns, LogWindow
 from contourlab.errors import LogError
 from contourlab.logs import Column, Columns, Log, Record, parse_columns, read_columns, read_record, result_of
 from contourlab.logs.mapping import once
@@ -70,6 +71,13 @@ def _unit_of(machine: str | Path | Machine | None) -> str:
 
     made = None if machine is None else machine_of(machine)
     return "" if made is None or made.control is None else reading_on(made, {}).unit
+
+
+def kept_options(typed: Sequence[str]) -> list[str]:
+    """Return the options typed that say how a log is read, for a next step without ``--machine``: its unit is named."""
+    machine = chosen_options(typed, "--machine")
+    unit = _unit_of(machine[1]) if machine and "--unit" not in typed else ""
+    return [*chosen_options(typed, *READING), *(["--unit", unit] if unit else [])]
 
 
 def window_of(file: str | Path | Log, options: LogWindow) -> Window | None:
