@@ -44,6 +44,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_the_table_has_the_units_of_the_firmware(folder: Path) -> None:
     assert format_of(folder / "heard.csv").name == "accelerometer"
+    (folder / "noted.csv").write_text("# bench\n#\n" + (folder / "heard.csv").read_text())
+    assert format_of(folder / "noted.csv").name == "accelerometer"
     log = load_log(folder / "heard.csv")
     assert log.result.axes == ("x", "y", "z") and log.result.servo_period == pytest.approx(1.0 / RATE, rel=1e-6)
     assert np.mean(log.result["acceleration"][:, 2]) == pytest.approx(9.806, rel=1e-3)
@@ -51,8 +53,8 @@ def test_the_table_has_the_units_of_the_firmware(folder: Path) -> None:
 
 def test_a_resonance_with_its_deviations(folder: Path, as_json: AsJson, refused: Refused, capsys: pytest.CaptureFixture[str]) -> None:
     log = folder / "heard.csv"
-    found = as_json("identify", log, "--model", "resonance", "--axis", "x")
-    assert found["usable"]
+    found = as_json("identify", log, "--axis", "x")
+    assert found["usable"] and found["model"] == "resonance"
     for name, true in (("frequency", FREQUENCY), ("damping_ratio", DAMPING)):
         figure = found["parameters"][name]
         assert abs(figure["value"] - true) < 3.0 * figure["robust_deviation"] < 0.3 * true
@@ -60,7 +62,8 @@ def test_a_resonance_with_its_deviations(folder: Path, as_json: AsJson, refused:
     assert "excited" in refused("identify", log, "--model", "resonance", "--axis", "y")
     assert "position" in refused("identify", log, "--model", "rigid", "--axis", "x")
     assert main(["identify", str(log), "--model", "resonance", "--axis", "x"]) == 0
-    assert "axis.toml" not in capsys.readouterr().out  # this model has no axis file
+    assert main(["identify", str(log), "--axis", "x", "--write", str(folder / "axis.toml")]) == 1
+    assert "next:" not in capsys.readouterr().out  # this model has no axis file
     half = as_json("identify", log, "--model", "resonance", "--axis", "x", "--window", "..15999")
     assert half["parameters"]["frequency"]["robust_deviation"] > found["parameters"]["frequency"]["robust_deviation"]
 

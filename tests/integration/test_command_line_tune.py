@@ -236,7 +236,7 @@ def test_wrong_options_are_refused(words: list[str], said: str, tmp_path: Path, 
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["--write", "folder.toml"], "is a folder; name a file with --write"),
+        (["--write", "folder.toml"], "name a file with --write"),
         (["--write", "file/tuned.toml"], "choose another folder with --write"),
         (["--plots", "svg", "--out", "file"], "choose another folder with --out"),
     ],

@@ -278,6 +278,13 @@ def test_faults_are_refused_and_nothing_is_written(tmp_path: Path, refused: Refu
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.parametrize("first", [1, 3])
+def test_a_window_is_proposed_if_it_can_be_read(tmp_path: Path, refused: Refused, first: int) -> None:
+    times = [*range(10, 10 + first), *range(4)]
+    (tmp_path / "log.csv").write_text("t,x pos [mm],x ref [mm]\n" + "".join(f"{t},{t},{t}\n" for t in times))
+    assert ("--window" in refused("measure", tmp_path / "log.csv")) == (first > 2)
+
+
 @pytest.mark.slow
 def test_a_simulated_run_can_be_measured(tmp_path: Path, as_json: AsJson) -> None:
     """`measure` finds the contour error that `run` printed in the signals that `run` wrote."""

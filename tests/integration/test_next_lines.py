@@ -101,6 +101,23 @@ def test_what_a_quick_command_proposes_runs(contourlab: Run, folder: Path, words
     assert follow(contourlab, folder, words) or words[0] in SILENT
 
 
+@pytest.mark.parametrize("command", ["measure", "circle", "limits"])
+def test_the_unit_of_a_machine_goes_on(contourlab: Run, folder: Path, command: str) -> None:
+    log = np.loadtxt(folder / "circle.csv", delimiter=",", skiprows=1) / [1.0, *[25.4] * 4]
+    np.savetxt(folder / "circle.csv", log, header="time [s],x cmd,y cmd,x pos,y pos", comments="", delimiter=",")
+    limit = [] if command == "limits" else ["--tolerance", "5 um"]
+    first = contourlab(command, "circle.csv", "--machine", "m.ini", *limit, "--window", "..7000")
+    (line,) = (line for line in first.out.splitlines() if line.startswith("next: contourlab "))
+    assert shlex.split(line)[2] != "explain" and contourlab(*shlex.split(line)[2:]).code == 0
+    assert {*shlex.split(line)} >= {"--window", "..7000"}
+
+
+def test_no_run_is_proposed_that_lacks_a_plant(contourlab: Run, folder: Path) -> None:
+    (folder / "m.ini").write_text((folder / "m.ini").read_text().replace("HALCMD", "#"))
+    said = contourlab("check", "inch.ngc", "--machine", "m.ini")
+    assert said.code == 0 and "CL988" in said.out and "next:" not in said.out
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("words", SLOW, ids=" ".join)
 def test_what_a_study_proposes_runs(contourlab: Run, folder: Path, words: tuple[str, ...]) -> None:

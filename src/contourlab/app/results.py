@@ -76,10 +76,10 @@ def check_file(file: str | Path, inputs: Iterable[str | os.PathLike[str]] = (), 
     ParameterError
         If it is one of `inputs`.
     OutputError
-        If it is a folder, or cannot be created or replaced.
+        If it is a folder or a device, or cannot be created or replaced.
     """
     target = Path(file)
-    refuse(target.is_dir(), OutputError, f"{target}: is a folder; name a file with {option}")
+    refuse(target.exists() and not target.is_file(), OutputError, f"{target}: is a folder or a device; name a file with {option}")
     spared(target, inputs, option)
     with _temporary(target.parent, option):
         pass

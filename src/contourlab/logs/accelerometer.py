@@ -11,11 +11,11 @@ from contourlab.logs.reading import Record
 
 UNITS = {"time": "s", "accel": "mm/s^2"}
 """Units of the firmware; the file states none."""
-_HEAD = re.compile(rb"\s*#?\s*time\s*[,;\t]\s*accel_[xyz]\b")
+_HEAD = re.compile(rb"(?:\s*#[^\r\n]*[\r\n])*\s*#?\s*time\s*[,;\t]\s*accel_[xyz]\b")
 
 
 def matches(file: Path, head: bytes) -> bool:
-    """Tell whether the first line names a time and accelerations."""
+    """Tell whether the first line, or the last one behind #, names a time and accelerations."""
     return _HEAD.match(head) is not None
 
 

@@ -175,7 +175,7 @@ def _kept(time: Array, name: str, file: Path, rows: Index | None) -> Flags:
     if (step < 0.0).any():
         k = int(np.argmax(step < 0.0))
         where = f"from {time[k]:.9g} s to {time[k + 1]:.9g} s at sample {k + 1} ({name!r})"
-        parts = "" if rows is None else f' (--window "..{rows[k]}" reads the first)'
+        parts = "" if rows is None or rows[k] < 2 else f' (--window "..{rows[k]}" reads the first)'
         raise LogError(f"time goes back {where}: check for two records in one file{parts}, or a column that is not the time", file=file)
     kept = np.append(True, step > 0.0)
     n = int(np.count_nonzero(kept))

@@ -20,9 +20,11 @@ def replacing(file: str | Path, *, durable: bool = False) -> Iterator[Path]:
     Raises
     ------
     OutputError
-        If the folder cannot be made or written to, or the disk is full.
+        If the folder cannot be made or written to, the disk is full, or `file` is a device or a folder.
     """
     target = Path(file)
+    if target.exists() and not target.is_file():  # a rename would take the place of the device
+        raise OutputError(f"{target}: cannot be written: it is not a regular file")
     temporary: Path | None = None
     try:
         try:

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from contourlab.app.results import check_file
 from contourlab.errors import OutputError
 from contourlab.result import Result, ResultWriter, Signal, write_bytes_atomic, write_text_atomic
 from contourlab.result.netcdf import Spool
@@ -37,6 +38,15 @@ def test_text_and_bytes_replace(tmp_path: Path) -> None:
     write_text_atomic(tmp_path / "a.txt", "µm\n")
     write_bytes_atomic(tmp_path / "a.txt", b"new")
     only(tmp_path, "a.txt", b"new")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such files")
+def test_a_device_is_not_replaced(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    for write in (lambda file: write_text_atomic(file, "new"), check_file):
+        with pytest.raises(OutputError):
+            write(tmp_path / "pipe")
+    assert (tmp_path / "pipe").is_fifo() and len(list(tmp_path.iterdir())) == 1
 
 
 def test_line_ends_are_not_touched(tmp_path: Path) -> None:

@@ -107,8 +107,8 @@ class Checked(Answer):
         return [{"fault": kind, **vars(one)} for kind, many in ((True, self.problems), (False, self.notices)) for one in many]
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
-        """Run the program."""
-        if self.faults:
+        """Run the program, if how each axis answers is known."""
+        if self.faults or any(found.code == "CL988" for found in self.findings):
             return None
         machine, has_end = asked.settings.machine or "xyz", not any(notice.message.startswith(NO_END) for notice in self.notices)
         shipped = machine in ("xyz", "builtin:xyz")

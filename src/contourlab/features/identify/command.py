@@ -115,7 +115,12 @@ def identify(*logs: str | Path | Log, settings: Identify, session: Session = QUI
 
 
 def _usual_model(log: Log, options: Identify) -> str:
-    """Return the model where none is named: that of a position loop for a log without force and command, if no option speaks of them."""
+    """Return the model where none is named.
+
+    A position loop for a log without force and command, if no option speaks of them; a resonance for accelerations alone.
+    """
+    if not {"position", "reference", "velocity"} & log.result.signals.keys() and "acceleration" in log.result:
+        return "resonance"
     of_others = {option for model in MODELS.values() for option in model.options} - {*MODELS[POSITION_LOOP].options}
     typed = {name for name, part in Identify.PARTS.items() if getattr(options, name) != part.default}
     driven = any(log.result.signals[name].unit != "m" for name in ("command", "force", "torque") if name in log.result)

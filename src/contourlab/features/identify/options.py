@@ -18,7 +18,9 @@ MODELS = (
 class Identify(LogColumns):
     """Identify a model of an axis from logs; write an axis file with uncertainties."""
 
-    model: str | None = option(None, f"By default rigid, or position-loop for a log of commanded and actual position alone; {MODELS}")
+    model: str | None = option(
+        None, f"By default rigid; position-loop for commanded and actual position alone, resonance for accelerations alone; {MODELS}"
+    )
     axis: str | None = option(None, 'The axis, if the log has several; position-loop: several, e.g. "x,y", by default all that move.')
     gain: str | None = option(None, 'Force per command, e.g. "35 N/V", if the log has no force.')
     full_scale: str | None = option(None, 'Full scale of the command, e.g. "10 V", if the force is unknown.')

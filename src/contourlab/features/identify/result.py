@@ -175,8 +175,9 @@ class Identification(Answer):
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
         """Write the axis file, if there is one, or look at it."""
-        again = asked.again("--write", "axis.toml") if self.tables else None
-        return again if self.wanted is None else ["machines", self.wanted]
+        if self.axis_file is not None:
+            return ["machines", self.axis_file]
+        return asked.again("--write", "axis.toml") if self.tables and self.usable else None
 
     def axis_text(self) -> str:
         """Return the text of the axis file, with the origin of each number."""

@@ -358,16 +358,17 @@ class LimitTest(Answer):
         file, settings = asked.inputs[0], asked.settings
         if self.exit_code == FAULTY:
             return None
+        read = settings.words_of(LogAxes)
         if self.passed is None:
-            return ["limits", file, "--machine", "xyz"]
+            return ["limits", file, *read, "--machine", "xyz"]
         if self.program is not None and not self.annotated:
             out = f"{self.program.stem}-annotated{self.program.suffix}"
-            of_log = [] if self.source == "plan" else ["--program", self.program]
+            of_log = [] if self.source == "plan" else ["--program", self.program, *read]
             limits = [word for name in ("machine", *KINDS) for word in settings.PARTS[name].words(getattr(settings, name))]
             return ["limits", file, *of_log, *limits, "--annotate", out]
         if self.source == "plan":
             return ["check", file, "--machine", settings.machine]
-        return ["measure", file, *settings.words_of(LogAxes), *settings.PARTS["machine"].words(settings.machine)]
+        return ["measure", file, *read, *settings.PARTS["machine"].words(settings.machine)]
 
     @property
     def worst(self) -> tuple[ProgramLine, ...]:
