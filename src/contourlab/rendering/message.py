@@ -3,7 +3,8 @@
 A message is compressed by gzip. Inside: the length of the header (4 bytes, little-endian), the header (JSON in UTF-8, padded with spaces to
 a multiple of 8 bytes together with its length), and the numbers of all arrays. The header is
 ``{"contract": "contourlab-page/1", "pictures": [...]}``. A dataclass is an object of its fields and its ``kind``, the name of the class. An
-array is ``{"dtype": "f4" | "f8" | "i4", "at": byte, "shape": [...]}``: little-endian, row by row, from that byte of the numbers on.
+array is ``{"dtype": "f4" | "f8" | "i4", "at": byte, "shape": [...]}``: little-endian, row by row, from that byte of the numbers on;
+equal arrays share their place.
 Only arrays hold numbers that are not finite. Types: ``viewer/contract.json``, JSON Schema.
 """
 
@@ -12,7 +13,7 @@ from __future__ import annotations
 import gzip
 import json
 import struct
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import fields, is_dataclass
 from typing import Any
 
@@ -34,38 +35,39 @@ def message(pictures: Iterable[Picture]) -> bytes:
     >>> len(message([])) < 100
     True
     """
-    numbers = bytearray()
-    header = {"contract": CONTRACT, "pictures": [_values(picture, numbers) for picture in pictures]}
+    packer = _Packer()
+    header = {"contract": CONTRACT, "pictures": [packer.values(picture) for picture in pictures]}
     text = json.dumps(header, allow_nan=False, separators=(",", ":"), ensure_ascii=False).encode()
     text += b" " * (-(len(text) + 4) % 8)
-    return gzip.compress(struct.pack("<I", len(text)) + text + bytes(numbers), 9, mtime=0)
+    return gzip.compress(struct.pack("<I", len(text)) + text + bytes(packer.numbers), 9, mtime=0)
 
 
-def _values(value: Any, numbers: bytearray) -> Any:
-    """Return a value for JSON; append its arrays to the numbers."""
-    if isinstance(value, np.ndarray):
-        return _placed(value, numbers)
-    if is_dataclass(value):
-        parts = {field.name: _values(getattr(value, field.name), numbers) for field in fields(value)}
-        return {"kind": type(value).__name__, **parts}
-    if isinstance(value, Mapping):
-        return {key: _values(item, numbers) for key, item in value.items()}
-    if isinstance(value, tuple | list):
-        return [_values(item, numbers) for item in value]
-    return value.item() if isinstance(value, np.generic) else value
+class _Packer:
+    """Collects the numbers of arrays; equal arrays share their place."""
 
+    def __init__(self) -> None:
+        self.numbers = bytearray()
+        self.places: dict[tuple[str, bytes], int] = {}
 
-def _placed(array: np.ndarray[Any, Any], numbers: bytearray) -> dict[str, Any]:
-    """Append an array, as float32 if that is precise enough for a picture, and return its place."""
-    if array.dtype.kind in "bui":
-        kind = "i4"
-    else:
-        array = np.asarray(array, dtype=np.float64)
-        kind = "f4" if _fits_single(array) else "f8"
-    numbers.extend(b"\0" * (-len(numbers) % 8))
-    place = {"dtype": kind, "at": len(numbers), "shape": list(array.shape)}
-    numbers.extend(array.astype("<" + kind).tobytes())
-    return place
+    def values(self, value: Any) -> Any:
+        """Return a value for JSON."""
+        if isinstance(value, np.ndarray):
+            return self.placed(value)
+        if is_dataclass(value):
+            return {"kind": type(value).__name__, **{field.name: self.values(getattr(value, field.name)) for field in fields(value)}}
+        if isinstance(value, tuple | list):
+            return [self.values(item) for item in value]
+        return value.item() if isinstance(value, np.generic) else value
+
+    def placed(self, array: np.ndarray[Any, Any]) -> dict[str, Any]:
+        """Return the place of an array; it travels as float32 if that is precise enough for a picture."""
+        kind = "i4" if array.dtype.kind in "bui" else "f4" if _fits_single(array) else "f8"
+        packed = array.astype("<" + kind).tobytes()
+        if (kind, packed) not in self.places:
+            self.numbers.extend(b"\0" * (-len(self.numbers) % 8))
+            self.places[kind, packed] = len(self.numbers)
+            self.numbers.extend(packed)
+        return {"dtype": kind, "at": self.places[kind, packed], "shape": list(array.shape)}
 
 
 def _fits_single(values: np.ndarray[Any, Any]) -> bool:
