@@ -155,6 +155,28 @@ def test_the_sliders_of_a_circle_take_its_causes_away(browsing, tmp_path, monkey
     assert float(output.inner_text().split()[0]) == measured
 
 
+SHOW = """async () => {
+  const data = Uint8Array.from(atob(document.getElementById('message').textContent), c => c.charCodeAt(0));
+  const unpacked = new Blob([data]).stream().pipeThrough(new DecompressionStream('gzip'));
+  const root = document.createElement('div');
+  root.id = 'notebook';
+  document.body.replaceChildren(root);
+  contourlab.show(root, await new Response(unpacked).arrayBuffer());
+}"""
+
+
+@pytest.mark.slow
+def test_the_viewer_draws_a_message_in_any_element(browsing, page):
+    opened = browsing.open(page)
+    opened.locator(".plot[data-drawn]").first.wait_for()
+    opened.evaluate(SHOW)
+    assert opened.locator("#notebook .plot").count() == len(in_file(page))
+    last = opened.locator("#notebook .plot").last
+    last.scroll_into_view_if_needed()
+    opened.locator("#notebook .plot[data-drawn] canvas").last.wait_for()
+    assert opened.locator("#notebook h3").all_inner_texts() == [picture["title"] for picture in in_file(page).values()]
+
+
 MODULES = """
 scenario = "scenario.toml"
 chunk = 64
