@@ -299,6 +299,99 @@ class SpaceChart(Magnifying):
     sizes: tuple[Array, ...]
 
 
+@dataclass(frozen=True)
+class Place:
+    """A place of a run where the error is large.
+
+    Parameters
+    ----------
+    foot : tuple of 3 float [mm]
+        Nearest point of the path.
+    error : tuple of 3 float [um]
+        From there to the tool.
+    size : float [um]
+    time : float [s]
+    line : int
+        Line of the program; 0 for none.
+    cause : str
+        Empty if unknown.
+    """
+
+    foot: tuple[float, ...]
+    error: tuple[float, ...]
+    size: float
+    time: float
+    line: int
+    cause: str
+
+
+@dataclass(frozen=True, eq=False)
+class SceneRun:
+    """A run in space, thinned; its figures cover the stretches with a number, and lines join only points of the same one.
+
+    Parameters
+    ----------
+    foot : ndarray (n, 3) [mm]
+        Nearest points of the path.
+    error : ndarray (n, 3) [um]
+        From there to the tool.
+    size : ndarray (n,) [um]
+        Of the part error.
+    time : ndarray (n,) [s]
+        Ascending.
+    feedrate : ndarray (n,) [mm/min]
+    lines : ndarray (n,) of int
+        Line of the program; 0 for none.
+    stretch : ndarray (n,) of int
+        Number of the judged stretch, from 1; 0 where nothing is judged.
+    worst : tuple of Place
+        Largest first.
+    """
+
+    name: str
+    colour: str
+    foot: Array
+    error: Array
+    size: Array
+    time: Array
+    feedrate: Array
+    lines: Index
+    stretch: Index
+    worst: tuple[Place, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class PathScene(Picture):
+    """The path in space, and the runs along it.
+
+    Parameters
+    ----------
+    axes : tuple of str
+        Names of the two or three axes shown; without a third one z is 0.
+    path : ndarray (n, 3) [mm]
+        The programmed path.
+    lines : ndarray (n,) of int
+        Line of the program; 0 for none.
+    judged : ndarray (n,) of bool
+        Whether figures cover the path there.
+    unjudged : str
+        What the rest is: rapids, for example.
+    runs : tuple of SceneRun
+    tolerance : float or None [um]
+    magnification : float
+        Of the errors; initial value.
+    """
+
+    axes: tuple[str, ...]
+    path: Array
+    lines: Index
+    judged: Flags
+    unjudged: str
+    runs: tuple[SceneRun, ...]
+    tolerance: float | None
+    magnification: float
+
+
 @dataclass(frozen=True, eq=False)
 class Tile:
     """One of several small pictures, with its own x axis.

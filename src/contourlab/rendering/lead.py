@@ -15,7 +15,7 @@ from contourlab.rendering.samples import signal
 MOST_LINES, LETTERS = 500, 200
 """Most lines of a program on a page, and letters of a line."""
 
-_WORDS = {"reversal": "friction at the reversal", "breakaway": "friction at the start"}
+CAUSES = {"reversal": "friction at the reversal", "breakaway": "friction at the start"}
 """Causes in other words than their names."""
 
 
@@ -48,7 +48,7 @@ def answer(scheme: JudgedRun) -> str:
     size, allowed = figure(worst.value, "um"), figure(verdict.tolerance, "um", 6)
     # An error within the tolerance alone would not explain the verdict.
     skips = f", the tool skips {figure(verdict.left_out, 'mm')} of the path" if verdict.left_out else ""
-    why = "" if cause is None else f", {_WORDS.get(cause.name, cause.name)}"
+    why = "" if cause is None else f", {CAUSES.get(cause.name, cause.name)}"
     text = f"{'PASS' if verdict.passed else 'FAIL'} at {where}, t = {worst.time:.3f} s: {size} of {allowed} allowed{skips}{why}."
     lower_feed = [change for change in verdict.changes if change.name == FEED]
     for change in [*lower_feed, *[other for other in verdict.changes if other.name != FEED][:1]]:
@@ -57,18 +57,21 @@ def answer(scheme: JudgedRun) -> str:
     return text
 
 
-def lines_at(data: ReportData, along: Array) -> Index:
-    """Return the program line at arc lengths (n,) [m] of the programmed path: that of the nearest sample; 0 for none."""
-    scheme = data.schemes[0]
-    if scheme.lines is None:
-        return np.zeros(along.size, dtype=np.int64)
-    foot = signal(scheme.result, "foot_arc_length")
+def samples_at(data: ReportData, along: Array) -> Index:
+    """Return the sample of the first run that is nearest to arc lengths (n,) [m] of the programmed path."""
+    foot = signal(data.schemes[0].result, "foot_arc_length")
     foot = np.mod(foot, data.asked.length) if data.asked.closed else foot
     order = np.argsort(foot, kind="stable")
     foot = foot[order]
     after = np.clip(np.searchsorted(foot, along), 1, foot.size - 1) if foot.size > 1 else np.zeros(along.size, dtype=int)
     nearer = after - (along - foot[after - 1] < foot[after] - along)
-    return np.asarray(scheme.lines[order][nearer], dtype=np.int64)
+    return np.asarray(order[nearer], dtype=np.int64)
+
+
+def lines_at(data: ReportData, along: Array) -> Index:
+    """Return the program line at arc lengths (n,) [m] of the programmed path: that of the nearest sample; 0 for none."""
+    lines = data.schemes[0].lines
+    return np.zeros(along.size, dtype=np.int64) if lines is None else np.asarray(lines[samples_at(data, along)], dtype=np.int64)
 
 
 @dataclass(frozen=True)

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
 
 from contourlab.arrays import Array, Index
+from contourlab.feed.reference import CUTTING, LAST_LAP
 from contourlab.figures import figure
 from contourlab.geometry import Path
-from contourlab.rendering.charts import Curve, Magnified, PathChart, SpaceChart
+from contourlab.rendering.charts import Curve, Magnified, PathChart, PathScene, Place, SceneRun, SpaceChart
 from contourlab.rendering.comparison import judged_words
 from contourlab.rendering.data import JudgedRun, ReportData
-from contourlab.rendering.lead import lines_at
-from contourlab.rendering.samples import keep_changes, largest_magnitude, signal
+from contourlab.rendering.lead import CAUSES, lines_at, samples_at
+from contourlab.rendering.samples import keep_changes, largest_magnitude, signal, times
 from contourlab.rendering.style import BAND, INK, REFERENCE, magnification
 from contourlab.thinning import keep_extremes
 
@@ -22,6 +24,8 @@ MM, UM = 1e3, 1e6
 DRAWN = "The path is to scale. The error of each run is magnified and drawn from the nearest point of the path."
 FLAT = 1e-3
 """An axis with an extent below this share of the largest gets no view."""
+PEAKS, APART, SOON = 5, 40, 0.25
+"""Most worst places of a run; the share of the run, 1 / APART, that lies between two; and the longest effect of a reversal [s]."""
 
 
 class _Drawn(NamedTuple):
@@ -172,3 +176,93 @@ def _worst(data: ReportData, columns: list[int]) -> tuple[Magnified, ...]:
             name = f"{scheme.name}: worst {figure(worst.value, 'um')}"
             places.append(Magnified(foot[:, columns] * MM, error[:, columns] * UM, name, data.looks[scheme.name][1]))
     return tuple(places)
+
+
+def path_scene(data: ReportData, points: int) -> PathScene | None:
+    """Return the path in space with the runs along it, each curve with at most `points` points (>= 16); None for a single axis.
+
+    Of more than three axes, those that move most are shown.
+    """
+    if len(data.axes) == 1:
+        return None
+    s = _places(data.asked, points // 2)
+    asked, lines = data.asked.position(s), lines_at(data, s)
+    shown = sorted(int(i) for i in np.argsort(-np.ptp(asked, axis=0), kind="stable")[:3])
+    first, flat = data.schemes[0], np.zeros((1, 3 - len(shown)))
+
+    def column(points: Array) -> Array:
+        return np.hstack([points[:, shown], np.broadcast_to(flat, (len(points), flat.size))])
+
+    runs = tuple(_scene_run(data, scheme, column, points) for scheme in data.schemes)
+    calm = [largest_magnitude(run.error) / UM for run, scheme in zip(runs, data.schemes, strict=True) if scheme.result.status.ok]
+    part = first.metrics.judged
+    judged = np.ones(s.size, dtype=bool) if part.basis == LAST_LAP else part.mask(first.result.n_sample)[samples_at(data, s)]
+    caption = f"The path is to scale, the error is magnified and drawn from the nearest point of the path. Shown: {judged_words(first)}."
+    return PathScene(
+        "path-space",
+        "Path with magnified error",
+        caption,
+        tuple(data.axes[i] for i in shown),
+        _rounded(column(asked) * MM, 17),
+        lines,
+        judged,
+        "rapids" if part.basis == CUTTING else "not judged",
+        runs,
+        None if data.tolerance is None else data.tolerance * UM,
+        magnification(float(np.max(np.ptp(asked, axis=0))), max(calm, default=0.0)),
+    )
+
+
+def _scene_run(data: ReportData, scheme: JudgedRun, column: Callable[[Array], Array], points: int) -> SceneRun:
+    """Return a run from its first to its last judged sample."""
+    result, ranges = scheme.result, scheme.metrics.judged.ranges
+    start, stop = ranges[0][0], ranges[-1][1]
+    along, size = signal(result, "foot_arc_length")[start:stop], np.abs(signal(result, "part_error")[start:stop])
+    samples = start + np.flatnonzero(np.isfinite(along) & np.isfinite(size))
+    along, size = along[samples - start], size[samples - start]
+    stretch = np.zeros(result.n_sample, dtype=np.int64)
+    for number, part in enumerate(ranges, 1):
+        stretch[slice(*part)] = number
+    foot = column(data.asked.position(along))
+    error = column(signal(result, "tool_position")[samples]) - foot
+    kept = keep_extremes(np.column_stack([size, foot]), points)
+    ends = np.searchsorted(samples, np.ravel([(first, last - 1) for first, last in ranges])).clip(max=len(samples) - 1)
+    kept = np.union1d(kept, ends) if ends.size <= points else kept
+    lines = np.zeros(result.n_sample, dtype=np.int64) if scheme.lines is None else np.asarray(scheme.lines, dtype=np.int64)
+    speed = signal(result, "feedrate")[samples] if "feedrate" in result else np.gradient(along, float(result.servo_period))
+    time = times(result, samples)
+    worst = tuple(
+        Place(tuple((foot[i] * MM).tolist()), tuple((error[i] * UM).tolist()), float(size[i]) * UM, float(time[i]),
+              int(lines[samples[i]]), _cause(scheme, int(samples[i])))
+        for i in _peaks(np.where(stretch[samples] > 0, size, 0.0))
+    )  # fmt: skip
+    drawn = (_rounded(foot[kept] * MM, 17), _rounded(error[kept] * UM, 14), _rounded(size[kept] * UM, 14), time[kept])
+    return SceneRun(
+        *data.looks[scheme.name][:2], *drawn, _rounded(np.abs(speed[kept]) * 6e4, 12), lines[samples[kept]], stretch[samples[kept]], worst
+    )
+
+
+def _peaks(size: Array) -> list[int]:
+    """Return the samples of the largest errors, apart from one another and none below half of the largest."""
+    left, near, peaks = size.copy(), size.size // APART + 1, list[int]()
+    while size.size and len(peaks) < PEAKS and left.max() > 0.5 * size.max():
+        peaks.append(int(np.argmax(left)))
+        left[max(peaks[-1] - near, 0) : peaks[-1] + near] = 0.0
+    return peaks
+
+
+def _cause(scheme: JudgedRun, sample: int) -> str:
+    """Return the largest cause at the worst sample; elsewhere the reversal before it, if there is one."""
+    verdict, time = scheme.verdict, float(times(scheme.result, np.array([sample]))[0])
+    if verdict is not None and verdict.causes and verdict.worst.sample == sample:
+        name = max(verdict.causes, key=lambda cause: cause.contribution).name
+        return CAUSES.get(name, name)
+    before = [spike for spike in scheme.spikes if spike.time <= time <= spike.time + SOON]
+    return f"reversal of {max(before, key=lambda spike: abs(spike.height)).axis}" if before else ""
+
+
+def _rounded(values: Array, bits: int) -> Array:
+    """Round to `bits` bits of the spread, more than a screen shows: numbers that end in zeros take half the space when compressed."""
+    spread = float(np.ptp(values)) if values.size else 0.0
+    step = 2.0 ** (np.floor(np.log2(spread)) - bits) if 0.0 < spread < np.inf else 1.0
+    return np.asarray(np.round(values / step) * step if spread > 0.0 else values)
