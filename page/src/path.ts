@@ -1,23 +1,18 @@
 /** The path in space, judged: errors magnified and coloured, worst places, playback. Nothing is drawn while nothing changes. */
+import { type Drawing, figure, type Page, roundDown, visible as seen } from "./base";
 import type { PathScene, Place, SceneRun } from "./contract";
 import LOOK from "./path.css";
-import { attribute, Canvas, mix, pairs, type Point, rgb, RUN, scaleColours, tangents, type Values } from "./path_lines";
+import { attribute, Canvas, drawsInSoftware, mix, pairs, type Point, rgb, RUN, scaleColours, tangents, type Values } from "./path_lines";
+import { point, View } from "./path_view";
 
 /** A place of a run between two samples, or of the path where nothing is judged. */
 interface Spot { run: SceneRun; foot: Point; error: Point; size: number; time: number; line: number; feedrate: number; judged: boolean }
 
-const MOST = 10_000, NEAR = 14, SOON = 0.25, FLAT = 0.05, DEGREE = Math.PI / 180;
+const MOST = 10_000, NEAR = 14, SOON = 0.25, FLAT = 0.05;
 const ISO: [number, number] = [-60, 35.264], PAPER: [number, number] = [640, 440];
+/** Left ends and heights [px] that the key of colours takes from labels. */
+const KEY_PLACE = [20, 36, 52].flatMap(y => [12, 70, 130].map((x): [number, number] => [x, y]));
 const SPEEDS = [0.1, 0.2, 0.5, 1, 2, 5, 10], NOTHING: Point = [0, 0, 0];
-
-const figure = (value: number, digits = 3): string => Number(value.toPrecision(digits)).toLocaleString("en", { maximumFractionDigits: 12 }).replace(/,/g, "\u2009");
-const point = (values: Values, i: number): Point => [values[3 * i], values[3 * i + 1], values[3 * i + 2]];
-const dot = (a: Point, b: Point): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-
-function roundDown(value: number): number {
-  const power = 10 ** Math.floor(Math.log10(value) + 1e-12);
-  return ([5, 2].find(step => step * power <= value) ?? 1) * power;
-}
 
 /** Return an element with properties, and what is inside. */
 function element<K extends keyof HTMLElementTagNameMap>(tag: K, given: object = {}, ...inside: (Node | string)[]): HTMLElementTagNameMap[K] {
@@ -35,23 +30,21 @@ function shape(tag: string, given: Record<string, string | number>, ...inside: (
 }
 
 /** Draw the path and its runs; a click on them picks the line of the program, and `highlight` marks the stretch that a line makes. */
-export function drawPath(
-  host: HTMLElement, scene: PathScene, page: { pick(line: number): void },
-): { highlight(line: number | null): void; resize(): void; destroy(): void } {
-  // A page that is printed needs the last frame.
-  const canvas = element("canvas"), context = canvas.getContext("webgl2", { antialias: true, alpha: true, preserveDrawingBuffer: true });
+export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawing & { highlight(line: number | null): void } {
+  // Without a graphics card, smooth edges cost as much as all the rest. A page that is printed needs the last frame.
+  const isSlow = drawsInSoftware(), canvas = element("canvas");
+  const context = canvas.getContext("webgl2", { antialias: !isSlow, alpha: true, preserveDrawingBuffer: true });
   if (!context) {
     host.replaceChildren("The path in space needs WebGL 2, which this browser does not offer.");
     return { highlight() {}, resize() {}, destroy() { host.replaceChildren(); } };
   }
-  const root = host.getRootNode() as Document | ShadowRoot, look = new CSSStyleSheet(), gone = new AbortController();
+  const tree = host.getRootNode(), root = tree instanceof ShadowRoot ? tree : document, look = new CSSStyleSheet(), gone = new AbortController();
   look.replaceSync(LOOK);
   root.adoptedStyleSheets.push(look);
   const listen = (target: EventTarget, kinds: string, act: (event: never) => void, more: object = {}): void =>
     kinds.split(" ").forEach(kind => target.addEventListener(kind, act as EventListener, { signal: gone.signal, ...more }));
 
   // --- lines -------------------------------------------------------------------------------------------------------------------------
-
   const gl = new Canvas(canvas, context), uniforms = gl.uniforms, path = scene.path.values, judged = scene.judged.values, count = judged.length;
   const low: Point = [Infinity, Infinity, Infinity], high: Point = [-Infinity, -Infinity, -Infinity];
   path.forEach((value, i) => { low[i % 3] = Math.min(low[i % 3], value); high[i % 3] = Math.max(high[i % 3], value); });
@@ -72,16 +65,17 @@ export function drawPath(
   worstRun.shown = true;
 
   // --- controls ----------------------------------------------------------------------------------------------------------------------
-
-  const svg = shape("svg", {}), bar = element("div", { className: "path-bar" }), key = element("div", { className: "path-key" });
+  const copy = element("canvas", { hidden: true }), svg = shape("svg", {});
+  const bar = element("div", { className: "path-bar" }), key = element("div", { className: "path-key" });
   const ariaLabel = `${scene.title}. Arrow keys turn, with shift they move; plus and minus zoom, space plays.`;
-  const stage = element("div", { className: "path-stage", tabIndex: 0, role: "application", ariaLabel }, canvas, svg, key, bar);
+  const stage = element("div", { className: "path-stage", tabIndex: 0, role: "application", ariaLabel }, canvas, copy, svg, key, bar);
   const times = element("output", { className: "path-times" }), clock = element("output");
   const said = element("output", { className: "path-said", textContent: "Click on the path: line, time, error and cause." });
   const slider = element("input", { type: "range", min: "0", max: "4", step: "any", ariaLabel: "Magnification of the error" });
   const first = Math.min(...runs.map(({ run }) => run.time.values[0] ?? 0)), last = Math.max(...runs.map(({ run }) => run.time.values.at(-1) ?? 0));
   const scrubber = element("input", { type: "range", min: String(first), max: String(last), step: "any", ariaLabel: "Time", value: String(first) });
-  const play = element("button", { type: "button" }), speed = element("select", { ariaLabel: "Speed" }, ...SPEEDS.map(s => new Option(`${s} ×`, String(s))));
+  const play = element("button", { type: "button" });
+  const speed = element("select", { ariaLabel: "Speed" }, ...SPEEDS.map(s => new Option(`${s} ×`, String(s))));
   const colourBy = element("select", { ariaLabel: "Colour" }, new Option("colour: error", "error"), new Option("colour: run", "run"));
   const tick = (text: string, checked: boolean, act: (on: boolean) => void, colour = ""): HTMLElement => {
     const box = element("input", { type: "checkbox", checked }), swatch = element("i");
@@ -110,10 +104,12 @@ export function drawPath(
   }
   const isFlat = climb <= FLAT * length;
   let showEdges = isFlat;
+  const [azimuth, elevation] = isFlat ? [-90, 90] : ISO, view = new View(path, centre, extent, azimuth, elevation, () => invalidate());
   host.classList.add("cl-path");
   host.replaceChildren(
     element("div", { className: "path-row" },
-      element("span", { className: "path-views" }, ...views.map(([name, a, e]) => button(name, () => { [az, el] = [a, e]; fit(); })), button("Fit", () => fit())),
+      element("span", { className: "path-views" }, 
+        ...views.map(([name, a, e]) => button(name, () => { view.from(a, e); fit(); })), button("Fit", fit)),
       ...(runs.length > 1 ? [...switches, colourBy] : []),
       ...(rests.length ? [tick(scene.unjudged, true, on => { showRapids = on; })] : []),
       ...(edges.length ? [tick("tolerance", showEdges, on => { showEdges = on; })] : [])),
@@ -121,61 +117,17 @@ export function drawPath(
     element("div", { className: "path-row" }, times, slider),
     element("div", { className: "path-row" }, play, scrubber, speed, clock), said);
 
-  // --- camera: it sees `target` from azimuth and elevation [degrees]; `span` mm fill the height --------------------------------------
-
-  let [az, el] = isFlat ? [-90, 90] : ISO, span = extent, width = 0, height = 0, target = centre, right = NOTHING, up = NOTHING, view = NOTHING;
-
-  function turn(dx = 0, dy = 0): void {
-    az -= dx;
-    el = Math.min(Math.max(el + dy, -90), 90);
-    const a = az * DEGREE, e = el * DEGREE;
-    view = [Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e)];
-    right = [-Math.sin(a), Math.cos(a), 0];
-    up = [-Math.sin(e) * Math.cos(a), -Math.sin(e) * Math.sin(a), Math.cos(e)];
-    invalidate();
-  }
-
-  /** Show the whole path, with room for its errors and their labels. */
-  function fit(): void {
-    turn();
-    const room = Math.min(1e-3 * uniforms.magnification.value * Math.max(...visible().map(one => one.top), 0), 0.3 * extent);
-    const [[left, wide], [bottom, tall]] = [right, up].map(along => {
-      let from = Infinity, to = -Infinity;
-      for (let i = 0; i < count; i += 1) { const at = dot(point(path, i), along); from = Math.min(from, at); to = Math.max(to, at); }
-      return [(from + to) / 2, to - from + 2 * room];
-    });
-    target = [0, 1, 2].map(k => left * right[k] + bottom * up[k] + dot(centre, view) * view[k]) as Point;
-    span = Math.max(tall / Math.max(1 - 64 / height, 0.5), (wide * height) / width / Math.max(1 - 48 / width, 0.5), 1e-3 * extent);
-    invalidate();
-  }
-
-  /** Return the pixel of a point [mm]. */
-  function project(at: Point): [number, number] {
-    const k = height / span, off: Point = [at[0] - target[0], at[1] - target[1], at[2] - target[2]];
-    return [width / 2 + k * dot(off, right), height / 2 - k * dot(off, up)];
-  }
-
-  /** Move the picture by pixels. */
-  function shift(dx: number, dy: number): void {
-    target = target.map((part, i) => part - (span / height) * (right[i] * dx - up[i] * dy)) as Point;
-    invalidate();
-  }
-
-  /** Show `factor` times as much, the point under a pixel stays. */
-  function zoom(factor: number, px = width / 2, py = height / 2): void {
-    const next = Math.min(Math.max(span * factor, 1e-6 * extent), 50 * extent), part = 1 - next / span;
-    shift((width / 2 - px) * part, (height / 2 - py) * part);
-    span = next;
-  }
-
   // --- one frame ---------------------------------------------------------------------------------------------------------------------
-
-  let frame = 0, settling = 0, moves = false;
+  let frame = 0, settling = 0, dense = 1, moves = false;
   function invalidate(): void { frame ||= requestAnimationFrame(render); }
+
+  function fit(): void {
+    view.fit(Math.min(1e-3 * uniforms.magnification.value * Math.max(...visible().map(one => one.top), 0), 0.3 * extent));
+  }
 
   /** Lines are a pixel wide while the picture moves, if wide ones are slow. */
   function move(): void {
-    moves = gl.isSlow;
+    moves = isSlow;
     clearTimeout(settling);
     settling = window.setTimeout(() => { moves = false; invalidate(); }, 150);
   }
@@ -183,18 +135,12 @@ export function drawPath(
   function render(): void {
     cancelAnimationFrame(frame);
     frame = 0;
-    const camera = gl.camera, dense = Math.round(devicePixelRatio || 1), tall = span / 2, wide = (tall * width) / height;
-    const far = 4 * (extent + 1e-3 * uniforms.magnification.value * Math.max(...runs.map(one => one.top))), at = target.map((part, k) => part - centre[k]) as Point;
-    Object.assign(camera, { top: tall, bottom: -tall, right: wide, left: -wide, near: 0, far: 2 * far });
-    camera.position.set(at[0] + view[0] * far, at[1] + view[1] * far, at[2] + view[2] * far);
-    camera.up.set(...up);
-    camera.lookAt(...at);
-    camera.updateProjectionMatrix();
-    uniforms.view.value.set(...view);
+    view.aim(gl.camera, 4 * (extent + 1e-3 * MOST * Math.max(...runs.map(one => one.top))));
+    uniforms.view.value.set(...view.back);
     rapids.object.visible = showRapids;
     edges.forEach(edge => { edge.object.visible = showEdges && tolerance! * 1e-3 * uniforms.magnification.value < 0.3 * extent; });
     runs.forEach(one => { one.lines.object.visible = one.shown; one.lines.width(moves ? 1 : 2 * dense); });
-    gl.renderer.render(gl.scene, camera);
+    gl.renderer.render(gl.scene, gl.camera);
     annotate();
   }
 
@@ -204,17 +150,18 @@ export function drawPath(
 
   /** Draw worst places with labels that do not cover one another, the chosen place, axes, tools and scale. */
   function annotate(): void {
-    const marks: SVGElement[] = [], taken: [number, number][] = [], [cx, cy] = project(centre);
+    const marks: SVGElement[] = [], taken = KEY_PLACE.slice(), [cx, cy] = view.project(centre);
     listed = visible().flatMap(({ run }) => run.worst.map(place => ({ run, place }))).sort((a, b) => b.place.size - a.place.size);
-    listed.forEach(({ place }, k) => {
-      const [px, py] = project(drawnAt(place));
-      if (px < 0 || py < 0 || px > width || py > height) return;
-      const text = `${figure(place.size)} um${place.line ? `, line ${place.line}` : ""}`, long = 7 * text.length, out = px < cx ? -1 : 1;
+    listed.forEach(({ run, place }, k) => {
+      const [px, py] = view.project(drawnAt(place)), { width, height } = view;
+      if (!view.holds([px, py])) return;
+      const text = `${figure(place.size, "um", 3)}${place.line ? `, line ${place.line}` : ""}`, long = 7 * text.length, out = px < cx ? -1 : 1;
       const side = px + out * (18 + long) < 0 || px + out * (18 + long) > width ? -out : out, way = py < cy ? -1 : 1;
       const tx = px + side * 14, left = side > 0 ? tx : tx - long;
-      const free = [0, 1, 2, 3].map(turn => py + 3 + way * (15 + 16 * turn)).find(ty => ty > 12 && ty < height - 6
+      const free = [15, 31, 47, 63, -23, -39].map(off => py + 3 + way * off).find(ty => ty > 12 && ty < height - 6
         && !taken.some(([x, y]) => Math.abs(x - left) < long + 6 && Math.abs(y - ty) < 16));
       const label = shape("g", { class: "path-worst", "data-place": k }, shape("circle", { class: "path-mark", cx: px, cy: py, r: 6 }));
+      if (visible().length > 1) (label.firstChild as SVGElement).style.stroke = run.colour;
       if (free !== undefined) {
         taken.push([left, free]);
         const looks = tolerance !== null && place.size > tolerance ? "path-over" : "";
@@ -224,28 +171,29 @@ export function drawPath(
       marks.push(label);
     });
     if (chosen) {
-      const [px, py] = project(drawnAt(chosen));
+      const [px, py] = view.project(drawnAt(chosen));
       marks.push(shape("path", { class: "path-mark", d: `M${px - 11} ${py}h8m6 0h8M${px} ${py - 11}v8m0 6v8` }));
     }
     letters.forEach((letter, k) => {
-      const [bx, by] = [width - 38, height - 34], dx = right[k], dy = -up[k];
+      const [bx, by] = [view.width - 38, view.height - 34], dx = view.right[k], dy = -view.up[k];
       marks.push(shape("line", { class: "path-mark", x1: bx, y1: by, x2: bx + 24 * dx, y2: by + 24 * dy }));
       if (Math.hypot(dx, dy) > 0.3) marks.push(shape("text", { x: bx + 30 * dx - 4, y: by + 32 * dy + 4 }, letter));
     });
     tools = runs.map(({ run }) => shape("circle", { class: "path-tool", r: 6, fill: run.colour }));
     svg.replaceChildren(...marks, ...tools);
-    const worth = roundDown((120 * span) / height), line = element("i");
-    line.style.width = `${(worth * height) / span}px`;
-    bar.replaceChildren(line, `${figure(worth)} mm of path, ${figure((worth * 1e3) / uniforms.magnification.value)} um of error`);
+    const worth = roundDown((120 * view.span) / view.height), line = element("i");
+    line.style.width = `${(worth * view.height) / view.span}px`;
+    bar.replaceChildren(line, `${figure(worth, "mm")} of path, ${figure((worth * 1e3) / uniforms.magnification.value, "um", 3)} of error`);
     showTools();
   }
 
   // --- playback ----------------------------------------------------------------------------------------------------------------------
-
   /** Return a place between samples i and i + 1 of a run; its error is drawn where it is judged. */
   function between(run: SceneRun, i: number, f: number): Spot {
-    const stretch = run.stretch.values, j = Math.min(i + 1, stretch.length - 1), value = ({ values }: { values: Values }): number => values[i] + (values[j] - values[i]) * f;
-    const error = (k: number): Point => (stretch[k] > 0 ? point(run.error.values, k) : NOTHING), foot = mix(point(run.foot.values, i), point(run.foot.values, j), f);
+    const stretch = run.stretch.values, j = Math.min(i + 1, stretch.length - 1);
+    const value = ({ values }: { values: Values }): number => values[i] + (values[j] - values[i]) * f;
+    const error = (k: number): Point => (stretch[k] > 0 ? point(run.error.values, k) : NOTHING);
+    const foot = mix(point(run.foot.values, i), point(run.foot.values, j), f);
     return {
       run, foot, error: mix(error(i), error(j), f), size: value(run.size), time: value(run.time), line: run.lines.values[f > 0 ? j : i],
       feedrate: value(run.feedrate), judged: stretch[i] > 0 && stretch[i] === stretch[j],
@@ -268,10 +216,11 @@ export function drawPath(
     const spots = runs.map(({ run, shown }) => (shown && run.time.values.length && (time > first || playing) ? toolAt(run, time) : null));
     spots.forEach((spot, r) => {
       tools[r].setAttribute("visibility", spot ? "visible" : "hidden");
-      if (spot) project(drawnAt(spot)).forEach((at, k) => tools[r].setAttribute(k ? "cy" : "cx", at.toFixed(2)));
+      if (spot) view.project(drawnAt(spot)).forEach((at, k) => tools[r].setAttribute(k ? "cy" : "cx", at.toFixed(2)));
     });
     const there = spots.filter(spot => spot !== null), line = there.find(spot => spot.line)?.line;
-    clock.textContent = [`${time.toFixed(3)} s`, ...(line ? [`line ${line}`] : []), ...there.map(spot => (spot.judged ? `${figure(spot.size)} um` : scene.unjudged))].join(", ");
+    const errors = there.map(spot => (spot.judged ? figure(spot.size, "um", 3) : scene.unjudged));
+    clock.textContent = [`${time.toFixed(3)} s`, ...(line ? [`line ${line}`] : []), ...errors].join(", ");
   }
 
   function advance(now: number): void {
@@ -300,24 +249,26 @@ export function drawPath(
   listen(scrubber, "input", () => { time = Number(scrubber.value); showTools(); });
 
   // --- places and lines --------------------------------------------------------------------------------------------------------------
-
   /** Return the place nearest to a pixel on the runs that are shown, else on the rapids; null if none is near. */
   function nearest(px: number, py: number): Spot | null {
     let best = NEAR, spot: Spot | null = null;
     const search = (index: Uint32Array, at: (i: number) => Point, made: (i: number, f: number) => Spot): void => {
       let found = -1, share = 0;
       for (let k = 0; k < index.length; k += 2) {
-        const [ax, ay] = project(at(index[k])), [bx, by] = project(at(index[k + 1])), dx = bx - ax, dy = by - ay, square = dx * dx + dy * dy;
-        const f = square > 0 ? Math.min(Math.max(((px - ax) * dx + (py - ay) * dy) / square, 0), 1) : 0, off = Math.hypot(px - ax - f * dx, py - ay - f * dy);
+        const [ax, ay] = view.project(at(index[k])), [bx, by] = view.project(at(index[k + 1])), dx = bx - ax, dy = by - ay;
+        const f = Math.min(Math.max(((px - ax) * dx + (py - ay) * dy) / (dx * dx + dy * dy || 1), 0), 1);
+        const off = Math.hypot(px - ax - f * dx, py - ay - f * dy);
         if (off < best) [best, found, share] = [off, index[k], f];
       }
       if (found >= 0) spot = made(found, share);
     };
-    visible().forEach(({ run, index }) => search(index, i => drawnAt({ foot: point(run.foot.values, i), error: point(run.error.values, i) }), (i, f) => between(run, i, f)));
+    for (const { run, index } of visible()) {
+      search(index, i => drawnAt({ foot: point(run.foot.values, i), error: point(run.error.values, i) }), (i, f) => between(run, i, f));
+    }
     if (!spot && showRapids) {
       search(rests, i => point(path, i), (i, f) => ({
-        run: worstRun.run, foot: mix(point(path, i), point(path, i + 1), f), error: NOTHING, size: NaN, time: NaN, line: scene.lines.values[f < 0.5 ? i : i + 1],
-        feedrate: NaN, judged: false,
+        run: worstRun.run, foot: mix(point(path, i), point(path, i + 1), f), error: NOTHING, line: scene.lines.values[f < 0.5 ? i : i + 1],
+        size: NaN, time: NaN, feedrate: NaN, judged: false,
       }));
     }
     return spot;
@@ -330,7 +281,7 @@ export function drawPath(
     if (spot.judged) {
       const apart = (place: Place): number => Math.abs(place.time - spot.time);
       const near = spot.run.worst.filter(place => place.cause && apart(place) < SOON).sort((a, b) => apart(a) - apart(b));
-      said.textContent = [name, `t = ${spot.time.toFixed(3)} s`, `error ${figure(spot.size)} um`, `${figure(spot.feedrate)} mm/min`,
+      said.textContent = [name, `t = ${spot.time.toFixed(3)} s`, `error ${figure(spot.size, "um", 3)}`, figure(spot.feedrate, "mm/min"),
         ...near.slice(0, 1).map(place => `cause: ${place.cause}`), runs.length > 1 ? spot.run.name : ""].filter(Boolean).join(", ");
       time = spot.time;
       scrubber.value = String(time);
@@ -355,13 +306,11 @@ export function drawPath(
     const own = part(pairs(count, () => true), scene.lines.values);
     halo.only(own);
     runs.forEach(one => one.halo.only(one.shown ? part(one.index, one.run.lines.values) : []));
-    const isSeen = (i: number): boolean => { const [px, py] = project(point(path, i)); return px > 0 && py > 0 && px < width && py < height; };
-    if (own.length && !own.some(isSeen)) target = point(path, own[own.length >> 1]);
+    if (own.length && !own.some(i => view.holds(view.project(point(path, i))))) view.target = point(path, own[own.length >> 1]);
     invalidate();
   }
 
   // --- pointer and keys --------------------------------------------------------------------------------------------------------------
-
   const down = new Map<number, [number, number]>();
   let travel = 0;
   const local = (event: MouseEvent): [number, number] => {
@@ -380,9 +329,9 @@ export function drawPath(
     down.set(event.pointerId, to);
     move();
     if (other) {
-      zoom(apart(from) / apart(to), ...other);
-      shift(dx / 2, dy / 2);
-    } else if (event.shiftKey || event.buttons & 6) shift(dx, dy); else turn(dx / 2, dy / 2);
+      view.zoom(apart(from) / apart(to), ...other);
+      view.shift(dx / 2, dy / 2);
+    } else if (event.shiftKey || event.buttons & 6) view.shift(dx, dy); else view.turn(dx / 2, dy / 2);
   });
   listen(stage, "click", (event: MouseEvent) => {
     const label = (event.target as Element).closest<SVGElement>(".path-worst"), worst = label && listed[Number(label.dataset.place)];
@@ -393,13 +342,13 @@ export function drawPath(
     if (!event.ctrlKey && root.activeElement !== stage) return;
     event.preventDefault();
     move();
-    zoom(Math.exp(Math.max(-60, Math.min(60, event.deltaY)) * 0.003), ...local(event));
+    view.zoom(Math.exp(Math.max(-60, Math.min(60, event.deltaY)) * 0.003), ...local(event));
   }, { passive: false });
   listen(stage, "keydown", (event: KeyboardEvent) => {
-    const arrow = (dx: number, dy: number) => () => { if (event.shiftKey) shift(5 * dx, 5 * dy); else turn(dx, dy); };
+    const arrow = (dx: number, dy: number) => () => { if (event.shiftKey) view.shift(5 * dx, 5 * dy); else view.turn(dx, dy); };
     const acts: Record<string, () => void> = {
       ArrowLeft: arrow(-6, 0), ArrowRight: arrow(6, 0), ArrowUp: arrow(0, -6), ArrowDown: arrow(0, 6), Home: fit, " ": toggle,
-      "+": () => zoom(0.8), "=": () => zoom(0.8), "-": () => zoom(1.25),
+      "+": () => view.zoom(0.8), "=": () => view.zoom(0.8), "-": () => view.zoom(1.25),
     };
     if (!acts[event.key] || event.altKey || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
@@ -408,55 +357,65 @@ export function drawPath(
   });
 
   // --- magnification, colours, size --------------------------------------------------------------------------------------------------
-
   function magnify(value: number): void {
     uniforms.magnification.value = Number(Math.min(Math.max(value, 1), MOST).toPrecision(2));
-    times.textContent = slider.ariaValueText = `error × ${figure(uniforms.magnification.value, 6)}`;
+    times.textContent = slider.ariaValueText = `error × ${uniforms.magnification.value.toLocaleString("en").replace(",", "\u2009")}`;
     invalidate();
   }
   listen(slider, "input", () => { move(); magnify(10 ** Number(slider.value)); });
   listen(colourBy, "change", () => dress());
 
   const night = matchMedia("screen and (prefers-color-scheme: dark)");
-  let isPaper = false;
+  let isPaper = false, kept = {};
 
   /** Take the colours of the theme, and those of the runs: by error, or one each. */
   function dress(): void {
-    const style = getComputedStyle(host), bySize = colourBy.value === "error", stops = scaleColours(night.matches && !isPaper);
-    const paint = (lines: { paint(colour: Point): void }[], name: string): void => lines.forEach(one => one.paint(rgb(style.getPropertyValue(`--p-${name}`))));
-    paint([outline], "ink");
+    const style = getComputedStyle(host), named = (name: string): string => style.getPropertyValue(`--p-${name}`).trim();
+    const bySize = colourBy.value === "error", stops = scaleColours(night.matches && !isPaper);
+    const paint = (lines: { paint(colour: Point): void }[], name: string): void => lines.forEach(one => one.paint(rgb(named(name))));
+    paint([outline], "path");
     paint([rapids], "rapid");
     paint(edges, "band");
     paint([halo, ...runs.map(one => one.halo)], "picked");
-    runs.forEach(({ run, lines }) => lines.paint(bySize ? null : rgb(run.colour)));
+    runs.forEach(({ run, lines }) => lines.paint(bySize ? null : rgb(seen(run.colour, named("paper")))));
     stops.forEach((colour, k) => uniforms.scale.value[k].set(...colour));
     const top = Math.max(...visible().map(one => one.top), 0) || 1, strip = element("div", { className: "path-scale" }), mark = element("i");
     uniforms.top.value = top;
-    strip.style.background = `linear-gradient(90deg, ${stops.map(colour => `rgb(${colour.map(part => Math.round(255 * part)).join(" ")})`).join(", ")})`;
+    const inCss = stops.map(colour => `rgb(${colour.map(part => Math.round(255 * part)).join(" ")})`);
+    strip.style.background = `linear-gradient(90deg, ${inCss.join(", ")})`;
     mark.style.left = `${(100 * (tolerance ?? 0)) / top}%`;
     if (tolerance !== null && tolerance <= top) strip.append(mark);
-    const ends = element("div", { className: "path-ends" }, element("span", {}, "0"), element("span", {}, `${figure(top)} um`));
-    key.replaceChildren(tolerance === null ? "error" : `error, tolerance ${figure(tolerance)} um`, ...(bySize ? [strip, ends] : []));
+    const ends = element("div", { className: "path-ends" }, element("span", {}, "0"), element("span", {}, figure(top, "um", 3)));
+    const texts = [...(bySize ? ["error"] : []), ...(tolerance === null ? [] : [`tolerance ${figure(tolerance, "um")}`])];
+    key.replaceChildren(texts.join(", "), ...(bySize ? [strip, ends] : []));
     highlight(marked);
   }
 
   function resize(): void {
-    const isFirst = !width, ratio = devicePixelRatio || 1;
+    const isFirst = !view.width, ratio = isPaper ? 2 : devicePixelRatio || 1;
     if (!stage.clientWidth || !stage.clientHeight) return;
-    [width, height] = [stage.clientWidth, stage.clientHeight];
+    [view.width, view.height] = [stage.clientWidth, stage.clientHeight];
     gl.renderer.setPixelRatio(ratio);
-    gl.renderer.setSize(width, height, false);
-    uniforms.pixel.value.set(2 / (width * ratio), 2 / (height * ratio));
+    gl.renderer.setSize(view.width, view.height, false);
+    uniforms.pixel.value.set(2 / (view.width * ratio), 2 / (view.height * ratio));
+    dense = Math.max(Math.round(ratio), 1);
+    halo.width(4 * dense);
+    runs.forEach(one => one.halo.width(6 * dense));
     if (isFirst) fit();
     render();
   }
 
-  /** On paper the picture has its own size and the light colours. */
+  /** On paper the picture has its own size and the light colours; what is printed is a flat copy. */
   function paper(on: boolean): void {
+    if (on) kept = { target: view.target, span: view.span };
     isPaper = on;
     [stage.style.width, stage.style.height] = on ? PAPER.map(pixels => `${pixels}px`) : ["", ""];
     dress();
     resize();
+    if (on) fit(); else Object.assign(view, kept);
+    render();
+    [copy.width, copy.height, copy.hidden] = [canvas.width, canvas.height, !on];
+    if (on) copy.getContext("2d")!.drawImage(canvas, 0, 0);
   }
   listen(night, "change", () => dress());
   listen(window, "beforeprint", () => paper(true));
@@ -464,13 +423,11 @@ export function drawPath(
   listen(canvas, "webglcontextrestored", invalidate);
   const watch = new ResizeObserver(resize);
   watch.observe(stage);
-  halo.width(4 * Math.round(devicePixelRatio || 1));
-  runs.forEach(one => one.halo.width(6 * Math.round(devicePixelRatio || 1)));
   speed.value = "1";
   pause();
   slider.value = String(Math.log10(scene.magnification));
   magnify(scene.magnification);
-  turn();
+  view.turn(0, 0);
   dress();
   resize();
 

@@ -55,6 +55,14 @@ export function scaleColours(dark: boolean): Point[] {
   });
 }
 
+/** Return whether the processor draws, for lack of a graphics card. */
+export function drawsInSoftware(): boolean {
+  const context = new OffscreenCanvas(1, 1).getContext("webgl2"), info = context?.getExtension("WEBGL_debug_renderer_info");
+  const name = info ? String(context!.getParameter(info.UNMASKED_RENDERER_WEBGL)) : "";
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
 /** Return the neighbours (i, i + 1) that are joined, as an index of line segments. */
 export function pairs(count: number, joined: (i: number) => boolean): Uint32Array {
   const index: number[] = [];
@@ -90,7 +98,8 @@ export class Lines {
     for (const [name, values] of Object.entries(attributes)) geometry.setAttribute(name, values);
     geometry.setIndex(new BufferAttribute(index, 1));
     const isRun = order >= RUN, uniforms = { ...shared, ...this.own };
-    const material = new ShaderMaterial({ glslVersion: GLSL3, vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms, depthTest: isRun, depthWrite: isRun });
+    const looks = { glslVersion: GLSL3, vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms };
+    const material = new ShaderMaterial({ ...looks, depthTest: isRun, depthWrite: isRun });
     this.object = new LineSegments(geometry, material);
     this.object.frustumCulled = false;
     this.object.renderOrder = order;
@@ -123,15 +132,12 @@ export class Canvas {
   readonly camera = new OrthographicCamera();
   readonly scene = new Scene();
   readonly renderer: WebGLRenderer;
-  readonly isSlow: boolean;
   readonly uniforms = {
     magnification: { value: 1 }, view: { value: new Vector3() }, pixel: { value: new Vector2() }, top: { value: 1 },
     scale: { value: VIRIDIS.map(() => new Vector3()) },
   };
 
   constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext) {
-    const info = context.getExtension("WEBGL_debug_renderer_info");
-    this.isSlow = info !== null && /swiftshader|llvmpipe|software/i.test(String(context.getParameter(info.UNMASKED_RENDERER_WEBGL)));
     this.renderer = new WebGLRenderer({ canvas, context });
     this.renderer.setClearColor(0, 0);
   }

@@ -179,7 +179,7 @@ def _worst(data: ReportData, columns: list[int]) -> tuple[Magnified, ...]:
 
 
 def path_scene(data: ReportData, points: int) -> PathScene | None:
-    """Return the path in space with the runs along it, each curve with at most `points` points (>= 16); None for a single axis.
+    """Return the path in space with the runs along it, each curve with at most `points` points (>= 32); None for a single axis.
 
     Of more than three axes, those that move most are shown.
     """
@@ -225,7 +225,7 @@ def _scene_run(data: ReportData, scheme: JudgedRun, column: Callable[[Array], Ar
         stretch[slice(*part)] = number
     foot = column(data.asked.position(along))
     error = column(signal(result, "tool_position")[samples]) - foot
-    kept = keep_extremes(np.column_stack([size, foot]), points)
+    kept = np.union1d(keep_extremes(np.column_stack([size, foot]), points // 2), keep_changes(size, points // 4))
     ends = np.searchsorted(samples, np.ravel([(first, last - 1) for first, last in ranges])).clip(max=len(samples) - 1)
     kept = np.union1d(kept, ends) if ends.size <= points else kept
     lines = np.zeros(result.n_sample, dtype=np.int64) if scheme.lines is None else np.asarray(scheme.lines, dtype=np.int64)
