@@ -11,7 +11,7 @@ interface Spot { run: SceneRun; foot: Point; error: Point; size: number; time: n
 const MOST = 10_000, NEAR = 14, SOON = 0.25, FLAT = 0.05;
 const ISO: [number, number] = [-60, 35.264], PAPER: [number, number] = [640, 440];
 /** Left ends and heights [px] that the key of colours takes from labels. */
-const KEY_PLACE = [20, 36, 52].flatMap(y => [12, 70, 130].map((x): [number, number] => [x, y]));
+const KEY_PLACE = [20, 36, 52].flatMap(y => [12, 90].map((x): [number, number] => [x, y]));
 const SPEEDS = [0.1, 0.2, 0.5, 1, 2, 5, 10], NOTHING: Point = [0, 0, 0];
 
 /** Return an element with properties, and what is inside. */

@@ -4,6 +4,8 @@ import type { Point, Values } from "./path_lines";
 
 export const point = (values: Values, i: number): Point => [values[3 * i], values[3 * i + 1], values[3 * i + 2]];
 const dot = (a: Point, b: Point): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+/** Width and height of the key of colours [px], at the top left. */
+const KEY: [number, number] = [210, 52];
 const DEGREE = Math.PI / 180;
 
 export class View {
@@ -39,7 +41,7 @@ export class View {
     this.changed();
   }
 
-  /** Show the whole path, with room [mm] for its errors, and for their labels. */
+  /** Show the whole path, with room [mm] for its errors, and for labels; a wide one lies below the key of colours. */
   fit(room: number): void {
     const [[left, wide], [bottom, tall]] = [this.right, this.up].map(along => {
       let from = Infinity, to = -Infinity;
@@ -52,7 +54,12 @@ export class View {
     });
     this.target = [0, 1, 2].map(k => left * this.right[k] + bottom * this.up[k] + dot(this.centre, this.back) * this.back[k]) as Point;
     const across = (wide * this.height) / this.width / Math.max(1 - 48 / this.width, 0.5);
-    this.span = Math.max(tall / Math.max(1 - 64 / this.height, 0.5), across, 1e-3 * this.extent);
+    const spanOf = (used: number): number => Math.max(tall / Math.max(1 - used / this.height, 0.5), across, 1e-3 * this.extent);
+    this.span = spanOf(64);
+    if (this.width - (wide * this.height) / this.span < 2 * KEY[0]) {
+      this.span = spanOf(64 + KEY[1]);
+      this.shift(0, KEY[1] / 2);
+    }
     this.changed();
   }
 

@@ -227,9 +227,9 @@ def _scene_run(data: ReportData, scheme: JudgedRun, column: Callable[[Array], Ar
     error = column(signal(result, "tool_position")[samples]) - foot
     kept = np.union1d(keep_extremes(np.column_stack([size, foot]), points // 2), keep_changes(size, points // 4))
     ends = np.searchsorted(samples, np.ravel([(first, last - 1) for first, last in ranges])).clip(max=len(samples) - 1)
-    kept = np.union1d(kept, ends) if ends.size <= points else kept
+    kept = np.union1d(kept, ends) if samples.size and ends.size <= points else kept
     lines = np.zeros(result.n_sample, dtype=np.int64) if scheme.lines is None else np.asarray(scheme.lines, dtype=np.int64)
-    speed = signal(result, "feedrate")[samples] if "feedrate" in result else np.gradient(along, float(result.servo_period))
+    speed = signal(result, "feedrate")[samples] if "feedrate" in result else np.diff(along, append=along[-1:]) / float(result.servo_period)
     time = times(result, samples)
     worst = tuple(
         Place(tuple((foot[i] * MM).tolist()), tuple((error[i] * UM).tolist()), float(size[i]) * UM, float(time[i]),

@@ -16,7 +16,7 @@ from contourlab.rendering.comparison import compare
 from contourlab.rendering.page_tables import circle_tables
 from contourlab.rendering.path_picture import path_charts, path_scene
 from contourlab.rendering.run_pictures import axis_charts, bode_charts, error_charts, polar_charts
-from contourlab.result import Status
+from contourlab.result import Signal, Status
 
 POINTS = 2000
 
@@ -139,6 +139,13 @@ def test_the_scene_of_a_path_in_space_has_three_axes(single):
     assert scene.axes == ("x", "y", "z") and scene.tolerance is None
     np.testing.assert_allclose(np.ptp(scene.path, axis=0), np.array(end) * 1e3, rtol=1e-4)
     assert scene.runs[0].worst[0].cause == "" and scene.runs[0].size.max() == pytest.approx(scene.runs[0].worst[0].size, rel=1e-3)
+
+
+def test_a_run_without_a_finite_error_leaves_the_scene_empty(single):
+    result = single.schemes[0].result
+    lost = replace(result, signals=dict(result.signals) | {"part_error": Signal(np.full(result.n_sample, np.nan), ("sample",), "m")})
+    run = path_scene(synthetic.with_result(single, lost), POINTS).runs[0]
+    assert run.time.size == 0 and run.foot.shape == (0, 3) and run.worst == ()
 
 
 def test_error_over_time_holds_the_worst_value_at_its_time(circle):
