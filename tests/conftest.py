@@ -11,6 +11,7 @@ from collections.abc import Iterator
 
 import one_thread  # noqa: F401
 import pytest
+from browsing import browsing, chromium  # noqa: F401
 from host_gpu import HostGpu
 from hypothesis import settings
 from once import once

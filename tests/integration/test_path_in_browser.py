@@ -6,7 +6,6 @@ import base64
 import json
 import math
 import re
-import shutil
 import subprocess
 from dataclasses import fields, is_dataclass
 from pathlib import Path
@@ -21,11 +20,8 @@ from contourlab.metrics.figures import summarise
 from contourlab.rendering.data import JudgedRun, Provenance, ReportData
 from contourlab.rendering.path_picture import path_scene
 
-CHROMIUM, SOURCES = shutil.which("chromium"), Path(__file__).parents[2] / "page"
+SOURCES = Path(__file__).parents[2] / "page"
 ESBUILD = SOURCES / "node_modules" / ".bin" / "esbuild"
-if CHROMIUM is None or not ESBUILD.exists():
-    pytest.skip("no Chromium, or no `npm ci` in page", allow_module_level=True)
-playwright = pytest.importorskip("playwright.sync_api")
 pytestmark = pytest.mark.slow
 
 PAGE = """<!doctype html><meta charset="utf-8"><div id="host"></div><script>{spy}</script><script>{bundle}</script><script>
@@ -78,16 +74,9 @@ def packed(value: Any) -> Any:
 
 
 @pytest.fixture(scope="module")
-def browser():
-    options = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-    with playwright.sync_playwright() as driver:
-        started = driver.chromium.launch(executable_path=CHROMIUM, args=options)
-        yield started
-        started.close()
-
-
-@pytest.fixture(scope="module")
 def bundle(tmp_path_factory) -> str:
+    if not ESBUILD.exists():
+        pytest.skip("no `npm ci` in page")
     target = tmp_path_factory.mktemp("bundle") / "path.js"
     options = ("--bundle", "--format=iife", "--global-name=picture", "--loader:.css=text", "--log-level=error", f"--outfile={target}")
     subprocess.run([ESBUILD, "src/path.ts", *options], cwd=SOURCES, check=True)
@@ -95,26 +84,18 @@ def bundle(tmp_path_factory) -> str:
 
 
 @pytest.fixture
-def opened(browser, bundle, tmp_path):
+def opened(browsing, bundle, tmp_path):
     """Return a function that draws a report's path on a page of its own."""
-    faults, pages = [], []
 
-    def opened(data: ReportData, spy: str = SPY, **settings: Any):
+    def opened(data: ReportData, spy: str = SPY):
         file = tmp_path / "page.html"
         scene = json.dumps(packed(path_scene(data, 20_000)), allow_nan=False)
         file.write_text(PAGE.format(spy=spy, bundle=bundle, scene=scene), encoding="utf-8")
-        page = browser.new_page(**{"viewport": {"width": 1000, "height": 800}, **settings})
-        page.on("pageerror", lambda fault: faults.append(str(fault)))
-        page.on("console", lambda said: faults.append(said.text) if said.type == "error" else None)
-        page.goto(file.as_uri())
+        page = browsing.open(file, 1000, 800)
         page.evaluate(FRAME)
-        pages.append(page)
         return page
 
-    yield opened
-    for page in pages:
-        page.close()
-    assert faults == []
+    return opened
 
 
 @pytest.fixture(scope="module")
