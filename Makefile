@@ -16,13 +16,14 @@ SITE := $(VENV)/.site
 PIP := $(BIN)/python -m pip install --disable-pip-version-check -c $(CONSTRAINTS)
 
 .DEFAULT_GOAL := help
-.PHONY: help install site demo programs learning backlash sweep-demo test check lint types imports size doctests docs package bench fuzz clean
+.PHONY: help install site demo programs learning backlash sweep-demo test check lint types imports size doctests page-check page docs package bench fuzz clean
 
 help:
 	@echo "make demo     run the demonstration; results in results/demo"
 	@echo "make test     run the tests; make test ARGS=\"--slow\" runs the slow ones too"
 	@echo "              (in WORKERS=2 processes; WORKERS=0 for one that a debugger can enter)"
 	@echo "make check    ruff, mypy --strict, import contracts, examples in docstrings, documents"
+	@echo "make page     build the viewer of reports from page/ (needs Node and npm)"
 	@echo "make docs     check the documents, run the examples, build the site: docs/_build/html/index.html"
 	@echo "make package  build wheel and source archive in dist; try the wheel in an environment of its own"
 	@echo "make fuzz     look for wrong answers and crashes on random inputs; make fuzz MINUTES=10"
@@ -67,7 +68,7 @@ demo: $(RUNTIME)
 test: $(STAMP)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(ARGS)
 
-check: lint types imports size doctests docs
+check: lint types imports size doctests page-check docs
 
 lint: $(STAMP)
 	$(BIN)/ruff check .
@@ -83,6 +84,21 @@ size: $(STAMP)
 
 doctests: $(STAMP)
 	$(BIN)/python -m pytest --doctest-modules src/contourlab --quiet
+
+page/node_modules/.installed: page/package.json page/package-lock.json
+	cd page && npm ci --silent
+	@touch $@
+
+page: $(STAMP) page/node_modules/.installed
+	$(BIN)/python tools/page_contract.py
+	cd page && npm run --silent build
+
+# Build the viewer again and compare it with the one that is committed.
+page-check:
+	@command -v npm >/dev/null || { echo "no npm: the viewer's bundle is not compared"; exit 0; }; \
+	  $(MAKE) --no-print-directory page/node_modules/.installed && cd page && npm run --silent build -- built && \
+	  for file in built/*; do cmp $$file ../src/contourlab/rendering/viewer/$${file#built/} || { \
+	    echo "the viewer is not the one that page/ builds: make page" >&2; exit 1; }; done
 
 # -E reads every page again, so that a second run repeats the warnings of the first.
 docs: $(SITE)
@@ -114,7 +130,7 @@ backlash: $(STAMP)
 	$(BIN)/python benchmarks/backlash.py $(ARGS)
 
 clean:
-	rm -rf $(VENV) results benchmarks/out build dist .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis
+	rm -rf $(VENV) results benchmarks/out build dist .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis page/node_modules page/built
 	cd docs && rm -rf _build examples reference/api $(addsuffix .md,$(addprefix reference/,api commands components findings json) \
 	  $(addprefix development/,benchmarks changelog contributing))
 	find src tests benchmarks docs -name __pycache__ -type d -prune -exec rm -rf {} +

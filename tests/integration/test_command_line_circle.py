@@ -12,6 +12,7 @@ from types import ModuleType
 import made_circles
 import numpy as np
 import pytest
+from messages import message_in, pictures
 from typed_commands import AsJson, Refused
 
 from contourlab.cli.main import main
@@ -94,11 +95,11 @@ def test_the_report_is_one_file_with_a_slider_for_each_cause() -> None:
     made_circles.write_log(Path("log.csv"), x=8e-6)
     assert main(["circle", "log.csv"]) == 0
     text = Path("results/report.html").read_text(encoding="utf-8")
-    assert "http://" not in text.replace("http://www.w3.org/2000/svg", "") and "https://" not in text
-    data = json.loads(text.split('id="data">')[1].split("</script>")[0])
-    assert len(data["runs"]) == 2 and "backlash x" in data["causes"]
-    run = data["runs"][0]
-    left = np.array(run["deviation"]) - np.sum(run["curves"], axis=0)
+    assert "http://" not in text and "https://" not in text
+    test = pictures(message_in(text))["causes"]
+    assert len(test["runs"]) == 2 and "backlash x" in test["causes"]
+    run = test["runs"][0]
+    left = run["deviation"] - np.sum(run["curves"], axis=0)
     # Centre and radius stay; at each reversal the step is spread over samples that the fit leaves out.
     assert np.std(left) < 0.1 * np.std(run["deviation"])
 

@@ -1,39 +1,26 @@
-"""The report as its reader sees it: one file from a simulated result, opened by a browser without a network."""
+"""Pages as their reader sees them: one file, opened by a browser without a network."""
 
 from __future__ import annotations
 
-import html
-import json
-import re
-import shutil
-import subprocess
 import time
 from pathlib import Path
+from typing import Any
 
+import made_circles
+import numpy as np
+import page_contract
 import pytest
 import synthetic
+from browsing import Browsing, drawn, painted
+from jsonschema import Draft202012Validator
+from made_studies import made_study
+from messages import header_and_numbers, message_in, pictures
+from reference_data import reference_file
 
+from contourlab.cli.main import main
 from contourlab.rendering.comparison import compare
-from contourlab.rendering.html import write_html
-from contourlab.rendering.path_picture import path_charts
+from contourlab.rendering.html import VIEWER, write_html
 from contourlab.result import Result
-
-BROWSER = next((found for name in ("chromium", "chromium-browser", "google-chrome") if (found := shutil.which(name))), None)
-QUIET = (
-    "--headless",
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--no-first-run",
-    "--hide-scrollbars",
-    "--enable-logging=stderr",
-    "--host-resolver-rules=MAP * ~NOTFOUND",
-    "--run-all-compositor-stages-before-draw",  # else pictures in view may stay undrawn
-    "--virtual-time-budget=20000",
-    "--window-size=1440,12000",
-)
 
 
 @pytest.fixture(scope="module")
@@ -46,95 +33,151 @@ def page(data, tmp_path_factory) -> Path:
     return write_html(data, tmp_path_factory.mktemp("report") / "page.html")
 
 
-def browse(page: Path, *options: str) -> subprocess.CompletedProcess[str]:
-    """Open a page and return the browser's output."""
-    command = [BROWSER, *QUIET, f"--user-data-dir={page.parent / 'profile'}", *options, page.as_uri()]
-    return subprocess.run(command, capture_output=True, text=True, timeout=120, check=True)
+def in_file(page: Path) -> dict[str, Any]:
+    """Return the pictures of a page by key."""
+    return pictures(message_in(page.read_text(encoding="utf-8")))
 
 
-def drawn(document: str) -> set[str]:
-    """Return the pictures that the browser drew."""
-    return set(re.findall(r'<div class="plot[^"]*" id="([^"]+)"[^>]*data-drawn="1"', document))
+def check_pictures(browsing: Browsing, page: Path, width: int = 1280) -> Any:
+    """Open a page; each picture that is shown must be painted in its own colours, each panel of curves in those of its curves."""
+    opened = browsing.open(page, width)
+    assert opened.evaluate("document.documentElement.scrollWidth") <= width
+    for key, picture in in_file(page).items():
+        if opened.locator(f'[id="{key}"]').evaluate("place => place.closest('[hidden]') !== null"):
+            continue
+        if picture["kind"] == "Chart":
+            colours = [{curve["colour"] for curve in panel["curves"] if np.isfinite(curve["y"]).any()} for panel in picture["panels"]]
+        elif picture["kind"] in ("PolarChart", "CircleCauses"):
+            colours = [{curve["colour"] for curve in picture.get("runs", picture.get("curves"))}]
+        else:
+            colours = [{""}]  # any
+        counts = painted(opened, key, *set().union(*colours) - {""})
+        assert len(counts) == len(colours), key
+        assert all(count > 100 for count, wanted in zip(counts, colours, strict=True) if wanted), (key, counts)
+    return opened
 
 
-def acted(page: Path, script: str, wanted: set[str], *options: str) -> str:
-    """Open a copy of a page, run a script once it has a picture, and return the document, if possible with the pictures wanted."""
-    text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", page.read_text(encoding="utf-8"))
-    copy = page.with_name("acted.html")
-    ready = "document.querySelector('.plot[data-drawn] .main-svg')"
-    later = f"const waiting = setInterval(function () {{ if ({ready}) {{ clearInterval(waiting); {script} }} }}, 300);"
-    copy.write_text(text.replace("</body>", f"<script>{later}</script></body>"), encoding="utf-8")
-    for _ in range(4):  # the browser's clock does not wait for its painting: on a busy machine it closes the page too early
-        seen = browse(copy, "--dump-dom", *options)
-        assert [line for line in seen.stderr.splitlines() if "CONSOLE" in line and re.search("Uncaught|rror|WARN", line)] == []
-        if wanted <= drawn(seen.stdout):
-            break
-    return seen.stdout
+def test_a_page_draws_every_picture_and_shows_the_values_under_the_pointer(browsing, data, page):
+    opened = check_pictures(browsing, page)
+    curves = in_file(page)["error-time"]["panels"][0]["curves"]
+    frame = drawn(opened, "error-time").locator(".u-over")
+    box = frame.bounding_box()
+    frame.hover(position={"x": 0.37 * box["width"], "y": 20})
+    shown = opened.locator("#error-time .cl-tip div").all_inner_texts()
+    time_shown = float(shown[0].split()[0])
+    assert len(shown) == 3
+    for curve, line in zip(curves, shown[1:], strict=True):
+        nearest = int(np.argmin(np.abs(curve["x"] - time_shown)))
+        assert float(line.split()[-2]) == pytest.approx(curve["y"][nearest], rel=1e-3)
+        signal = next(scheme for scheme in data.schemes if scheme.name == curve["name"]).result["contour_error"]
+        assert curve["y"][nearest] == pytest.approx(1e6 * signal[round(curve["x"][nearest] / 1e-3)], rel=1e-6)
 
 
-OPEN = "document.querySelectorAll('.fold').forEach(function (fold) { fold.open = true; });"
+def test_clicks_and_keys_lead_from_a_line_to_its_path(browsing, page):
+    opened = browsing.open(page)
+    (key, *_) = (key for key in in_file(page) if key.startswith("path"))
+    drawn(opened, key)
+    shown = f"document.querySelector('#{key} canvas').toDataURL()"
+    before = opened.evaluate(shown)
+    opened.locator('#lines tr[data-line="4"]').click()
+    assert opened.locator("#lines .picked").get_attribute("data-line") == "4"
+    assert opened.locator("#picked").inner_text().startswith("Line 4: ")
+    opened.wait_for_function(f"before => {shown} !== before", arg=before)
+    opened.locator("#lines .lines").focus()
+    opened.keyboard.press("ArrowUp")
+    assert opened.locator("#lines .picked").get_attribute("data-line") == "3"
+    opened.locator("#lines th button").nth(1).click()
+    rows = opened.locator("#lines tbody tr")
+    errors = [float(text) for text in rows.locator("td:nth-child(3)").all_inner_texts()]
+    assert errors == sorted(errors, reverse=True)
+    opened.locator("a[data-pick]").first.click()
+    assert opened.locator("#lines .picked").get_attribute("data-line") == opened.locator("a[data-pick]").first.get_attribute("data-pick")
 
 
-@pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
 @pytest.mark.slow
-def test_a_page_opens_without_complaint_and_with_its_path(page):
-    seen = browse(page, "--dump-dom")
-    assert [line for line in seen.stderr.splitlines() if "CONSOLE" in line] == []
-    assert "path-0" in drawn(seen.stdout) and "main-svg" in seen.stdout
-    assert 'id="path-space"' in seen.stdout and "path-space" not in drawn(seen.stdout)
+def test_panels_zoom_together_and_the_legend_hides_a_curve(browsing, page):
+    opened = browsing.open(page)
+    place = drawn(opened, "axis-0")
+    frames = place.locator(".u-over")
+    frames.first.hover(position={"x": 200, "y": 30})
+    assert place.locator(".cl-tip:not([hidden])").count() == frames.count() > 1
+    whole = place.locator(".cl-tip").last.inner_text()
+    opened.mouse.down()
+    opened.mouse.move(frames.first.bounding_box()["x"] + 300, frames.first.bounding_box()["y"] + 30)
+    opened.mouse.up()
+    frames.first.hover(position={"x": 200, "y": 30})
+    assert place.locator(".cl-tip").last.inner_text() != whole  # another time is below the pointer
+    button = place.locator(".cl-legend button").first
+    name, lines = button.inner_text().strip(), place.locator(".cl-tip").first.inner_text()
+    button.click()
+    frames.first.hover(position={"x": 201, "y": 30})
+    assert name in lines and name not in place.locator(".cl-tip").first.inner_text()
+    assert button.get_attribute("aria-pressed") == "false"
 
 
-CLICKS = """
-document.querySelector('#lines tr[data-line="4"]').click();
-const shown = document.getElementById('path-0'), last = shown.data[shown.data.length - 1];
-const chosen = Math.max(...last.x), row = document.querySelector('#lines .picked').dataset.line;
-shown.emit('plotly_click', {points: [{curveNumber: 0, pointNumber: 5}]});
-const found = document.getElementById('picked').textContent;
-document.querySelectorAll('#lines th button')[1].click();
-const order = Array.from(document.querySelectorAll('#lines tbody tr')).map(function (r) { return r.dataset.line; }).join();
-document.querySelector('[data-step="1"]').click();
-document.querySelector('[data-view="path-space"]').click();
-document.title = JSON.stringify([row, Number.isFinite(chosen), found, order, document.getElementById('magnification').textContent]);
-"""
+@pytest.mark.slow
+def test_paper_is_light_and_has_every_picture(browsing, page):
+    opened = browsing.open(page, dark=True)
+    assert opened.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(20, 25, 30)"
+    opened.evaluate("dispatchEvent(new Event('beforeprint'))")
+    assert opened.evaluate("getComputedStyle(document.querySelector('.plot')).backgroundColor") == "rgb(255, 255, 255)"
+    assert opened.locator(".plot:not([data-drawn])").count() == opened.locator(".view[hidden] .plot").count()
+    assert opened.pdf(format="A4").startswith(b"%PDF")
 
 
-@pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
+@pytest.mark.slow
 @pytest.mark.parametrize("width", [1280, 400])
+def test_the_page_of_the_demonstration_part_is_small_and_whole(browsing, tmp_path, monkeypatch, width):
+    monkeypatch.chdir(tmp_path)
+    assert main(["run", "builtin:demo-part", "--out", "out"]) in (0, 1)
+    page = tmp_path / "out" / "report.html"
+    assert page.stat().st_size < 1.2e6
+    check_pictures(browsing, page, width)
+
+
 @pytest.mark.slow
-def test_clicks_lead_from_a_line_to_its_path_and_back(data, page, width):
-    before = path_charts(data, 100)[0].magnification
-    document = acted(page, CLICKS, {"path-space"}, f"--window-size={width},3000", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
-    row, shown, found, order, scale = json.loads(html.unescape(re.search("<title>(.*?)</title>", document)[1]))
-    assert (row, shown) == ("4", True) and found == "Line 3: G21 G90 F3770"
-    assert sorted(order.split(",")) == ["3", "4"]
-    assert float(scale.split()[-1].replace("\u2009", "")) > before
-    assert "path-space" in drawn(document)
+def test_the_sliders_of_a_circle_take_its_causes_away(browsing, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    made_circles.write_log(tmp_path / "log.csv", x=8e-6)
+    assert main(["circle", "log.csv"]) == 0
+    opened = check_pictures(browsing, tmp_path / "results" / "report.html")
+    output = opened.locator("#causes output").first
+    measured = float(output.inner_text().split()[0])
+    opened.locator(".cl-slider", has_text="backlash x").locator("input").fill("0")
+    test = in_file(tmp_path / "results" / "report.html")["causes"]
+    angle = np.radians(np.concatenate([run["angle"] for run in test["runs"]]))
+    left = np.concatenate([run["deviation"] - run["curves"][test["causes"].index("backlash x")] for run in test["runs"]])
+    design = np.column_stack([np.ones(angle.size), np.cos(angle), np.sin(angle)])
+    left -= design @ np.linalg.lstsq(design, left, rcond=None)[0]
+    shown = float(output.inner_text().split()[0])
+    assert shown == pytest.approx(np.ptp(left), rel=5e-3) and shown < 0.6 * measured
+    opened.get_by_text("As measured", exact=True).click()
+    assert float(output.inner_text().split()[0]) == measured
 
 
-@pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
 @pytest.mark.slow
-def test_every_picture_is_drawn_once_its_fold_is_open(data, page):
-    wanted = {"path-0", "circle-0", "error-time", "error-arc", "axis-0", "axis-1", "bode-0", "bode-1"}
-    document = acted(page, OPEN, wanted)
-    assert drawn(document) == wanted
-    assert document.count('class="main-svg"') >= len(wanted)
-    assert re.search(r'<output id="magnification">error × \d', document)
+def test_the_page_of_a_sweep_shows_its_points(browsing, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    made_study(tmp_path)
+    assert main(["sweep", "study.toml", "--out", "store"]) == 0 and main(["sweep", "report", "store"]) == 0
+    check_pictures(browsing, tmp_path / "store" / "report.html")
 
 
-@pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
 @pytest.mark.slow
-def test_a_browser_paints_the_curves_in_their_colours(page, tmp_path):
-    from PIL import Image
+def test_the_page_of_a_measured_log(browsing, tmp_path, monkeypatch):
+    log = reference_file("data/ubc-xy-table/line_circle_lli.mat")
+    monkeypatch.chdir(tmp_path)
+    assert main(["measure", str(log), "--out", "out"]) in (0, 1)
+    check_pictures(browsing, tmp_path / "out" / "report.html", 400)
 
-    # On a busy machine the browser may take the picture before it has painted the curves.
-    for turn in range(3):
-        browse(page, f"--screenshot={tmp_path / f'page-{turn}.png'}")
-        with Image.open(tmp_path / f"page-{turn}.png") as picture:
-            colours = {colour: count for count, colour in picture.convert("RGB").getcolors(1 << 24)}
-        painted = [colours.get(wanted, 0) for wanted in ((0xD5, 0x5E, 0x00), (0x00, 0x72, 0xB2))]
-        if min(painted) > 600:
-            break
-    assert min(painted) > 600
+
+def test_the_message_keeps_its_contract(page):
+    header, numbers = header_and_numbers(message_in(page.read_text(encoding="utf-8")))
+    assert list(Draft202012Validator(page_contract.contract()).iter_errors(header)) == []
+    assert {picture["kind"] for picture in header["pictures"]} >= {"Chart", "PolarChart"} and len(numbers) > 1000
+    for file, text in page_contract.texts().items():
+        assert file.read_text(encoding="utf-8") == text, f"{file}: run tools/page_contract.py"
+    assert VIEWER.with_name("LICENSES").read_text(encoding="utf-8").count("MIT License") >= 1
 
 
 def test_a_result_saved_and_loaded_gives_the_same_page(data, page, tmp_path):
@@ -155,7 +198,7 @@ def test_the_report_of_a_minute_at_ten_kilohertz_is_quick_and_small(tmp_path):
     start = time.perf_counter()
     file = write_html(data, tmp_path / "long.html")
     assert time.perf_counter() - start < 3.0
-    assert file.stat().st_size < 3e6
+    assert file.stat().st_size < 1.5e6
 
 
 def test_the_page_and_the_table_show_the_same_figures(data, page):

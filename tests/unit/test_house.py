@@ -22,7 +22,7 @@ MODULES = sorted(SOURCE.rglob("*.py"))
 TEXT = {".py", ".md", ".toml", ".ngc", ".txt", ".cff", ".cfg", ".ini", ".j2", ".js", ".css", ".c", ".yml", ".yaml", ".json", ""}
 CACHES = {".hypothesis", ".mypy_cache", ".ruff_cache", ".pytest_cache", ".import_linter_cache", "__pycache__"}
 GENERATED = CACHES | {".git", ".venv", "build", "dist", "out", "results"}
-HEAVY = ("numba", "llvmlite", "numpy", "scipy", "matplotlib", "plotly", "pandas", "xarray", "pint", "pydantic", "control", "h5py", "jinja2")
+HEAVY = ("numba", "llvmlite", "numpy", "scipy", "matplotlib", "pandas", "xarray", "pint", "pydantic", "control", "h5py", "jinja2")
 
 
 def fresh_python(code: str) -> str:

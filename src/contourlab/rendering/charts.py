@@ -1,4 +1,4 @@
-"""Charts as data, before plotly or matplotlib draws them."""
+"""Charts as data, before the viewer or matplotlib draws them."""
 
 from __future__ import annotations
 
@@ -13,13 +13,8 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.rendering.samples import largest_magnitude
 from contourlab.rendering.style import BAND, LIMIT, round_down, scheme_style
 
-MARKS = {
-    "reversal": ("triangle-up", "^"),
-    "corner": ("diamond", "D"),
-    "first zero": ("circle", "o"),
-    "curvature step": ("triangle-down", "v"),
-}
-"""Kinds of marks on the x axis: their symbols in plotly and in matplotlib."""
+MARKS = {"reversal": "^", "corner": "D", "first zero": "o", "curvature step": "v"}
+"""Kinds of marks on the x axis, and their symbols."""
 _BEYOND = ", off scale"
 
 
@@ -45,6 +40,8 @@ class Curve:
     width : float [px]
     half : ndarray (n,), optional
         Half the height of the error bar at each point; draws points without a line.
+    numbers : ndarray (n,) of int, optional
+        Number of each point, which appears on hover.
     """
 
     x: Array
@@ -54,6 +51,7 @@ class Curve:
     dash: str = "solid"
     width: float = 1.3
     half: Array | None = None
+    numbers: Index | None = None
 
 
 @dataclass(frozen=True)
@@ -70,7 +68,7 @@ class Tick:
 
     x: float
     label: str
-    kind: str
+    mark: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,11 +119,11 @@ class Panel:
                 yield level.label + (_BEYOND if self.far else ""), LIMIT
 
     @property
-    def marks(self) -> Iterator[tuple[str, str, str, list[Tick]]]:
-        """The marks by kind: kind, its symbols in plotly and in matplotlib, and the ticks."""
-        for kind, symbols in MARKS.items():
-            if ticks := [tick for tick in self.ticks if tick.kind == kind]:
-                yield kind, *symbols, ticks
+    def marks(self) -> Iterator[tuple[str, str, list[Tick]]]:
+        """The marks by kind: kind, its symbol, and the ticks."""
+        for kind, symbol in MARKS.items():
+            if ticks := [tick for tick in self.ticks if tick.mark == kind]:
+                yield kind, symbol, ticks
 
 
 @dataclass(frozen=True, eq=False)
@@ -283,22 +281,6 @@ class PathChart(Magnifying):
     worst: tuple[Magnified, ...]
 
 
-@dataclass(frozen=True, eq=False)
-class SpaceChart(Magnifying):
-    """The path in space; the errors are coloured by their size.
-
-    Parameters
-    ----------
-    asked : ndarray (n, 3) [mm]
-        The programmed path.
-    sizes : tuple of ndarray (n,) [um]
-        Size of the error at each point of a run.
-    """
-
-    asked: Array
-    sizes: tuple[Array, ...]
-
-
 @dataclass(frozen=True)
 class Place:
     """A place of a run where the error is large.
@@ -450,3 +432,58 @@ class Matrix(Picture):
     names: tuple[str, ...]
     values: Array
     doubtful: Flags
+
+
+@dataclass(frozen=True, eq=False)
+class Heat(Picture):
+    """A value in each cell of a grid (n_y, n_x), in colours; NaN is dark.
+
+    Parameters
+    ----------
+    x_label, y_label, unit : str
+    x_names, y_names : tuple of str
+        Names of the columns, and of the rows from the bottom up.
+    low, high : float
+        Values at the ends of the scale.
+    colours : tuple of (float, str)
+        Places on the scale, 0 to 1 and ascending, and their colours; two at one place are a step.
+    """
+
+    x_label: str
+    y_label: str
+    unit: str
+    x_names: tuple[str, ...]
+    y_names: tuple[str, ...]
+    values: Array
+    low: float
+    high: float
+    colours: tuple[tuple[float, str], ...]
+
+
+@dataclass(frozen=True, eq=False)
+class CircleTrace:
+    """One run of a circle test.
+
+    Parameters
+    ----------
+    angle : ndarray (n,) [deg]
+    deviation : ndarray (n,) [um]
+    curves : ndarray (n_cause, n) [um]
+        What each cause adds to the deviation.
+    """
+
+    name: str
+    colour: str
+    angle: Array
+    deviation: Array
+    curves: Array
+
+
+@dataclass(frozen=True, eq=False)
+class CircleCauses(Picture):
+    """The runs of a circle test, with a slider for each cause that scales its curve."""
+
+    axes: tuple[str, ...]
+    causes: tuple[str, ...]
+    runs: tuple[CircleTrace, ...]
+    radius: float

@@ -5,8 +5,7 @@ from __future__ import annotations
 import base64
 import gzip
 import hashlib
-import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -16,8 +15,9 @@ from contourlab.rendering.charts import Picture
 from contourlab.rendering.comparison import compare
 from contourlab.rendering.data import ReportData
 from contourlab.rendering.lead import MOST_LINES, program_lines, sentence
+from contourlab.rendering.message import message
 from contourlab.rendering.page_tables import circle_tables, limit_tables, origin_tables, reversal_table
-from contourlab.rendering.plotly_view import figure_of
+from contourlab.rendering.path_picture import path_scene
 from contourlab.rendering.plots import sections
 from contourlab.rendering.run_pictures import FINER
 from contourlab.rendering.samples import share
@@ -28,11 +28,15 @@ MOST_POINTS = 4000
 """Most points of a curve: two for every pixel of a wide screen."""
 
 TOTAL_POINTS = 100_000
-"""Most points of all curves together; with plotly.js, 2 MB compressed, they keep a page below 3 MB."""
+"""Most points of all curves together; with the viewer, 0.3 MB, they keep a page below 1.5 MB."""
+
+SCENE_POINTS = 30_000
+"""Most points of the runs in space, all together."""
 
 MOST_TEXT = 100_000
 """Longest scenario or program in full [characters]."""
 TEMPLATES = Path(__file__).parent / "templates"
+VIEWER = Path(__file__).parent / "viewer" / "viewer.js"
 
 
 def write_html(data: ReportData, file: str | Path) -> Path:
@@ -66,38 +70,32 @@ def write_html(data: ReportData, file: str | Path) -> Path:
 
 def render_html(data: ReportData) -> str:
     """Return the text of the report; the same data give the same text."""
-    points = _points(data)
-    groups = {section: [entry_of(chart) for chart in charts] for section, charts in sections(data, points)}
-    return str(
-        page_template("report.html.j2").render(
-            data=data,
-            sentence=sentence(data),
-            comparison=compare(data),
-            groups=groups,
-            circle_tables=circle_tables(data),
-            limit_tables=list(limit_tables(data)),
-            reversals=reversal_table(data),
-            switch_tables=switch_tables(data),
-            origins=origin_tables(data),
-            program=_program(data),
-            scenario=_clipped(data.provenance.scenario),
-            facts=_facts(data, points),
-            **embedded(groups),
-        )
+    points, scene = _points(data), path_scene(data, share(SCENE_POINTS, len(data.schemes), SCENE_POINTS))
+    return page_text(
+        "report.html.j2",
+        dict(sections(data, points)) | {"path": () if scene is None else (scene,)},
+        title=data.title,
+        version=data.provenance.version,
+        data=data,
+        sentence=sentence(data),
+        comparison=compare(data),
+        circle_tables=circle_tables(data),
+        limit_tables=list(limit_tables(data)),
+        reversals=reversal_table(data),
+        switch_tables=switch_tables(data),
+        origins=origin_tables(data),
+        program=_program(data),
+        scenario=_clipped(data.provenance.scenario),
+        facts=_facts(data, points),
     )
 
 
-def embedded(groups: Mapping[str, Iterable[dict[str, Any]]]) -> dict[str, Any]:
-    """Return what a page with figures needs: the figures, taken out of `groups`; library, script, style, and the hashes of the scripts."""
-    figures = {figure["id"]: figure.pop("spec") for group in groups.values() for figure in group}
-    library, digest = _plotly()
-    return {
-        "figures": _compressed(json.dumps(figures, allow_nan=False, separators=(",", ":"))),
-        "library": library,
-        "script": template_file("report.js"),
-        "style": template_file("report.css"),
-        "hashes": [digest, script_hash(template_file("report.js"))],
-    }
+def page_text(template: str, groups: Mapping[str, Sequence[Picture]], **values: Any) -> str:
+    """Return a page that draws pictures; the template places them by group, and needs `title` and `version`."""
+    loader, (viewer, digest) = template_file("loader.js"), _viewer()
+    picture = base64.b64encode(message(chart for charts in groups.values() for chart in charts)).decode("ascii")
+    scripts = {"message": picture, "viewer": viewer, "loader": loader, "hashes": [digest, script_hash(loader)]}
+    return str(page_template(template).render(groups=groups, style=template_file("report.css"), **scripts, **values))
 
 
 def _points(data: ReportData) -> int:
@@ -109,18 +107,6 @@ def _points(data: ReportData) -> int:
     n_loop = FINER * sum(len(scheme.gaps) for scheme in data.schemes)
     n_curve = n_scheme * (2 + 4 * n_axis + 3 * n_view) + n_circle + 4 * n_axis + 8 * n_view + n_loop
     return max(16, share(TOTAL_POINTS, n_curve, MOST_POINTS))
-
-
-def entry_of(chart: Picture) -> dict[str, Any]:
-    """Return a figure for the template."""
-    spec = figure_of(chart)
-    text = {"id": chart.key, "title": chart.title, "caption": chart.caption, "view": getattr(chart, "view", "")}
-    return {**text, "spec": spec, "height": spec["layout"]["height"]}
-
-
-def _compressed(text: str) -> str:
-    """Return text compressed, in base64: a third of the size, and inert in a script element."""
-    return base64.b64encode(gzip.compress(text.encode(), 6, mtime=0)).decode("ascii")
 
 
 def _program(data: ReportData) -> dict[str, Any] | None:
@@ -167,12 +153,10 @@ def template_file(name: str) -> str:
 
 
 @cache
-def _plotly() -> tuple[str, str]:
-    """Return plotly.js, compressed and in base64, and its hash."""
-    from plotly.offline import get_plotlyjs
-
-    text = str(get_plotlyjs())
-    return _compressed(text), script_hash(text)
+def _viewer() -> tuple[str, str]:
+    """Return the viewer's script, compressed and in base64, and its hash."""
+    text = VIEWER.read_text(encoding="utf-8")
+    return base64.b64encode(gzip.compress(text.encode(), 9, mtime=0)).decode("ascii"), script_hash(text)
 
 
 def script_hash(script: str) -> str:

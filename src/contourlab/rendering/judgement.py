@@ -160,6 +160,11 @@ class Cause:
     contribution: float
     share: float
 
+    @property
+    def words(self) -> str:
+        """The cause in plain words."""
+        return {"reversal": "friction at the reversal", "breakaway": "friction at the start"}.get(self.name, self.name)
+
 
 @dataclass(frozen=True, slots=True)
 class Worst:

@@ -15,9 +15,6 @@ from contourlab.rendering.samples import signal
 MOST_LINES, LETTERS = 500, 200
 """Most lines of a program on a page, and letters of a line."""
 
-CAUSES = {"reversal": "friction at the reversal", "breakaway": "friction at the start"}
-"""Causes in other words than their names."""
-
 
 def sentence(data: ReportData) -> str:
     """Return the answer in one or two sentences: does the tool keep the tolerance, where not, why, and what helps."""
@@ -48,7 +45,7 @@ def answer(scheme: JudgedRun) -> str:
     size, allowed = figure(worst.value, "um"), figure(verdict.tolerance, "um", 6)
     # An error within the tolerance alone would not explain the verdict.
     skips = f", the tool skips {figure(verdict.left_out, 'mm')} of the path" if verdict.left_out else ""
-    why = "" if cause is None else f", {CAUSES.get(cause.name, cause.name)}"
+    why = "" if cause is None else f", {cause.words}"
     text = f"{'PASS' if verdict.passed else 'FAIL'} at {where}, t = {worst.time:.3f} s: {size} of {allowed} allowed{skips}{why}."
     lower_feed = [change for change in verdict.changes if change.name == FEED]
     for change in [*lower_feed, *[other for other in verdict.changes if other.name != FEED][:1]]:

@@ -167,7 +167,7 @@ def draw_panel(place: Axes, panel: Panel) -> None:
     for text, colour in panel.notes:
         style: dict[str, Any] = {"ha": "right", "va": "bottom", "color": colour, "size": 7.5}
         place.annotate(text, (1, 1), (0, 2), "axes fraction", "offset points", **style)
-    for kind, _, symbol, ticks in panel.marks:
+    for kind, symbol, ticks in panel.marks:
         style = {"linestyle": "none", "marker": symbol, "markersize": 3.2, "color": MUTED}
         foot = place.get_xaxis_transform()
         place.plot([tick.x for tick in ticks], np.full(len(ticks), 0.03), transform=foot, clip_on=False, label=kind, **style)

@@ -12,10 +12,10 @@ from contourlab.arrays import Array, Index
 from contourlab.feed.reference import CUTTING, LAST_LAP
 from contourlab.figures import figure
 from contourlab.geometry import Path
-from contourlab.rendering.charts import Curve, Magnified, PathChart, PathScene, Place, SceneRun, SpaceChart
+from contourlab.rendering.charts import Curve, Magnified, PathChart, PathScene, Place, SceneRun
 from contourlab.rendering.comparison import judged_words
 from contourlab.rendering.data import JudgedRun, ReportData
-from contourlab.rendering.lead import CAUSES, lines_at, samples_at
+from contourlab.rendering.lead import lines_at, samples_at
 from contourlab.rendering.samples import keep_changes, largest_magnitude, signal, times
 from contourlab.rendering.style import BAND, INK, REFERENCE, magnification
 from contourlab.thinning import keep_extremes
@@ -45,8 +45,8 @@ class _Drawn(NamedTuple):
         return Magnified(self.foot[:, columns] * MM, self.error[:, columns] * UM, *self.look, self.lines)
 
 
-def path_charts(data: ReportData, points: int) -> tuple[PathChart | SpaceChart, ...]:
-    """Return one chart per view of the path: XY, in space also XZ and YZ, and 3-D; none for a single axis.
+def path_charts(data: ReportData, points: int) -> tuple[PathChart, ...]:
+    """Return one chart per view of the path: XY, in space also XZ and YZ; none for a single axis.
 
     A run has at most `points` points.
     """
@@ -57,8 +57,7 @@ def path_charts(data: ReportData, points: int) -> tuple[PathChart | SpaceChart, 
     runs = [_run(data, scheme, points) for scheme in data.schemes]
     calm = [largest_magnitude(run.error) for run, scheme in zip(runs, data.schemes, strict=True) if scheme.result.status.ok]
     scale = magnification(float(np.max(np.ptp(asked, axis=0))), max(calm, default=0.0))
-    flat = (_chart(data, pair, s, asked, lines, runs, scale, i) for i, pair in enumerate(_views(asked)))
-    return *flat, _space(data, asked, lines, runs, scale)
+    return tuple(_chart(data, pair, s, asked, lines, runs, scale, i) for i, pair in enumerate(_views(asked)))
 
 
 def _views(planned: Array) -> list[tuple[int, int]]:
@@ -97,30 +96,6 @@ def _run(data: ReportData, scheme: JudgedRun, points: int) -> _Drawn:
     gaps = np.flatnonzero(np.diff(np.searchsorted(stops, judged[kept], side="right"))) + 1
     foot, error = (np.insert(part, gaps, np.nan, axis=0) for part in (foot, signal(result, "tool_position")[judged[kept]] - foot))
     return _Drawn(foot, error, np.insert(size[kept], gaps, 0.0), np.insert(lines, gaps, 0), data.looks[scheme.name])
-
-
-def _space(data: ReportData, asked: Array, asked_at: Index, runs: list[_Drawn], scale: float) -> SpaceChart:
-    """Return the view in space; of a flat path one with the error as its height."""
-    extent = np.ptp(asked, axis=0)
-    wide = np.argsort(-extent, kind="stable")
-    # More than three axes: those that move most.
-    high = extent.size > 2 and extent[wide[2]] > FLAT * extent[wide[0]]
-    shown = sorted(int(i) for i in wide[: 3 if high else 2])
-    labels = [f"{data.axes[i]} [mm]" for i in shown] + ([] if high else ["error, magnified"])
-
-    def column(points: Array, height: Array | float = 0.0) -> Array:
-        flat = points[:, shown]
-        return flat if high else np.column_stack([flat, np.broadcast_to(height, flat.shape[:1])])
-
-    drawn = []
-    for run in runs:
-        error = column(run.error) if high else column(0.0 * run.error, run.size)
-        drawn.append(Magnified(column(run.foot) * MM, error * UM, *run.look, run.lines))
-    caption = "The colour is the size of the error. " + ("The error is magnified." if high else "The height is the error, magnified.")
-    caption += f" Shown: {judged_words(data.schemes[0])}. Drag to turn, click to find the line of the program."
-    sizes = tuple(run.size * UM for run in runs)
-    view = ("path-space", "Path in space", caption, "3-D", tuple(labels), tuple(drawn), scale, asked_at)
-    return SpaceChart(*view, column(asked) * MM, sizes)
 
 
 def _chart(
@@ -255,8 +230,7 @@ def _cause(scheme: JudgedRun, sample: int) -> str:
     """Return the largest cause at the worst sample; elsewhere the reversal before it, if there is one."""
     verdict, time = scheme.verdict, float(times(scheme.result, np.array([sample]))[0])
     if verdict is not None and verdict.causes and verdict.worst.sample == sample:
-        name = max(verdict.causes, key=lambda cause: cause.contribution).name
-        return CAUSES.get(name, name)
+        return max(verdict.causes, key=lambda cause: cause.contribution).words
     before = [spike for spike in scheme.spikes if spike.time <= time <= spike.time + SOON]
     return f"reversal of {max(before, key=lambda spike: abs(spike.height)).axis}" if before else ""
 

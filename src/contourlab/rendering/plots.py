@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from contourlab.errors import ParameterError
-from contourlab.rendering.charts import Picture, SpaceChart
+from contourlab.rendering.charts import Picture
 from contourlab.rendering.data import ReportData
 from contourlab.rendering.learning_pictures import trial_charts
 from contourlab.rendering.path_picture import path_charts
@@ -54,7 +54,7 @@ def write_plots(data: ReportData, folder: str | Path, formats: Sequence[str] = (
 def charts_of(data: ReportData) -> Iterator[Picture]:
     """Yield all charts for papers and slides, one at a time."""
     for _, charts in sections(data, POINTS):
-        yield from (chart for chart in charts if not isinstance(chart, SpaceChart))
+        yield from charts
 
 
 def sections(data: ReportData, points: int) -> Iterator[tuple[str, Sequence[Picture]]]:

@@ -40,7 +40,7 @@ def error_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
             over_arc.append(Curve(signal(scheme.result, "arc_length")[kept] * 1e3, height, *data.looks[scheme.name]))
     label = f"{name.replace('_', ' ')} [um]"
     moments = _moments(data)
-    caption = _caption(name, signed, {tick.kind for tick in moments})
+    caption = _caption(name, signed, {tick.mark for tick in moments})
     panel = _panel(data, "time [s]", label, tuple(over_time), signed, moments)
     charts = [Chart("error-time", "Error over time", caption, (panel,))]
     if len(over_arc) == len(data.schemes):
@@ -187,7 +187,7 @@ def _axis_chart(data: ReportData, axis: int, name: str, points: int) -> Chart:
     drawn = tuple(filter(None, panels))
     bounded = "Dashed lines are the limits." if any(panel.levels for panel in drawn) else ""
     planned = "Acceleration and jerk are those of the reference." if _reference_of(data, "reference_acceleration") is not None else ""
-    marked = any(tick.kind == STEP for panel in drawn for tick in panel.ticks)
+    marked = any(tick.mark == STEP for panel in drawn for tick in panel.ticks)
     steps = "Triangles mark curvature steps; their jerk over a servo period exceeds the limit, see the table above." if marked else ""
     caption = " ".join(filter(None, [bounded, planned, *map(_off_scale, drawn), steps]))
     return Chart(f"axis-{axis}", f"Axis {name}", caption, drawn)

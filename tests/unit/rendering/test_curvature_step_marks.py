@@ -44,7 +44,7 @@ def test_every_peak_above_the_limit_is_marked_with_its_step(single: ReportData) 
     above = curve.x[np.abs(curve.y) > JERK * (1.0 + 1e-6)]
     assert above.size == 2
     assert [tick.x for tick in panel.ticks] == pytest.approx(above.tolist(), abs=1e-9)
-    assert {tick.kind for tick in panel.ticks} == {"curvature step"}
+    assert {tick.mark for tick in panel.ticks} == {"curvature step"}
     # Six times the limit is cut off, and the label of the limit gives the peak.
     assert panel.y_range is not None and panel.y_range[1] < np.abs(curve.y).max()
     assert "250 m/s^3" in panel.levels[0].label

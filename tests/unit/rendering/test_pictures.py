@@ -88,7 +88,7 @@ def test_corners_are_drawn_sharp(square):
 def test_views_follow_the_extent_of_the_path(single, end, views):
     path = Path([Line((0.0, 0.0, 0.0), end), Line(end, (0.0, 0.0, 0.0))], closed=True)
     data = synthetic.around(single, path, uniform(path, 0.5, 1, 1e-3))
-    assert [chart.view for chart in path_charts(data, POINTS)] == [*views, "3-D"]
+    assert [chart.view for chart in path_charts(data, POINTS)] == views
 
 
 def test_the_scene_holds_the_errors_of_the_judged_lap(circle):
@@ -164,11 +164,11 @@ def test_time_starts_where_a_window_of_a_run_starts(single):
 
 def test_reversals_and_corners_are_marked(circle, square):
     ticks = error_charts(circle, POINTS)[0].panels[0].ticks
-    assert [round(tick.x, 2) for tick in ticks if tick.kind == "reversal"] == [2.0, 2.5, 3.0, 3.5]
+    assert [round(tick.x, 2) for tick in ticks if tick.mark == "reversal"] == [2.0, 2.5, 3.0, 3.5]
     over_time, over_arc = error_charts(square, POINTS)
-    times = [tick.x for tick in over_time.panels[0].ticks if tick.kind == "corner"]
+    times = [tick.x for tick in over_time.panels[0].ticks if tick.mark == "corner"]
     np.testing.assert_allclose(np.diff(times), 0.5, atol=2e-3)
-    places = [tick.x for tick in over_arc.panels[0].ticks if tick.kind == "corner"]
+    places = [tick.x for tick in over_arc.panels[0].ticks if tick.mark == "corner"]
     np.testing.assert_allclose(np.diff(places), 20.0)
 
 

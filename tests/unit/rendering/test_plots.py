@@ -9,7 +9,6 @@ import pytest
 
 from contourlab.errors import OutputError, ParameterError
 from contourlab.rendering.charts import Chart, Curve, Panel
-from contourlab.rendering.plotly_view import figure_of, packed
 from contourlab.rendering.plots import write_charts, write_plots
 
 MAGIC = {"png": b"\x89PNG\r\n", "svg": b"<?xml", "pdf": b"%PDF-"}
@@ -61,13 +60,9 @@ def test_a_folder_that_is_a_file(square, tmp_path):
 
 
 def test_points_with_bars_are_points(tmp_path):
-    """Measured points have one mark each and no line between them, in print and on the page."""
+    """Measured points have one mark each and no line between them."""
     x, y = np.array([1.0, 2.0, 4.0]), np.array([3.0, 1.0, 2.0])
     points = Curve(x, y, "measured", "#000000", half=np.full(3, 0.5))
     chart = Chart("seen", "Points", "", (Panel("x", "y", (points, Curve(x, y, "model", "#ff0000"))),))
     (file,) = write_charts([chart], tmp_path, ("svg",))
     assert file.read_text().count("<use ") >= 3
-    dots, line = figure_of(chart)["data"]
-    assert dots["mode"] == "markers" and dots["error_y"]["array"] == packed(np.full(3, 0.5)) and line["mode"] == "lines"
-    low, high = figure_of(chart)["layout"]["xaxis"]["range"]
-    assert low < 1.0 and high > 4.0

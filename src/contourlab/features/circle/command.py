@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import os
 import shlex
@@ -10,10 +9,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
+from contourlab import __version__
 from contourlab.analysis.identification.least_squares import correlation_of, fit_records
 from contourlab.app.command_line import as_typed, chosen_options
 from contourlab.app.json_values import HIDDEN, write_json
@@ -33,8 +32,8 @@ from contourlab.findings import Finding, finding
 from contourlab.logs import Log, read_record
 from contourlab.logs.load import about
 from contourlab.metrics.circles import Bidirectional, CircleFigures, bidirectional, circle_figures
-from contourlab.rendering.charts import Chart, traces_chart
-from contourlab.rendering.html import page_template, script_hash, template_file
+from contourlab.rendering.charts import Chart, CircleCauses, CircleTrace, traces_chart
+from contourlab.rendering.html import page_text
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
@@ -368,25 +367,17 @@ def lags_of(fit: CircleFit) -> tuple[Lag, ...]:
 
 def _write_page(test: CircleTest, fit: CircleFit, file: str | Path) -> None:
     """Write the report as one HTML file that needs no network."""
-    script = template_file("circle.js")
     rows = [
         {"name": cause.name, "adds": plus_minus(cause.contribution, cause.deviation), "value": value_text(cause), "sure": cause.is_sure}
         for cause in test.causes
     ]
-    text = page_template("circle.html.j2").render(
-        test=test,
-        rows=rows,
-        data=json.dumps(_data(test, fit), separators=(",", ":")).replace("</", "<\\/"),
-        style=template_file("report.css"),
-        script=script,
-        hash=script_hash(script),
-        colours=[scheme_style(k, len(fit.runs))[0] for k in range(len(fit.runs))],
-    )
-    write_text_atomic(Path(file), str(text))
+    picture = _picture(test, fit)
+    values = {"title": f"Circle {test.name}", "version": __version__, "test": test, "rows": rows, "picture": picture}
+    write_text_atomic(Path(file), page_text("circle.html.j2", {"causes": [picture]}, **values))
 
 
-def _data(test: CircleTest, fit: CircleFit) -> dict[str, Any]:
-    """Return angles [rad], deviations and the curve of each cause [um] for each run."""
+def _picture(test: CircleTest, fit: CircleFit) -> CircleCauses:
+    """Return the runs with the curve of each cause."""
     curves: dict[str, list[Array]] = {}
     for cause in test.causes:
         if cause.cause == "reversal spikes":
@@ -395,26 +386,17 @@ def _data(test: CircleTest, fit: CircleFit) -> dict[str, Any]:
         # Terms of one name add up: two vibrations.
         alike = [fit.curves(term) for term in fit.terms if (term.cause, term.axis) == (cause.cause, cause.axis)]
         curves[cause.name] = [np.sum(parts, axis=0) for parts in zip(*alike, strict=True)]
-    runs = []
+    traces = []
     for k, run in enumerate(fit.runs):
         # The last whole turn, evenly thinned.
         last = np.flatnonzero(np.abs(run.turned - run.turned[-1]) <= 2.0 * np.pi)
         kept = last[:: max(len(last) // POINTS, 1)]
-        runs.append(
-            {
-                "clockwise": run.clockwise,
-                "colour": scheme_style(k, len(fit.runs))[0],
-                "angle": np.round(run.angle[kept], 5).tolist(),
-                "deviation": _um(run.deviation[kept]),
-                "curves": [_um(parts[k][kept]) for parts in curves.values()],
-            }
-        )
-    return {"axes": fit.axes, "causes": list(curves), "runs": runs}
-
-
-def _um(values: Array) -> list[float]:
-    rounded: list[float] = np.round(1e6 * values, 4).tolist()
-    return rounded
+        parts = np.array([parts[k][kept] for parts in curves.values()]).reshape(len(curves), len(kept))
+        way = "clockwise" if run.clockwise else "counter-clockwise"
+        look = scheme_style(k, len(fit.runs))[0]
+        traces.append(CircleTrace(way, look, np.degrees(run.angle[kept]), 1e6 * run.deviation[kept], 1e6 * parts))
+    caption = "Pale: as measured. A slider scales the fitted curve of its cause: 100 % as measured, 0 % removed."
+    return CircleCauses("causes", "Radial deviation", caption, tuple(fit.axes), tuple(curves), tuple(traces), test.radius)
 
 
 # --- the question --------------------------------------------------------------------------------------------------------------------

@@ -21,9 +21,8 @@ from contourlab.features.sweep.query import Rows, display, read_rows
 from contourlab.features.sweep.store import read_store
 from contourlab.figures import figure, listing, number
 from contourlab.metrics.run_figures import title_of
-from contourlab.rendering.charts import Chart, Curve, Panel
-from contourlab.rendering.html import embedded, entry_of, page_template
-from contourlab.rendering.plotly_view import axis_look, layout_look, packed, plain
+from contourlab.rendering.charts import Chart, Curve, Heat, Panel, Picture
+from contourlab.rendering.html import page_text
 from contourlab.rendering.style import REFERENCE, scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
@@ -188,7 +187,7 @@ WITHIN, BEYOND = ("#0b3c6f", "#dbe9f6"), ("#fde3cf", "#8c1c13")
 EVEN = ((0.0, "#0b3c6f"), (0.5, "#f2f2f2"), (1.0, "#8c1c13"))
 
 
-def matrices(answers: Answers, rows: Rows) -> Iterator[dict[str, Any]]:
+def matrices(answers: Answers, rows: Rows) -> Iterator[Heat]:
     """Yield a picture for each two kinds of modules, under the best choice, and for each kind and choice."""
     if answers.pairings is not None:
         kinds = list(rows.store.manifest.modules)
@@ -198,7 +197,7 @@ def matrices(answers: Answers, rows: Rows) -> Iterator[dict[str, Any]]:
         yield from (_matrix(answers, *pair) for pair in pairs[:MOST])
 
 
-def _matrix(answers: Answers, rows: Rows, first: str, second: str) -> dict[str, Any]:
+def _matrix(answers: Answers, rows: Rows, first: str, second: str) -> Heat:
     """Return the picture of two columns: the mean figure of the pairings in each cell; nothing where one of them diverged."""
     unit, factor = answers.display
     (x, x_names), (y, y_names) = (_order(rows, name) for name in (first, second))
@@ -210,27 +209,11 @@ def _matrix(answers: Answers, rows: Rows, first: str, second: str) -> dict[str, 
         z = np.bincount(cell, rows.values[drawn] * factor, size) / count
     z[~np.isfinite(z)] = np.nan
     names = first.removesuffix(".module"), second.removesuffix(".module")
-    heat = {
-        "type": "heatmap",
-        "x": x_names,
-        "y": y_names,
-        "z": packed(z) | {"shape": f"{len(y_names)},{len(x_names)}"},
-        "hovertemplate": f"{plain(names[0])} %{{x}}<br>{plain(names[1])} %{{y}}<br>%{{z:.4g}} {unit}<extra></extra>",
-        "hoverongaps": False,
-        "colorbar": {"title": {"text": unit}, "thickness": 14, "outlinewidth": 0},
-        **_colours(z, None if answers.tolerance is None else answers.tolerance * factor),
-    }
-    axes = [axis_look(label, type="category", showgrid=False, constrain="domain") for label in names]
-    height = min(max(16 * len(y_names) + 150, 220), 560)
-    layout = layout_look(height, xaxis=axes[0], yaxis=axes[1], hovermode="closest", plot_bgcolor="#444444", showlegend=False)
-    return {
-        "id": f"matrix-{names[0]}-{names[1]}".replace(".", "-"),
-        "title": f"{names[0]} and {names[1]}",
-        "caption": _caption(answers, rows, bool(count.max() > 1), (first, second)),
-        "view": "",
-        "spec": {"data": [heat], "layout": layout},
-        "height": height,
-    }
+    caption = _caption(answers, rows, bool(count.max() > 1), (first, second))
+    key = f"matrix-{names[0]}-{names[1]}".replace(".", "-")
+    low, high, colours = _colours(z, None if answers.tolerance is None else answers.tolerance * factor)
+    grid = z.reshape(len(y_names), len(x_names))
+    return Heat(key, f"{names[0]} and {names[1]}", caption, *names, unit, tuple(x_names), tuple(y_names), grid, low, high, colours)
 
 
 def _order(rows: Rows, name: str) -> tuple[Index, list[str]]:
@@ -247,16 +230,15 @@ def _order(rows: Rows, name: str) -> tuple[Index, list[str]]:
     return place[member], [str(number) for number in numbers[order]]
 
 
-def _colours(z: Array, tolerance: float | None) -> dict[str, Any]:
-    """Return the colours: blue up to the tolerance, red above it."""
+def _colours(z: Array, tolerance: float | None) -> tuple[float, float, tuple[tuple[float, str], ...]]:
+    """Return the ends of the scale and its colours: blue up to the tolerance, red above it."""
     known = z[np.isfinite(z)]
     low, high = (float(known.min()), float(np.quantile(known, 0.995))) if known.size else (0.0, 1.0)
     if tolerance is None:
-        return {"zmin": low, "zmax": high, "colorscale": EVEN}
+        return low, high, EVEN
     low, high = min(low, tolerance), max(high, tolerance * (1.0 + 1e-6))
     middle = (tolerance - low) / (high - low)
-    scale = [(0.0, WITHIN[0]), (middle, WITHIN[1]), (middle, BEYOND[0]), (1.0, BEYOND[1])]
-    return {"zmin": low, "zmax": high, "colorscale": scale}
+    return low, high, ((0.0, WITHIN[0]), (middle, WITHIN[1]), (middle, BEYOND[0]), (1.0, BEYOND[1]))
 
 
 def _caption(answers: Answers, rows: Rows, is_mean: bool, names: tuple[str, str]) -> str:
@@ -286,18 +268,19 @@ def write_page(answers: Answers, rows: Rows, words: dict[str, str], file: Path) 
     OutputError
         If it cannot be written.
     """
-    groups = {
-        "distribution": [entry_of(_distribution(answers, rows))],
-        "convergence": [entry_of(chart) for chart in _convergence(answers)],
+    groups: dict[str, list[Picture]] = {
+        "distribution": [_distribution(answers, rows)],
+        "convergence": list(_convergence(answers)),
         "front": list(_fronts(answers, rows)),
         "modules": list(matrices(answers, rows)),
     }
     front = answers.front[:: max(-(-len(answers.front) // TABLE_FRONT), 1)]
-    text = page_template("sweep.html.j2").render(
+    text = page_text(
+        "sweep.html.j2",
+        groups,
         title=answers.question or Path(answers.store).name,
         answers=answers,
         words={name: text.replace(" %", "\N{NO-BREAK SPACE}%") for name, text in words.items()},
-        groups=groups,
         front=[[str(row["variant"]), *(shown(row[name], unit, 4) for name, unit in answers.objectives.items())] for row in front],
         titles=[title_of(name) for name in answers.objectives],
         next=as_typed(["contourlab", "sweep", "worst", answers.store]),
@@ -307,9 +290,8 @@ def write_page(answers: Answers, rows: Rows, words: dict[str, str], file: Path) 
         between=range_text,
         value=value_text,
         shown=shown,
-        **embedded(groups),
     )
-    write_text_atomic(file, str(text))
+    write_text_atomic(file, text)
 
 
 def _distribution(answers: Answers, rows: Rows) -> Chart:
@@ -381,7 +363,7 @@ def _banded(variants: list[int], triples: list[Any], factor: float) -> tuple[Cur
     return (Curve(x, y[:, 0], "estimate", colour, width=2.0), *(Curve(x, y[:, k], "95 % interval", colour, "dash", 1.0) for k in (1, 2)))
 
 
-def _fronts(answers: Answers, rows: Rows) -> Iterable[dict[str, Any]]:
+def _fronts(answers: Answers, rows: Rows) -> Iterator[Chart]:
     """Return a picture of the first objective over each other one; a point tells its variant."""
     if not answers.objectives:
         return
@@ -389,25 +371,20 @@ def _fronts(answers: Answers, rows: Rows) -> Iterable[dict[str, Any]]:
     some = np.sort(np.random.default_rng(0).choice(n, min(n, POINTS), replace=False))
     cloud = {name: rows.column(name)[0][some] for name in ("variant", *answers.objectives)}
     front = {name: np.array([row[name] for row in answers.front], dtype=float) for name in cloud}
-    clouds = ((kind, REFERENCE, 4, cloud), ("best compromises", scheme_style(0, 2)[0], 8, front))
+    clouds = ((kind, REFERENCE, 0.7, cloud), ("best compromises", scheme_style(0, 2)[0], 2.4, front))
     first, *others = ((name, *display(unit)) for name, unit in answers.objectives.items())
     thinned = f" {POINTS:,} of {n:,} are drawn." if n > POINTS else ""
     for other in others:
         labels = [f"{title_of(name)} [{unit}]" if unit else title_of(name) for name, unit, _ in (other, first)]
-        curves = [
-            Curve(of[other[0]] * other[2], of[first[0]] * first[2], name, colour, half=np.zeros(len(of["variant"])))
-            for name, colour, _, of in clouds
-        ]
+        curves = []
+        for name, colour, width, of in clouds:
+            numbers = np.asarray(of["variant"], dtype=np.int64)
+            x, y = of[other[0]] * other[2], of[first[0]] * first[2]
+            curves.append(Curve(x, y, name, colour, width=width, half=np.zeros(len(numbers)), numbers=numbers))
         panel = Panel(labels[0], labels[1], tuple(curves))
         title = f"{title_of(first[0])} and {title_of(other[0])}"
-        caption = f"The least is best on both axes. Hover over a point to see its number.{thinned}"
-        entry = entry_of(Chart(f"front-{other[0]}", title[0].upper() + title[1:], caption, (panel,), 380, loops=True))
-        for trace, (_, _, size, of) in zip(entry["spec"]["data"], clouds, strict=True):
-            trace["text"] = [f"variant {number:.0f}" for number in of["variant"]]
-            trace["hovertemplate"] = "%{text}<br>%{x:.4g}, %{y:.4g}<extra></extra>"
-            trace["marker"]["size"] = size
-            trace.pop("error_y")
-        yield entry
+        caption = f"The least is best on both axes. Hover over a point to see the number of its variant.{thinned}"
+        yield Chart(f"front-{other[0]}", title[0].upper() + title[1:], caption, (panel,), 380, loops=True)
 
 
 SHOWN = 12

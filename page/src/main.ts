@@ -1,0 +1,100 @@
+/** The viewer: draws the pictures of a message in a page that we write, or in any element. */
+import uplotStyle from "uplot/dist/uPlot.min.css";
+import style from "./viewer.css";
+import { add, type Drawing, type Page } from "./base";
+import { drawChart } from "./chart";
+import type { Picture } from "./contract";
+import { drawHeat } from "./heat";
+import { pictures } from "./message";
+import { alive } from "./page";
+import { drawPath } from "./path";
+import { drawCauses, drawPolar } from "./polar";
+
+type Drawn = Drawing & { highlight?(line: number | null): void };
+
+function draw(host: HTMLElement, picture: Picture, page: Page): Drawn {
+  switch (picture.kind) {
+    case "Chart": return drawChart(host, picture);
+    case "PolarChart": return drawPolar(host, picture);
+    case "PathScene": return drawPath(host, picture, page);
+    case "Heat": return drawHeat(host, picture);
+    case "CircleCauses": return drawCauses(host, picture);
+  }
+}
+
+/** Pictures in their places. Each is drawn when it comes near the window, so that a long page opens quickly. */
+class Viewer {
+  private readonly drawn = new Map<HTMLElement, Drawn>();
+  private line: number | null = null;
+  private readonly watch = new IntersectionObserver(entries => entries.forEach(({ isIntersecting, target }) => {
+    if (isIntersecting) this.draw(target as HTMLElement);
+  }), { rootMargin: "600px 0px" });
+  private readonly sizes = new ResizeObserver(entries => entries.forEach(({ target, contentRect }) => {
+    const host = target as HTMLElement, width = String(Math.round(contentRect.width));
+    if (host.dataset.width !== width && contentRect.width > 0) {
+      host.dataset.width = width;
+      this.drawn.get(host)?.resize();
+    }
+  }));
+
+  constructor(private readonly places: Map<HTMLElement, Picture>, private readonly page: Page) {
+    if (!document.getElementById("cl-style")) add(document.head, "style", "", uplotStyle + style).id = "cl-style";
+    places.forEach((_, host) => this.watch.observe(host));
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.resize());
+    addEventListener("beforeprint", () => this.paper(true));
+    addEventListener("afterprint", () => this.paper(false));
+  }
+
+  private draw(host: HTMLElement): void {
+    if (this.drawn.has(host) || host.closest("[hidden], details:not([open])")) return;
+    this.watch.unobserve(host);
+    host.dataset.width = String(Math.round(host.clientWidth - parseFloat(getComputedStyle(host).paddingLeft) * 2));
+    try {
+      const drawing = draw(host, this.places.get(host)!, this.page);
+      this.drawn.set(host, drawing);
+      if (this.line !== null) drawing.highlight?.(this.line);
+      this.sizes.observe(host);
+    } catch (error) {
+      host.textContent = `This picture could not be drawn: ${(error as Error).message}`;
+      console.error(error);
+    }
+    host.dataset.drawn = "1";
+  }
+
+  highlight(line: number): void {
+    this.line = line;
+    this.drawn.forEach(drawing => drawing.highlight?.(line));
+  }
+
+  private resize(): void {
+    this.drawn.forEach(drawing => drawing.resize());
+  }
+
+  /** On paper all pictures are drawn, in light colours. */
+  private paper(on: boolean): void {
+    document.documentElement.classList.toggle("printing", on);
+    if (on) this.places.forEach((_, host) => this.draw(host));
+    this.resize();
+  }
+}
+
+/** Draw the pictures of a message in the places of this page: elements whose ids are their keys. */
+export function page(message: ArrayBuffer): void {
+  const places = new Map<HTMLElement, Picture>();
+  for (const picture of pictures(message)) {
+    const host = document.getElementById(picture.key);
+    if (host) places.set(host, picture);
+  }
+  const pick = alive(line => viewer.highlight(line)), viewer = new Viewer(places, { pick });
+}
+
+/** Draw the pictures of a message, with titles and captions, in an element; for a notebook. */
+export function show(root: HTMLElement, message: ArrayBuffer): void {
+  const places = new Map<HTMLElement, Picture>();
+  for (const picture of pictures(message)) {
+    add(root, "h3", "", picture.title);
+    places.set(add(root, "div", "plot"), picture);
+    add(root, "p", "", picture.caption);
+  }
+  const viewer = new Viewer(places, { pick: line => viewer.highlight(line) });
+}
