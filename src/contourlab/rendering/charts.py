@@ -220,11 +220,9 @@ class Magnified:
 
     Parameters
     ----------
-    foot : ndarray (n, 2 or 3) [mm]
-    error : ndarray (n, 2 or 3) [um]
+    foot : ndarray (n, 2) [mm]
+    error : ndarray (n, 2) [um]
         From the foot point on the path to the machine.
-    lines : ndarray (n,) of int, optional
-        Line of the program at each point; 0 for none.
     """
 
     foot: Array
@@ -232,7 +230,6 @@ class Magnified:
     name: str
     colour: str
     dash: str = "solid"
-    lines: Index | None = None
 
     def drawn(self, magnification: float) -> Array:
         """Return the points (n, 2) [mm] to draw."""
@@ -240,34 +237,15 @@ class Magnified:
 
 
 @dataclass(frozen=True, eq=False)
-class Magnifying(Picture):
-    """A view of the path with the magnified errors of the runs.
+class PathChart(Picture):
+    """The path, seen along one axis, with the magnified errors of the runs.
 
     Parameters
     ----------
     view : str
         For example ``"XY"``.
     labels : tuple of str
-        Labels of the two or three axes, with unit.
-    magnification : float
-        Initial value.
-    asked_at : ndarray (n,) of int
-        Line of the program at each point of the programmed path; 0 for none.
-    """
-
-    view: str
-    labels: tuple[str, ...]
-    runs: tuple[Magnified, ...]
-    magnification: float
-    asked_at: Index
-
-
-@dataclass(frozen=True, eq=False)
-class PathChart(Magnifying):
-    """The path, seen along one axis.
-
-    Parameters
-    ----------
+        Labels of the two axes, with unit.
     lines : tuple of Curve
         Programmed path, then perhaps the planned one [mm].
     tolerance : tuple of Magnified
@@ -276,6 +254,10 @@ class PathChart(Magnifying):
         One point each: the worst error of a run.
     """
 
+    view: str
+    labels: tuple[str, ...]
+    runs: tuple[Magnified, ...]
+    magnification: float
     lines: tuple[Curve, ...]
     tolerance: tuple[Magnified, ...]
     worst: tuple[Magnified, ...]

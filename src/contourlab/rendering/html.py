@@ -73,7 +73,7 @@ def render_html(data: ReportData) -> str:
     points, scene = _points(data), path_scene(data, share(SCENE_POINTS, len(data.schemes), SCENE_POINTS))
     return page_text(
         "report.html.j2",
-        dict(sections(data, points)) | {"path": () if scene is None else (scene,)},
+        {"path": () if scene is None else (scene,)} | dict(sections(data, points)),
         title=data.title,
         version=data.provenance.version,
         data=data,
@@ -101,11 +101,9 @@ def page_text(template: str, groups: Mapping[str, Sequence[Picture]], **values: 
 def _points(data: ReportData) -> int:
     """Return the points of each curve: all possible curves share the total."""
     n_scheme, n_axis = len(data.schemes), len(data.axes)
-    n_view = 5 if n_axis > 2 else 3
     n_circle = sum(len(scheme.circles) for scheme in data.schemes)
-    # A magnified run counts as three curves.
     n_loop = FINER * sum(len(scheme.gaps) for scheme in data.schemes)
-    n_curve = n_scheme * (2 + 4 * n_axis + 3 * n_view) + n_circle + 4 * n_axis + 8 * n_view + n_loop
+    n_curve = n_scheme * (2 + 4 * n_axis) + n_circle + 4 * n_axis + n_loop
     return max(16, share(TOTAL_POINTS, n_curve, MOST_POINTS))
 
 

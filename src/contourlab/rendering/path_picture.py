@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from contourlab.arrays import Array, Index
+from contourlab.arrays import Array
 from contourlab.feed.reference import CUTTING, LAST_LAP
 from contourlab.figures import figure
 from contourlab.geometry import Path
@@ -29,20 +29,18 @@ PEAKS, APART, SOON = 5, 40, 0.25
 
 
 class _Drawn(NamedTuple):
-    """The drawn points of a run: foot points and errors (n, n_axis) [m], size of the part error and program line (n,), and its look.
+    """The drawn points of a run: foot points and errors (n, n_axis) [m], and its look.
 
     A point of nan ends the line between two judged stretches.
     """
 
     foot: Array
     error: Array
-    size: Array
-    lines: Index
     look: tuple[str, str, str]
 
     def magnified(self, columns: list[int]) -> Magnified:
         """Return some axes of the run."""
-        return Magnified(self.foot[:, columns] * MM, self.error[:, columns] * UM, *self.look, self.lines)
+        return Magnified(self.foot[:, columns] * MM, self.error[:, columns] * UM, *self.look)
 
 
 def path_charts(data: ReportData, points: int) -> tuple[PathChart, ...]:
@@ -53,11 +51,11 @@ def path_charts(data: ReportData, points: int) -> tuple[PathChart, ...]:
     if len(data.axes) == 1:
         return ()
     s = _places(data.asked, points)
-    asked, lines = data.asked.position(s), lines_at(data, s)
+    asked = data.asked.position(s)
     runs = [_run(data, scheme, points) for scheme in data.schemes]
     calm = [largest_magnitude(run.error) for run, scheme in zip(runs, data.schemes, strict=True) if scheme.result.status.ok]
     scale = magnification(float(np.max(np.ptp(asked, axis=0))), max(calm, default=0.0))
-    return tuple(_chart(data, pair, s, asked, lines, runs, scale, i) for i, pair in enumerate(_views(asked)))
+    return tuple(_chart(data, pair, s, asked, runs, scale, i) for i, pair in enumerate(_views(asked)))
 
 
 def _views(planned: Array) -> list[tuple[int, int]]:
@@ -92,15 +90,12 @@ def _run(data: ReportData, scheme: JudgedRun, points: int) -> _Drawn:
     good = np.flatnonzero(np.isfinite(size) & np.isfinite(along))
     kept = good[keep_changes(size[good], points)] if good.size else good
     foot = np.asarray(data.asked.position(along[kept]), dtype=np.float64)
-    lines = np.zeros(kept.size, dtype=np.int64) if scheme.lines is None else scheme.lines[judged[kept]]
     gaps = np.flatnonzero(np.diff(np.searchsorted(stops, judged[kept], side="right"))) + 1
     foot, error = (np.insert(part, gaps, np.nan, axis=0) for part in (foot, signal(result, "tool_position")[judged[kept]] - foot))
-    return _Drawn(foot, error, np.insert(size[kept], gaps, 0.0), np.insert(lines, gaps, 0), data.looks[scheme.name])
+    return _Drawn(foot, error, data.looks[scheme.name])
 
 
-def _chart(
-    data: ReportData, pair: tuple[int, int], s: Array, asked: Array, asked_at: Index, runs: list[_Drawn], scale: float, index: int
-) -> PathChart:
+def _chart(data: ReportData, pair: tuple[int, int], s: Array, asked: Array, runs: list[_Drawn], scale: float, index: int) -> PathChart:
     """Return one view."""
     columns, names = list(pair), [data.axes[i] for i in pair]
     view = "".join(names).upper() if "".join(names).isalpha() else " and ".join(names)
@@ -117,7 +112,6 @@ def _chart(
         tuple(f"{name} [mm]" for name in names),
         tuple(run.magnified(columns) for run in runs),
         scale,
-        asked_at,
         tuple(outlines),
         _tolerance(data, asked, s, columns, scale),
         _worst(data, columns),
