@@ -2,7 +2,7 @@
 import type { Heat } from "./contract";
 import { add, coloursOf, figure, FONT, sized, Tip, widthOf, type Drawing } from "./base";
 
-const SCALE = 70, BOTTOM = 40, DARK = "#444444";
+const SCALE = 92, BOTTOM = 40, DARK = "#444444";
 
 export function drawHeat(host: HTMLElement, heat: Heat): Drawing {
   const rows = heat.y_names.length, columns = heat.x_names.length, { values } = heat.values;
@@ -54,7 +54,8 @@ export function drawHeat(host: HTMLElement, heat: Heat): Drawing {
     pen.fillStyle = colours.muted;
     pen.textAlign = "left";
     const step = heat.colours.find(([place], i) => i > 0 && place === heat.colours[i - 1][0])?.[0];
-    for (const at of step === undefined ? [0, 0.5, 1] : [0, step, 1]) {
+    for (const at of [0, step ?? 0.5, 1]) {
+      if (at % 1 && Math.min(at, 1 - at) * height < 14) continue;
       const text = figure(heat.low + at * (heat.high - heat.low), "", 3) + (at === 1 ? ` ${heat.unit}` : "");
       pen.fillText(text, width - SCALE + 30, Math.min(Math.max(height * (1 - at), 5), height - 5));
     }

@@ -155,12 +155,57 @@ def test_the_sliders_of_a_circle_take_its_causes_away(browsing, tmp_path, monkey
     assert float(output.inner_text().split()[0]) == measured
 
 
+SHOW = """async () => {
+  const data = Uint8Array.from(atob(document.getElementById('message').textContent), c => c.charCodeAt(0));
+  const unpacked = new Blob([data]).stream().pipeThrough(new DecompressionStream('gzip'));
+  const root = document.createElement('div');
+  root.id = 'notebook';
+  document.body.replaceChildren(root);
+  contourlab.show(root, await new Response(unpacked).arrayBuffer());
+}"""
+
+
 @pytest.mark.slow
-def test_the_page_of_a_sweep_shows_its_points(browsing, tmp_path, monkeypatch):
+def test_the_viewer_draws_a_message_in_any_element(browsing, page):
+    opened = browsing.open(page)
+    opened.locator(".plot[data-drawn]").first.wait_for()
+    opened.evaluate(SHOW)
+    assert opened.locator("#notebook .plot").count() == len(in_file(page))
+    last = opened.locator("#notebook .plot").last
+    last.scroll_into_view_if_needed()
+    opened.locator("#notebook .plot[data-drawn] canvas").last.wait_for()
+    assert opened.locator("#notebook h3").all_inner_texts() == [picture["title"] for picture in in_file(page).values()]
+
+
+MODULES = """
+scenario = "scenario.toml"
+chunk = 64
+figures = ["part_error_max", "cycle_time", "command_energy"]
+[vary]
+"axes.*.friction.coulomb" = { uniform = ["70 %", "130 %"] }
+"axes.*.plant.gain" = { uniform = ["90 %", "110 %"] }
+scheme = { values = ["position loop", "all of it"] }
+[modules]
+axes.1 = 12
+axes.3 = 10
+"""
+
+
+@pytest.mark.slow
+def test_the_page_of_a_sweep_shows_distribution_compromises_and_pairings(browsing, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    made_study(tmp_path)
+    made_study(tmp_path, MODULES)
     assert main(["sweep", "study.toml", "--out", "store"]) == 0 and main(["sweep", "report", "store"]) == 0
-    check_pictures(browsing, tmp_path / "store" / "report.html")
+    page = tmp_path / "store" / "report.html"
+    drawings = in_file(page)
+    assert sum(picture["kind"] == "Heat" for picture in drawings.values()) == 3 and "distribution" in drawings
+    opened = check_pictures(browsing, page)
+    (key, grid), *_ = ((key, picture) for key, picture in drawings.items() if picture["kind"] == "Heat")
+    box = drawn(opened, key).locator("canvas").bounding_box()
+    opened.mouse.move(box["x"] + 0.4 * box["width"], box["y"] + 0.4 * box["height"])
+    column, row, value = (line.split() for line in opened.locator(f'[id="{key}"] .cl-tip div').all_inner_texts())
+    cell = grid["values"][grid["y_names"].index(row[-1]), grid["x_names"].index(column[-1])]
+    assert float(value[0]) == pytest.approx(cell, rel=1e-3)
 
 
 @pytest.mark.slow
