@@ -27,7 +27,7 @@ from contourlab.result.atomic import write_text_atomic
 MOST_POINTS = 4000
 """Most points of a curve: two for every pixel of a wide screen."""
 
-TOTAL_POINTS = 100_000
+TOTAL_POINTS = 60_000
 """Most points of all curves together; with the viewer, 0.3 MB, they keep a page below 1.5 MB."""
 
 SCENE_POINTS = 30_000
