@@ -74,31 +74,46 @@ export interface PolarChart {
   marks: Curve[];
 }
 
-/** The path, seen along one axis. */
-export interface PathChart {
-  kind: "PathChart";
+/** The path in space, and the runs along it. */
+export interface PathScene {
+  kind: "PathScene";
   key: string;
   title: string;
   caption: string;
-  view: string;
-  labels: string[];
-  runs: Magnified[];
+  axes: string[];
+  path: Numbers;
+  lines: Numbers;
+  judged: Numbers;
+  unjudged: string;
+  runs: SceneRun[];
+  tolerance: number | null;
   magnification: number;
-  asked_at: Numbers;
-  lines: Curve[];
-  tolerance: Magnified[];
-  worst: Magnified[];
 }
 
-/** One run beside the path: ``foot + magnification * error``. */
-export interface Magnified {
-  kind: "Magnified";
-  foot: Numbers;
-  error: Numbers;
+/** A run in space, thinned; its figures cover the stretches with a number, and lines join only points of the same one. */
+export interface SceneRun {
+  kind: "SceneRun";
   name: string;
   colour: string;
-  dash: string;
-  lines: Numbers | null;
+  foot: Numbers;
+  error: Numbers;
+  size: Numbers;
+  time: Numbers;
+  feedrate: Numbers;
+  lines: Numbers;
+  stretch: Numbers;
+  worst: Place[];
+}
+
+/** A place of a run where the error is large. */
+export interface Place {
+  kind: "Place";
+  foot: number[];
+  error: number[];
+  size: number;
+  time: number;
+  line: number;
+  cause: string;
 }
 
 /** A value in each cell of a grid (n_y, n_x), in colours; NaN is dark. */
@@ -140,4 +155,4 @@ export interface CircleTrace {
   curves: Numbers;
 }
 
-export type Picture = Chart | PolarChart | PathChart | Heat | CircleCauses;
+export type Picture = Chart | PolarChart | PathScene | Heat | CircleCauses;

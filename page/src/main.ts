@@ -16,7 +16,7 @@ function draw(host: HTMLElement, picture: Picture, page: Page): Drawn {
   switch (picture.kind) {
     case "Chart": return drawChart(host, picture);
     case "PolarChart": return drawPolar(host, picture);
-    case "PathChart": return drawPath(host, picture, page);
+    case "PathScene": return drawPath(host, picture, page);
     case "Heat": return drawHeat(host, picture);
     case "CircleCauses": return drawCauses(host, picture);
   }

@@ -1,4 +1,4 @@
-/** The page around the pictures: folds, contents, tabs of views, and the table of the program's lines. */
+/** The page around the pictures: folds, contents, and the table of the program's lines. */
 
 /** Open the fold that an address names. */
 function openFor(address: string | null): void {
@@ -29,7 +29,7 @@ function mark(line: number, scroll: boolean): void {
   if (row && box && scroll) box.scrollTop = row.offsetTop - box.clientHeight / 2;
 }
 
-/** Bring the page to life; `picked` is called with each line that the reader picks, `shown` with each view. Return how to pick a line. */
+/** Bring the page to life; `picked` is called with each line that the reader picks. Return how to pick a line. */
 export function alive(picked: (line: number) => void): (line: number) => void {
   const pick = (line: number, scroll = true): void => {
     mark(line, scroll);
@@ -51,11 +51,6 @@ export function alive(picked: (line: number) => void): (line: number) => void {
     pick(Number(rows[Math.min(Math.max(now < 0 ? 0 : now + step, 0), rows.length - 1)].dataset.line));
     event.preventDefault();
   });
-  const tabs = [...document.querySelectorAll<HTMLElement>("[data-view]")];
-  tabs.forEach(tab => tab.addEventListener("click", () => {
-    tabs.forEach(other => other.setAttribute("aria-selected", String(other === tab)));
-    document.querySelectorAll<HTMLElement>(".view").forEach(view => { view.hidden = view.dataset.of !== tab.dataset.view; });
-  }));
   openFor(location.hash);
   return pick;
 }

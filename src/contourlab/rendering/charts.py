@@ -220,11 +220,9 @@ class Magnified:
 
     Parameters
     ----------
-    foot : ndarray (n, 2 or 3) [mm]
-    error : ndarray (n, 2 or 3) [um]
+    foot : ndarray (n, 2) [mm]
+    error : ndarray (n, 2) [um]
         From the foot point on the path to the machine.
-    lines : ndarray (n,) of int, optional
-        Line of the program at each point; 0 for none.
     """
 
     foot: Array
@@ -232,7 +230,6 @@ class Magnified:
     name: str
     colour: str
     dash: str = "solid"
-    lines: Index | None = None
 
     def drawn(self, magnification: float) -> Array:
         """Return the points (n, 2) [mm] to draw."""
@@ -240,34 +237,15 @@ class Magnified:
 
 
 @dataclass(frozen=True, eq=False)
-class Magnifying(Picture):
-    """A view of the path with the magnified errors of the runs.
+class PathChart(Picture):
+    """The path, seen along one axis, with the magnified errors of the runs.
 
     Parameters
     ----------
     view : str
         For example ``"XY"``.
     labels : tuple of str
-        Labels of the two or three axes, with unit.
-    magnification : float
-        Initial value.
-    asked_at : ndarray (n,) of int
-        Line of the program at each point of the programmed path; 0 for none.
-    """
-
-    view: str
-    labels: tuple[str, ...]
-    runs: tuple[Magnified, ...]
-    magnification: float
-    asked_at: Index
-
-
-@dataclass(frozen=True, eq=False)
-class PathChart(Magnifying):
-    """The path, seen along one axis.
-
-    Parameters
-    ----------
+        Labels of the two axes, with unit.
     lines : tuple of Curve
         Programmed path, then perhaps the planned one [mm].
     tolerance : tuple of Magnified
@@ -276,9 +254,106 @@ class PathChart(Magnifying):
         One point each: the worst error of a run.
     """
 
+    view: str
+    labels: tuple[str, ...]
+    runs: tuple[Magnified, ...]
+    magnification: float
     lines: tuple[Curve, ...]
     tolerance: tuple[Magnified, ...]
     worst: tuple[Magnified, ...]
+
+
+@dataclass(frozen=True)
+class Place:
+    """A place of a run where the error is large.
+
+    Parameters
+    ----------
+    foot : tuple of 3 float [mm]
+        Nearest point of the path.
+    error : tuple of 3 float [um]
+        From there to the tool.
+    size : float [um]
+    time : float [s]
+    line : int
+        Line of the program; 0 for none.
+    cause : str
+        Empty if unknown.
+    """
+
+    foot: tuple[float, ...]
+    error: tuple[float, ...]
+    size: float
+    time: float
+    line: int
+    cause: str
+
+
+@dataclass(frozen=True, eq=False)
+class SceneRun:
+    """A run in space, thinned; its figures cover the stretches with a number, and lines join only points of the same one.
+
+    Parameters
+    ----------
+    foot : ndarray (n, 3) [mm]
+        Nearest points of the path.
+    error : ndarray (n, 3) [um]
+        From there to the tool.
+    size : ndarray (n,) [um]
+        Of the part error.
+    time : ndarray (n,) [s]
+        Ascending.
+    feedrate : ndarray (n,) [mm/min]
+    lines : ndarray (n,) of int
+        Line of the program; 0 for none.
+    stretch : ndarray (n,) of int
+        Number of the judged stretch, from 1; 0 where nothing is judged.
+    worst : tuple of Place
+        Largest first.
+    """
+
+    name: str
+    colour: str
+    foot: Array
+    error: Array
+    size: Array
+    time: Array
+    feedrate: Array
+    lines: Index
+    stretch: Index
+    worst: tuple[Place, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class PathScene(Picture):
+    """The path in space, and the runs along it.
+
+    Parameters
+    ----------
+    axes : tuple of str
+        Names of the two or three axes shown; without a third one z is 0.
+    path : ndarray (n, 3) [mm]
+        The programmed path.
+    lines : ndarray (n,) of int
+        Line of the program; 0 for none.
+    judged : ndarray (n,) of bool
+        Whether figures cover the path there.
+    unjudged : str
+        What the rest is: rapids, for example.
+    runs : tuple of SceneRun
+    tolerance : float or None [um]
+    magnification : float
+        Of the errors; initial value.
+    """
+
+    axes: tuple[str, ...]
+    path: Array
+    lines: Index
+    judged: Flags
+    unjudged: str
+    runs: tuple[SceneRun, ...]
+    tolerance: float | None
+    magnification: float
 
 
 @dataclass(frozen=True, eq=False)

@@ -17,6 +17,7 @@ from contourlab.rendering.data import ReportData
 from contourlab.rendering.lead import MOST_LINES, program_lines, sentence
 from contourlab.rendering.message import message
 from contourlab.rendering.page_tables import circle_tables, limit_tables, origin_tables, reversal_table
+from contourlab.rendering.path_picture import path_scene
 from contourlab.rendering.plots import sections
 from contourlab.rendering.run_pictures import FINER
 from contourlab.rendering.samples import share
@@ -26,8 +27,11 @@ from contourlab.result.atomic import write_text_atomic
 MOST_POINTS = 4000
 """Most points of a curve: two for every pixel of a wide screen."""
 
-TOTAL_POINTS = 100_000
+TOTAL_POINTS = 60_000
 """Most points of all curves together; with the viewer, 0.3 MB, they keep a page below 1.5 MB."""
+
+SCENE_POINTS = 30_000
+"""Most points of the runs in space, all together."""
 
 MOST_TEXT = 100_000
 """Longest scenario or program in full [characters]."""
@@ -66,10 +70,10 @@ def write_html(data: ReportData, file: str | Path) -> Path:
 
 def render_html(data: ReportData) -> str:
     """Return the text of the report; the same data give the same text."""
-    points = _points(data)
+    points, scene = _points(data), path_scene(data, share(SCENE_POINTS, len(data.schemes), SCENE_POINTS))
     return page_text(
         "report.html.j2",
-        dict(sections(data, points)),
+        {"path": () if scene is None else (scene,)} | dict(sections(data, points)),
         title=data.title,
         version=data.provenance.version,
         data=data,
@@ -97,11 +101,9 @@ def page_text(template: str, groups: Mapping[str, Sequence[Picture]], **values: 
 def _points(data: ReportData) -> int:
     """Return the points of each curve: all possible curves share the total."""
     n_scheme, n_axis = len(data.schemes), len(data.axes)
-    n_view = 5 if n_axis > 2 else 3
     n_circle = sum(len(scheme.circles) for scheme in data.schemes)
-    # A magnified run counts as three curves.
     n_loop = FINER * sum(len(scheme.gaps) for scheme in data.schemes)
-    n_curve = n_scheme * (2 + 4 * n_axis + 3 * n_view) + n_circle + 4 * n_axis + 8 * n_view + n_loop
+    n_curve = n_scheme * (2 + 4 * n_axis) + n_circle + 4 * n_axis + n_loop
     return max(16, share(TOTAL_POINTS, n_curve, MOST_POINTS))
 
 

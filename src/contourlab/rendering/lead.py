@@ -54,18 +54,21 @@ def answer(scheme: JudgedRun) -> str:
     return text
 
 
-def lines_at(data: ReportData, along: Array) -> Index:
-    """Return the program line at arc lengths (n,) [m] of the programmed path: that of the nearest sample; 0 for none."""
-    scheme = data.schemes[0]
-    if scheme.lines is None:
-        return np.zeros(along.size, dtype=np.int64)
-    foot = signal(scheme.result, "foot_arc_length")
+def samples_at(data: ReportData, along: Array) -> Index:
+    """Return the sample of the first run that is nearest to arc lengths (n,) [m] of the programmed path."""
+    foot = signal(data.schemes[0].result, "foot_arc_length")
     foot = np.mod(foot, data.asked.length) if data.asked.closed else foot
     order = np.argsort(foot, kind="stable")
     foot = foot[order]
     after = np.clip(np.searchsorted(foot, along), 1, foot.size - 1) if foot.size > 1 else np.zeros(along.size, dtype=int)
     nearer = after - (along - foot[after - 1] < foot[after] - along)
-    return np.asarray(scheme.lines[order][nearer], dtype=np.int64)
+    return np.asarray(order[nearer], dtype=np.int64)
+
+
+def lines_at(data: ReportData, along: Array) -> Index:
+    """Return the program line at arc lengths (n,) [m] of the programmed path: that of the nearest sample; 0 for none."""
+    lines = data.schemes[0].lines
+    return np.zeros(along.size, dtype=np.int64) if lines is None else np.asarray(lines[samples_at(data, along)], dtype=np.int64)
 
 
 @dataclass(frozen=True)

@@ -19,11 +19,11 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.rendering.charts import Chart, CircleCauses, Heat, PathChart, Picture, PolarChart
+from contourlab.rendering.charts import Chart, CircleCauses, Heat, PathScene, Picture, PolarChart
 
 CONTRACT = "contourlab-page/1"
 """Later versions may add kinds and fields; one that changes a meaning has another number."""
-Drawn = Chart | PolarChart | PathChart | Heat | CircleCauses
+Drawn = Chart | PolarChart | PathScene | Heat | CircleCauses
 """What the viewer draws."""
 SINGLE = 64.0
 """Largest magnitude over spread for float32: rounding to 2^-24 of the value is then 2^-18 of the spread, far below a pixel."""

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
 
-from contourlab.arrays import Array, Index
+from contourlab.arrays import Array
+from contourlab.feed.reference import CUTTING, LAST_LAP
 from contourlab.figures import figure
 from contourlab.geometry import Path
-from contourlab.rendering.charts import Curve, Magnified, PathChart
+from contourlab.rendering.charts import Curve, Magnified, PathChart, PathScene, Place, SceneRun
 from contourlab.rendering.comparison import judged_words
 from contourlab.rendering.data import JudgedRun, ReportData
-from contourlab.rendering.lead import lines_at
-from contourlab.rendering.samples import keep_changes, largest_magnitude, signal
+from contourlab.rendering.lead import lines_at, samples_at
+from contourlab.rendering.samples import keep_changes, largest_magnitude, signal, times
 from contourlab.rendering.style import BAND, INK, REFERENCE, magnification
 from contourlab.thinning import keep_extremes
 
@@ -22,23 +24,23 @@ MM, UM = 1e3, 1e6
 DRAWN = "The path is to scale. The error of each run is magnified and drawn from the nearest point of the path."
 FLAT = 1e-3
 """An axis with an extent below this share of the largest gets no view."""
+PEAKS, APART, SOON = 5, 40, 0.25
+"""Most worst places of a run; the share of the run, 1 / APART, that lies between two; and the longest effect of a reversal [s]."""
 
 
 class _Drawn(NamedTuple):
-    """The drawn points of a run: foot points and errors (n, n_axis) [m], size of the part error and program line (n,), and its look.
+    """The drawn points of a run: foot points and errors (n, n_axis) [m], and its look.
 
     A point of nan ends the line between two judged stretches.
     """
 
     foot: Array
     error: Array
-    size: Array
-    lines: Index
     look: tuple[str, str, str]
 
     def magnified(self, columns: list[int]) -> Magnified:
         """Return some axes of the run."""
-        return Magnified(self.foot[:, columns] * MM, self.error[:, columns] * UM, *self.look, self.lines)
+        return Magnified(self.foot[:, columns] * MM, self.error[:, columns] * UM, *self.look)
 
 
 def path_charts(data: ReportData, points: int) -> tuple[PathChart, ...]:
@@ -49,11 +51,11 @@ def path_charts(data: ReportData, points: int) -> tuple[PathChart, ...]:
     if len(data.axes) == 1:
         return ()
     s = _places(data.asked, points)
-    asked, lines = data.asked.position(s), lines_at(data, s)
+    asked = data.asked.position(s)
     runs = [_run(data, scheme, points) for scheme in data.schemes]
     calm = [largest_magnitude(run.error) for run, scheme in zip(runs, data.schemes, strict=True) if scheme.result.status.ok]
     scale = magnification(float(np.max(np.ptp(asked, axis=0))), max(calm, default=0.0))
-    return tuple(_chart(data, pair, s, asked, lines, runs, scale, i) for i, pair in enumerate(_views(asked)))
+    return tuple(_chart(data, pair, s, asked, runs, scale, i) for i, pair in enumerate(_views(asked)))
 
 
 def _views(planned: Array) -> list[tuple[int, int]]:
@@ -88,15 +90,12 @@ def _run(data: ReportData, scheme: JudgedRun, points: int) -> _Drawn:
     good = np.flatnonzero(np.isfinite(size) & np.isfinite(along))
     kept = good[keep_changes(size[good], points)] if good.size else good
     foot = np.asarray(data.asked.position(along[kept]), dtype=np.float64)
-    lines = np.zeros(kept.size, dtype=np.int64) if scheme.lines is None else scheme.lines[judged[kept]]
     gaps = np.flatnonzero(np.diff(np.searchsorted(stops, judged[kept], side="right"))) + 1
     foot, error = (np.insert(part, gaps, np.nan, axis=0) for part in (foot, signal(result, "tool_position")[judged[kept]] - foot))
-    return _Drawn(foot, error, np.insert(size[kept], gaps, 0.0), np.insert(lines, gaps, 0), data.looks[scheme.name])
+    return _Drawn(foot, error, data.looks[scheme.name])
 
 
-def _chart(
-    data: ReportData, pair: tuple[int, int], s: Array, asked: Array, asked_at: Index, runs: list[_Drawn], scale: float, index: int
-) -> PathChart:
+def _chart(data: ReportData, pair: tuple[int, int], s: Array, asked: Array, runs: list[_Drawn], scale: float, index: int) -> PathChart:
     """Return one view."""
     columns, names = list(pair), [data.axes[i] for i in pair]
     view = "".join(names).upper() if "".join(names).isalpha() else " and ".join(names)
@@ -113,7 +112,6 @@ def _chart(
         tuple(f"{name} [mm]" for name in names),
         tuple(run.magnified(columns) for run in runs),
         scale,
-        asked_at,
         tuple(outlines),
         _tolerance(data, asked, s, columns, scale),
         _worst(data, columns),
@@ -147,3 +145,92 @@ def _worst(data: ReportData, columns: list[int]) -> tuple[Magnified, ...]:
             name = f"{scheme.name}: worst {figure(worst.value, 'um')}"
             places.append(Magnified(foot[:, columns] * MM, error[:, columns] * UM, name, data.looks[scheme.name][1]))
     return tuple(places)
+
+
+def path_scene(data: ReportData, points: int) -> PathScene | None:
+    """Return the path in space with the runs along it, each curve with at most `points` points (>= 32); None for a single axis.
+
+    Of more than three axes, those that move most are shown.
+    """
+    if len(data.axes) == 1:
+        return None
+    s = _places(data.asked, points // 2)
+    asked, lines = data.asked.position(s), lines_at(data, s)
+    shown = sorted(int(i) for i in np.argsort(-np.ptp(asked, axis=0), kind="stable")[:3])
+    first, flat = data.schemes[0], np.zeros((1, 3 - len(shown)))
+
+    def column(points: Array) -> Array:
+        return np.hstack([points[:, shown], np.broadcast_to(flat, (len(points), flat.size))])
+
+    runs = tuple(_scene_run(data, scheme, column, points) for scheme in data.schemes)
+    calm = [largest_magnitude(run.error) / UM for run, scheme in zip(runs, data.schemes, strict=True) if scheme.result.status.ok]
+    part = first.metrics.judged
+    judged = np.ones(s.size, dtype=bool) if part.basis == LAST_LAP else part.mask(first.result.n_sample)[samples_at(data, s)]
+    caption = f"The path is to scale, the error is magnified and drawn from the nearest point of the path. Shown: {judged_words(first)}."
+    return PathScene(
+        "path-space",
+        "Path with magnified error",
+        caption,
+        tuple(data.axes[i] for i in shown),
+        _rounded(column(asked) * MM, 17),
+        lines,
+        judged,
+        "rapids" if part.basis == CUTTING else "not judged",
+        runs,
+        None if data.tolerance is None else data.tolerance * UM,
+        magnification(float(np.max(np.ptp(asked, axis=0))), max(calm, default=0.0)),
+    )
+
+
+def _scene_run(data: ReportData, scheme: JudgedRun, column: Callable[[Array], Array], points: int) -> SceneRun:
+    """Return a run from its first to its last judged sample."""
+    result, ranges = scheme.result, scheme.metrics.judged.ranges
+    start, stop = ranges[0][0], ranges[-1][1]
+    along, size = signal(result, "foot_arc_length")[start:stop], np.abs(signal(result, "part_error")[start:stop])
+    samples = start + np.flatnonzero(np.isfinite(along) & np.isfinite(size))
+    along, size = along[samples - start], size[samples - start]
+    stretch = np.zeros(result.n_sample, dtype=np.int64)
+    for number, part in enumerate(ranges, 1):
+        stretch[slice(*part)] = number
+    foot = column(data.asked.position(along))
+    error = column(signal(result, "tool_position")[samples]) - foot
+    kept = np.union1d(keep_extremes(np.column_stack([size, foot]), points // 2), keep_changes(size, points // 4))
+    ends = np.searchsorted(samples, np.ravel([(first, last - 1) for first, last in ranges])).clip(max=len(samples) - 1)
+    kept = np.union1d(kept, ends) if samples.size and ends.size <= points else kept
+    lines = np.zeros(result.n_sample, dtype=np.int64) if scheme.lines is None else np.asarray(scheme.lines, dtype=np.int64)
+    speed = signal(result, "feedrate")[samples] if "feedrate" in result else np.diff(along, append=along[-1:]) / float(result.servo_period)
+    time = times(result, samples)
+    worst = tuple(
+        Place(tuple((foot[i] * MM).tolist()), tuple((error[i] * UM).tolist()), float(size[i]) * UM, float(time[i]),
+              int(lines[samples[i]]), _cause(scheme, int(samples[i])))
+        for i in _peaks(np.where(stretch[samples] > 0, size, 0.0))
+    )  # fmt: skip
+    drawn = (_rounded(foot[kept] * MM, 17), _rounded(error[kept] * UM, 14), _rounded(size[kept] * UM, 14), time[kept])
+    return SceneRun(
+        *data.looks[scheme.name][:2], *drawn, _rounded(np.abs(speed[kept]) * 6e4, 12), lines[samples[kept]], stretch[samples[kept]], worst
+    )
+
+
+def _peaks(size: Array) -> list[int]:
+    """Return the samples of the largest errors, apart from one another and none below half of the largest."""
+    left, near, peaks = size.copy(), size.size // APART + 1, list[int]()
+    while size.size and len(peaks) < PEAKS and left.max() > 0.5 * size.max():
+        peaks.append(int(np.argmax(left)))
+        left[max(peaks[-1] - near, 0) : peaks[-1] + near] = 0.0
+    return peaks
+
+
+def _cause(scheme: JudgedRun, sample: int) -> str:
+    """Return the largest cause at the worst sample; elsewhere the reversal before it, if there is one."""
+    verdict, time = scheme.verdict, float(times(scheme.result, np.array([sample]))[0])
+    if verdict is not None and verdict.causes and verdict.worst.sample == sample:
+        return max(verdict.causes, key=lambda cause: cause.contribution).words
+    before = [spike for spike in scheme.spikes if spike.time <= time <= spike.time + SOON]
+    return f"reversal of {max(before, key=lambda spike: abs(spike.height)).axis}" if before else ""
+
+
+def _rounded(values: Array, bits: int) -> Array:
+    """Round to `bits` bits of the spread, more than a screen shows: numbers that end in zeros take half the space when compressed."""
+    spread = float(np.ptp(values)) if values.size else 0.0
+    step = 2.0 ** (np.floor(np.log2(spread)) - bits) if 0.0 < spread < np.inf else 1.0
+    return np.asarray(np.round(values / step) * step if spread > 0.0 else values)

@@ -53,13 +53,13 @@ def write_plots(data: ReportData, folder: str | Path, formats: Sequence[str] = (
 
 def charts_of(data: ReportData) -> Iterator[Picture]:
     """Yield all charts for papers and slides, one at a time."""
+    yield from path_charts(data, POINTS)
     for _, charts in sections(data, POINTS):
         yield from charts
 
 
 def sections(data: ReportData, points: int) -> Iterator[tuple[str, Sequence[Picture]]]:
-    """Yield each section of a report with its charts; curves have at most `points` points."""
-    yield "path", path_charts(data, points)
+    """Yield each section of a report but the path, with its charts; curves have at most `points` points."""
     yield "circles", polar_charts(data, points)
     yield "errors", error_charts(data, points)
     yield "axes", (*feed_charts(data.feed), *axis_charts(data, points))

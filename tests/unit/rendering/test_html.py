@@ -18,7 +18,7 @@ from messages import pictures
 
 from contourlab.errors import OutputError
 from contourlab.findings import finding
-from contourlab.rendering.html import MOST_POINTS, TOTAL_POINTS, render_html, write_html
+from contourlab.rendering.html import MOST_POINTS, SCENE_POINTS, TOTAL_POINTS, render_html, write_html
 from contourlab.rendering.judgement import Cause
 from contourlab.result import Signal
 
@@ -199,7 +199,7 @@ def test_six_hundred_thousand_samples_stay_small(single, tmp_path):
     figures = Page(file.read_text(encoding="utf-8")).figures
     error = figures["error-time"]["panels"][0]["curves"][0]["y"]
     assert error.max() == pytest.approx(77.0) and error.size <= MOST_POINTS
-    assert sum(array.size for array in arrays(figures)) <= 3 * TOTAL_POINTS  # two or three columns
+    assert sum(array.size for array in arrays(figures)) <= 3 * TOTAL_POINTS + 11 * SCENE_POINTS  # columns
 
 
 def test_of_a_long_program_the_judged_lines_are_shown(circle):

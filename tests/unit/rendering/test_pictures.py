@@ -10,13 +10,13 @@ import synthetic
 
 from contourlab.errors import ResultError
 from contourlab.feed import uniform
-from contourlab.feed.reference import Judged
+from contourlab.feed.reference import CUTTING, Judged
 from contourlab.geometry import Line, Path, contour
 from contourlab.rendering.comparison import compare
 from contourlab.rendering.page_tables import circle_tables
-from contourlab.rendering.path_picture import path_charts
+from contourlab.rendering.path_picture import path_charts, path_scene
 from contourlab.rendering.run_pictures import axis_charts, bode_charts, error_charts, polar_charts
-from contourlab.result import Status
+from contourlab.result import Signal, Status
 
 POINTS = 2000
 
@@ -89,6 +89,63 @@ def test_views_follow_the_extent_of_the_path(single, end, views):
     path = Path([Line((0.0, 0.0, 0.0), end), Line(end, (0.0, 0.0, 0.0))], closed=True)
     data = synthetic.around(single, path, uniform(path, 0.5, 1, 1e-3))
     assert [chart.view for chart in path_charts(data, POINTS)] == views
+
+
+def test_the_scene_holds_the_errors_of_the_judged_lap(circle):
+    scene = path_scene(circle, POINTS)
+    np.testing.assert_allclose(np.linalg.norm(scene.path, axis=1), synthetic.RADIUS * 1e3, rtol=1e-5)
+    assert scene.judged.all() and (scene.tolerance, scene.axes) == (5.0, ("x", "y"))
+    for scheme, run in zip(circle.schemes, scene.runs, strict=True):
+        counted = np.abs(scheme.result["part_error"][scheme.metrics.judged.samples]) * 1e6
+        np.testing.assert_allclose(np.linalg.norm(run.error, axis=1), run.size, rtol=2e-3, atol=2e-3)
+        assert run.size.max() == pytest.approx(counted.max(), rel=1e-4)
+        assert run.time[0] == scheme.metrics.judged.ranges[0][0] * 1e-3 and np.all(np.diff(run.time) > 0.0)
+        np.testing.assert_allclose(run.feedrate, synthetic.RADIUS * 2 * np.pi * synthetic.FREQUENCY * 6e4, rtol=1e-6)
+        assert set(run.lines) == {3, 4} and set(run.stretch) == {1}
+
+
+def test_worst_places_of_the_scene_are_apart_and_have_causes(circle):
+    scheme = circle.schemes[0]
+    counted = scheme.metrics.judged.samples
+    sample = int(counted[np.argmax(np.abs(scheme.result["part_error"][counted]))])
+    worst = replace(scheme.verdict.worst, sample=sample, time=sample * 1e-3, position=tuple(scheme.result["tool_position"][sample]))
+    known = replace(scheme, verdict=replace(scheme.verdict, worst=worst))
+    run = path_scene(replace(circle, schemes=(known,)), POINTS).runs[0]
+    first, *others = run.worst
+    np.testing.assert_allclose((np.array(first.foot) + 1e-3 * np.array(first.error))[:2], np.array(worst.position) * 1e3, rtol=1e-9)
+    assert (first.time, first.line, first.cause) == (worst.time, 4, "friction at the reversal")
+    assert [one.cause for one in others if one.size > 0.9 * first.size] == ["reversal of x"]  # on the other side of the circle
+    assert [one.size for one in run.worst] == sorted((one.size for one in run.worst), reverse=True)
+    assert min(np.diff(sorted(one.time for one in run.worst))) >= 0.05
+
+
+@pytest.mark.parametrize("points", [POINTS, 60])
+def test_the_scene_joins_no_judged_stretches(circle, points):
+    ranges = ((100, 250), (300, 301), (700, 900))
+    apart = tuple(replace(one, metrics=replace(one.metrics, judged=Judged(ranges, CUTTING))) for one in circle.schemes)
+    scene = path_scene(replace(circle, schemes=apart), points)
+    assert scene.unjudged == "rapids" and 0 < np.count_nonzero(scene.judged) < scene.judged.size
+    for run in scene.runs:
+        assert len(run.time) <= points + 2 * len(ranges)
+        for number, (start, stop) in enumerate(ranges, 1):
+            samples = np.rint(run.time[run.stretch == number] * 1e3)
+            assert samples.size and (samples.min(), samples.max()) == (start, stop - 1)
+
+
+def test_the_scene_of_a_path_in_space_has_three_axes(single):
+    end = (0.02, 0.01, 0.03)
+    path = Path([Line((0.0, 0.0, 0.0), end), Line(end, (0.0, 0.0, 0.0))], closed=True)
+    scene = path_scene(synthetic.around(single, path, uniform(path, 0.5, 1, 1e-3)), POINTS)
+    assert scene.axes == ("x", "y", "z") and scene.tolerance is None
+    np.testing.assert_allclose(np.ptp(scene.path, axis=0), np.array(end) * 1e3, rtol=1e-4)
+    assert scene.runs[0].worst[0].cause == "" and scene.runs[0].size.max() == pytest.approx(scene.runs[0].worst[0].size, rel=1e-3)
+
+
+def test_a_run_without_a_finite_error_leaves_the_scene_empty(single):
+    result = single.schemes[0].result
+    lost = replace(result, signals=dict(result.signals) | {"part_error": Signal(np.full(result.n_sample, np.nan), ("sample",), "m")})
+    run = path_scene(synthetic.with_result(single, lost), POINTS).runs[0]
+    assert run.time.size == 0 and run.foot.shape == (0, 3) and run.worst == ()
 
 
 def test_error_over_time_holds_the_worst_value_at_its_time(circle):
