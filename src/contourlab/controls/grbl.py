@@ -62,8 +62,7 @@ def _axis(settings: dict[int, tuple[float, str]], n: int) -> Iterator[tuple[str,
 
     def positive(number: int) -> tuple[float, str] | None:
         value, place = settings.get(number, (math.nan, ""))
-        if value <= 0.0:
-            raise ScenarioError(f"${number} = {value:g}: must be a number above 0", file=place)
+        refuse(value <= 0.0, ScenarioError, f"${number} = {value:g}: must be a number above 0", file=place)
         return (value, place) if place else None
 
     steps = positive(100 + n)

@@ -198,8 +198,7 @@ def load_log(
     >>> log.result["position"].tolist()
     [[0.0], [0.001], [0.002]]
     """
-    if period is not None and not (0.0 < period < 1e3):
-        raise ParameterError("period", f"{period:g}", "> 0 and < 1000", "s")
+    refuse(period is not None and not (0.0 < period < 1e3), ParameterError, "period", f"{period}", "> 0 and < 1000", "s")
     record = read_record(file, format) if isinstance(file, str | os.PathLike) else record_of(file, name)
     texts = [column for column in columns if isinstance(column, str)]
     given = (*(column for column in columns if isinstance(column, Column)), *parse_columns(texts, "columns"))

@@ -166,8 +166,7 @@ def common_unit(records: Sequence[AxisRecord], what: str) -> str:
         If the units differ.
     """
     units = sorted({record.unit for record in records})
-    if len(units) > 1:
-        raise ResultError(f"commands in {' and '.join(units)}: all logs of {what} must have the same unit")
+    refuse(len(units) > 1, ResultError, f"commands in {' and '.join(units)}: all logs of {what} must have the same unit")
     return units[0]
 
 
