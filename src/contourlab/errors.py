@@ -47,13 +47,13 @@ __all__ = [
 ]
 
 
-def refuse(fault: object, error: Callable[..., Exception], *words: Any) -> None:
-    """Raise an error, made of words, if there is a fault.
+def refuse(fault: object, error: Callable[..., Exception], *words: Any, **place: Any) -> None:
+    """Raise an error, made of words and a place, if there is a fault.
 
     The words are computed in any case: where they cost time, or exist only with the fault, write an ``if``.
     """
     if fault:
-        raise error(*words)
+        raise error(*words, **place)
 
 
 def check_known(name: str, value: object, known: Collection[str]) -> None:

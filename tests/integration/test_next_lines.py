@@ -90,9 +90,11 @@ def follow(contourlab: Run, folder: Path, words: tuple[str, ...]) -> list[list[s
         typed = shlex.split(lines[-1])
         if any(word.isupper() for word in typed):  # a name to fill in
             break
-        if typed in proposed or typed[0] == "tune":  # which takes minutes
+        if typed in proposed:
             break
-        proposed.append(typed)
+        proposed.append([*typed])
+        if typed[0] == "tune":  # a whole search takes minutes
+            typed += ["--budget", "32", "--method", "global", "--starts", "1"]
     return proposed
 
 

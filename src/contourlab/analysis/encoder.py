@@ -32,7 +32,7 @@ from contourlab.components.sensor.encoder import (
 )
 from contourlab.engine.runner import make_group
 from contourlab.engine.step import Node, Port, Schedule, Step, ports
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.loop.simulate import jit_enabled
 
 ENTRIES = 64
@@ -58,8 +58,7 @@ def interpolation_order(pitch: float, resolution: float) -> int:
     (40, 100)
     """
     for name, value in (("pitch", pitch), ("resolution", resolution)):
-        if not 0.0 < value < float("inf"):
-            raise ParameterError(name, f"{value:g}", "> 0 and finite", "m")
+        refuse(not 0.0 < value < float("inf"), ParameterError, name, f"{value:g}", "> 0 and finite", "m")
     exact = pitch / (4.0 * resolution)
     order = round(exact) if exact < 2.0 * HIGHEST else 0
     if not 1 <= order <= HIGHEST or abs(exact - order) > 1e-6 * order:
@@ -108,12 +107,10 @@ class SinusoidTable:
     """
 
     def __init__(self, order: int, entries: int | None = None) -> None:
-        if not 1 <= order <= HIGHEST:
-            raise ParameterError("order", order, f"1 to {HIGHEST}")
+        refuse(not 1 <= order <= HIGHEST, ParameterError, "order", order, f"1 to {HIGHEST}")
         self.order = int(order)
         self.entries = max(ENTRIES * self.order, 1024) if entries is None else int(entries)
-        if self.entries < 4 * self.order:
-            raise ParameterError("entries", self.entries, f"at least four for each order, {4 * self.order}")
+        refuse(self.entries < 4 * self.order, ParameterError, "entries", self.entries, f"at least four for each order, {4 * self.order}")
         angle = np.arctan(np.arange(self.entries + 2) / self.entries)
         self._cosine, self._sine = np.cos(self.order * angle), np.sin(self.order * angle)
         self._turns = angle / (2.0 * np.pi)
@@ -265,8 +262,7 @@ class QuadratureConstants:
         scale = 1.0 / (c * c - 4.0 * a * b)
         p, q = (2.0 * b * d - e * c) * scale, (2.0 * a * e - d * c) * scale
         square = (1.0 / a + p * p + (ratio * q) ** 2 + 2.0 * ratio * sine * p * q) / (1.0 - sine * sine)
-        if not square > 0.0:
-            raise ParameterError("A .. E", f"{a:g}, {b:g}, {c:g}, {d:g}, {e:g}", "those of an ellipse with points on it")
+        refuse(not square > 0.0, ParameterError, "A .. E", f"{a:g}, {b:g}, {c:g}, {d:g}, {e:g}", "those of an ellipse with points on it")
         return cls(p, q, ratio, math.asin(sine), math.sqrt(square))
 
     def coefficients(self) -> tuple[float, float, float, float, float]:
@@ -422,8 +418,7 @@ def subdivisional_error(position_error: ArrayLike, phase: ArrayLike) -> Subdivis
     if error.shape != angle.shape or error.size < 4 * n_unknown:
         raise ParameterError("samples", error.size, f"one phase for each error, at least {4 * n_unknown}")
     travel = float(np.ptp(angle)) / (2.0 * np.pi)
-    if travel < 2.0:
-        raise ParameterError("travel", f"{travel:.3g} pitches", "at least 2, to separate what repeats")
+    refuse(travel < 2.0, ParameterError, "travel", f"{travel:.3g} pitches", "at least 2, to separate what repeats")
     middle = 0.5 * (float(angle.min()) + float(angle.max()))
     gram, right = np.zeros((n_unknown, n_unknown)), np.zeros(n_unknown)
 
@@ -520,8 +515,7 @@ def track_ellipse(
         ("update_travel", update_travel, 1e-4, 10.0),
         ("n_kept", n_kept, 2, 1 << 30),
     ):
-        if not low <= value <= high:
-            raise ParameterError(name, value, f"from {low:g} to {high:g}")
+        refuse(not low <= value <= high, ParameterError, name, value, f"from {low:g} to {high:g}")
     size, n = start.amplitude, first.size
     theta = replace(start, offset_1=start.offset_1 / size, offset_2=start.offset_2 / size, amplitude=1.0).coefficients()
     parameters = dict(zip((*DERIVED, *TUNING, "amplitude"), (*theta, forgetting, initial_covariance, update_travel, size), strict=True))

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from contourlab.app.command_line import as_typed
 from contourlab.app.options import REQUIRED, Options, Part, options
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 
 if TYPE_CHECKING:
     import matplotlib.axes
@@ -275,8 +275,7 @@ def _check_inputs(bound: inspect.BoundArguments, own: Iterable[inspect.Parameter
     for one in own:
         several = one.kind is inspect.Parameter.VAR_POSITIONAL
         given = bound.arguments.get(one.name, ())
-        if several and not given:
-            raise ParameterError(one.name, "none", "at least one")
+        refuse(several and not given, ParameterError, one.name, "none", "at least one")
         for value in (given if several else [given]) if "str | Path" in one.annotation else ():
             if not isinstance(value, str | os.PathLike) and type(value).__name__ not in one.annotation:
                 raise ParameterError(one.name, type(value).__name__, one.annotation.replace(" | ", " or "))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from contourlab.app.command_line import as_typed
 from contourlab.app.session import Session
 from contourlab.cli.look_up import Entry
-from contourlab.errors import ScenarioError
+from contourlab.errors import ScenarioError, refuse
 from contourlab.features.machines.options import NewMachine
 
 if TYPE_CHECKING:
@@ -23,8 +23,7 @@ def machine(settings: NewMachine, session: Session) -> Entry:
     from contourlab.units import show
 
     out, answers = settings.out, settings.answers
-    if settings.from_ is not None and not settings.from_.is_file():
-        raise ScenarioError("no such file", file=settings.from_)
+    refuse(settings.from_ is not None and not settings.from_.is_file(), ScenarioError, "no such file", file=settings.from_)
     control = None if settings.from_ is None else control_file(settings.from_)
     if control is None and settings.from_ is not None:
         raise ScenarioError("is not the file of a control that is known: name the INI file of LinuxCNC, for example", file=settings.from_)

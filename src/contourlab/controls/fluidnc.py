@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.controls.contract import FLOATING, LARGEST, ControlFile, computed, driven_by_steps, read_from, stepping
-from contourlab.errors import ScenarioError
+from contourlab.errors import ScenarioError, refuse
 from contourlab.findings import finding
 
 _OWN = re.compile(rb"^\s+max_rate_mm_per_min\s*:", re.MULTILINE)
@@ -44,8 +44,7 @@ def read(file: Path) -> ControlFile:
     given = sections.get("axes")
     axes = {str(name).lower(): axis for name, axis in given.items() if isinstance(axis, Mapping)} if isinstance(given, Mapping) else {}
     names = [letter for letter in "xyz" if letter in axes]
-    if not names:
-        raise ScenarioError("has none of the axes x, y and z under axes", file=file)
+    refuse(not names, ScenarioError, "has none of the axes x, y and z under axes", file=file)
     others = [name for name in axes if name in ("a", "b", "c", "u", "v", "w")]
     findings = [finding("CL981", file.name, axis=name, why="only x, y and z are read") for name in others]
     tables = {name: dict(_axis(file, name, axes[name])) for name in names}

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.controls.contract import FLOATING, LARGEST, ControlFile, computed, driven_by_steps, read_from, stepping
-from contourlab.errors import ScenarioError
+from contourlab.errors import ScenarioError, refuse
 from contourlab.findings import finding
 
 _SETTING = re.compile(r"^\s*(?:[<>\[]\s*)?\$(\d+)\s*=\s*([^\s(\]]+)")
@@ -35,8 +35,7 @@ def read(file: Path) -> ControlFile:
     """
     settings = dict(_settings(file))
     axes = {letter: n for n, letter in enumerate("xyz") if 110 + n in settings}
-    if not axes:
-        raise ScenarioError("has no $110: save all that the command $$ prints", file=file)
+    refuse(not axes, ScenarioError, "has no $110: save all that the command $$ prints", file=file)
     tables = {letter: dict(_axis(settings, n)) for letter, n in axes.items()}
     gaps = {letter: settings.get(160 + n, (0.0, ""))[0] for letter, n in axes.items()}
     findings = [finding("CL986", f"axis {letter}", gap=1e-3 * gap) for letter, gap in gaps.items() if gap]
@@ -63,8 +62,7 @@ def _axis(settings: dict[int, tuple[float, str]], n: int) -> Iterator[tuple[str,
 
     def positive(number: int) -> tuple[float, str] | None:
         value, place = settings.get(number, (math.nan, ""))
-        if value <= 0.0:
-            raise ScenarioError(f"${number} = {value:g}: must be a number above 0", file=place)
+        refuse(value <= 0.0, ScenarioError, f"${number} = {value:g}: must be a number above 0", file=place)
         return (value, place) if place else None
 
     steps = positive(100 + n)

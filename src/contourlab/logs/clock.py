@@ -9,7 +9,7 @@ from typing import ClassVar
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.errors import LogError
+from contourlab.errors import LogError, refuse
 from contourlab.findings import Finding, finding
 from contourlab.logs.window import FEW, between_gaps
 from contourlab.units import show
@@ -179,8 +179,7 @@ def _kept(time: Array, name: str, file: Path, rows: Index | None) -> Flags:
         raise LogError(f"time goes back {where}: check for two records in one file{parts}, or a column that is not the time", file=file)
     kept = np.append(True, step > 0.0)
     n = int(np.count_nonzero(kept))
-    if n < 3:
-        raise LogError(f"has {n} samples of {name!r} at different times: at least three are needed", file=file)
+    refuse(n < 3, LogError, f"has {n} samples of {name!r} at different times: at least three are needed", file=file)
     if repeats_too_often(time):
         count = f"{time.size - n} of {time.size} samples of {name!r}"
         raise LogError(f"{count} repeat the previous time: write the times with more digits", file=file)

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from contourlab.arrays import Array, Index
-from contourlab.errors import LogError
+from contourlab.errors import LogError, refuse
 from contourlab.findings import Finding, finding
 from contourlab.logs import reading
 from contourlab.logs.reading import COLUMNS, Channel, Record, check_limit
@@ -59,8 +59,7 @@ def read(file: Path) -> Record:
     text = reading.text_of(file)
     lines = ((i, line) for i, line in reading.lines_in(text, file) if _bare(line))
     looked = list(itertools.islice(lines, LOOKED_AT))
-    if not looked:
-        raise LogError("contains no samples", file=file)
+    refuse(not looked, LogError, "contains no samples", file=file)
     first, mark = _first_row(looked, file)
     width = len(_cells(looked[first][1], mark))
     check_limit(width, COLUMNS, "columns", file, looked[first][0])

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.errors import LogError
+from contourlab.errors import LogError, refuse
 from contourlab.findings import finding
 from contourlab.logs.reading import REPEATED, Channel, Record, columns_of, lines_of, number_channel
 
@@ -51,8 +51,7 @@ def read_scope(file: Path) -> Record:
         raise LogError(REPEATED, file=file, line=repeated)
     body = [(i, line) for i, line in lines[1:] if not line.startswith("#")]
     has_names = bool(body) and len(body[0][1].split()) == 1  # since 2.10: a line of names, then numbers
-    if len(body) < 1 + has_names:
-        raise LogError("contains no samples", file=file)
+    refuse(len(body) < 1 + has_names, LogError, "contains no samples", file=file)
     if has_names:
         names, rows = body[0][1].split(";"), [(i, line.split(";")) for i, line in body[1:]]
     else:
@@ -126,8 +125,7 @@ def read_sampler(file: Path) -> Record:
     written, findings = lines_of(file)
     lines = [(i, line.replace(",", ".").replace(";", " ").split()) for i, line in written]
     rows = [(i, cells) for i, cells in lines if cells != [OVERRUN]]
-    if not rows:
-        raise LogError("contains no samples", file=file)
+    refuse(not rows, LogError, "contains no samples", file=file)
     channels = _channels(rows, [str(j + 1) for j in range(len(rows[0][1]))], file)
     tagged = _is_numbered(rows, channels[0].values, file)
     lost = len(lines) - len(rows)

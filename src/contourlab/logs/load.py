@@ -198,8 +198,7 @@ def load_log(
     >>> log.result["position"].tolist()
     [[0.0], [0.001], [0.002]]
     """
-    if period is not None and not (0.0 < period < 1e3):
-        raise ParameterError("period", f"{period:g}", "> 0 and < 1000", "s")
+    refuse(period is not None and not (0.0 < period < 1e3), ParameterError, "period", f"{period}", "> 0 and < 1000", "s")
     record = read_record(file, format) if isinstance(file, str | os.PathLike) else record_of(file, name)
     texts = [column for column in columns if isinstance(column, str)]
     given = (*(column for column in columns if isinstance(column, Column)), *parse_columns(texts, "columns"))
@@ -215,8 +214,7 @@ def record_of(arrays: Mapping[str, ArrayLike], name: str) -> Record:
             column = np.asarray(values, dtype=float)
         except (TypeError, ValueError):
             column = np.empty((0, 0))
-        if column.ndim != 1:
-            raise LogError(f"column {title!r} must be numbers of shape (n,)", file=source)
+        refuse(column.ndim != 1, LogError, f"column {title!r} must be numbers of shape (n,)", file=source)
         channels.append(Channel(title, column, unit))
     if len({channel.values.size for channel in channels}) > 1:
         raise LogError(f"columns of different length: {', '.join(f'{c.name} {c.values.size}' for c in channels)}", file=source)
@@ -292,8 +290,7 @@ def _times_in(channel: Channel, column: Column, record: Record) -> tuple[Array, 
     if channel.fault is not None:
         raise channel.fault
     missing = np.isnan(channel.values)
-    if missing.all():
-        raise LogError(f"column {channel.name!r} contains no times: {CURE}", file=record.file)
+    refuse(missing.all(), LogError, f"column {channel.name!r} contains no times: {CURE}", file=record.file)
     if repeats_too_often(channel.values[~missing]):
         raise LogError(f"too many times in column {channel.name!r} repeat: {CURE}", file=record.file)
     if channel.is_timestamp and column.unit:
@@ -330,8 +327,7 @@ def _raw(record: Record, name: str, times: Array | None, period: float | None, d
         time = np.asarray(np.arange(channel.values.size) * period)
     if time.size != channel.values.size:
         raise LogError(f"column {channel.name!r} has {channel.values.size} values for {time.size} times", file=record.file)
-    if not np.isfinite(channel.values).any():
-        raise LogError(f"column {channel.name!r} contains no numbers", file=record.file)
+    refuse(not np.isfinite(channel.values).any(), LogError, f"column {channel.name!r} contains no numbers", file=record.file)
     return channel, time
 
 

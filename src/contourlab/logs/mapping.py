@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from contourlab.errors import LogError, UnitError
+from contourlab.errors import LogError, UnitError, refuse
 from contourlab.file_kinds import mistaken
 from contourlab.logs.reading import AXIS_LETTERS, Channel, Record, name_and_unit, readable
 from contourlab.logs.window import Window
@@ -106,8 +106,7 @@ def parse_columns(texts: Iterable[str], where: str = "--column") -> tuple[Column
     columns = []
     for text in texts:
         target, equals, column = (part.strip() for part in text.partition("="))
-        if not equals or not column:
-            raise LogError(f"{text!r}: write for example position.x=NAME [mm]", file=where)
+        refuse(not equals or not column, LogError, f"{text!r}: write for example position.x=NAME [mm]", file=where)
         name, unit = name_and_unit(column.removeprefix("-") if column.startswith("-") else column)
         columns.append(_column(target, name, unit, -1.0 if column.startswith("-") else 1.0, where))
     return once(columns, where)
@@ -139,8 +138,7 @@ def read_columns(file: str | Path) -> Columns:
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise LogError(f"is not valid TOML: {error}", file=path) from error
     for key in content:
-        if key not in ("period", "format", "columns"):
-            raise LogError(f"{key}: unknown key; use period, format or columns", file=path)
+        refuse(key not in ("period", "format", "columns"), LogError, f"{key}: unknown key; use period, format or columns", file=path)
     table = content.get("columns", {})
     if not isinstance(table, Mapping):
         raise LogError('columns: must be a table, such as [columns] with "position.x" = "enc_x [mm]"', file=path)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.errors import LogError
+from contourlab.errors import LogError, refuse
 from contourlab.logs.reading import COLUMNS, NUMBERS, Channel, Record, check_limit, name_and_unit
 
 HDF = b"\x89HDF\r\n\x1a\n"
@@ -60,8 +60,7 @@ def read(file: Path) -> Record:
         named = [(*name_and_unit(name), value) for name, value in columns if value.size >= SHORTEST]
         channels = [Channel(name, value, unit) for name, unit, value in named]
         constants = {name: float(value[0]) for name, value in columns if value.size == 1}
-    if not channels:
-        raise LogError("contains no columns of numbers", file=file)
+    refuse(not channels, LogError, "contains no columns of numbers", file=file)
     return Record(file, "matlab", tuple(channels), period, constants)
 
 

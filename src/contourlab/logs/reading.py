@@ -150,8 +150,7 @@ class Record:
         place = {name: itertools.count(1) for name in count}
         numbered = (replace(c, name=f"{c.name} #{next(place[c.name])}") if count[c.name] > 1 else c for c in self.channels)
         object.__setattr__(self, "channels", tuple(numbered))
-        if not any(channel.values.size for channel in self.channels):
-            raise LogError("contains no samples", file=self.file)
+        refuse(not any(channel.values.size for channel in self.channels), LogError, "contains no samples", file=self.file)
         faults = [channel.fault for channel in self.channels]
         if faults[0] is not None and all(faults):
             raise faults[0]
@@ -274,12 +273,10 @@ def head_of(file: Path) -> bytes:
     """
     if words := mistaken(file, "a log", "a part program"):  # a head of columns may look like a program
         raise LogError(words, file=file)
-    if file.exists() and not file.is_file():
-        raise LogError("is not a regular file: copy its content to one", file=file)
+    refuse(file.exists() and not file.is_file(), LogError, "is not a regular file: copy its content to one", file=file)
     with readable(file), file.open("rb") as stream:
         head = stream.read(HEAD)
-    if not head.strip():
-        raise LogError("is empty", file=file)
+    refuse(not head.strip(), LogError, "is empty", file=file)
     return head.decode("utf-16", errors="ignore").encode() if head[:2] in UTF_16 else head.removeprefix(codecs.BOM_UTF8)
 
 
@@ -304,8 +301,7 @@ def text_of(file: Path) -> str:
         data = file.read_bytes()
     if data[:2] in UTF_16:
         return data.decode("utf-16", errors="replace")
-    if b"\0" in data[:HEAD]:
-        raise LogError("is not text: name its format with --format", file=file)
+    refuse(b"\0" in data[:HEAD], LogError, "is not text: name its format with --format", file=file)
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:

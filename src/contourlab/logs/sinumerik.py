@@ -15,7 +15,7 @@ from xml.parsers import expat
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.errors import LogError
+from contourlab.errors import LogError, refuse
 from contourlab.findings import finding
 from contourlab.logs.reading import COLUMNS, NUMBERS, Channel, Record, check_limit, is_unit, number, readable, shown
 
@@ -56,8 +56,7 @@ def read(file: Path) -> Record:
     keys = [signal.get("id") or key for signal, key in zip(signals, written, strict=True)]
     described = list(zip(keys, signals, _names(signals), strict=True))
     channels = tuple(_channel(key, signal, name, trace) for key, signal, name in described if key in trace.samples)
-    if not channels:
-        raise LogError("contains no trace: no rec element has values of a dataSignal", file=file)
+    refuse(not channels, LogError, "contains no trace: no rec element has values of a dataSignal", file=file)
     silent = [name or key for key, _, name in described if key not in trace.samples]
     lost = _positive(trace.header.get("dropOuts"))
     findings = [finding("CL423", drop_outs=int(lost))] if lost else []
@@ -127,8 +126,7 @@ class _Trace:
             except ValueError:
                 raise LogError(f"a value of a rec element is not a number: {key} = {shown(text)}", file=self.file, line=line) from None
         time = values.pop("time", np.nan)
-        if not np.isfinite(time):
-            raise LogError("a rec element has no time", file=self.file, line=line)
+        refuse(not np.isfinite(time), LogError, "a rec element has no time", file=self.file, line=line)
         self.last = time
         for key, value in values.items():
             times, written = self.samples.setdefault(key, ([], []))

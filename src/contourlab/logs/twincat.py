@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.errors import LogError
+from contourlab.errors import LogError, refuse
 from contourlab.findings import finding
 from contourlab.logs.reading import REPEATED, Channel, Record, cell_number, cells_of, lines_of, number
 
@@ -40,16 +40,14 @@ def read(file: Path) -> Record:
         If the header or a row is faulty.
     """
     written, findings = lines_of(file)
-    if not written:
-        raise LogError("contains no samples", file=file)
+    refuse(not written, LogError, "contains no samples", file=file)
     mark = written[0][1].lstrip('"# ').removeprefix(NAME).lstrip('"')[:1] or "\t"
     rows = [cells_of(re.sub(r"^#\s*", "", line), mark) for _, line in written]
     if repeated := [line for (line, _), row in zip(written, rows, strict=True) if row[0] == PERIOD][1:]:
         raise LogError(REPEATED, file=file, line=repeated[0])
     heads = {row[0]: row for row in rows[4:40] if row[0] in (NAME, PERIOD, UNIT, SYMBOL, "ScaleFactor")}
     for key in (NAME, PERIOD):
-        if key not in heads:
-            raise LogError(f"has no header line {key}: check that it is an export of TwinCAT Scope", file=file)
+        refuse(key not in heads, LogError, f"has no header line {key}: check that it is an export of TwinCAT Scope", file=file)
     if len({len(heads[key]) for key in (NAME, PERIOD)}) > 1:
         raise LogError("channel names contain the separator: export with tabs or semicolons", file=file)
     start = max(i for i, row in enumerate(rows[:60]) if row[0] in (*heads, *LAST)) + 1
@@ -57,8 +55,7 @@ def read(file: Path) -> Record:
     # An end mark, triggers or markers may follow the samples.
     end = next((k for k, (_, row) in enumerate(samples) if row[0].strip() and not _number(row[0])), len(samples))
     body = samples[:end]
-    if not body:
-        raise LogError("contains no samples", file=file)
+    refuse(not body, LogError, "contains no samples", file=file)
     layout = _layout(heads[NAME], body[0][1], file)
     comma = any("," in cell for cell in heads[PERIOD]) and mark != ","
     values = _values(body, max(max(pair) for pair in layout) + 1, comma, file, {column: heads[NAME][head] for head, column, _ in layout})
@@ -82,8 +79,7 @@ def _layout(names: Sequence[str], row: Sequence[str], file: Path) -> list[tuple[
         else:
             columns.append((j, column, time))
             column += 1
-    if not columns:
-        raise LogError("names no channel: export it again from TwinCAT Scope", file=file)
+    refuse(not columns, LogError, "names no channel: export it again from TwinCAT Scope", file=file)
     return columns
 
 

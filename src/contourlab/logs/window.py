@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.errors import LogError, ParameterError, refused
+from contourlab.errors import LogError, ParameterError, refuse, refused
 from contourlab.logs.reading import Blocks, Record, quoted
 from contourlab.units import to_si
 
@@ -62,8 +62,7 @@ def parse_window(text: str) -> Window:
         if not dots or len(kinds) != 1:
             raise ValueError
         window = Window(kinds.pop(), start if kind else -math.inf, stop if other else math.inf)
-    if not window.first <= window.last:
-        raise ParameterError("--window", repr(text), "the earlier one first")
+    refuse(not window.first <= window.last, ParameterError, "--window", repr(text), "the earlier one first")
     return window
 
 

@@ -11,7 +11,7 @@ from functools import partial
 from pathlib import Path
 from typing import Literal, TextIO, TypeAlias, get_args
 
-from contourlab.errors import ProgramEndError, ProgramError
+from contourlab.errors import ProgramEndError, ProgramError, refuse
 from contourlab.file_kinds import mistaken
 from contourlab.program.block import Block, Parameters, read_block, without_blanks
 from contourlab.program.flow import LONGEST_LINE, Tape, Walker
@@ -108,8 +108,7 @@ class Reading:
     def __post_init__(self) -> None:
         if self.dialect not in get_args(Dialect):
             raise ProgramError(f"unknown dialect {self.dialect!r}: use {', '.join(get_args(Dialect))}")
-        if self.most_moves < 1:
-            raise ProgramError(f"most_moves = {self.most_moves}: write a number from 1")
+        refuse(self.most_moves < 1, ProgramError, f"most_moves = {self.most_moves}: write a number from 1")
         for name in ("zero", "start"):
             self.point(name)
 
@@ -249,8 +248,7 @@ class Reader:
                 moves = execute(block, self.state, 0) if block else []
             except BlockError as fault:
                 raise fault.raised(f"{fault.message}, in the start-up code {line!r}", file=place) from None
-            if moves:
-                raise ProgramError(f"CL846 the start-up code {line!r} moves axes: leave out its moves", file=place)
+            refuse(moves, ProgramError, f"CL846 the start-up code {line!r} moves axes: leave out its moves", file=place)
 
     def _take(self, fault: BlockError) -> None:
         """Store a fault if faults are collected and reading can continue; raise it otherwise."""

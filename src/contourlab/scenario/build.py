@@ -209,8 +209,7 @@ def build_machine(part: Table, controls: Sequence[ControlFile] = ()) -> Machine:
         If the content is invalid; gives file and key.
     """
     table = part.table("machine")
-    if "machine" not in part.entries:
-        raise part.error("key machine is missing: write [machine] with name, servo_period and axes")
+    refuse("machine" not in part.entries, part.error, "key machine is missing: write [machine] with name, servo_period and axes")
     plain = read_values(table, Machine, needed=("name", "servo_period", "axes"), parts=("squareness", "correlations"))
     names = _axis_names(table)
     axes = part.table("axes")

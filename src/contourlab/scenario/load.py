@@ -163,8 +163,7 @@ def _shape(node: Table) -> tuple[str, dict[str, float]]:
 
 def _from_file(node: Table) -> Contour:
     """Return the contour of a drawing or of points."""
-    if "name" in node.entries:
-        raise node.error("name and file are both given: write name for a test contour, or file for a drawing", "name")
+    refuse("name" in node.entries, node.error, "name and file are both given: write name for a test contour, or file for a drawing", "name")
     given = read_values(node, ContourOptions, Contour, needed=("file",))
     file, offset = given.pop("file"), given.pop("offset", ())
     with located(node, "unit"):
@@ -540,8 +539,7 @@ def _under_control(content: Table, machine: Table, reader: Reader) -> Table:
     if control is not None and "controller" in control.tables:
         own = from_mapping({"controller": control.tables["controller"]}, str(control.file))
         content = Table({**own.entries, **content.entries}, content.file, content.key)
-    if "controller" not in content.entries:
-        raise content.error("1 key is missing: controller")
+    refuse("controller" not in content.entries, content.error, "1 key is missing: controller")
     return content
 
 

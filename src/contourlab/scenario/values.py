@@ -549,8 +549,7 @@ def chosen(scenario: Scenario, names: Iterable[str]) -> Scenario:
     if twice := [name for name in wanted if wanted.count(name) > 1]:
         raise ScenarioError(f"scheme {twice[0]!r} is given twice: delete one", file=scenario.file)
     cases = tuple(own[name] if name in own else _composed(scenario, name) for name in wanted)
-    if not cases:
-        raise ScenarioError("no scheme is given: write names such as fb,ccc,ilc,ccc+ilc", file=scenario.file)
+    refuse(not cases, ScenarioError, "no scheme is given: write names such as fb,ccc,ilc,ccc+ilc", file=scenario.file)
     return replace(scenario, all_cases=cases)
 
 
@@ -586,8 +585,7 @@ def _coupled(scenario: Scenario, part: str) -> Controller:
     for controller in (base, *(case.controller for case in scenario.all_cases)):
         if controller.coupling and controller.coupling.kind in kinds:
             return replace(base, estimator=controller.estimator, coupling=controller.coupling)
-    if part in _WANTED:
-        raise _missing(scenario, part)
+    refuse(part in _WANTED, _missing, scenario, part)
     estimator: Any = base.estimator or component("estimator", "newton")()
     return replace(base, estimator=estimator, coupling=component("coupling", kinds[0])())
 

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 
 Residuals = Callable[[Array], Array]
 """Points (k, p) to residuals (k, n), all in one call; the row of a point that fails is not finite."""
@@ -95,8 +95,7 @@ def descend(
     if not (np.all(low <= x) and np.all(x <= high) and np.all(size > 0.0)):
         raise ParameterError("start", f"{x}", f"within {low} and {high}, scales above zero")
     r = residuals(x[None])[0]
-    if not np.isfinite(r).all():
-        raise ParameterError("start", f"{x}", "parameters that can be simulated: the run diverges there")
+    refuse(not np.isfinite(r).all(), ParameterError, "start", f"{x}", "parameters that can be simulated: the run diverges there")
     return in_step(residuals, [descent(x, r, low, high, size, settings)])[0]
 
 

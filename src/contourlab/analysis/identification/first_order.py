@@ -29,7 +29,7 @@ from numpy.typing import ArrayLike
 from contourlab.analysis.identification.filtered_motion import even_record
 from contourlab.analysis.identification.least_squares import Free, OutputFit, deviation_findings, fit_findings, fit_output
 from contourlab.arrays import Array
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.findings import Finding, finding
 from contourlab.native.kernel import kernel
 
@@ -154,8 +154,7 @@ class FirstOrderFit(OutputFit):
 def smoothing_of(position: Array) -> int:
     """Return the samples over which to difference a position, so that counts and noise are at most half a percent of the velocity."""
     steps = np.abs(np.diff(position))
-    if not steps.any():
-        raise ParameterError("position", "one place throughout", "a record in which the axis moves")
+    refuse(not steps.any(), ParameterError, "position", "one place throughout", "a record in which the axis moves")
     count = float(steps[steps > 0.0].min())
     # Third differences nearly vanish for a smooth motion; for white noise they have 20 times its variance.
     noise = max(count / math.sqrt(12.0), float(np.median(np.abs(np.diff(position, 3)))) / 0.6745 / math.sqrt(20.0))
@@ -233,8 +232,7 @@ def _prepared(time: ArrayLike, command: ArrayLike, position: ArrayLike, friction
         raise ParameterError("command", f"{u[0]:g} throughout", "a record whose command changes: one level cannot separate a and b")
     blocks = _Blocks(u, period, smoothing_of(p))
     measured = blocks.differenced(p)
-    if not np.ptp(measured) > 0.0:
-        raise ParameterError("position", "a record", "one in which the axis moves")
+    refuse(not np.ptp(measured) > 0.0, ParameterError, "position", "a record", "one in which the axis moves")
     return blocks, measured, _start(blocks, measured, friction)
 
 

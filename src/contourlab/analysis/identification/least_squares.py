@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 
 from contourlab.analysis.identification.descent import DescentSettings, descent, in_step, jacobian
 from contourlab.arrays import Array, Flags
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.findings import Finding, finding
 
 NEAR_BOUND = 1e-6
@@ -501,8 +501,7 @@ def descended(
     def residuals(points: Array) -> Array:
         return model([dict(zip(names, x.tolist(), strict=True)) for x in points]) - measured
 
-    if not (np.all(low <= points) and np.all(points <= high)):
-        raise ParameterError("start", "a point", f"within {low} and {high}")
+    refuse(not (np.all(low <= points) and np.all(points <= high)), ParameterError, "start", "a point", f"within {low} and {high}")
     left = residuals(points)
     usable = np.isfinite(left).all(axis=1) & left.any(axis=1)
     if not usable.any():

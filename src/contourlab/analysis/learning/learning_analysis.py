@@ -34,7 +34,7 @@ from contourlab.analysis.linear.coupled_loop import CoupledLoop, TrialMap, coupl
 from contourlab.analysis.linear.margins import doubling
 from contourlab.arrays import Array, Complex
 from contourlab.components.learning.law import LearningLaw, LearningProblem, ZeroPhase
-from contourlab.errors import ComponentError
+from contourlab.errors import ComponentError, refuse
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.loop.machine import Controller, Machine
@@ -461,8 +461,7 @@ def learning_analysis(machine: Machine, controller: Controller, law: LearningLaw
     """
     loop = coupled_loop(machine, controller)
     for name, axis in zip(loop.names, loop.axes, strict=True):
-        if not axis.loop.stable:
-            raise ComponentError(f"axis {name} is unstable under its own controller: stabilise it before learning")
+        refuse(not axis.loop.stable, ComponentError, f"axis {name} is unstable under its own controller: stabilise it before learning")
     response = frequency_learning(loop, law)
     lifted = None
     if reference is not None:

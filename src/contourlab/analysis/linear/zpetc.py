@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Complex
 from contourlab.components.feedforward.laws import MAX_ORDER, ZPETC
-from contourlab.errors import ComponentError
+from contourlab.errors import ComponentError, refuse
 
 if TYPE_CHECKING:
     from contourlab.analysis.linear.sampled_loop import SampledLoop
@@ -46,8 +46,7 @@ def zpetc_design(loop: SampledLoop, *, radius: float = 0.9) -> ZPETC:
         If the loop is unstable, feeds derivatives of the reference forward, does not reach the reference at rest, has more zeros to cancel
         than the component allows, or the relative error of its polynomials exceeds `RESIDUAL`.
     """
-    if not loop.stable:
-        raise ComponentError("the loop is unstable: no zero-phase filter can be made for it")
+    refuse(not loop.stable, ComponentError, "the loop is unstable: no zero-phase filter can be made for it")
     a = _real_polynomial(loop.poles)
     n = 1 << max(6, (4 * a.size - 1).bit_length())
     # Half-way between the usual points of a Fourier transform, which avoids 0 and the Nyquist frequency.
@@ -85,8 +84,7 @@ def zero_phase_filter(numerator: ArrayLike, denominator: ArrayLike, delay: int =
     """
     b, a = (np.trim_zeros(np.atleast_1d(np.asarray(values, dtype=float)), "b") for values in (numerator, denominator))
     steady = b.sum() / a.sum()
-    if not abs(steady - 1.0) <= 1e-6:
-        raise ComponentError(f"at rest the position is {steady:.9g} of the reference: it has to be 1")
+    refuse(not abs(steady - 1.0) <= 1e-6, ComponentError, f"at rest the position is {steady:.9g} of the reference: it has to be 1")
     zeros = np.roots(b)
     cancel = (np.abs(zeros) < 1.0) & ((zeros.real > 0.0) | (np.abs(zeros) <= radius))
     cancelled, kept = zeros[cancel], zeros[~cancel]

@@ -11,7 +11,7 @@ from typing import Any
 from contourlab.controls.contract import FLOATING, ControlFile, computed, driven_by_steps, position_drive, read_from, steps_controller
 from contourlab.controls.linuxcnc.files import LENGTHS, HalGraph, Ini, beside, graph_of, read_ini, units_of
 from contourlab.controls.linuxcnc.loops import Joint, LoopClass, classified, joints, kinematics_of, without_pid
-from contourlab.errors import ScenarioError
+from contourlab.errors import ScenarioError, refuse
 from contourlab.findings import Finding, finding
 
 LETTERS = "xyz"
@@ -59,8 +59,7 @@ class _Machine:
         if (given := self.ini.first("TRAJ", "LINEAR_UNITS")) and any(found.code == "CL850" for found in self.findings):
             raise ScenarioError(f"LINEAR_UNITS = {given.value}: write mm or inch", file=given.place)
         axes = dict(sorted(self._joints().items()))
-        if not axes:
-            raise ScenarioError("has none of the axes x, y and z", file=self.ini.file)
+        refuse(not axes, ScenarioError, "has none of the axes x, y and z", file=self.ini.file)
         name, period = self.ini.first("EMC", "MACHINE"), f"{self.period * 1e6:.12g} us"
         machine = {
             "name": (name.value if name else "")[:200] or self.ini.file.stem,

@@ -19,7 +19,7 @@ from contourlab.app.json_values import HIDDEN, write_json
 from contourlab.app.results import staged
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array
-from contourlab.errors import ParameterError, ResultError
+from contourlab.errors import ParameterError, ResultError, refuse
 from contourlab.features.circle.fit import CircleFit, ReversalSpike, Term, fit_circle
 from contourlab.features.circle.options import Circle
 from contourlab.features.circle.runs import CircleRun, find_circle, is_polar, own_columns, polar_runs, runs_of
@@ -453,8 +453,7 @@ def _read(logs: Sequence[str | Path | Log], settings: Circle) -> tuple[list[Circ
             runs += own
             findings += [*log.findings, *([] if "tool_position" in log.result else [finding("CL491")])]
             is_known = is_known or has_reference
-        if len(axes) != 2:
-            raise ParameterError("--axes", ",".join(axes), "two axes, such as x,y")
+        refuse(len(axes) != 2, ParameterError, "--axes", ",".join(axes), "two axes, such as x,y")
         pair = axes[0], axes[1]
     unique = {str(doubt): doubt for doubt in findings}
     radii = [run.radius for run in runs]
@@ -467,8 +466,7 @@ def _read(logs: Sequence[str | Path | Log], settings: Circle) -> tuple[list[Circ
 def _log_runs(log: Log, axes: tuple[str, ...], radius: float | None) -> tuple[tuple[CircleRun, ...], bool]:
     """Return the runs of a log, and whether it has the command."""
     result = log.result
-    if len(columns_of(result, axes)) < 2:
-        raise ResultError(f"has the axis {', '.join(axes)} only: a circle needs two")
+    refuse(len(columns_of(result, axes)) < 2, ResultError, f"has the axis {', '.join(axes)} only: a circle needs two")
     measured, commanded = (known_signal(result, axes[:2], names) for names in (ACTUAL, ("reference",)))
     if measured is None:
         raise ResultError(f"no position in {result.source}: name its columns, such as --column 'position.x=NAME [mm]'")

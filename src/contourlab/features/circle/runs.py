@@ -294,7 +294,6 @@ def _values(record: Record, target: str, named: dict[str, str], si: str) -> Arra
     if channel.fault is not None:
         raise channel.fault
     unit = (name_and_unit(named[target])[1] if target in named else "") or channel.unit or ("deg" if target == ANGLE else "")
-    if not unit:
-        raise LogError(f"column {channel.name!r} has no unit: write --column '{target}={channel.name} [um]'", file=record.file)
+    refuse(not unit, LogError, f"column {channel.name!r} has no unit: write --column '{target}={channel.name} [um]'", file=record.file)
     scale = math.radians(1.0) if unit in ("deg", "°") else to_si(f"1 {unit}", si)
     return np.asarray(channel.values * scale)

@@ -19,7 +19,7 @@ from contourlab.app.results import SAFETY, check_file, write_together
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array
 from contourlab.controls.linuxcnc.loops import LoopClass
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.features.commission.control_terms import Term, cascade_of, check_control, term_table, terms_of
 from contourlab.features.commission.excitation import excitation, sampler, steps
 from contourlab.features.commission.identification import IdentifiedAxis, identify_axis
@@ -166,8 +166,7 @@ def commission(
     ParameterError
         If an option or the control is unknown.
     """
-    if control != "linuxcnc":
-        raise ParameterError("control", repr(control), "'linuxcnc'")
+    refuse(control != "linuxcnc", ParameterError, "control", repr(control), "'linuxcnc'")
     if settings.for_ is not None:
         check_control(settings.for_)
     setup, program = read_setup(ini, hal), settings.program

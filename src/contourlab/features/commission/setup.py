@@ -12,7 +12,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.controls.linuxcnc.files import LENGTHS, REFERENCE, Entry, HalGraph, Ini, graph_of, read_ini, units_of
 from contourlab.controls.linuxcnc.loops import LoopClass, classified, joints
-from contourlab.errors import ScenarioError
+from contourlab.errors import ScenarioError, refuse
 from contourlab.features.commission.loop import GAINS
 from contourlab.findings import Finding, finding
 
@@ -117,13 +117,11 @@ def read_setup(ini_file: str | Path, hal_file: str | Path) -> Setup:
         If a file cannot be read, a number is faulty, or no axis has a pid.
     """
     ini, given = read_ini(ini_file), Path(hal_file)
-    if given.suffix == ".tcl":
-        raise ScenarioError("is a Tcl script, which is not read: give a HAL file with the pid components", file=given)
+    refuse(given.suffix == ".tcl", ScenarioError, "is a Tcl script, which is not read: give a HAL file with the pid components", file=given)
     graph, _ = graph_of(ini, given)
     unit, period, findings = units_of(ini, graph)
     axes = tuple(_Wiring(ini, given, graph, findings).axes())
-    if not axes:
-        raise ScenarioError("no linear joint has a pid on its motor-pos-cmd: a servo loop in HAL is needed", file=given.name)
+    refuse(not axes, ScenarioError, "no linear joint has a pid on its motor-pos-cmd: a servo loop in HAL is needed", file=given.name)
     findings += [doubt for axis in axes for doubt in _doubtful(axis, unit, period)]
     name = "inch" if unit == LENGTHS["inch"] else "mm"
     return Setup(ini, given, unit, name, period, axes, tuple(findings))
@@ -196,8 +194,7 @@ class _Wiring:
         for name, key in (("velocity", "MAX_VELOCITY"), ("acceleration", "MAX_ACCELERATION"), ("low", "MIN_LIMIT"), ("high", "MAX_LIMIT")):
             positive = name in ("velocity", "acceleration")
             values = [value for section in sections if (value := self.ini.number(section, key, positive=positive)) is not None]
-            if not values:
-                raise ScenarioError(f"[JOINT_{joint}]{key} sets no limit: the excitation needs one", file=self.ini.file.name)
+            refuse(not values, ScenarioError, f"[JOINT_{joint}]{key} sets no limit: the excitation needs one", file=self.ini.file.name)
             limits[name] = max(values) if name == "low" else min(values)
         if not limits["low"] < limits["high"]:
             raise ScenarioError(f"[JOINT_{joint}]MAX_LIMIT = {limits['high']:g}: must be above MIN_LIMIT", file=self.ini.file.name)

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from contourlab.app.session import QUIET, Session, question
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
 from contourlab.features.identify.options import Identify
 from contourlab.features.identify.records import AxisRecord, Request
 from contourlab.features.identify.result import Identification
@@ -91,8 +91,7 @@ def identify(*logs: str | Path | Log, settings: Identify, session: Session = QUI
         logs = (opened, *logs[1:])  # read once
         settings = replace(settings, model=settings.model or _usual_model(opened, settings))
     name = settings.model or "rigid"
-    if name not in MODELS:
-        raise ParameterError("--model", repr(name), f"one of {', '.join(MODELS)}")
+    refuse(name not in MODELS, ParameterError, "--model", repr(name), f"one of {', '.join(MODELS)}")
     model = MODELS[name]
     for option, part in Identify.PARTS.items():
         owners = [owner for owner, other in MODELS.items() if option in other.options]
@@ -100,8 +99,7 @@ def identify(*logs: str | Path | Log, settings: Identify, session: Session = QUI
         if owners and option not in model.options and value != part.default:
             raise ParameterError(part.typed, value, f"omitted: it applies to {', '.join(owners)}, and the model is {name}")
     with about(*request.names.values(), options=list(Identify.PARTS)):
-        if model.single and len(logs) > 1:
-            raise ParameterError("LOG", f"{len(logs)} logs", f"one: model {name} takes {model.single}")
+        refuse(model.single and len(logs) > 1, ParameterError, "LOG", f"{len(logs)} logs", f"one: model {name} takes {model.single}")
         axes = _axes(opened, settings.axis) if model.together and opened is not None else [settings.axis]
         requests = [Request(replace(settings, axis=axis), logs) for axis in axes]
         records: list[AxisRecord] = []

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.errors import ParameterError, ResultError, UnitError, refused
+from contourlab.errors import ParameterError, ResultError, UnitError, refuse, refused
 from contourlab.features.identify.options import Identify
 from contourlab.features.measure.log_choice import distinct_names, open_log
 from contourlab.features.measure.plausibility import motion_findings, period_findings, same_column_findings
@@ -166,8 +166,7 @@ def common_unit(records: Sequence[AxisRecord], what: str) -> str:
         If the units differ.
     """
     units = sorted({record.unit for record in records})
-    if len(units) > 1:
-        raise ResultError(f"commands in {' and '.join(units)}: all logs of {what} must have the same unit")
+    refuse(len(units) > 1, ResultError, f"commands in {' and '.join(units)}: all logs of {what} must have the same unit")
     return units[0]
 
 
@@ -286,8 +285,7 @@ class Request:
         whole, spans = self._whole(log, source, axis), log.stretches(axis)
         if spans == [(0, whole.position.size)]:
             return [whole]
-        if not spans:
-            raise ResultError(f"{source} has no stretch without a long gap")
+        refuse(not spans, ResultError, f"{source} has no stretch without a long gap")
         return [whole.part(*span) for span in spans]
 
     def _whole(self, log: Log, source: str, axis: str) -> AxisRecord:
@@ -337,8 +335,7 @@ class Request:
         with refused(option, text, wanted):
             number, unit = split(text)
             value = number * to_si(f"1 {unit}", f"N/{unit.partition('/')[2].strip() or 1}" if name == "gain" else unit)
-        if not (0.0 < abs(value) < 1e12 and (value > 0.0 or name == "gain")):
-            raise ParameterError(option, text, bound)
+        refuse(not (0.0 < abs(value) < 1e12 and (value > 0.0 or name == "gain")), ParameterError, option, text, bound)
         return value
 
     def _check_unit(self, log: Log) -> None:

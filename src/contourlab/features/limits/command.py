@@ -165,8 +165,7 @@ def _logged(file: str | Path | Log, options: Limits, tolerance: float, reading: 
             raise ResultError(f"no reference or position of {', '.join(axes)} in {result.source}: name the columns with --column")
         position = known[1]
         moves = moving_part(position)
-    if not moves.any():
-        raise LogError("nothing moves: position or reference is the same at all samples", file=log.record.file)
+    refuse(not moves.any(), LogError, "nothing moves: position or reference is the same at all samples", file=log.record.file)
     machine = None if options.machine is None else machine_of(options.machine)
     if machine is not None and (unlike := [axis for axis in axes if axis not in machine.axis_names]):
         raise ParameterError("--axes", ", ".join(unlike), f"axes of {machine.name}: {', '.join(machine.axis_names)}")

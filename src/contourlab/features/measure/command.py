@@ -16,7 +16,7 @@ from contourlab.app.command_line import as_typed
 from contourlab.app.results import staged
 from contourlab.app.session import QUIET, Session, question
 from contourlab.arrays import Array, Index
-from contourlab.errors import LogError, ParameterError, ResultError, refused
+from contourlab.errors import LogError, ParameterError, ResultError, refuse, refused
 from contourlab.features.check.program_check import origin_of
 from contourlab.features.check.reading import read_once
 from contourlab.features.measure.log_choice import (
@@ -335,8 +335,7 @@ def _shift(text: str | None, axes: tuple[str, ...]) -> Array | Literal["fit"] | 
         return text  # type: ignore[return-value]  # the literal
     wanted = f'"fit", or a length for each of {", ".join(axes)}, such as "{", ".join("10 mm" for _ in axes)}"'
     lengths = text.split(",")
-    if len(lengths) != len(axes):
-        raise ParameterError("--shift", repr(text), wanted)
+    refuse(len(lengths) != len(axes), ParameterError, "--shift", repr(text), wanted)
     with refused("--shift", text, wanted):
         shift = [to_si(length.strip(), "m") for length in lengths]
     return np.array(shift)

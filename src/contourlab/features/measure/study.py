@@ -283,8 +283,7 @@ def _signals_of(run: Result, route: Route | None) -> list[Array]:
         if axes := [axis for axis, is_known in zip(run.axes, whole.tolist(), strict=True) if not is_known]:
             cure = f"name its column, such as --column '{kind}.{axes[0]}=NAME [mm]', or exclude the axis with --axes"
             missing.append(f"no {kind} of {', '.join(axes)} in {run.source}: {cure}")
-    if missing:
-        raise ResultError("; ".join(missing))
+    refuse(missing, ResultError, "; ".join(missing))
     return [run[name] for name in wanted.values()]
 
 
@@ -364,8 +363,7 @@ def _stated(run: Result) -> Judged | None:
 
 
 def _of_axes(result: Result, axes: tuple[str, ...]) -> Result:
-    if len(set(axes)) < len(axes):
-        raise ResultError(f"axes {', '.join(axes)}: one is named twice")
+    refuse(len(set(axes)) < len(axes), ResultError, f"axes {', '.join(axes)}: one is named twice")
     columns = columns_of(result, axes)
     if axes == result.axes:
         return result

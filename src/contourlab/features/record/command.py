@@ -13,7 +13,7 @@ from contourlab.app.session import QUIET, Answer, Session, question
 from contourlab.controls.linuxcnc.files import HalGraph, graph_of, read_ini, sampler_lines, units_of
 from contourlab.controls.linuxcnc.loops import Joint, commanded, feedback, joints
 from contourlab.controls.linuxcnc.machine import LETTERS, matches
-from contourlab.errors import ScenarioError
+from contourlab.errors import ScenarioError, refuse
 from contourlab.features.record.options import Record
 from contourlab.findings import Finding, finding
 from contourlab.rendering.table import paragraphs
@@ -115,15 +115,13 @@ def record(ini: str | Path, *, settings: Record, session: Session = QUIET) -> Re
         If a file cannot be read, LinuxCNC loads a sampler already, or none of x, y and z moves.
     """
     files = read_ini(ini)
-    if not matches(files.file, files.file.read_bytes()):
-        raise ScenarioError("is no INI file of LinuxCNC", file=ini)
+    refuse(not matches(files.file, files.file.read_bytes()), ScenarioError, "is no INI file of LinuxCNC", file=ini)
     graph, _ = graph_of(files)
     if loaded := next((line for line in graph.statements if line.words[:2] == ("loadrt", "sampler")), None):
         raise ScenarioError("loads a sampler, and LinuxCNC loads only one: remove it to record with another", file=loaded.place)
     of_axes = [(joint, _recorded(graph, joint)) for joint in joints(files, graph) if joint.axis in LETTERS]
     moved = {own.axis: own for _, own in reversed(of_axes)}
-    if not moved:
-        raise ScenarioError("has none of the axes x, y and z", file=ini)
+    refuse(not moved, ScenarioError, "has none of the axes x, y and z", file=ini)
     others = [(own.axis, f"gantry_{own.axis}_{joint.number}", own.position) for joint, own in of_axes if own not in moved.values()]
     axes = tuple(replace(moved[a], others={name: pin for axis, name, pin in others if axis == a}) for a in sorted(moved))
     unit, period, findings = units_of(files, graph)

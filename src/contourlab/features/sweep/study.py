@@ -206,8 +206,7 @@ def load_study(
         If the study or its scenario is invalid; gives file and key.
     """
     path = Path(file)
-    if path.suffix.lower() != ".toml":
-        raise ScenarioError("not a study: its name must end in .toml", file=file)
+    refuse(path.suffix.lower() != ".toml", ScenarioError, "not a study: its name must end in .toml", file=file)
     content = read_tree(path)
     if "vary" not in content.entries and "machine" in content.entries:
         raise ScenarioError("this is a scenario: write a study that names it, with scenario = ... and [vary]", file=file)
@@ -456,8 +455,7 @@ def _design(plain: StudyTable, content: Table, varied: Varied, modules: tuple[Mo
             raise content.error(f"lists of {sorted(set(levels))} values: a list needs as many of each", "vary")
         refuse(variants is not None, content.error, f"a {fixed} has as many variants as its values give: leave this out", "variants")
         variants = levels[0] if plain.design == "list" else math.prod([*(one.count for one in modules), *filter(None, levels)])
-        if variants > MOST:
-            raise content.error(f"{variants} variants: {MOST} are the most", "modules" if modules else "vary")
+        refuse(variants > MOST, content.error, f"{variants} variants: {MOST} are the most", "modules" if modules else "vary")
     elif variants is None and (variants := default) is None:
         raise content.error("1 key is missing: variants")
     chunk, factor = _chunk(plain, content, varied), _factor(content, varied, plain.design, modules)
