@@ -125,7 +125,7 @@ class View {
     this.plot = new uPlot({
       width: widthOf(host.parentElement!) * k,
       height: (inner + (last ? HEIGHT.axis : HEIGHT.gap)) * k,
-      padding: [6 * k, 14 * k, 0, 0],
+      padding: [6 * k, 22 * k, 0, 0],
       scales: {
         x: { time: false, distr: panel.log_x ? 3 : 1, range: () => group.range },
         y: { distr: panel.log_y ? 3 : 1, range: () => this.heights() },

@@ -73,8 +73,11 @@ class Viewer {
   /** On paper all pictures are drawn, in light colours. */
   private paper(on: boolean): void {
     document.documentElement.classList.toggle("printing", on);
-    if (on) this.places.forEach((_, host) => this.draw(host));
+    const late = on ? [...this.places.keys()].filter(host => !this.drawn.has(host)) : [];
+    late.forEach(host => this.draw(host));
     this.resize();
+    // The path listens for itself: drawn just now, it missed the event.
+    if (late.some(host => this.drawn.get(host)?.highlight)) dispatchEvent(new Event("beforeprint"));
   }
 }
 

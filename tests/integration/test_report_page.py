@@ -117,11 +117,12 @@ def test_panels_zoom_together_and_the_legend_hides_a_curve(browsing, page):
 
 @pytest.mark.slow
 def test_paper_is_light_and_has_every_picture(browsing, page):
-    opened = browsing.open(page, dark=True)
+    opened = browsing.open(page, height=100, dark=True)  # so low that nothing is drawn yet
     assert opened.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(20, 25, 30)"
     opened.evaluate("dispatchEvent(new Event('beforeprint'))")
     assert opened.evaluate("getComputedStyle(document.querySelector('.plot')).backgroundColor") == "rgb(255, 255, 255)"
     assert opened.locator(".plot:not([data-drawn])").count() == 0
+    assert "" not in opened.locator(".path-stage").evaluate_all("all => all.map(stage => stage.style.width)")  # sized for paper
     assert opened.pdf(format="A4").startswith(b"%PDF")
 
 
