@@ -146,7 +146,7 @@ def series(terms: Array, quarter: int, x: float) -> float:
     """Return the Chebyshev series of a quarter at x."""
     b1, b2 = 0.0, 0.0  # Clenshaw's recursion
     for term in range(terms.shape[1] - 1, 0, -1):
-        b1, b2 = 2.0 * x * b1 - b2 + terms[quarter, term], b1
+        b1, b2 = 2.0 * x * b1 + (terms[quarter, term] - b2), b1
     return float(x * b1 - b2 + terms[quarter, 0])
 
 
@@ -207,11 +207,6 @@ class Blends(CurveBatch):
         found = np.empty((order + 1, self.n_axis, along.size))
         evaluate(np.ascontiguousarray(slot), np.ascontiguousarray(along), order, *self.shape[:3], found)
         return found
-
-    def turning(self) -> Array:
-        """Return the largest turn [rad] by the parameter of each blend, from samples."""
-        found = (shapes(self.shape[0], u) for u in np.linspace(0.0, 1.0, 17)[:, None])
-        return np.asarray(np.max([np.linalg.norm(by_length[2, :, 0], axis=1) * speed[:, 0] for by_length, speed in found], axis=0))
 
     def smallest_radii(self) -> Array:
         n = self.length.size

@@ -1,8 +1,9 @@
 """The exact foot point: the closest point of a path, searched independently for each sample.
 
 In a window around the progress of a sample, each leaf in reach gives its closest point. A leaf is a line or a flat arc, with a closed form,
-a blend, with a bracketed iteration over its parameter, or a piece of the table of another curve, with one that the curve itself ends. The
-foot point is the nearest of these; ties go to the one nearest to the progress, which selects the right branch where a path crosses itself.
+a blend, or a piece of the table of another curve: half the slope of the squared distance from these quintic curves is a polynomial, whose
+zeros are isolated one by one, then found by Halley's steps; the curve itself ends the search on a piece. The foot point is the nearest of
+these; ties go to the one nearest to the progress, which selects the right branch where a path crosses itself.
 
 Distances to junctions alone find the leaves in reach. A part of the path with length L, whose ends lie d and e from the point, is nowhere
 closer than (d + e - L) / 2. It is excluded if something is closer. The search halves parts until single leaves remain: a few out of
@@ -36,13 +37,12 @@ _SLACK = 1e-9
 """Error of arc lengths and distances [m]."""
 _TABLE_SLACK = 1e-8
 """More than the error of the table [m]."""
-_TURN, _SHORT_TURN = 0.35, 0.011
-"""Largest turn [rad] of a cell: it has a single closest point. The second is for points that may be near a blend's centre of curvature."""
-_AHEAD = 6.0
-"""Steps from sample to sample that a list of leaves lasts, about; most leaves on each side in it."""
+_AHEAD = 12.0
+"""Steps from sample to sample that a list of leaves lasts, about."""
 _MOST_STEPS = 60
 _MOST_LISTED, _MOST_TRIED, _FARTHEST = 64, 32, 1e5
 """A list ends after the sample for which it has more leaves, or which tried more, and after more travel [m], whose rounding would count."""
+_BERNSTEIN = tuple(1.0 / math.comb(9, power) for power in range(10))
 _SQUARE = 1e-16
 """Square of the last Newton step, relative to the length of the piece [m]: what is left is about the square over the length."""
 
@@ -62,10 +62,12 @@ class _Leaves(NamedTuple):
         Where they are.
     leaf : ndarray (n, 3) of int
         Curve, kind, and number within the kind.
-    bend : ndarray (n,) [1/m], of blends [rad]
-        Largest curvature of a piece of the table, and largest turn by the parameter of a blend.
-    lines, arcs, coefficients, borders, inverse, arc, quintics, pieces : ndarray
-        What defines the curves of each kind, and the pieces.
+    lines, arcs, coefficients, borders, inverse, arc : ndarray
+        What defines the curves of each kind.
+    quintics : ndarray (n_quintic, n_axis, 6) [m]
+        Powers of u, 0 to 1, of blends, then of the pieces of the table.
+    rates : ndarray (n_quintic, 10) [m^2]
+        Powers of u in r' (r - r(0)), half the rate at which the squared distance from the start grows.
     """
 
     closed: int
@@ -76,7 +78,6 @@ class _Leaves(NamedTuple):
     along: Array
     corner: Array
     leaf: Index
-    bend: Array
     lines: Array
     arcs: Array
     coefficients: Array
@@ -84,7 +85,7 @@ class _Leaves(NamedTuple):
     inverse: Array
     arc: Array
     quintics: Array
-    pieces: Array
+    rates: Array
 
 
 def _leaves(path: CurveSequence) -> _Leaves:
@@ -92,7 +93,7 @@ def _leaves(path: CurveSequence) -> _Leaves:
     if "_leaves" in path.__dict__:
         return path.__dict__["_leaves"]  # type: ignore[no-any-return]
     m, axes = len(path.curves), path.n_axis
-    kind, slot, bend = np.full(m, _OTHER), np.zeros(m, dtype=np.int64), np.zeros(m)
+    kind, slot = np.full(m, _OTHER), np.zeros(m, dtype=np.int64)
     lines, arcs = np.zeros((1, 2, axes)), np.zeros((1, 4 + 3 * axes))
     shape: tuple[Array, ...] = (np.zeros((1, 6, axes)), np.zeros((1, 5)), np.zeros((1, 4, 1)), np.zeros((1, 4, 1)))
     for batch, numbers in path.kinds:
@@ -104,19 +105,22 @@ def _leaves(path: CurveSequence) -> _Leaves:
             each = (batch.radius, batch.start_angle, batch.rate, batch.length, *batch.centre, *batch.u, *batch.v)
             arcs = np.column_stack(each)
         elif isinstance(batch, Blends):
-            kind[numbers], bend[numbers], shape = _BLEND, batch.turning(), batch.shape
+            kind[numbers], shape = _BLEND, batch.shape
     direct = kind <= _BLEND
-    owner, start, pieces = np.arange(m), path.breaks, np.zeros((1, axes, 6))
+    owner, start, corner, quintics = np.arange(m), path.breaks, path.junctions[0][:-1], shape[0].transpose(0, 2, 1).copy()
     if not direct.all():
         owner, begin, coefficients, _ = table_pieces(path, 1e-9 * min(path.length, 1.0))
         kept = np.flatnonzero(~direct[owner] | (np.diff(owner, prepend=-1) > 0))
-        owner, start, pieces = owner[kept], np.append(begin[kept], path.length), coefficients[kept]
-        h, square = np.diff(begin)[kept, None] * np.linspace(0.0, 1.0, 5), np.zeros((kept.size, 5))
-        for c in pieces.transpose(1, 2, 0)[..., None]:
-            square += (2.0 * c[2] + h * (6.0 * c[3] + h * (12.0 * c[4] + h * 20.0 * c[5]))) ** 2
-        bend = np.where(direct[owner], bend[owner], np.sqrt(square.max(axis=1)))
+        owner, start = owner[kept], np.append(begin[kept], path.length)
+        corner = np.where(direct[owner, None], corner[owner], coefficients[kept, :, 0])
+        pieces = coefficients[kept] * np.diff(start)[:, None, None] ** np.arange(6.0)
+        quintics = np.concatenate([quintics, pieces])
+    rates = np.zeros((10, len(quintics)))
+    for c in quintics.transpose(1, 2, 0).copy():
+        for a, b in np.ndindex(5, 5):
+            rates[a + b + 1] += (a + 1) * c[a + 1] * c[b + 1]
     junctions, along = path.junctions
-    corner = np.where(direct[owner, None], junctions[owner], pieces[:, :, 0])
+    number = np.where(direct[owner], slot[owner], np.arange(owner.size) + len(shape[0]))
     path.__dict__["_leaves"] = leaves = _Leaves(
         int(path.closed),
         path.length,
@@ -125,9 +129,8 @@ def _leaves(path: CurveSequence) -> _Leaves:
         start,
         np.append(along[owner] + start[:-1] - path.breaks[owner], along[-1]),
         np.concatenate([corner, junctions[-1:]]),
-        np.column_stack([owner, kind[owner], slot[owner]]),
-        bend,
-        *(lines, arcs, *shape, shape[0].transpose(0, 2, 1).copy(), pieces),
+        np.column_stack([owner, kind[owner], number]),
+        *(lines, arcs, *shape, quintics, rates.T.copy()),
     )
     return leaves
 
@@ -218,37 +221,8 @@ def _compared(square, away, least, aside):
     return level, away < aside if level else square < least
 
 
-def _slope(points, i, pieces, at, h):
-    """Return squared distance of a point from a piece at h, and half its first three derivatives."""
-    square, slope, bend, third = 0.0, 0.0, 0.0, 0.0
-    for j in range(points.shape[1]):
-        c1, c2, c3, c4, c5 = pieces[at, j, 1], pieces[at, j, 2], pieces[at, j, 3], pieces[at, j, 4], pieces[at, j, 5]
-        gap = pieces[at, j, 0] + h * (c1 + h * (c2 + h * (c3 + h * (c4 + h * c5)))) - points[i, j]
-        first = c1 + h * (2.0 * c2 + h * (3.0 * c3 + h * (4.0 * c4 + h * 5.0 * c5)))
-        second = 2.0 * c2 + h * (6.0 * c3 + h * (12.0 * c4 + h * 20.0 * c5))
-        square, slope, bend = square + gap * gap, slope + first * gap, bend + first * first + second * gap
-        third += 3.0 * first * second + (6.0 * c3 + h * (24.0 * c4 + h * 60.0 * c5)) * gap
-    return square, slope, bend, third
-
-
-def _on_piece(points, i, pieces, at, a, b, slope_a, slope_b, square):
-    """Return h of the closest point between a and b, where the slope rises through zero; a step with less than `square` is the last."""
-    h = a if slope_b <= slope_a else min(max(a - slope_a * (b - a) / (slope_b - slope_a), a), b)
-    for _ in range(_MOST_STEPS):
-        _, slope, bend, third = _slope(points, i, pieces, at, h)
-        a, b = h if slope < 0.0 else a, h if slope > 0.0 else b
-        # Halley's step, which about cubes the error; near a centre of curvature Newton's: the other is small far from the place too.
-        turn = 0.5 * slope * third / bend
-        after = h - slope / (bend - turn if abs(turn) < 0.5 * bend else bend) if bend > 0.0 else math.inf
-        after = after if a <= after <= b else 0.5 * (a + b)
-        moved, h = abs(after - h), after
-        if moved * moved <= square:
-            break
-    return h
-
-
-def _at_parameter(quintics, k, u, borders, arc, span, spot, column):
-    """Write the point and the tangent of a blend of length `span` at a parameter to a column of `spot`; return the arc length."""
+def _on_quintic(quintics, k, u, spot, column):
+    """Write the point and the tangent of a quintic curve at a parameter to a column of `spot`."""
     axes, square = spot.shape[1], 0.0
     for j in range(axes):
         c1, c2, c3, c4, c5 = quintics[k, j, 1], quintics[k, j, 2], quintics[k, j, 3], quintics[k, j, 4], quintics[k, j, 5]
@@ -257,20 +231,109 @@ def _at_parameter(quintics, k, u, borders, arc, span, spot, column):
         square += spot[1, j, column] ** 2
     for j in range(axes):
         spot[1, j, column] /= math.sqrt(square)
-    quarter = min(int(4.0 * u), 3)
-    return 0.0 if u <= 0.0 else span if u >= 1.0 else borders[k, quarter] + series(arc[k], quarter, 8.0 * u - 2.0 * quarter - 1.0)
+
+
+def _zero(powers, form, a, b):
+    """Return the zero between a and b of a polynomial of degree 9, of which `form` is Bernstein's form there; it rises through zero."""
+    width, rise = b - a, form[9] - form[0]
+    h = -form[0] / rise
+    # Hermite's cubic through both ends, of the place over the value.
+    h += h * (1.0 - h) * ((1.0 - h) * (rise / (9.0 * (form[1] - form[0])) - 1.0) - h * (rise / (9.0 * (form[9] - form[8])) - 1.0))
+    h = min(max(a + width * h, a), b)
+    for _ in range(_MOST_STEPS):
+        value, bend, third = 0.0, 0.0, 0.0
+        for power in range(9, -1, -1):
+            value, bend, third = value * h + powers[power], bend * h + value, third * h + bend
+        a, b, turn = h if value < 0.0 else a, h if value > 0.0 else b, value * third / bend
+        # Halley's step, which about cubes the error; where its correction is large, Newton's.
+        after = h - value / (bend - turn if abs(turn) < 0.5 * bend else bend) if bend > 0.0 else math.inf
+        after = after if a <= after <= b else 0.5 * (a + b)
+        moved, h = abs(after - h), after
+        if moved * moved <= 1e-10:
+            break
+    return h
+
+
+def _minima(points, i, quintics, rates, k, forms, found):
+    """Write the parameters of a quintic curve at which a point is nearest to it, ends included; return how many there are.
+
+    Half the slope of the squared distance is a polynomial. Bernstein's form of it has at least as many changes of sign as there are zeros,
+    and just one where there is one zero. An interval with more is halved (Lane and Riesenfeld, Bounds on a polynomial, BIT 21, 1981).
+    """
+    for power in range(10):
+        forms[0, power] = rates[k, power]
+    for j in range(points.shape[1]):
+        gap = quintics[k, j, 0] - points[i, j]
+        for power in range(5):
+            forms[0, power] += (power + 1.0) * quintics[k, j, power + 1] * gap
+    for power in range(10):
+        forms[1, power] = forms[0, power] * _BERNSTEIN[power]
+    for shift in range(1, 10):
+        for power in range(9, shift - 1, -1):
+            forms[1, power] += forms[1, power - 1]
+    count, top = 0, 2
+    forms[1, 10], forms[1, 11] = 0.0, 1.0
+    for end in range(2):
+        if (forms[1, 0] >= 0.0) if end == 0 else (forms[1, 9] <= 0.0):
+            found[count], count = end, count + 1
+    while top > 1 and count < found.size:  # more can only be rounding, from the centre of a circle
+        top, changes = top - 1, 0
+        for power in range(9):
+            changes += 1 if (forms[top, power] < 0.0) != (forms[top, power + 1] < 0.0) else 0
+        a, b = forms[top, 10], forms[top, 11]
+        if changes > 1 and b - a > 1e-6:
+            for shift in range(10):  # de Casteljau's halves: the second stays in place
+                forms[top + 1, shift] = forms[top, 0]
+                for power in range(9 - shift):
+                    forms[top, power] = 0.5 * (forms[top, power] + forms[top, power + 1])
+            forms[top, 10], forms[top + 1, 10], forms[top + 1, 11] = 0.5 * (a + b), a, 0.5 * (a + b)
+            top += 2
+        elif forms[top, 0] < 0.0 <= forms[top, 9]:
+            found[count], count = _zero(forms[0], forms[top], a, b), count + 1
+    return count
+
+
+def _on_leaf(
+    points, i, kind, k, low, high, middle, span,
+    lines, arcs, coefficients, borders, inverse, arc, quintics, rates, forms, minima, spot, column,
+):  # fmt: skip
+    """Find the closest point of a line, flat arc or blend; write it to a column of `spot`, except of a line.
+
+    Return its arc length, the squared distance, and whether what the window hides may be nearer.
+    """
+    if kind == _LINE:
+        s, square = _on_line(points, i, lines, k, low, high)
+        return s, square, s <= low > 0.0 or s >= high < span
+    if kind == _ARC:
+        s = _on_arc(points, i, arcs, k, low, high, min(max(middle, low), high), spot, column)
+        return s, _gap(points, i, spot, column), not low < s < high
+    count, best, least, aside = _minima(points, i, quintics, rates, k, forms, minima), 0, math.inf, math.inf
+    s, square, hides = 0.0, 0.0, False
+    for turn in range(count + 1 if count > 1 else 1):  # in the end the nearest again
+        u = minima[best if turn == count else turn]
+        quarter = min(int(4.0 * u), 3)
+        s = 0.0 if u <= 0.0 else span if u >= 1.0 else borders[k, quarter] + series(arc[k], quarter, 8.0 * u - 2.0 * quarter - 1.0)
+        _on_quintic(quintics, k, u, spot, column)
+        if not low <= s <= high:  # what the window hides stands for its end
+            s, hides = min(max(s, low), high), True
+            by_length(k, s, 1, coefficients, borders, inverse, spot, column)
+        square = _gap(points, i, spot, column)
+        if _compared(square, abs(s - middle), least, aside)[1]:
+            best, aside = turn, abs(s - middle)
+        least = min(least, square)
+    return s, square, hides
 
 
 _SIGNATURE = (
-    "f8[:,:] f8[:] f8[:] i8 f8 f8[:] f8[:,:,:] f8[:] f8[:] f8[:,:] i8[:,:] f8[:] f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:,:] "
-    "f8[:,:,:] f8[:,:,:] f8[:] f8[:,:] f8[:] f8[:] i8[:,:] f8[:,:] i8[:] i8[:,:] f8[:,:] f8[:,:,:] i8[:,:] f8[:]"
+    "f8[:,:] f8[:] f8[:] i8 f8 f8[:] f8[:,:,:] f8[:] f8[:] f8[:,:] i8[:,:] f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:,:] "
+    "f8[:,:,:] f8[:,:] f8[:] f8[:,:] f8[:] f8[:] i8[:,:] f8[:,:] i8[:] i8[:,:] f8[:,:] f8[:,:,:] i8[:,:] f8[:] f8[:,:] f8[:]"
 )
 
 
 @kernel(_SIGNATURE)
 def search(
-    points, around, window, closed, length, breaks, tangents, start, along, corner, leaf, bend, lines, arcs, coefficients, borders, inverse,
-    arc, quintics, pieces, place, foot, distance, signed, pairs, guess, state, ends, depths, spot, near, close,
+    points, around, window, closed, length, breaks, tangents, start, along, corner, leaf, lines, arcs, coefficients, borders, inverse, arc,
+    quintics, rates, place, foot, distance, signed, pairs, guess, state, ends, depths, spot, near, close, forms, minima,
 ):  # fmt: skip
     """Find foot points from sample state[0] on: `place`, `foot`, `distance`, `signed`.
 
@@ -279,10 +342,10 @@ def search(
     """
     axes, n, count, i, hint = points.shape[1], leaf.shape[0], 0, state[0], 0
     listed, travel, beyond, low_end, high_end, bound, best_at, lead, column = 0, 0.0, 0.0, math.inf, -math.inf, math.inf, math.inf, 0, 0
-    tried = 0
+    tried, others, on, won, won_at, c, kind, k, offset, span = 0, 0.0, 0, -1, 0.0, 0, 0, 0, 0.0, 0.0
     slack = min(_SLACK, 0.125 * length)  # a list has at most 2.25 laps
     while i < points.shape[0]:
-        begun, least, aside, won, won_at, best, on, step = count, math.inf, math.inf, -1, 0.0, math.inf, 0, 0.0
+        begun, least, aside, best, step = count, math.inf, math.inf, math.inf, 0.0
         first, last = around[i] - window[i], around[i] + window[i]
         if closed:  # half a lap on either side is the whole path
             first, last = max(first, around[i] - 0.5 * length), min(last, around[i] + 0.5 * length)
@@ -294,175 +357,155 @@ def search(
         travel += step
         # The foot point of the sample before is not further away than this.
         bound = bound + step if first <= best_at <= last else math.inf
-        if not (low_end <= first and last <= high_end and bound <= beyond - travel and travel <= _FARTHEST and tried <= _MOST_TRIED):
-            before, room = near[lead, 0] if listed else -1, _AHEAD * step
-            if before < 0 or not room < min(window[i], 0.5 * length, _AHEAD * (start[before + 1] - start[before])):
-                room = 0.0  # so many leaves would be listed that a list for each sample takes less
-            low_end, high_end = first - room - slack, last + room + slack
-            if not closed:
-                low_end, high_end = max(low_end, 0.0), min(high_end, length)
-            listed, travel, beyond, top, lead = 0, 0.0, math.inf, 1, 0
-            ends[0, 0] = _number(start, length, closed, low_end, hint)
-            hint = ends[0, 0] % n
-            ends[0, 1] = _number(start, length, closed, high_end, hint) + 1
-            depths[0, 0], depths[0, 1] = _away(corner, closed, points, i, ends[0, 0]), _away(corner, closed, points, i, ends[0, 1])
-            depths[0, 2] = _least(along, closed, ends[0, 0], ends[0, 1], depths[0, 0], depths[0, 1])
-            while top:
-                top -= 1
-                a, b = ends[top, 0], ends[top, 1]
-                from_a, from_b, lower = depths[top, 0], depths[top, 1], depths[top, 2]
-                if lower > bound + room:
-                    beyond = min(beyond, lower)
-                    continue
-                if b - a == 1:
-                    lap = a // n if closed else 0
-                    near[listed, 0], near[listed, 1], close[listed] = a - lap * n, lap, lower
-                    listed += 1
-                    room = 0.0 if listed >= _MOST_LISTED else room
-                    continue
-                middle = (a + b) // 2
-                away = _away(corner, closed, points, i, middle)
-                lap = middle // n if closed else 0
-                if first <= lap * length + start[middle - lap * n] <= last:
-                    # A junction in the window lies on the path: the closest point is not further away.
-                    bound = min(bound, away + _SLACK)
-                ends[top, 0], ends[top, 1] = middle, b
-                depths[top, 0], depths[top, 1], depths[top, 2] = away, from_b, _least(along, closed, middle, b, away, from_b)
-                ends[top + 1, 0], ends[top + 1, 1] = a, middle
-                depths[top + 1, 0], depths[top + 1, 1], depths[top + 1, 2] = from_a, away, _least(along, closed, a, middle, from_a, away)
-                top += 2
-            # The first were listed before the bound was known.
-            kept, lead = 0, 0
-            for e in range(listed):
-                if close[e] > bound + room:
-                    beyond = min(beyond, close[e])
-                    continue
-                near[kept, 0], near[kept, 1], close[kept] = near[e, 0], near[e, 1], close[e]
-                lead = kept if near[e, 0] == before else lead
-                kept += 1
-            listed = kept
-        tried = state[2]
-        for again in range(2):
-            ties = False
-            for turn in range(listed):
-                # The leaf of the sample before comes first: most others are further away than its closest point.
-                e = turn if again else lead if turn == 0 else turn - 1 if turn <= lead else turn
-                at, lap = near[e, 0], near[e, 1]
-                behind = lap * length + start[at + 1] <= first and (closed or at < n - 1)
-                if close[e] - travel > bound or lap * length + start[at] > last or behind:
-                    continue
-                state[2] += 1
-                c, kind, k = leaf[at, 0], leaf[at, 1], leaf[at, 2]
-                offset, span = lap * length + breaks[c], breaks[c + 1] - breaks[c]
-                low, high = min(max(first - offset, 0.0), span), min(max(last - offset, 0.0), span)
-                if kind <= _ARC:
-                    if kind == _LINE:
-                        s, square = _on_line(points, i, lines, k, low, high)
-                    else:
-                        s = _on_arc(points, i, arcs, k, low, high, min(max(around[i] - offset, low), high), spot, 1 - column)
-                        square = _gap(points, i, spot, 1 - column)
-                    away, clear = abs(offset + s - around[i]), math.sqrt(square)
-                    level, wins = _compared(square, away, least, aside)
-                    ties = ties or level
-                    if wins:
-                        aside, won, won_at, column, bound = away, e, s, 1 - column, min(bound, clear + _SLACK)
-                    least = min(least, square)
-                    # What the window hides of the line or arc may be nearer.
-                    close[e] = max(close[e], clear - (span - (high - low)) + travel)
-                    continue
-                begin, clear = start[at] - breaks[c], math.inf
-                h_a, h_b = max(low - begin, 0.0), min(high, start[at + 1] - breaks[c]) - begin
-                if h_b < h_a:
-                    continue
-                hidden, enough, shape, row = start[at + 1] - start[at] - (h_b - h_a), 1e-10 / (bend[at] + 1.0), pieces, at
-                # Both ends of the window are closest points too: cells -1 and `cells`.
-                cell, more = -1 if begin + h_a <= low else 0, 1 if start[at + 1] - breaks[c] >= high else 0
-                if kind == _BLEND:  # all of it, by its parameter: a closest point that the window hides stands for the end of the window
-                    h_a, h_b, hidden, enough, shape, row = 0.0, 1.0, 0.0, 1e-10, quintics, k
-                square_b, slope_b, bend_b, _ = _slope(points, i, shape, row, h_a)
-                # Whether it is far must not depend on the samples before: from the start, or from a place about as near as the closest.
-                far = kind == _BLEND and math.sqrt(square_b) * bend[at] > 0.25 * span
-                u = _on_piece(points, i, shape, row, 0.0, 1.0, slope_b, _slope(points, i, shape, row, 1.0)[1], math.inf) if far else 0.0
-                far = far and math.sqrt(_slope(points, i, shape, row, u)[0]) * bend[at] > 0.25 * span
-                cells = max(math.ceil((h_b - h_a) * bend[at] / (_SHORT_TURN if far else _TURN)), 1)
-                width, h_b, origin = (h_b - h_a) / cells, h_a, h_a
-                while cell < cells + more:
-                    if cell < 0 or cell == cells:
-                        part, u, s, square = False, 0.0 if cell < 0 else 1.0, low if cell < 0 else high, square_b
-                        s_a, s_b, apart = s, s, math.sqrt(square_b) > bound + _TABLE_SLACK
-                    else:
-                        h_a, square_a, slope_a, bend_a = h_b, square_b, slope_b, bend_b
-                        h_b = origin + (cell + 1) * width
-                        square_b, slope_b, bend_b, _ = _slope(points, i, shape, row, h_b)
-                        part = far and h_b - h_a > 1e-6 and bend_a * bend_b < 0.0
-                        if part:  # where the slope turns back there may be a closest point on either side
-                            h_b = h_a + (h_b - h_a) * min(max(bend_a / (bend_a - bend_b), 0.01), 0.99)
-                            square_b, slope_b, bend_b, _ = _slope(points, i, shape, row, h_b)
-                        nearest = 0.5 * (math.sqrt(square_a) + math.sqrt(square_b) - (span if kind == _BLEND else width))
-                        clear = min(clear, nearest)
-                        # Two pieces may each see their common end just beyond the closest point: one candidate too many does no harm.
-                        tiny = 1e-9 * (math.sqrt(square_a) + math.sqrt(square_b)) + 1e-13
-                        apart = nearest > bound + _TABLE_SLACK or slope_a > tiny or slope_b < -tiny
-                        if not apart:
-                            u = _on_piece(points, i, shape, row, h_a, h_b, slope_a, slope_b, enough)
-                            s_a, s_b = max(begin + h_a - 1e-7 * length, low), min(begin + h_b + 1e-7 * length, high)
-                            s = min(max(begin + u, s_a), s_b)
-                            if kind == _OTHER:
-                                square, _, _, _ = _slope(points, i, pieces, at, s - begin)
-                    cell += 0 if part else 1
-                    if apart:
+        inside = low_end <= first and last <= high_end and travel <= _FARTHEST
+        alone = inside and bound - step < others - travel
+        if alone:  # all but the leaf of the sample before may be further away
+            state[2] += 1
+            won_at, square, _ = _on_leaf(
+                points, i, kind, k, min(max(first - offset, 0.0), span), min(max(last - offset, 0.0), span), around[i] - offset, span,
+                lines, arcs, coefficients, borders, inverse, arc, quintics, rates, forms, minima, spot, column,
+            )  # fmt: skip
+            alone = math.sqrt(square) + _SLACK < others - travel
+        if not alone:
+            on, won = 0, -1
+            if not (inside and bound <= beyond - travel and tried <= _MOST_TRIED):
+                before = near[lead, 0] if listed else -1
+                room = min(_AHEAD * step, window[i], 0.5 * length)
+                if before < 0 or step >= start[before + 1] - start[before]:
+                    room = 0.0  # so many leaves would be listed that a list for each sample takes less
+                low_end, high_end = first - room - slack, last + room + slack
+                if not closed:
+                    low_end, high_end = max(low_end, 0.0), min(high_end, length)
+                listed, travel, beyond, top, lead = 0, 0.0, math.inf, 1, 0
+                ends[0, 0] = _number(start, length, closed, low_end, hint)
+                hint = ends[0, 0] % n
+                ends[0, 1] = _number(start, length, closed, high_end, hint) + 1
+                depths[0, 0], depths[0, 1] = _away(corner, closed, points, i, ends[0, 0]), _away(corner, closed, points, i, ends[0, 1])
+                depths[0, 2] = _least(along, closed, ends[0, 0], ends[0, 1], depths[0, 0], depths[0, 1])
+                while top:
+                    top -= 1
+                    a, b = ends[top, 0], ends[top, 1]
+                    from_a, from_b, lower = depths[top, 0], depths[top, 1], depths[top, 2]
+                    if lower > bound + room:
+                        beyond = min(beyond, lower)
                         continue
-                    if kind == _OTHER:
+                    if b - a == 1:
+                        lap = a // n if closed else 0
+                        near[listed, 0], near[listed, 1], close[listed] = a - lap * n, lap, lower
+                        listed += 1
+                        room = 0.0 if listed >= _MOST_LISTED else room
+                        continue
+                    middle = (a + b) // 2
+                    away = _away(corner, closed, points, i, middle)
+                    lap = middle // n if closed else 0
+                    if first <= lap * length + start[middle - lap * n] <= last:
+                        # A junction in the window lies on the path: the closest point is not further away.
+                        bound = min(bound, away + _SLACK)
+                    ends[top, 0], ends[top, 1] = middle, b
+                    depths[top, 0], depths[top, 1], depths[top, 2] = away, from_b, _least(along, closed, middle, b, away, from_b)
+                    ends[top + 1, 0], ends[top + 1, 1] = a, middle
+                    depths[top + 1, 0], depths[top + 1, 1], depths[top + 1, 2] = (
+                        from_a,
+                        away,
+                        _least(along, closed, a, middle, from_a, away),
+                    )
+                    top += 2
+                # The first were listed before the bound was known.
+                kept, lead = 0, 0
+                for e in range(listed):
+                    if close[e] > bound + room:
+                        beyond = min(beyond, close[e])
+                        continue
+                    near[kept, 0], near[kept, 1], close[kept] = near[e, 0], near[e, 1], close[e]
+                    lead = kept if near[e, 0] == before else lead
+                    kept += 1
+                listed = kept
+            tried = state[2]
+            for again in range(2):
+                ties = False
+                for turn in range(listed):
+                    # The leaf of the sample before comes first: most others are further away than its closest point.
+                    e = turn if again else lead if turn == 0 else turn - 1 if turn <= lead else turn
+                    at, lap = near[e, 0], near[e, 1]
+                    behind = lap * length + start[at + 1] <= first and (closed or at < n - 1)
+                    if close[e] - travel > bound or lap * length + start[at] > last or behind:
+                        continue
+                    state[2] += 1
+                    c, kind, k = leaf[at, 0], leaf[at, 1], leaf[at, 2]
+                    offset, span = lap * length + breaks[c], breaks[c + 1] - breaks[c]
+                    low, high = min(max(first - offset, 0.0), span), min(max(last - offset, 0.0), span)
+                    if kind != _OTHER:
+                        s, square, hides = _on_leaf(
+                            points, i, kind, k, low, high, around[i] - offset, span,
+                            lines, arcs, coefficients, borders, inverse, arc, quintics, rates, forms, minima, spot, 1 - column,
+                        )  # fmt: skip
+                        away, clear = abs(offset + s - around[i]), math.sqrt(square)
+                        level, wins = _compared(square, away, least, aside)
+                        ties = ties or level
+                        if wins:
+                            aside, won, won_at, column, bound = away, e, s, 1 - column, min(bound, clear + _SLACK)
+                        least = min(least, square)
+                        close[e] = max(close[e], clear - (span - (high - low) if hides else 0.0) + travel)
+                        continue
+                    begin, size, clear, hides = start[at] - breaks[c], start[at + 1] - start[at], math.inf, False
+                    low, high = max(low, begin), min(high, begin + size)
+                    for number in range(_minima(points, i, quintics, rates, k, forms, minima)):
+                        s = min(max(begin + size * minima[number], low), high)
+                        hides = hides or s != begin + size * minima[number]
+                        _on_quintic(quintics, k, (s - begin) / size, spot, 1 - column)
+                        away = math.sqrt(_gap(points, i, spot, 1 - column))
+                        clear, across = min(clear, away), 0.0
+                        for j in range(axes if max(first - offset, 0.0) < s < min(last - offset, span) else 0):
+                            across += spot[1, j, 1 - column] * (points[i, j] - spot[0, j, 1 - column])
+                        # Two pieces may each see their common end just beyond the closest point: one candidate too many does no harm.
+                        if away > bound + _TABLE_SLACK or abs(across) > 2e-9 * away + 1e-13:
+                            continue
                         if count == pairs.shape[0]:
                             state[0], state[1] = i, begun
                             return
-                        away = math.sqrt(square)
                         pairs[count, 0], pairs[count, 1] = i, c
-                        guess[count, 0], guess[count, 1], guess[count, 2], guess[count, 3] = lap, s, s_a, s_b
-                        guess[count, 4], guess[count, 5] = away, start[at + 1] - start[at]
+                        guess[count, 0], guess[count, 1], guess[count, 4], guess[count, 5] = lap, s, away, size
+                        # A closest point at the end of a piece may lie just beyond it.
+                        guess[count, 2] = max(low - 1e-7 * length, first - offset, 0.0)
+                        guess[count, 3] = min(high + 1e-7 * length, last - offset, span)
                         count += 1
                         if away + _TABLE_SLACK < best:
                             best, best_at, on, bound = away + _TABLE_SLACK, offset + s, e, min(bound, away + _TABLE_SLACK)
-                        continue
-                    s = _at_parameter(quintics, k, u, borders, arc, span, spot, 1 - column)
-                    if not low <= s <= high:
-                        s = min(max(s, low), high)
-                        by_length(k, s, 1, coefficients, borders, inverse, spot, 1 - column)
-                    square, away = _gap(points, i, spot, 1 - column), abs(offset + s - around[i])
-                    level, wins = _compared(square, away, least, aside)
-                    ties = ties or level
-                    if wins:
-                        aside, won, won_at, column, bound = away, e, s, 1 - column, min(bound, math.sqrt(square) + _SLACK)
-                    least = min(least, square)
-                close[e] = max(close[e], clear - _TABLE_SLACK - hidden + travel)
-            if again or not (ties or count > begun + 1):
-                break
-            # Where several points are nearest, their order decides: it must not depend on the samples before.
-            count, least, aside, won = begun, math.inf, math.inf, -1
-        tried = state[2] - tried
-        kept = begun
-        for pair in range(begun, count):
-            if guess[pair, 4] <= bound + _TABLE_SLACK:
-                pairs[kept, 1] = pairs[pair, 1]
-                pairs[kept, 0] = i
-                for j in range(6):
-                    guess[kept, j] = guess[pair, j]
-                kept += 1
-        count = kept
+                    close[e] = max(close[e], clear - _TABLE_SLACK - (size - (high - low) if hides else 0.0) + travel)
+                if again or not (ties or count > begun + 1):
+                    break
+                # Where several points are nearest, their order decides: it must not depend on the samples before.
+                count, least, aside, won = begun, math.inf, math.inf, -1
+            tried = state[2] - tried
+            kept = begun
+            for pair in range(begun, count):
+                if guess[pair, 4] <= bound + _TABLE_SLACK:
+                    pairs[kept, 1] = pairs[pair, 1]
+                    pairs[kept, 0] = i
+                    for j in range(6):
+                        guess[kept, j] = guess[pair, j]
+                    kept += 1
+            count = kept
+            others = beyond if won >= 0 else 0.0
+            for e in range(listed):
+                others = min(others, close[e] if e != won else math.inf)
+            if won >= 0:
+                at, lap = near[won, 0], near[won, 1]
+                c, kind, k = leaf[at, 0], leaf[at, 1], leaf[at, 2]
+                offset, span = lap * length + breaks[c], breaks[c + 1] - breaks[c]
         place[i], distance[i], signed[i] = math.inf, math.inf, math.nan
         if won >= 0:
-            at, square = near[won, 0], 0.0
-            c, kind, k = leaf[at, 0], leaf[at, 1], leaf[at, 2]
+            square = 0.0
             for j in range(axes):
                 if kind == _LINE:
                     spot[0, j, column], spot[1, j, column] = lines[k, 0, j] + won_at * lines[k, 1, j], lines[k, 1, j]
                 gap = points[i, j] - spot[0, j, column]
                 foot[i, j], square = spot[0, j, column], square + gap * gap
-            place[i], distance[i] = near[won, 1] * length + breaks[c] + won_at, math.sqrt(square)
+            place[i], distance[i] = offset + won_at, math.sqrt(square)
             if axes == 2:
                 m, t_0, t_1 = breaks.size - 1, spot[1, 0, column], spot[1, 1, column]
                 # At a corner the bisector decides the side.
-                if won_at >= breaks[c + 1] - breaks[c] and (closed or c + 1 < m):
+                if won_at >= span and (closed or c + 1 < m):
                     t_0, t_1 = t_0 + tangents[(c + 1) % m, 0, 0], t_1 + tangents[(c + 1) % m, 0, 1]
                 if won_at <= 0.0 and (closed or c > 0):
                     t_0, t_1 = t_0 + tangents[(c - 1) % m, 1, 0], t_1 + tangents[(c - 1) % m, 1, 1]
@@ -476,7 +519,7 @@ def search(
 
 
 @kernel("f8[:,:] f8[:] i8 f8 f8[:] f8[:] i8[:,:] f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:,:] f8[:,:,:] f8[:]")
-def _gaps(points, along, closed, length, breaks, start, leaf, lines, arcs, coefficients, borders, inverse, pieces, spot, gap):
+def _gaps(points, along, closed, length, breaks, start, leaf, lines, arcs, coefficients, borders, inverse, quintics, spot, gap):
     """Write the distance of each point from the place of the path at an arc length; a table stands for curves without a closed form."""
     at = 0
     for i in range(along.size):
@@ -485,10 +528,10 @@ def _gaps(points, along, closed, length, breaks, start, leaf, lines, arcs, coeff
         c, kind, k = leaf[at, 0], leaf[at, 1], leaf[at, 2]
         if kind == _LINE:
             _, square = _on_line(points, i, lines, k, s - breaks[c], s - breaks[c])
-        elif kind == _OTHER:
-            square, _, _, _ = _slope(points, i, pieces, at, s - start[at])
         else:
-            if kind == _ARC:
+            if kind == _OTHER:
+                _on_quintic(quintics, k, (s - start[at]) / (start[at + 1] - start[at]), spot, 0)
+            elif kind == _ARC:
                 _arc_at(arcs, k, s - breaks[c], spot, 0)
             else:
                 by_length(k, s - breaks[c], 0, coefficients, borders, inverse, spot, 0)
@@ -557,7 +600,7 @@ def foot_point(path: CurveSequence, points: ArrayLike, around: ArrayLike, window
 def gaps(path: CurveSequence, points: Array, along: Array) -> Array:
     """Return the distances (n,) [m] of points (n, n_axis) from the places of a path at arc lengths (n,), within 1 nm."""
     own, gap = _leaves(path), np.empty(len(points))
-    curves = own.closed, own.length, own.breaks, own.start, own.leaf, *own[-8:-3], own.pieces
+    curves = own.closed, own.length, own.breaks, own.start, own.leaf, *own[-8:-3], own.quintics
     _gaps(np.ascontiguousarray(points), along, *curves, np.empty((3, path.n_axis, 1)), gap)
     return gap
 
@@ -570,7 +613,7 @@ def searched(path: CurveSequence, points: Array, around: Array, window: Array, f
     leaves, room, state = _leaves(path), 64, np.zeros(3, dtype=np.int64)
     most = 3 * len(leaves.leaf) + 4
     ends, near = np.empty((_DEPTH, 2), dtype=np.int64), np.empty((most, 2), dtype=np.int64)
-    scratch = ends, np.empty((_DEPTH, 3)), np.empty((3, path.n_axis, 2)), near, np.empty(most)
+    scratch = ends, np.empty((_DEPTH, 3)), np.empty((3, path.n_axis, 2)), near, np.empty(most), np.empty((24, 12)), np.empty(10)
     while state[0] < n:
         pair, guess = np.empty((room, 2), dtype=np.int64), np.empty((room, 6))
         search(*given, *leaves, *found, pair, guess, state, *scratch)

@@ -41,7 +41,21 @@ def wavy() -> Path:
     return Path(curves)
 
 
+def rounded() -> Path:
+    """Return lines with blends at sharp corners, smaller than the distance of most points."""
+    joints = 0.003 * np.cumsum(np.random.default_rng(4).normal(size=(40, 2)), axis=0)
+    way = np.diff(joints, axis=0) / np.linalg.norm(np.diff(joints, axis=0), axis=1)[:, None]
+    thirds = 1e-4 * np.arange(1.0, 4.0)[:, None]
+    shapes = [[*(at - thirds * came)[::-1], *(at + thirds * goes)] for at, came, goes in zip(joints[1:-1], way, way[1:], strict=False)]
+    made, curves = blends(quintic_bezier(shapes)), [Line(joints[0], shapes[0][0])]
+    for i, shape in enumerate(shapes):
+        curves += [blend for blend, owner in zip(*made, strict=True) if owner == i]
+        curves.append(Line(shape[-1], shapes[i + 1][0] if i + 1 < len(shapes) else joints[-1]))
+    return Path(curves)
+
+
 PATHS = {
+    "blends": rounded(),
     "plane": walk(2, False),
     "closed": walk(2, True),
     "space": walk(3, False),
