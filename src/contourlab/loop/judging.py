@@ -243,8 +243,6 @@ class DoubtfulSamples:
                 continue
             self._unsure[name] = unsure
             counted = (node.tables["counts"][ticks, None] * log[:, j, lanes] > 0.0) & running
-            if not counted.any():
-                continue
             window = self._window(name)
             tick, lane = np.nonzero(counted & ~self.left_over)
             around = (self._nodes[PLACE].tables["place"][ticks] if name == PART else arc_length)[tick]

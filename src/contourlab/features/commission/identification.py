@@ -148,18 +148,16 @@ def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law) -> Identified
 
 def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, s: int, first: Mapping[str, float]) -> OutputFit:
     """Fit the sampled axis to the velocities of all logs, differenced over s samples, from rough parameters."""
-    period = law.period
 
     def problem(parts: Iterable[slice]) -> tuple[Model, Array]:
         pairs = [(log.output[part], log.measured[part], _speed(log, part.start)) for log, part in zip(logs, parts, strict=True)]
 
         def differenced(position: Array) -> Array:
-            return np.asarray(np.diff(position[..., ::s]) / (s * period))
+            return np.asarray(np.diff(position[..., ::s]) / (s * law.period))
 
         def model(points: Sequence[Values]) -> Array:
             axes = [AxisModel(**values) for values in points]
-            runs = (driven(output, axes, period, position[0], speed) for output, position, speed in pairs)
-            return np.concatenate([differenced(run) for run in runs], axis=1)
+            return np.concatenate([differenced(driven(u, axes, law.period, x[0], speed)) for u, x, speed in pairs], axis=1)
 
         return model, np.concatenate([differenced(position) for _, position, _ in pairs])
 
@@ -168,11 +166,11 @@ def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, s: int, fi
     size = a * float(np.sqrt(np.mean(np.concatenate([log.output[:n] for log, n in zip(logs, split, strict=True)]) ** 2)))
     free = {
         "gain": Free(a, 1e-3 * a, 1e3 * a, a),
-        "damping": Free(first["b"], 0.0, 1.0 / period, max(first["b"], 1.0)),
+        "damping": Free(first["b"], 0.0, 1.0 / law.period, max(first["b"], 1.0)),
         "friction": Free(max(a * first["friction"], 1e-3 * size), 0.0, 10.0 * size, 0.1 * size),
         "offset": Free(a * first["offset"], -10.0 * size, 10.0 * size, 0.1 * size),
     }
-    free["delay"] = Free(0.0, -0.75 * period, (MOST_DELAY - 1) * period, period)
+    free["delay"] = Free(0.0, -0.75 * law.period, (MOST_DELAY - 1) * law.period, law.period)
     rigid, _ = descended(model, measured, free, arrays_of(free)[:1])
     # Most axes show no second mass: the liveliest part of the log tells that in a fraction of the time.
     lively = problem(_liveliest(log, n) for log, n in zip(logs, split, strict=True))
