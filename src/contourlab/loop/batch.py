@@ -45,7 +45,7 @@ from contourlab.loop.judging import (
     wider,
 )
 from contourlab.loop.machine import Controller, Machine
-from contourlab.loop.parameters import matching, parameter_names, parameters_of
+from contourlab.loop.parameters import declared, matching, parameters_of
 from contourlab.loop.simulate import check_kinds, jit_enabled, sampler
 from contourlab.loop.template import Loop, build
 from contourlab.metrics.judge import stands_still
@@ -296,8 +296,8 @@ def simulate_batch(
         figures |= error_figures(sums[PART if blended else JUDGE], failed, machine.servo_period, OF_PART)
     if effort:
         figures |= error_figures(sums_of(groups, "effort", n), failed, machine.servo_period, EFFORT)
-    known = parameter_names(machine, controller)
-    units = {name: known[name] for name in columns} | {name: FIGURES[name].unit for name in figures}
+    known = parameters_of(machine, controller)
+    units = {name: declared(machine, name, *known[name]).unit for name in columns} | {name: FIGURES[name].unit for name in figures}
     return BatchResult(figures, failed, unsure, _split(log, n, keep, loop), log, columns, units)
 
 

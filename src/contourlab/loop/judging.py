@@ -215,6 +215,7 @@ class DoubtfulSamples:
         self._group, self._n_axis, self._reach, self._n = group, len(positions), reach, len(np.atleast_1d(np.asarray(group.lanes)))
         self.left_over: Flags = np.zeros(self._n, dtype=np.bool_)
         self._most = {name: np.full(self._n, np.inf) for name in self._paths}  # the largest window of the whole run that all samples allow
+        self._unsure = dict.fromkeys(self._paths, 0.0)  # doubtful samples of all lanes so far
         self._waiting: dict[str, list[tuple[Index, Index, Array, Array]]] = {name: [] for name in self._paths}
 
     def _window(self, name: str) -> Array:
@@ -237,10 +238,11 @@ class DoubtfulSamples:
         ticks, lanes = slice(k, k + len(log)), slice(self._n)
         running = self._group.state_of(WATCH)[0, lanes] < 0.0
         for j, (name, path) in enumerate(self._paths.items(), self._n_axis):
-            node = self._nodes[name]
-            counted = (node.tables["counts"][ticks, None] * log[:, j, lanes] > 0.0) & running
-            if not counted.any():
+            node, unsure = self._nodes[name], float(self._group.state_of(name)[UNSURE, lanes].sum())
+            if unsure == self._unsure[name]:
                 continue
+            self._unsure[name] = unsure
+            counted = (node.tables["counts"][ticks, None] * log[:, j, lanes] > 0.0) & running
             window = self._window(name)
             tick, lane = np.nonzero(counted & ~self.left_over)
             around = (self._nodes[PLACE].tables["place"][ticks] if name == PART else arc_length)[tick]

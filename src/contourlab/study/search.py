@@ -152,16 +152,16 @@ def restarted(
     """Search from all starts (n_start, n), then restart from the best until `budget` candidates are tried or `target` is reached.
 
     Each restart has a smaller first step, and generations twice as large as before: encoder counts make the objective rough near its
-    optimum (Auger & Hansen, CEC 2005). A quick search has generations as wide as a batch at the least, and ends once each first step in
-    turn improves nothing.
+    optimum (Auger & Hansen, CEC 2005). A quick search has generations as wide as a batch at the least, and ends once a restart with the
+    smallest first step improves nothing.
     """
     first, size = max(int(EXPLORED * budget), 1), LANES if quick else POPULATION
     reached = search(objective, starts, budget=first, seed=seed, spread=spread, population=size, target=target)
-    runs, turn, course, idle = reached.runs, 1, [reached.course], 0
-    while budget - runs > size and reached.value > target and not (quick and idle == len(RESTARTS)):
+    runs, turn, course, idle = reached.runs, 1, [reached.course], False
+    while budget - runs > size and reached.value > target and not (quick and idle and turn > len(RESTARTS)):
         options = {"seed": seed + 1000 * turn, "spread": RESTARTS[min(turn, len(RESTARTS)) - 1], "population": size, "target": target}
         more = search(objective, reached.point[None], budget=budget - runs, **options)  # type: ignore[arg-type]
-        idle = 0 if more.value < reached.value else idle + 1
+        idle = not more.value < reached.value
         reached = replace(reached, point=more.point, value=more.value)
         course.append(more.course + np.array([runs, 0.0]))
         runs, size, turn = runs + more.runs, 2 * size, turn + 1

@@ -337,15 +337,15 @@ class LaneLoops:
         """Return the loops of some variants."""
         return LaneLoops(self.a[variants], self.b[variants], self.c[variants])
 
-    def balanced(self) -> LaneLoops:
-        """Return the same loops with other units of the states, in which rows and columns of A are about as large."""
+    def units(self) -> Array:
+        """Return units of the states (n_variant, n) in which rows and columns of A of the closed loops are about as large."""
         units, size = np.ones(self.a.shape[:2]), np.abs(self.a + self.b @ (self.c @ self.a))
         for _ in range(2):
             with np.errstate(divide="ignore", invalid="ignore"):
                 ratio = np.sqrt(size.sum(axis=2) / size.sum(axis=1))
             ratio[~((ratio > 0.0) & np.isfinite(ratio))] = 1.0
             size, units = size * ratio[:, None, :] / ratio[:, :, None], units * ratio
-        return LaneLoops(self.a * units[:, None, :] / units[:, :, None], self.b / units[:, :, None], self.c * units[:, None, :])
+        return units
 
     def closed(self, factor: complex) -> tuple[Any, Any]:
         """Return A of the closed loops with the command multiplied by a factor, and I - C B (n_variant, 2, 2), what passes at once."""
@@ -400,12 +400,13 @@ def unstable_by(loops: LaneLoops, factors: Sequence[complex]) -> Array:
     """
     excess, read = np.full(len(loops.a), -1.0), np.flatnonzero(loops.a.any(axis=(0, 1)))  # outputs, which no state reads, have no pole
     with np.errstate(invalid="ignore", over="ignore"):  # loops that are not finite
-        balanced = loops.balanced()
-        proofs = [proved_stable(balanced.closed(factor)[0][:, read[:, None], read]) for factor in factors]
-    for factor, proved in zip(factors, proofs, strict=True):
+        units, closed = loops.units()[:, read], [loops.closed(factor)[0] for factor in factors]
+        scale = units[:, None, :] / units[:, :, None]
+        proofs = [proved_stable(a[:, read[:, None], read] * scale) for a in closed]
+    for a, proved in zip(closed, proofs, strict=True):
         left = np.flatnonzero(~proved)
         if left.size:
-            excess[left] = np.maximum(excess[left], loops[left].radius(factor) - 1.0)
+            excess[left] = np.maximum(excess[left], np.abs(poles_of_each(a[left])).max(axis=1, initial=0.0) - 1.0)
     return excess
 
 

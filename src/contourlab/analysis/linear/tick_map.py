@@ -105,8 +105,7 @@ class Probe:
         rng = np.random.default_rng(1)
         for _ in range(2):
             x, u = rng.normal(size=self.size), rng.normal(size=len(units))
-            expected = np.einsum("ijl,j->il", a, x) + np.einsum("ijl,j->il", b, u)
-            scale = np.einsum("ijl,j->il", np.abs(a), np.abs(x)) + np.einsum("ijl,j->il", np.abs(b), np.abs(u))
+            expected, scale = x @ a + u @ b, np.abs(x) @ np.abs(a) + np.abs(u) @ np.abs(b)
             wrong = np.flatnonzero(~(np.abs(self(x, u @ units) - expected) <= 1e-9 * scale).all(axis=1))
             if wrong.size:
                 raise ComponentError(f"{self._owners()[wrong[0]]} is not linear, so the loop has no frequency response")

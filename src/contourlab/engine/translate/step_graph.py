@@ -5,11 +5,12 @@ The graph of one tick of a whole schedule: wires become values, states and late 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import accumulate
 from typing import Any
 
-from contourlab.engine.step import Bank, Node, Port, Schedule, Step, misfit, pack, record, rows, unpack
+from contourlab.engine.step import Bank, Port, Schedule, Step, misfit, pack, record, rows, unpack
 from contourlab.engine.translate.evaluate import Evaluator
 from contourlab.engine.translate.graph import TABLE, Block, Graph, MismatchError, Op, fuse_products, prune
 from contourlab.engine.translate.maths import EXACT
@@ -191,9 +192,28 @@ class _Builder:
             self.late[row] = Op("before", (), "f", row)
         return self.late[row]
 
-    def node(self, i: int, node: Node) -> None:
-        graph, step = self.graph, node.step
-        first = self.places.parameters[i]
+    def nodes(self, group: Sequence[int]) -> None:
+        """Add nodes of which none reads another: they take their sub-steps in turn, so that a processor works on all of them at once."""
+        begun, count = [self._begun(i) for i in group], self.schedule.nodes[group[0]].repeat
+        edges = [*accumulate((len(states) + len(own) for states, own, _ in begun), initial=0)]
+
+        def turn(part: Any, before: Sequence[Any]) -> list[Op]:
+            parts = zip(edges, begun, strict=False)
+            return [op for first, (states, _, substep) in parts for op in substep(part, before[first : first + len(states)])]
+
+        after: list[Any] = [op for states, own, _ in begun for op in (*states, *(map(self.signal, own) if count > _UNROLLED else own))]
+        if count > _UNROLLED:
+            after = self.graph.repeat(count, after, turn)
+        for r in range(count) if count <= _UNROLLED else ():
+            after = turn(float(r), after)
+        for first, (states, own, _) in zip(edges, begun, strict=False):
+            self.made.carried += [(op, op.extra, value) for op, value in zip(states, after[first:], strict=False)]
+            self.now |= dict(zip(own, after[first + len(states) :], strict=False))
+
+    def _begun(self, i: int) -> tuple[list[Op], range, Callable[[Any, Sequence[Op]], list[Op]]]:
+        """Return the states of a node, the rows of its outputs, and the function from states to both after a sub-step."""
+        graph, node = self.graph, self.schedule.nodes[i]
+        step, first, own = node.step, self.places.parameters[i], self.schedule.first_row[i]
         values: list[Any] = [graph.op("parameter", extra=first + r) for r in range(len(step.parameters))]
         values += [graph.op("table", (), TABLE, self.tables + n) for n in range(len(step.tables))]
         self.tables += len(step.tables)
@@ -205,14 +225,6 @@ class _Builder:
             graph.effect("store_ring", [taken[ring_row(step)]], values[-1].extra)
         par, inputs = step.par_type(*values), record_of(step.inputs, taken)
         states = [Op("before", (), "f", self.places.states[i] + r) for r in range(rows(step.own_states))]
-        out = [self.signal(self.schedule.first_row[i] + r) for r in range(rows(step.outputs))] if node.repeat > _UNROLLED else []
-        after = self._repeated(i, par, states, inputs, out)
-        self.made.carried += [(op, op.extra, value) for op, value in zip(states, after, strict=False)]
-        self.now |= {self.schedule.first_row[i] + r: value for r, value in enumerate(after[len(states) :])}
-
-    def _repeated(self, i: int, par: Any, states: list[Op], inputs: Any, out: list[Op]) -> list[Op]:
-        """Return next states and outputs after all sub-steps of a node."""
-        graph, node = self.graph, self.schedule.nodes[i]
         members = self.places.states[i] + len(states)
         period = graph.op("period")
         held = graph.arithmetic("fdiv", period, float(node.repeat)) if node.repeat > 1 else period
@@ -222,17 +234,11 @@ class _Builder:
             graph.scope = i, part
             passed = graph.arithmetic("fmul", part, held)
             at = graph.arithmetic("fadd", time, passed) if node.repeat > 1 else time
-            following, after = once(self.run, node.step, par, before, members, inputs, Clock(tick, at, held))  # type: ignore[arg-type]
+            following, after = once(self.run, step, par, before, members, inputs, Clock(tick, at, held))  # type: ignore[arg-type]
             self.borders += (passed, *following, *after)
             return [*following, *after]
 
-        if node.repeat <= _UNROLLED:
-            after: list[Op] = [*states]
-            for r in range(node.repeat):
-                after = substep(float(r), after[: len(states)])
-            return after
-
-        return graph.repeat(node.repeat, [*states, *out], lambda part, values: substep(part, values[: len(states)]))
+        return states, range(own, own + rows(step.outputs)), substep
 
 
 def ring_row(step: Step) -> int:
@@ -272,11 +278,18 @@ def tick_graph(
     """
     builder = _Builder(schedule, places, primitives, contract, reads)
     made = builder.made
-    for i in range(len(schedule.nodes) + 1):
-        if i == schedule.record_point:
+    nodes, rows_of, groups = schedule.nodes, schedule.first_row, list[list[int]]()
+    for i, node in enumerate(nodes):
+        first = groups[-1][0] if groups else 0
+        read = any(isinstance(row, int) and rows_of[first] <= row < rows_of[i] for row in schedule.sources[i])
+        if read or i in (0, schedule.record_point) or not nodes[first].repeat == node.repeat > 1:
+            groups.append([])
+        groups[-1].append(i)
+    for group in (*groups, [len(nodes)]):
+        if group[0] == schedule.record_point:
             made.log = [builder.signal(row) for row in log_rows]
-        if i < len(schedule.nodes):
-            builder.node(i, schedule.nodes[i])
+        if group[0] < len(nodes):
+            builder.nodes(group)
     made.carried += [(op, row, builder.now.get(row, op)) for row, op in builder.late.items()]
     fed = {row: made.graph.op("external", extra=row) for row in range(builder.n_external)}
     made.signals = [(row, op) for row, op in (fed | builder.now).items() if row not in builder.late]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import TypeAlias
@@ -37,6 +37,8 @@ SHAFT = {
 """What a second mass adds to the model."""
 SEARCHES = ((4, 1.0, DescentSettings(most_iterations=20)), (2, 0.2, DescentSettings(least_gain=1e-5)))
 """Searches for a second mass: number of starts, reach, and descent from each; the later one around the end of the former."""
+LIVELY, LEAST_LIVELY, NEAR = 0.2, 2000, 5
+"""Part of a log, and samples at the least, that tell whether there is a second mass at all; samples around an instant for its velocity."""
 SURE = 0.05
 """Largest deviation of a resonance, relative to its frequency, with which it enters the model."""
 SLOW = 5e-4
@@ -147,31 +149,53 @@ def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law) -> Identified
 
 def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, s: int, first: Mapping[str, float]) -> OutputFit:
     """Fit the sampled axis to the velocities of all logs, differenced over s samples, from rough parameters."""
-    period = law.period
-    pairs = [(log.output[:n], log.measured[:n]) for log, n in zip(logs, split, strict=True)]
 
-    def differenced(position: Array) -> Array:
-        return np.asarray(np.diff(position[..., ::s]) / (s * period))
+    def problem(parts: Iterable[slice]) -> tuple[Model, Array]:
+        pairs = [(log.output[part], log.measured[part], _speed(log, part.start)) for log, part in zip(logs, parts, strict=True)]
 
-    measured = np.concatenate([differenced(position) for _, position in pairs])
+        def differenced(position: Array) -> Array:
+            return np.asarray(np.diff(position[..., ::s]) / (s * law.period))
 
-    def model(points: Sequence[Values]) -> Array:
-        axes = [AxisModel(**values) for values in points]
-        return np.concatenate([differenced(driven(output, axes, period, position[0])) for output, position in pairs], axis=1)
+        def model(points: Sequence[Values]) -> Array:
+            axes = [AxisModel(**values) for values in points]
+            return np.concatenate([differenced(driven(u, axes, law.period, x[0], speed)) for u, x, speed in pairs], axis=1)
 
+        return model, np.concatenate([differenced(position) for _, position, _ in pairs])
+
+    model, measured = problem(slice(0, n) for n in split)
     a = first["a"]
-    size = a * float(np.sqrt(np.mean(np.concatenate([output for output, _ in pairs]) ** 2)))
+    size = a * float(np.sqrt(np.mean(np.concatenate([log.output[:n] for log, n in zip(logs, split, strict=True)]) ** 2)))
     free = {
         "gain": Free(a, 1e-3 * a, 1e3 * a, a),
-        "damping": Free(first["b"], 0.0, 1.0 / period, max(first["b"], 1.0)),
+        "damping": Free(first["b"], 0.0, 1.0 / law.period, max(first["b"], 1.0)),
         "friction": Free(max(a * first["friction"], 1e-3 * size), 0.0, 10.0 * size, 0.1 * size),
         "offset": Free(a * first["offset"], -10.0 * size, 10.0 * size, 0.1 * size),
     }
-    free["delay"] = Free(0.0, -0.75 * period, (MOST_DELAY - 1) * period, period)
+    free["delay"] = Free(0.0, -0.75 * law.period, (MOST_DELAY - 1) * law.period, law.period)
     rigid, _ = descended(model, measured, free, arrays_of(free)[:1])
-    two = _with_shaft(model, measured, free, rigid)
+    # Most axes show no second mass: the liveliest part of the log tells that in a fraction of the time.
+    lively = problem(_liveliest(log, n) for log, n in zip(logs, split, strict=True))
+    alone, _ = descended(*lively, free, rigid.values[None])
+    if not _explains(_with_shaft(*lively, free, alone, 1), alone):
+        return rigid
+    two = _with_shaft(model, measured, free, rigid, len(SEARCHES))
     sure = two.deviation("resonance") < SURE * two["resonance"] and 4.0 * two.deviation("share") < two["share"]
     return two if sure and _explains(two, rigid) and not {"resonance", "share"} & {*two.at_bound} else rigid
+
+
+def _speed(log: AxisLog, k: int) -> float:
+    """Return the velocity [m/s] at sample k; a log begins at rest."""
+    return float(log.measured[k + NEAR] - log.measured[k - NEAR]) / (2 * NEAR * log.period) if k else 0.0
+
+
+def _liveliest(log: AxisLog, n: int) -> slice:
+    """Return the part of the first n samples, from the beginning of a motion on, in which the output changes most."""
+    rests = true_spans(np.diff(log.command[:n], prepend=log.command[:1]) == 0.0)
+    starts = np.array([0, *(last - NEAR for first, last in rests if first + NEAR < last < n - NEAR)])
+    changes = np.cumsum(np.diff(log.output[:n], prepend=log.output[:1]) ** 2)
+    ends = np.minimum(starts + max(int(LIVELY * n), LEAST_LIVELY), n - 1)
+    best = int(np.argmax(changes[ends] - changes[starts]))
+    return slice(int(starts[best]), int(ends[best]) + 1)
 
 
 def _explains(two: OutputFit, rigid: OutputFit) -> bool:
@@ -180,11 +204,11 @@ def _explains(two: OutputFit, rigid: OutputFit) -> bool:
     return 2.0 * n * math.log((100.0 - rigid.fit) / max(100.0 - two.fit, 1e-9)) > len(SHAFT) * math.log(n)
 
 
-def _with_shaft(model: Model, measured: Array, free: Mapping[str, Free], rigid: OutputFit) -> OutputFit:
-    """Fit two masses with a shaft between them from several starts."""
+def _with_shaft(model: Model, measured: Array, free: Mapping[str, Free], rigid: OutputFit, searches: int) -> OutputFit:
+    """Fit two masses with a shaft between them from several starts, in the first few searches."""
     start, low, high, _ = arrays_of(SHAFT)
     best, found = rigid, list[OutputFit]()
-    for count, reach, settings in SEARCHES:
+    for count, reach, settings in SEARCHES[:searches]:
         known = {name: best[name] for name in free}
 
         def left(points: Array, known: Values = known) -> Array:

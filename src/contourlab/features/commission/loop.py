@@ -173,18 +173,18 @@ AXIS = Step("axis", _moved, NUMBERS, (), "output", ports("p", "v", "t", "r", "re
 """Position and velocity of the motor, twist of the shaft and its rate, and the friction of the load; the output arrives late."""
 
 
-def _axis_node(models: Sequence[AxisModel], period: float, output: str, at: float) -> Node:
-    """Return the node of axes that rest at a position; all have a shaft, or none."""
+def _axis_node(models: Sequence[AxisModel], period: float, output: str, at: float, speed: float = 0.0) -> Node:
+    """Return the node of axes that begin at a position; all have a shaft, or none."""
     assert len({model.steps for model in models}) == 1
     blocks = [model.block(period) for model in models]
     parameters = blocks[0] if len(blocks) == 1 else {name: np.array([block[name] for block in blocks]) for name in NUMBERS}
     first, wires, steps = {"measured": at}, {"output": output}, models[0].steps
-    return Node("axis", AXIS, wires, parameters, initial={"p": at}, start=first, ring_length=MOST_DELAY + 1, repeat=steps)
+    return Node("axis", AXIS, wires, parameters, initial={"p": at, "v": speed}, start=first, ring_length=MOST_DELAY + 1, repeat=steps)
 
 
-def driven(output: Array, models: Sequence[AxisModel], period: float, at: float = 0.0) -> Array:
-    """Return the measured positions (m, n) [m] of axes under a recorded output (n,), from rest at a position."""
-    schedule = Schedule((_axis_node(models, period, "in.output", at),), ports("output"), period, 0)
+def driven(output: Array, models: Sequence[AxisModel], period: float, at: float = 0.0, speed: float = 0.0) -> Array:
+    """Return the measured positions (m, n) [m] of axes under a recorded output (n,), from a position and velocity on."""
+    schedule = Schedule((_axis_node(models, period, "in.output", at, speed),), ports("output"), period, 0)
     row, parts = schedule.row("axis.measured"), []
     for group in groups_of(schedule, np.arange(len(models)), True):
         group.rings[0][:] = output[0]

@@ -59,6 +59,13 @@ def test_axis_has_its_closed_form() -> None:
     assert not driven(np.full(50, 0.02), [replace(AXIS, friction=friction)], PERIOD).any()
 
 
+def test_an_axis_runs_on_from_a_velocity() -> None:
+    output, k = np.full(500, 0.1), 200
+    whole, steady = driven(output, [AXIS], PERIOD)[0], AXIS.gain * 0.1 / AXIS.damping
+    speed = steady * (1.0 - np.exp(-AXIS.damping * PERIOD * k))
+    assert driven(output[k:], [AXIS], PERIOD, whole[k], speed)[0] == pytest.approx(whole[k:], abs=1e-12)
+
+
 def test_output_limit_holds() -> None:
     run = run_lanes(swept(), np.zeros(4000), ROW[None], [AXIS], Law(PERIOD, limit=0.05), trace=True)
     assert np.abs(run.command_output).max() == pytest.approx(0.05)
