@@ -91,10 +91,11 @@ function spanOf(chart: Chart): Range {
     if (x < low) low = x;
     if (x > high) high = x;
   }
-  if (low > high) return [0, 1];
   const log = chart.panels[0].log_x;
+  if (low > high) return [log ? 0.1 : 0, 1];
+  if (low === high) return log ? [low / 2, low * 2] : [low - 0.5, low + 0.5];
   const room = !log && (chart.loops || chart.panels.some(panel => panel.curves.some(curve => curve.half))) ? 0.015 * (high - low) : 0;
-  return [low - room, high > low ? high + room : low + 1];
+  return [low - room, high + room];
 }
 
 /** One panel. */
@@ -190,6 +191,8 @@ class View {
   private series(curve: Curve): uPlot.Series {
     const colour = visible(curve.colour, this.colours.card), k = this.scale;
     return {
+      // A curve that stays where it is shows as a dot.
+      cap: curve.dash === "solid" && curve.width < 3 ? "round" : "butt",
       stroke: colour, width: (curve.half ? 1 : curve.width) * k, dash: DASHES[curve.dash].map(v => v * k), points: { show: false },
       fill: curve.half ? colour : undefined,
       paths: plot => this.group.hidden.has(curve.name) ? null : this.path(plot, curve),
@@ -210,8 +213,10 @@ class View {
           line.moveTo(at, Y(y.values[i] - half.values[i]));
           line.lineTo(at, Y(y.values[i] + half.values[i]));
         }
-      } else if (down) line.lineTo(at, high);
-      else line.moveTo(at, high);
+      } else {
+        if (!down) line.moveTo(at, high);
+        line.lineTo(at, high);
+      }
       down = true;
     }
     const { left, top, width: w, height } = plot.bbox, clip = new Path2D();

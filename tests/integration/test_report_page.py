@@ -38,6 +38,12 @@ def in_file(page: Path) -> dict[str, Any]:
     return pictures(message_in(page.read_text(encoding="utf-8")))
 
 
+def extends(curve: dict[str, Any]) -> bool:
+    """Tell whether a curve is more than a point."""
+    good = np.isfinite(curve["y"])
+    return bool(good.any()) and bool(np.ptp(curve["x"][good]) > 0.0 or np.ptp(curve["y"][good]) > 0.0)
+
+
 def check_pictures(browsing: Browsing, page: Path, width: int = 1280) -> Any:
     """Open a page; each picture that is shown must be painted in its own colours, each panel of curves in those of its curves."""
     opened = browsing.open(page, width)
@@ -46,7 +52,7 @@ def check_pictures(browsing: Browsing, page: Path, width: int = 1280) -> Any:
         if opened.locator(f'[id="{key}"]').evaluate("place => place.closest('[hidden]') !== null"):
             continue
         if picture["kind"] == "Chart":
-            colours = [{curve["colour"] for curve in panel["curves"] if np.isfinite(curve["y"]).any()} for panel in picture["panels"]]
+            colours = [{curve["colour"] for curve in panel["curves"] if extends(curve)} for panel in picture["panels"]]
         elif picture["kind"] in ("PolarChart", "CircleCauses"):
             colours = [{curve["colour"] for curve in picture.get("runs", picture.get("curves"))}]
         else:

@@ -11,7 +11,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from test_report_page import BROWSER, OPEN, acted, drawn
+from browsing import Browsing
+from test_report_page import check_pictures, in_file
 from typed_commands import Finished, contents, invoke
 
 from contourlab.result import Result
@@ -141,10 +142,10 @@ def test_the_page_shows_switches_reversals_and_backlash(found: Finished) -> None
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
-def test_a_browser_draws_every_picture(found: Finished, tmp_path: Path) -> None:
-    wanted = {"active-time", "active-arc", "backlash-0", "backlash-1", "backlash-2", "circle-0"}
-    assert wanted <= drawn(acted(Path(shutil.copy(found.folder / "report.html", tmp_path)), OPEN, wanted))
+def test_a_browser_draws_every_picture(found: Finished, browsing: Browsing) -> None:
+    page = found.folder / "report.html"
+    assert {"active-time", "active-arc", "backlash-0", "backlash-1", "backlash-2", "circle-0"} <= set(in_file(page))
+    check_pictures(browsing, page)
 
 
 def test_the_linear_loop_of_a_supervised_axis_is_labelled(found: Finished) -> None:
