@@ -41,16 +41,17 @@ def axis_positions(machine: Machine) -> tuple[str, ...]:
     return tuple(f"{axis.name}.{'play' if axis.error.backlash else 'plant'}.position" for axis in machine.axes)
 
 
-def judge_node(machine: Machine, reference: Reference, view: PathView) -> Node:
-    """Return the node that computes the contour error of each lane."""
-    return _judge_node(machine, reference, reference.path, view, JUDGE, "in.arc_length", float(reference.block(0, 1).arc_length[0]))
+def judge_node(machine: Machine, reference: Reference, view: PathView, *, doubtful: bool = False) -> Node:
+    """Return the node that computes the contour error of each lane; `doubtful` as of `contourlab.metrics.streaming.judge_step`."""
+    foot = float(reference.block(0, 1).arc_length[0])
+    return _judge_node(machine, reference, reference.path, view, JUDGE, "in.arc_length", foot, doubtful)
 
 
-def part_nodes(machine: Machine, reference: Reference) -> tuple[Node, Node]:
+def part_nodes(machine: Machine, reference: Reference, *, doubtful: bool = False) -> tuple[Node, Node]:
     """Return the nodes that compute the part error of each lane: the place on the programmed path, and its judge."""
     planning, place = _planned(reference)
     path, arc_length = reference.programmed, f"{PLACE}.arc_length"
-    judge = _judge_node(machine, reference, path, view_of(path), PART, arc_length, place[0], planning)
+    judge = _judge_node(machine, reference, path, view_of(path), PART, arc_length, place[0], doubtful, planning)
     return Node(PLACE, _PLACE_STEP, {}, {}, {"place": place}), judge
 
 
@@ -66,14 +67,22 @@ _PLACE_STEP = Step(PLACE, lambda par, x, inp, clock: ((), (lookup(par.place, clo
 
 
 def _judge_node(
-    machine: Machine, reference: Reference, path: Path, view: PathView, name: str, arc_length: str, foot: float, planning: float = 0.0
+    machine: Machine,
+    reference: Reference,
+    path: Path,
+    view: PathView,
+    name: str,
+    arc_length: str,
+    foot: float,
+    doubtful: bool,
+    planning: float = 0.0,
 ) -> Node:
     position = tuple(map(Late, axis_positions(machine)))
     wires: dict[str, Any] = {"position": position, "reference": "in.reference", "arc_length": arc_length}
     parameters, cells = room_for(path, min(most_error(machine), LAG * reference.largest_feedrate + MARGIN), planning)
     # Finer arcs bring the figures within 1 pm or 1e-6 of the exact judge's; halved pieces of other curves are closer than their bound.
     view = view_of(path, arcs=0.01) if any(np.any(batch.sixth) for batch, _ in path.kinds if batch.sixth is not None) else view
-    step = judge_step(view, len(machine.axes), bool(path.corners.size) or not path.closed)
+    step = judge_step(view, len(machine.axes), bool(path.corners.size) or not path.closed, doubtful)
     tables = {**view.tables, **cells, "counts": _counts(reference)}
     return Node(name, step, wires, {**view.parameters, **parameters}, tables, {"foot": foot})
 
@@ -102,9 +111,8 @@ def effort_node(machine: Machine, reference: Reference, commands: Sequence[str],
 
 def _rate(axis: Axis, columns: Mapping[str, Array]) -> float | Array:
     """Return one over the limit of a drive, an array if it differs between variants; 1 without a limit."""
-    limit = np.asarray(columns.get(f"axes.{axis.name}.drive.limit", getattr(axis.drive, "limit", math.inf)))
-    rate = np.where(np.isfinite(limit), 1.0 / limit, 1.0)
-    return rate if rate.ndim else float(rate)
+    limit = columns.get(f"axes.{axis.name}.drive.limit", getattr(axis.drive, "limit", math.inf))
+    return np.where(np.isfinite(limit), 1.0 / limit, 1.0)
 
 
 def sums_of(groups: list[Group], node: str, n: int) -> Array:

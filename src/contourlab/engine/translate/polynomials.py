@@ -67,6 +67,13 @@ def exp(x: float) -> float:
     return select(x <= -700.0, 0.0, pow2(n) * (1.0 + p))
 
 
+def expm1(x: float) -> float:
+    """Return e**x - 1 without cancellation."""
+    n, p = _expm1_reduced(clip(x, -700.0, 709.0))
+    s = pow2(n)
+    return fma(s, p, s - 1.0)
+
+
 def tanh(x: float) -> float:
     n, p = _expm1_reduced(2.0 * minimum(fabs(x), 20.0))
     s = pow2(n)
@@ -119,3 +126,8 @@ def cos(x: float) -> float:
     n, s, c = _sincos_reduced(x)
     b = select(odd(n), s, c)
     return select(twos(n + 1.0), -b, b)
+
+
+def tan(x: float) -> float:
+    n, s, c = _sincos_reduced(x)
+    return select(odd(n), -c, s) / select(odd(n), s, c)

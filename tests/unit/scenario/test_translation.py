@@ -15,11 +15,11 @@ import pytest
 from contourlab.components.conformance import subject
 from contourlab.components.contract import Component
 from contourlab.components.registry import component, components
-from contourlab.components.translation import LANGUAGES, translate
 from contourlab.engine.step import Step, pack, record, rows, unpack
 from contourlab.engine.translate import llvm_ir
 from contourlab.errors import ParameterError
 from contourlab.primitives import Clock
+from contourlab.scenario.translation import LANGUAGES, translate
 
 KINDS = [kind for kind in components() if kind.family not in ("learning", "friction")]
 CALLS = {"aarch64": r"\bbl\s+(\w+)", "cortex-m7": r"\bbl\s+(\w+)", "wasm32": r"\bcall\s+(\w+)", "ptx": r"\bcall[^;]*?(\w+)\s*,"}

@@ -1,0 +1,276 @@
+"""A machine under its controller along a reference as a WebAssembly module: loop, judge, and the parameters that can be changed in it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import accumulate
+from typing import Any
+
+import numpy as np
+
+from contourlab.arrays import Array
+from contourlab.components.contract import Parameter
+from contourlab.engine.runner import CompiledGroup, memory_rows
+from contourlab.engine.step import Schedule, rows
+from contourlab.engine.translate.graph import Op
+from contourlab.engine.translate.maths import LANES
+from contourlab.engine.translate.step_graph import Rows, tick_graph
+from contourlab.engine.translate.tracing import KnownError, Trace, Traced
+from contourlab.engine.translate.wasm import ROWS, Places, function_source, loop_source, module_of
+from contourlab.errors import ParameterError, refuse
+from contourlab.feed import Reference
+from contourlab.geometry.view import view_of
+from contourlab.loop.batch import blends, check_steps, check_substeps, check_together, judged_loop
+from contourlab.loop.feeding import BLOCK, Feed, Learned
+from contourlab.loop.judging import JUDGE, PART, WATCH
+from contourlab.loop.machine import Controller, Machine
+from contourlab.loop.parameters import declared, parameters_of
+from contourlab.loop.simulate import check_kinds, sampler
+from contourlab.loop.template import Loop
+from contourlab.metrics.run_figures import CONTOUR, EFFORT, figures_from
+from contourlab.metrics.run_figures import PART as OF_PART
+from contourlab.metrics.streaming import EFFORT_SUMS, SUMS
+
+SIGNALS = ("axis_position", "command")
+
+
+@dataclass(frozen=True)
+class Adjustable:
+    """A parameter of a module.
+
+    Attributes
+    ----------
+    word : int
+        Where its value is [SI].
+    value : float [SI]
+    declared : Parameter
+        Bounds and unit; the module itself does not check the bounds.
+    """
+
+    word: int
+    value: float
+    declared: Parameter
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class PortableLoop:
+    """A WebAssembly module that runs a machine under its controller, and what lies where in its memory.
+
+    Places are words of 8 bytes from the beginning of memory. The module imports the memory as ``env.memory`` and exports
+
+    * ``run(first, count)``: run ticks from `first` on, which writes their rows of the log;
+    * ``prepare()``: compute all constants from the parameters, and the state of rest. It returns 0 if the parameters do not fit together;
+    * ``judge()``: compute the figures of the ticks so far.
+
+    To run: copy `start` to the word `first`, and the inputs to theirs. After a parameter was changed, call ``prepare``. To begin in the
+    middle, then copy what `state_at` returns.
+
+    Attributes
+    ----------
+    code : bytes
+    first : int
+    start : ndarray (n,)
+        States, parameters and tables before the first tick.
+    n_word : int
+        Size of the memory.
+    servo_period : float [s]
+    n_tick : int
+    inputs : mapping of str to tuple of int
+        For each axis the first of `n_tick` words; also of ``arc_length`` and ``feedrate``.
+    log : int
+        The first word of the log; each tick has a row of it.
+    rows : tuple of int
+        The signal of `schedule` in each column of the log.
+    signals : mapping of str to tuple of int
+        Columns of the log for each axis; also of ``contour_error``, ``part_error``, and ``doubt``: 1 where the judge is not sure.
+    figures : mapping of str to int
+        Those of `contourlab.simulate_batch` without `failed_at`; ``unsure`` counts ticks that they leave out.
+    failed_at : int
+        The sample at which the loop ran away, or -1.
+    parameters : mapping of str to Adjustable
+    fixed : mapping of str to str
+        Parameters that cannot be changed: why.
+    tables : mapping of str to tuple of (int, int)
+        Word and size of each table.
+    state : tuple of (int, int)
+        Begin and end of the words that change while ticks run, besides the log.
+    """
+
+    code: bytes
+    start: Array
+    n_word: int
+    servo_period: float
+    n_tick: int
+    inputs: Mapping[str, tuple[int, ...]]
+    log: int
+    rows: tuple[int, ...]
+    signals: Mapping[str, tuple[int, ...]]
+    figures: Mapping[str, int]
+    failed_at: int
+    parameters: Mapping[str, Adjustable]
+    fixed: Mapping[str, str]
+    tables: Mapping[str, tuple[int, int]]
+    state: tuple[tuple[int, int], ...]
+    schedule: Schedule
+    feed: Feed
+    first: int = field(default=ROWS, init=False)
+
+    def fed(self) -> Array:
+        """Return the inputs (n_input, n_tick), in the order of their words."""
+        return np.concatenate([self.feed.block(*samples)[1] for samples in self.feed.reference.blocks(BLOCK)]).T
+
+    def state_at(self, tick: int) -> list[Array]:
+        """Return the words of each part of `state` before a tick, from a run of this machine's processor."""
+        group = CompiledGroup(self.schedule, 1, slice(0, 1), like_lanes=True)
+        group.run(self.fed()[:, :tick].T, [])
+        return [group.memory[begin - ROWS : end - ROWS, 0].copy() for begin, end in self.state]
+
+
+def portable(
+    machine: Machine,
+    controller: Controller,
+    reference: Reference,
+    *,
+    signals: Sequence[str] = SIGNALS,
+    seed: int = 0,
+    moving: bool = False,
+    learned: Learned | None = None,
+) -> PortableLoop:
+    """Return a machine under its controller along a reference as a WebAssembly module.
+
+    Parameters
+    ----------
+    machine : Machine
+    controller : Controller
+    reference : Reference
+    signals : sequence of str
+        Signals to log, besides those of the judge.
+    seed : int
+        Of all noise.
+    moving : bool
+        Whether the axes start with the velocity of the reference.
+    learned : Learned, optional
+        What earlier trials have learned.
+
+    Raises
+    ------
+    ParameterError
+        If there is no such signal.
+    EngineError
+        If a step uses what cannot be translated.
+
+    Notes
+    -----
+    It computes what a variant of `contourlab.simulate_batch` computes, but rounds each product before it is added. As there, the judge sees
+    true positions of the axes. Samples in doubt are judged only there.
+    """
+    check_kinds(machine, controller, reference)
+    feed, view = Feed(machine, controller, reference, learned, sampler(True)), view_of(reference.path)
+
+    def judged(columns: Mapping[str, Any]) -> Loop:
+        return judged_loop(machine, controller, feed, columns, view, seed, moving=moving, doubtful=True)
+
+    loop = judged({})
+    schedule, n = loop.schedule, reference.n_sample
+    for name in signals:
+        refuse(name not in loop.signals, ParameterError, "signals", repr(name), "one of " + ", ".join(loop.signals))
+    group = CompiledGroup(schedule, 1, slice(0, 1), like_lanes=True)
+    prepare, constants, values, fixed = _prepared(machine, controller, judged, len(group.memory))
+    judge, figures = _figures(schedule, group.places.states, blends(reference))
+    # What lies one after another: rows, parameters, figures, tables with the words that say where they are, inputs, log.
+    of_figures = len(group.memory) + len(values)
+    of_words = of_figures + len(figures)
+    rings = [(row, len(ring)) for row, ring in zip(group.places.rings, group.rings, strict=False) if len(ring)]
+    sizes = [table.size for table in group.tables]
+    *of_tables, of_inputs = accumulate(sizes, initial=ROWS + of_words + 2 * (len(sizes) + len(rings)))
+    words = np.array([*zip((8 * place for place in of_tables), sizes, strict=True), *rings], dtype=np.int64).view(float)
+    start = [group.memory, np.array([*values.values()]), np.zeros(len(figures)), words, *group.tables]
+    of_log = of_inputs + rows(schedule.externals) * n
+    kept = {name: loop.signals[name] for name in signals}
+    kept |= {"contour_error": (f"{JUDGE}.contour_error",), "doubt": (f"{JUDGE}.doubt",)}
+    kept |= {"part_error": (f"{PART}.contour_error",)} if blends(reference) else {}
+    logged = {name: [schedule.row(signal) for signal in wanted] for name, wanted in kept.items()}
+    columns = list(dict.fromkeys(row for wanted in logged.values() for row in wanted))
+    made = tick_graph(schedule, Rows(group.places.states, group.places.parameters), columns, LANES, contract=False)
+    code = module_of(
+        {
+            "run": loop_source(made, Places(ROWS + of_words, of_inputs, of_log, n, machine.servo_period)),
+            "prepare": function_source("prepare", prepare, constants),
+            "judge": function_source("judge", judge, dict(enumerate(figures.values(), of_figures))),
+        }
+    )
+    known, nodes = parameters_of(machine, controller), len(schedule.nodes)
+    named_tables = (f"{node.name}.{name}" for node in schedule.nodes for name in node.step.tables)
+    edge = list(accumulate(memory_rows(schedule), initial=ROWS))
+    return PortableLoop(
+        code=code,
+        start=np.concatenate([part.ravel() for part in start]),
+        n_word=of_log + len(columns) * n,
+        servo_period=machine.servo_period,
+        n_tick=n,
+        inputs={
+            port.name: tuple(of_inputs + n * (schedule.row(f"in.{port.name}") + i) for i in range(port.rows)) for port in schedule.externals
+        },
+        log=of_log,
+        rows=tuple(columns),
+        signals={name: tuple(map(columns.index, wanted)) for name, wanted in logged.items()},
+        figures={name: ROWS + of_figures + i for i, name in enumerate(figures)},
+        failed_at=ROWS + group.places.states[_node(schedule, WATCH)],
+        parameters={
+            name: Adjustable(ROWS + len(group.memory) + i, value, declared(machine, name, *known[name]))
+            for i, (name, value) in enumerate(values.items())
+        },
+        fixed=fixed,
+        tables=dict(zip(named_tables, zip(of_tables, sizes, strict=True), strict=True)),
+        state=((ROWS, edge[nodes + 1]), (edge[2 * nodes + 1], edge[-1])),
+        schedule=schedule,
+        feed=feed,
+    )
+
+
+def _node(schedule: Schedule, name: str) -> int:
+    return [node.name for node in schedule.nodes].index(name)
+
+
+def _prepared(
+    machine: Machine, controller: Controller, judged: Callable[[Mapping[str, Any]], Loop], first: int
+) -> tuple[Trace, dict[int, Op], dict[str, float], dict[str, str]]:
+    """Return how the constants of a loop follow from its parameters, by row; the parameters that may change, and why others may not.
+
+    The code that gives a batch its variants runs with numbers that are not known. What needs the value of a parameter keeps it as it is.
+    """
+    known, fixed = parameters_of(machine, controller), dict[str, str]()
+    for name, (part, word) in known.items():
+        value = getattr(part, word)
+        try:
+            check_steps(known, {name: np.array([value, np.nextafter(value, 0.0)])}, len(machine.axes))
+        except ParameterError:
+            fixed[name] = "it changes the step itself"
+    while True:
+        values = {name: float(getattr(*known[name])) for name in known if name not in fixed}
+        trace = Trace()
+        columns: dict[str, Any] = {name: trace.leaf(first + i, value, name) for i, (name, value) in enumerate(values.items())}
+        try:
+            check_together(known, columns)
+            check_substeps(machine, columns)
+            begin: dict[int, Any] = judged(columns).schedule.begin[1]
+        except KnownError as error:
+            fixed |= dict.fromkeys(error.names, error.asked)
+        else:
+            return trace, {row: value.op for row, value in begin.items() if isinstance(value, Traced)}, values, fixed
+
+
+def _figures(schedule: Schedule, states: Sequence[int], blended: bool) -> tuple[Trace, dict[str, Op]]:
+    """Return how the figures follow from the states of the nodes that judge."""
+    trace = Trace()
+
+    def sums(node: str, names: Sequence[str]) -> dict[str, Any]:
+        first = states[_node(schedule, node)]
+        return {name: trace.leaf(first + i, 1.0) for i, name in enumerate(names)}
+
+    contour, part = (sums(node, ("foot", *SUMS)) for node in (JUDGE, PART if blended else JUDGE))
+    made = {"unsure": contour["unsure"] + part["unsure"] if blended else contour["unsure"]}
+    for source, of in ((CONTOUR, contour), (OF_PART, part), (EFFORT, sums("effort", EFFORT_SUMS))):
+        made |= figures_from(source, of, schedule.period)
+    return trace, {name: value.op for name, value in made.items()}
