@@ -61,4 +61,4 @@ def in_node(loop: PortableLoop, *commands: tuple[Any, ...]) -> list[Array]:
 
 def log_of(loop: PortableLoop) -> tuple[str, int, int]:
     """Return the command that reads the whole log."""
-    return ("read", loop.log, len(loop.rows) * loop.n_tick)
+    return ("read", loop.log, len(loop.rows) * loop.feed.reference.n_sample)

@@ -309,16 +309,12 @@ def judged_loop(
     part: bool = True,
     effort: bool = True,
     moving: bool = False,
-    doubtful: bool = False,
 ) -> Loop:
-    """Return the schedule of a machine under its controller, with the nodes that judge it; arguments as in `simulate_batch`.
-
-    With `doubtful` its judge decides all samples itself.
-    """
+    """Return the schedule of a machine under its controller, with the nodes that judge it; arguments as in `simulate_batch`."""
     reference = feed.reference
-    extra: tuple[Node | Callable[[Signals], Node], ...] = (judge_node(machine, reference, view, doubtful=doubtful),) if judge else ()
+    extra: tuple[Node | Callable[[Signals], Node], ...] = (judge_node(machine, reference, view),) if judge else ()
     if part and blends(reference):
-        extra += part_nodes(machine, reference, doubtful=doubtful)
+        extra += part_nodes(machine, reference)
     if effort:
         extra += (lambda signals: effort_node(machine, reference, signals["command"], columns),)
     begin = feed.first(moving=moving)

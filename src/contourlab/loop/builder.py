@@ -52,18 +52,6 @@ def with_arrays(part: Any, values: Mapping[str, ArrayLike]) -> Any:
     return other
 
 
-def resting(plant: Any, at: float, changed: Overrides) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return states and outputs of a plant at rest, for each variant if they depend on a varied parameter."""
-    which = [name for name in changed if name in plant.rest_depends]
-    traced = {name: changed[name] for name in which if isinstance(changed[name], Traced)}
-    if not which or traced:
-        return with_arrays(plant, traced).at_rest(at)  # type: ignore[no-any-return]
-    rows = np.column_stack([changed[name] for name in which]).tolist()
-    resting = [plant.replace(**dict(zip(which, row, strict=True))).at_rest(at) for row in rows]
-    together = [{name: _side_by_side([rest[part][name] for rest in resting]) for name in resting[0][part]} for part in (0, 1)]
-    return together[0], together[1]
-
-
 def _side_by_side(values: list[Any]) -> Any:
     """Return the values of all variants as an array; for a vector, a tuple of arrays."""
     return tuple(np.array(column) for column in zip(*values, strict=True)) if isinstance(values[0], tuple) else np.array(values)
@@ -192,10 +180,20 @@ class Builder:
         """Return the command to an axis before the first tick: for a plant that takes positions its initial position."""
         return float(self.start[self.names.index(axis)]) if self.machine.axis(axis).plant.takes_position else 0.0
 
+    def resting(self, axis: str) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Return states and outputs of an axis' plant at rest, for each variant if they depend on a varied parameter."""
+        plant, at = self.machine.axis(axis).plant, float(self.start[self.names.index(axis)])
+        varied = {name: values for name, values in self.changed(f"axes.{axis}.plant").items() if name in plant.rest_depends}
+        if all(isinstance(values, Traced) for values in varied.values()):
+            return with_arrays(plant, varied).at_rest(at)  # type: ignore[no-any-return]
+        rows = np.column_stack([*varied.values()]).tolist()
+        resting = [plant.replace(**dict(zip(varied, row, strict=True))).at_rest(at) for row in rows]
+        together = [{name: _side_by_side([rest[part][name] for rest in resting]) for name in resting[0][part]} for part in (0, 1)]
+        return together[0], together[1]
+
     def motor_start(self, axis: str) -> Any:
         """Return the initial position of an axis' motor [m], for each variant if it depends on a varied parameter."""
-        at = float(self.start[self.names.index(axis)])
-        return resting(self.machine.axis(axis).plant, at, self.changed(f"axes.{axis}.plant"))[1].get("motor_position", at)
+        return self.resting(axis)[1].get("motor_position", float(self.start[self.names.index(axis)]))
 
     def controlled_from_base(self, axis: str) -> bool:
         """Return whether the commands of an axis go down its link."""

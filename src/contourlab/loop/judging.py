@@ -13,6 +13,8 @@ import numpy as np
 from contourlab.arrays import Array, Flags, Index
 from contourlab.engine.runner import Group
 from contourlab.engine.step import Late, Node, Schedule, Step, ports
+from contourlab.engine.translate.graph import Op
+from contourlab.engine.translate.tracing import Trace
 from contourlab.feed import Reference
 from contourlab.geometry import Path
 from contourlab.geometry.clearance import clearance
@@ -22,6 +24,7 @@ from contourlab.loop.feeding import BLOCK
 from contourlab.loop.machine import Axis, Machine
 from contourlab.metrics.judge import MARGIN, planning_deviation, reach
 from contourlab.metrics.run_figures import CONTOUR, EFFORT, figures_from
+from contourlab.metrics.run_figures import PART as OF_PART
 from contourlab.metrics.streaming import EFFORT_SUMS, SUMS, effort_step, judge_step
 from contourlab.primitives import fabs, lookup, select
 from contourlab.result import Status
@@ -41,17 +44,16 @@ def axis_positions(machine: Machine) -> tuple[str, ...]:
     return tuple(f"{axis.name}.{'play' if axis.error.backlash else 'plant'}.position" for axis in machine.axes)
 
 
-def judge_node(machine: Machine, reference: Reference, view: PathView, *, doubtful: bool = False) -> Node:
-    """Return the node that computes the contour error of each lane; `doubtful` as of `contourlab.metrics.streaming.judge_step`."""
-    foot = float(reference.block(0, 1).arc_length[0])
-    return _judge_node(machine, reference, reference.path, view, JUDGE, "in.arc_length", foot, doubtful)
+def judge_node(machine: Machine, reference: Reference, view: PathView) -> Node:
+    """Return the node that computes the contour error of each lane."""
+    return _judge_node(machine, reference, reference.path, view, JUDGE, "in.arc_length", float(reference.block(0, 1).arc_length[0]))
 
 
-def part_nodes(machine: Machine, reference: Reference, *, doubtful: bool = False) -> tuple[Node, Node]:
+def part_nodes(machine: Machine, reference: Reference) -> tuple[Node, Node]:
     """Return the nodes that compute the part error of each lane: the place on the programmed path, and its judge."""
     planning, place = _planned(reference)
     path, arc_length = reference.programmed, f"{PLACE}.arc_length"
-    judge = _judge_node(machine, reference, path, view_of(path), PART, arc_length, place[0], doubtful, planning)
+    judge = _judge_node(machine, reference, path, view_of(path), PART, arc_length, place[0], planning)
     return Node(PLACE, _PLACE_STEP, {}, {}, {"place": place}), judge
 
 
@@ -67,22 +69,14 @@ _PLACE_STEP = Step(PLACE, lambda par, x, inp, clock: ((), (lookup(par.place, clo
 
 
 def _judge_node(
-    machine: Machine,
-    reference: Reference,
-    path: Path,
-    view: PathView,
-    name: str,
-    arc_length: str,
-    foot: float,
-    doubtful: bool,
-    planning: float = 0.0,
+    machine: Machine, reference: Reference, path: Path, view: PathView, name: str, arc_length: str, foot: float, planning: float = 0.0
 ) -> Node:
     position = tuple(map(Late, axis_positions(machine)))
     wires: dict[str, Any] = {"position": position, "reference": "in.reference", "arc_length": arc_length}
     parameters, cells = room_for(path, min(most_error(machine), LAG * reference.largest_feedrate + MARGIN), planning)
     # Finer arcs bring the figures within 1 pm or 1e-6 of the exact judge's; halved pieces of other curves are closer than their bound.
     view = view_of(path, arcs=0.01) if any(np.any(batch.sixth) for batch, _ in path.kinds if batch.sixth is not None) else view
-    step = judge_step(view, len(machine.axes), bool(path.corners.size) or not path.closed, doubtful)
+    step = judge_step(view, len(machine.axes), bool(path.corners.size) or not path.closed)
     tables = {**view.tables, **cells, "counts": _counts(reference)}
     return Node(name, step, wires, {**view.parameters, **parameters}, tables, {"foot": foot})
 
@@ -96,7 +90,7 @@ def room_for(path: Path, error: float, planning: float) -> tuple[dict[str, float
     """Return parameters and tables of a judge for runs whose largest tracking error [m] does not exceed `error`."""
     window = min(reach(path, min(error, path.length)) + planning, path.length)
     numbers, cells = clearance(path, 2.0 * window)
-    return {"error": error, "planning": planning, "window": window, **numbers}, cells
+    return {"error": error, "planning": planning, "window": window, "doubtful": 0.0, **numbers}, cells
 
 
 def effort_node(machine: Machine, reference: Reference, commands: Sequence[str], columns: Mapping[str, Array]) -> Node:
@@ -124,6 +118,20 @@ def error_figures(sums: Array, failed: Index, period: float, source: str = CONTO
     """Return the figures of a source from its node's states in all lanes (n_state, n); NaN for a lane that failed."""
     figures = figures_from(source, dict(zip(EFFORT_SUMS if source == EFFORT else ("foot", *SUMS), sums, strict=True)), period)
     return {name: np.where(failed < 0, values, np.nan) for name, values in figures.items()}
+
+
+def traced_figures(states: Mapping[str, int], period: float) -> tuple[Trace, dict[str, Op]]:
+    """Return how the figures, and the count of samples in doubt, follow from the states of the judging nodes, by the row of the first."""
+    trace = Trace()
+
+    def sums(node: str, names: Sequence[str]) -> dict[str, Any]:
+        return {name: trace.leaf(states[node] + i, 1.0) for i, name in enumerate(names)}
+
+    contour, part = (sums(node, ("foot", *SUMS)) for node in (JUDGE, PART if PART in states else JUDGE))
+    made = {"unsure": contour["unsure"] + part["unsure"] if PART in states else contour["unsure"]}
+    for source, of in ((CONTOUR, contour), (OF_PART, part), (EFFORT, sums("effort", EFFORT_SUMS))):
+        made |= figures_from(source, of, period)
+    return trace, {name: value.op for name, value in made.items()}
 
 
 WATCH = "watch"
@@ -290,6 +298,13 @@ class DoubtfulSamples:
         of = lane[first]
         ahead = (size[first] > largest[of]) | ((size[first] == largest[of]) & (tick[first] < at[of]))
         largest[of[ahead]], at[of[ahead]] = size[first[ahead]], tick[first[ahead]]
+
+
+def all_judged(schedule: Schedule) -> Schedule:
+    """Return a schedule whose judges decide all samples themselves, those in doubt too."""
+    summed = {"doubtful": 1.0}
+    nodes = (replace(node, parameters={**node.parameters, **summed}) if node.name in (JUDGE, PART) else node for node in schedule.nodes)
+    return replace(schedule, nodes=tuple(nodes))
 
 
 def wider(schedule: Schedule, machine: Machine, reference: Reference) -> Schedule:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import accumulate
 from typing import Any
 
@@ -17,40 +17,19 @@ from contourlab.engine.translate.graph import Op
 from contourlab.engine.translate.maths import LANES
 from contourlab.engine.translate.step_graph import Rows, tick_graph
 from contourlab.engine.translate.tracing import KnownError, Trace, Traced
-from contourlab.engine.translate.wasm import ROWS, Places, function_source, loop_source, module_of
+from contourlab.engine.translate.wasm import ROWS, function_source, loop_source, module_of
 from contourlab.errors import ParameterError, refuse
 from contourlab.feed import Reference
 from contourlab.geometry.view import view_of
 from contourlab.loop.batch import blends, check_steps, check_substeps, check_together, judged_loop
 from contourlab.loop.feeding import BLOCK, Feed, Learned
-from contourlab.loop.judging import JUDGE, PART, WATCH
+from contourlab.loop.judging import JUDGE, PART, WATCH, all_judged, traced_figures
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.parameters import declared, parameters_of
 from contourlab.loop.simulate import check_kinds, sampler
 from contourlab.loop.template import Loop
-from contourlab.metrics.run_figures import CONTOUR, EFFORT, figures_from
-from contourlab.metrics.run_figures import PART as OF_PART
-from contourlab.metrics.streaming import EFFORT_SUMS, SUMS
 
 SIGNALS = ("axis_position", "command")
-
-
-@dataclass(frozen=True)
-class Adjustable:
-    """A parameter of a module.
-
-    Attributes
-    ----------
-    word : int
-        Where its value is [SI].
-    value : float [SI]
-    declared : Parameter
-        Bounds and unit; the module itself does not check the bounds.
-    """
-
-    word: int
-    value: float
-    declared: Parameter
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -74,10 +53,8 @@ class PortableLoop:
         States, parameters and tables before the first tick.
     n_word : int
         Size of the memory.
-    servo_period : float [s]
-    n_tick : int
     inputs : mapping of str to tuple of int
-        For each axis the first of `n_tick` words; also of ``arc_length`` and ``feedrate``.
+        For each axis the first of as many words as there are ticks; also of ``arc_length`` and ``feedrate``.
     log : int
         The first word of the log; each tick has a row of it.
     rows : tuple of int
@@ -88,7 +65,8 @@ class PortableLoop:
         Those of `contourlab.simulate_batch` without `failed_at`; ``unsure`` counts ticks that they leave out.
     failed_at : int
         The sample at which the loop ran away, or -1.
-    parameters : mapping of str to Adjustable
+    parameters : mapping of str to tuple of (int, Parameter)
+        Word of each value [SI], and its declaration, whose bounds the module does not check.
     fixed : mapping of str to str
         Parameters that cannot be changed: why.
     tables : mapping of str to tuple of (int, int)
@@ -100,15 +78,13 @@ class PortableLoop:
     code: bytes
     start: Array
     n_word: int
-    servo_period: float
-    n_tick: int
     inputs: Mapping[str, tuple[int, ...]]
     log: int
     rows: tuple[int, ...]
     signals: Mapping[str, tuple[int, ...]]
     figures: Mapping[str, int]
     failed_at: int
-    parameters: Mapping[str, Adjustable]
+    parameters: Mapping[str, tuple[int, Parameter]]
     fixed: Mapping[str, str]
     tables: Mapping[str, tuple[int, int]]
     state: tuple[tuple[int, int], ...]
@@ -169,7 +145,8 @@ def portable(
     feed, view = Feed(machine, controller, reference, learned, sampler(True)), view_of(reference.path)
 
     def judged(columns: Mapping[str, Any]) -> Loop:
-        return judged_loop(machine, controller, feed, columns, view, seed, moving=moving, doubtful=True)
+        loop = judged_loop(machine, controller, feed, columns, view, seed, moving=moving)
+        return replace(loop, schedule=all_judged(loop.schedule))
 
     loop = judged({})
     schedule, n = loop.schedule, reference.n_sample
@@ -177,60 +154,45 @@ def portable(
         refuse(name not in loop.signals, ParameterError, "signals", repr(name), "one of " + ", ".join(loop.signals))
     group = CompiledGroup(schedule, 1, slice(0, 1), like_lanes=True)
     prepare, constants, values, fixed = _prepared(machine, controller, judged, len(group.memory))
-    judge, figures = _figures(schedule, group.places.states, blends(reference))
-    # What lies one after another: rows, parameters, figures, tables with the words that say where they are, inputs, log.
-    of_figures = len(group.memory) + len(values)
-    of_words = of_figures + len(figures)
-    rings = [(row, len(ring)) for row, ring in zip(group.places.rings, group.rings, strict=False) if len(ring)]
-    sizes = [table.size for table in group.tables]
-    *of_tables, of_inputs = accumulate(sizes, initial=ROWS + of_words + 2 * (len(sizes) + len(rings)))
-    words = np.array([*zip((8 * place for place in of_tables), sizes, strict=True), *rings], dtype=np.int64).view(float)
-    start = [group.memory, np.array([*values.values()]), np.zeros(len(figures)), words, *group.tables]
+    states = {node.name: row for node, row in zip(schedule.nodes, group.places.states, strict=True)}
+    judge, figures = traced_figures(states, machine.servo_period)
+    # What lies one after another: rows, parameters, figures, words that say where tables are, tables, inputs, log.
+    sizes, words = [table.size for table in group.tables], group.tables_at.copy()
+    n_row, of_figures = len(group.memory), len(group.memory) + len(values)
+    of_words = ROWS + of_figures + len(figures)
+    *of_tables, of_inputs = accumulate(sizes, initial=of_words + words.size)
     of_log = of_inputs + rows(schedule.externals) * n
-    kept = {name: loop.signals[name] for name in signals}
-    kept |= {"contour_error": (f"{JUDGE}.contour_error",), "doubt": (f"{JUDGE}.doubt",)}
+    words[: len(sizes), 0] = 8 * np.array(of_tables, dtype=np.int64)
+    start = [group.memory, np.array([*values.values()]), np.zeros(len(figures)), words.view(float), *group.tables]
+    kept = {name: loop.signals[name] for name in signals} | {name: (f"{JUDGE}.{name}",) for name in ("contour_error", "doubt")}
     kept |= {"part_error": (f"{PART}.contour_error",)} if blends(reference) else {}
-    logged = {name: [schedule.row(signal) for signal in wanted] for name, wanted in kept.items()}
-    columns = list(dict.fromkeys(row for wanted in logged.values() for row in wanted))
+    columns = list(dict.fromkeys(schedule.row(signal) for wanted in kept.values() for signal in wanted))
     made = tick_graph(schedule, Rows(group.places.states, group.places.parameters), columns, LANES, contract=False)
-    code = module_of(
-        {
-            "run": loop_source(made, Places(ROWS + of_words, of_inputs, of_log, n, machine.servo_period)),
-            "prepare": function_source("prepare", prepare, constants),
-            "judge": function_source("judge", judge, dict(enumerate(figures.values(), of_figures))),
-        }
-    )
-    known, nodes = parameters_of(machine, controller), len(schedule.nodes)
-    named_tables = (f"{node.name}.{name}" for node in schedule.nodes for name in node.step.tables)
-    edge = list(accumulate(memory_rows(schedule), initial=ROWS))
+    sources = {
+        "run": loop_source(made, of_words, of_inputs, of_log, n, machine.servo_period),
+        "prepare": function_source("prepare", prepare, constants),
+        "judge": function_source("judge", judge, dict(enumerate(figures.values(), of_figures))),
+    }
+    known, edges = parameters_of(machine, controller), list(accumulate(memory_rows(schedule), initial=ROWS))
+    named = (f"{node.name}.{name}" for node in schedule.nodes for name in node.step.tables)
+    fed = {port.name: range(schedule.row(f"in.{port.name}"), schedule.row(f"in.{port.name}") + port.rows) for port in schedule.externals}
     return PortableLoop(
-        code=code,
+        code=module_of(sources),
         start=np.concatenate([part.ravel() for part in start]),
         n_word=of_log + len(columns) * n,
-        servo_period=machine.servo_period,
-        n_tick=n,
-        inputs={
-            port.name: tuple(of_inputs + n * (schedule.row(f"in.{port.name}") + i) for i in range(port.rows)) for port in schedule.externals
-        },
+        inputs={name: tuple(of_inputs + n * row for row in range_) for name, range_ in fed.items()},
         log=of_log,
         rows=tuple(columns),
-        signals={name: tuple(map(columns.index, wanted)) for name, wanted in logged.items()},
+        signals={name: tuple(columns.index(schedule.row(signal)) for signal in wanted) for name, wanted in kept.items()},
         figures={name: ROWS + of_figures + i for i, name in enumerate(figures)},
-        failed_at=ROWS + group.places.states[_node(schedule, WATCH)],
-        parameters={
-            name: Adjustable(ROWS + len(group.memory) + i, value, declared(machine, name, *known[name]))
-            for i, (name, value) in enumerate(values.items())
-        },
+        failed_at=ROWS + states[WATCH],
+        parameters={name: (ROWS + n_row + i, declared(machine, name, *known[name])) for i, name in enumerate(values)},
         fixed=fixed,
-        tables=dict(zip(named_tables, zip(of_tables, sizes, strict=True), strict=True)),
-        state=((ROWS, edge[nodes + 1]), (edge[2 * nodes + 1], edge[-1])),
+        tables=dict(zip(named, zip(of_tables, sizes, strict=True), strict=True)),
+        state=((ROWS, edges[len(schedule.nodes) + 1]), (edges[2 * len(schedule.nodes) + 1], edges[-1])),
         schedule=schedule,
         feed=feed,
     )
-
-
-def _node(schedule: Schedule, name: str) -> int:
-    return [node.name for node in schedule.nodes].index(name)
 
 
 def _prepared(
@@ -256,21 +218,6 @@ def _prepared(
             check_substeps(machine, columns)
             begin: dict[int, Any] = judged(columns).schedule.begin[1]
         except KnownError as error:
-            fixed |= dict.fromkeys(error.names, error.asked)
+            fixed |= dict.fromkeys(error.args[1], f"its constants need {error.args[0]}")
         else:
             return trace, {row: value.op for row, value in begin.items() if isinstance(value, Traced)}, values, fixed
-
-
-def _figures(schedule: Schedule, states: Sequence[int], blended: bool) -> tuple[Trace, dict[str, Op]]:
-    """Return how the figures follow from the states of the nodes that judge."""
-    trace = Trace()
-
-    def sums(node: str, names: Sequence[str]) -> dict[str, Any]:
-        first = states[_node(schedule, node)]
-        return {name: trace.leaf(first + i, 1.0) for i, name in enumerate(names)}
-
-    contour, part = (sums(node, ("foot", *SUMS)) for node in (JUDGE, PART if blended else JUDGE))
-    made = {"unsure": contour["unsure"] + part["unsure"] if blended else contour["unsure"]}
-    for source, of in ((CONTOUR, contour), (OF_PART, part), (EFFORT, sums("effort", EFFORT_SUMS))):
-        made |= figures_from(source, of, schedule.period)
-    return trace, {name: value.op for name, value in made.items()}

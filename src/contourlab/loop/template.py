@@ -35,19 +35,7 @@ from contourlab.engine.step import Late, Node, Port, Schedule, Step, ports
 from contourlab.errors import ParameterError
 from contourlab.geometry import Path
 from contourlab.geometry.view import PathView, view_of
-from contourlab.loop.builder import (
-    ZERO,
-    Builder,
-    Overrides,
-    Sensing,
-    Signals,
-    add_taken,
-    check_seed,
-    insert_links,
-    resting,
-    subtract_node,
-    sum_step,
-)
+from contourlab.loop.builder import ZERO, Builder, Overrides, Sensing, Signals, add_taken, check_seed, insert_links, subtract_node, sum_step
 from contourlab.loop.feeding import AHEAD, LEARNED_COMMAND, LEARNED_REFERENCE, SOURCE_LINE
 from contourlab.loop.judging import axis_positions, watch_node
 from contourlab.loop.machine import Axis, Controller, Machine
@@ -56,7 +44,7 @@ from contourlab.primitives import maximum, minimum, select
 
 def add_plants(builder: Builder) -> None:
     """Add the loads on the axes, and their plants with linked frictions."""
-    for axis, at, speed in zip(builder.machine.axes, builder.start, builder.speed, strict=True):
+    for axis, speed in zip(builder.machine.axes, builder.speed, strict=True):
         name, prefix = axis.name, f"axes.{axis.name}"
         load: Any = 0.0
         if axis.disturbance is not None:
@@ -76,7 +64,7 @@ def add_plants(builder: Builder) -> None:
         values = _carrying(builder, axis) | {f"{friction_prefix(axis.plant)}{row}": value for row, value in rubbing.items()}
         on_motor = axis.motor_friction.block(builder.period, builder.changed(f"{prefix}.motor_friction"))
         values |= {f"{MOTOR_FRICTION}{row}": value for row, value in on_motor.items()}
-        initial, start = resting(axis.plant, float(at), builder.changed(f"{prefix}.plant"))
+        initial, start = builder.resting(name)
         initial = {**initial, **_speeds(axis.plant.states, float(speed))}
         start = {**start, **_speeds(axis.plant.outputs, float(speed))}
         pushed: dict[str, Any] = {"command": f"{name}.drive.applied", "load": load}

@@ -72,7 +72,7 @@ def translate(component: Component | Case, to: str = "c99", *, n_axis: int = 1, 
         return c99.source_of(graph_of(step))
     if to == "llvm":
         return llvm_ir.source_of(graph_of(step))
-    return llvm_ir.assembly(llvm_ir.source_of(graph_of(step, contract=True, primitives=maths.LANES)), *_PROCESSORS[to])
+    return str(llvm_ir.assembly(llvm_ir.source_of(graph_of(step, contract=True, primitives=maths.LANES)), *_PROCESSORS[to]))
 
 
 def _step_of(component: Component, n_axis: int, friction: Component | None) -> Step:

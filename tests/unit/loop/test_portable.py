@@ -25,7 +25,8 @@ from contourlab.errors import ParameterError
 from contourlab.geometry.view import view_of
 from contourlab.loop.batch import judged_loop
 from contourlab.loop.feeding import Feed
-from contourlab.loop.portable import Adjustable, PortableLoop, portable
+from contourlab.loop.judging import all_judged
+from contourlab.loop.portable import PortableLoop, portable
 
 Array = NDArray[np.float64]
 
@@ -47,37 +48,38 @@ def native(loop: PortableLoop, *, fused: bool = True) -> tuple[Array, Array]:
 
 def assert_same_bits(loop: PortableLoop) -> None:
     memory, log = native(loop, fused=False)
-    _, seen, rows = in_node(loop, ("run", 0, loop.n_tick), log_of(loop), ("read", loop.first, memory.size))
+    _, seen, rows = in_node(loop, ("run", 0, loop.feed.reference.n_sample), log_of(loop), ("read", loop.first, memory.size))
     np.testing.assert_array_equal(seen.reshape(log.shape), log)
     np.testing.assert_array_equal(rows, memory)
 
 
-def changed(parameter: Adjustable) -> float:
+def changed(loop: PortableLoop, name: str) -> float:
     """Return another value that is allowed."""
-    value, step = parameter.value, 1.0 if parameter.declared.whole else 0.0625 * abs(parameter.value) or 2.0**-10
+    word, declared = loop.parameters[name]
+    value = loop.start[word - loop.first]
+    step = 1.0 if declared.whole else 0.0625 * abs(value) or 2.0**-10
     for new in (value + step, value - step) if np.isfinite(value) else (1e3,):
         with suppress(ParameterError):
-            return float(parameter.declared.check(new))
-    raise AssertionError(parameter)
+            return float(declared.check(new))
+    raise AssertionError(name)
 
 
 def assert_prepared(machine: cl.Machine, controller: cl.Controller, reference: cl.Reference, loop: PortableLoop) -> None:
     """Check each parameter: its constants are those of a machine that has the value, or the module refuses what the machine refuses."""
     n_row, view = loop.state[1][1] - loop.first, view_of(reference.path)
     commands: list[tuple[Any, ...]] = []
-    for parameter in loop.parameters.values():
-        commands += [("write", parameter.word, [changed(parameter)]), ("prepare",), ("read", loop.first, n_row)]
-        commands += [("write", loop.first, loop.start)]
+    for name, (word, _) in loop.parameters.items():
+        commands += [("write", word, [changed(loop, name)]), ("prepare",), ("read", loop.first, n_row), ("write", loop.first, loop.start)]
     found = in_node(loop, *commands)
-    for (name, parameter), holds, rows in zip(loop.parameters.items(), found[::2], found[1::2], strict=True):
+    for name, holds, rows in zip(loop.parameters, found[::2], found[1::2], strict=True):
         try:
-            one, other = cl.with_values(machine, controller, {name: changed(parameter)})
-            schedule = judged_loop(one, other, Feed(one, other, reference, None, None), {}, view, 0, doubtful=True).schedule
+            one, other = cl.with_values(machine, controller, {name: changed(loop, name)})
+            schedule = judged_loop(one, other, Feed(one, other, reference, None, None), {}, view, 0).schedule
         except ParameterError:
             assert holds[0] == 0.0, name
             continue
         assert holds[0] == 1.0, name
-        wanted = CompiledGroup(schedule, 1, slice(0, 1), like_lanes=True).memory[:, 0]
+        wanted = CompiledGroup(all_judged(schedule), 1, slice(0, 1), like_lanes=True).memory[:, 0]
         np.testing.assert_allclose(rows, wanted, rtol=1e-13, atol=0.0, err_msg=name)
 
 
@@ -92,9 +94,9 @@ def test_a_run_begins_in_the_middle() -> None:
     machine, controller = stage(), control()
     loop, k = portable(machine, controller, circle(machine)), 70
     reads = [("read", begin, end - begin) for begin, end in loop.state]
-    _, *states, _, whole = in_node(loop, ("run", 0, k), *reads, ("run", k, loop.n_tick - k), log_of(loop))
+    _, *states, _, whole = in_node(loop, ("run", 0, k), *reads, ("run", k, loop.feed.reference.n_sample - k), log_of(loop))
     writes = [("write", begin, state) for (begin, _), state in zip(loop.state, states, strict=True)]
-    *_, part = in_node(loop, *writes, ("run", k, loop.n_tick - k), log_of(loop))
+    *_, part = in_node(loop, *writes, ("run", k, loop.feed.reference.n_sample - k), log_of(loop))
     rows = slice(k * len(loop.rows), None)
     np.testing.assert_array_equal(part[rows], whole[rows])
 
@@ -109,7 +111,7 @@ def test_a_native_run_gives_the_state_in_the_middle() -> None:
     machine, controller = smooth()
     loop, k = portable(machine, controller, circle(machine)), 70
     writes = [("write", begin, state) for (begin, _), state in zip(loop.state, loop.state_at(k), strict=True)]
-    _, part = in_node(loop, *writes, ("run", k, loop.n_tick - k), log_of(loop))
+    _, part = in_node(loop, *writes, ("run", k, loop.feed.reference.n_sample - k), log_of(loop))
     log = native(loop)[1]
     scale = np.abs(log).max(axis=0)
     assert np.all(np.abs(part.reshape(log.shape) - log)[k:] <= 1e-9 * np.where(scale > 0.0, scale, 1.0))
@@ -120,7 +122,7 @@ def test_a_changed_parameter_gives_the_figures_of_a_variant() -> None:
     machine, controller = smooth()
     reference, name, value = circle(machine), "controller.axes.x.observer.bandwidth", 260.0
     loop = portable(machine, controller, reference)
-    commands = ("write", loop.parameters[name].word, [value]), ("prepare",), ("run", 0, loop.n_tick), ("judge",)
+    commands = ("write", loop.parameters[name][0], [value]), ("prepare",), ("run", 0, loop.feed.reference.n_sample), ("judge",)
     reads = [("read", word, 1) for word in (*loop.figures.values(), loop.failed_at)]
     holds, _, _, *found, failed = in_node(loop, *commands, *reads)
     batch = cl.simulate_batch(machine, controller, reference, {name: [value]}, part=True, effort=True)
@@ -147,8 +149,8 @@ def test_constants_follow_from_parameters(kind: type[Component]) -> None:
 def test_parameters_that_do_not_fit_together_are_refused() -> None:
     machine, controller = loop_with(component("compensation", "adaptive-backlash-inverse"))
     loop = portable(machine, controller, circle(machine))
-    gap = loop.parameters["controller.axes.y.compensation.backlash_gap"].word
-    most = float(loop.parameters["controller.axes.y.compensation.largest_gap"].value)
+    gap = loop.parameters["controller.axes.y.compensation.backlash_gap"][0]
+    most = controller.axes["y"].compensation.largest_gap
     fits, refused = in_node(loop, ("write", gap, [0.9 * most]), ("prepare",), ("write", gap, [1.1 * most]), ("prepare",))
     assert (fits[0], refused[0]) == (1.0, 0.0)
 

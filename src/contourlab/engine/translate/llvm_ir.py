@@ -397,26 +397,14 @@ def module_of(source: str, machine: Any, triple: str) -> Any:
     return module
 
 
-def assembly(source: str, triple: str, processor: str) -> str:
-    """Return the assembly of LLVM IR for another processor."""
-    machine = _other_machine(triple, processor)
-    text: str = machine.emit_assembly(module_of(source, machine, triple))
-    return text
-
-
-def foreign_code(source: str, triple: str, processor: str) -> bytes:
-    """Compile LLVM IR to object code for another processor."""
-    machine = _other_machine(triple, processor)
-    code: bytes = machine.emit_object(module_of(source, machine, triple))
-    return code
-
-
-def _other_machine(triple: str, processor: str) -> Any:
+def assembly(source: str, triple: str, processor: str, *, binary: bool = False) -> Any:
+    """Return the assembly of LLVM IR for another processor, or its object file in bytes."""
     import llvmlite.binding as llvm
 
     llvm.initialize_all_targets()
     llvm.initialize_all_asmprinters()
-    return llvm.Target.from_triple(triple).create_target_machine(cpu=processor, opt=2)
+    machine = llvm.Target.from_triple(triple).create_target_machine(cpu=processor, opt=2)
+    return (machine.emit_object if binary else machine.emit_assembly)(module_of(source, machine, triple))
 
 
 def loaded(code: bytes, name: str, signature: Any) -> Any:

@@ -75,9 +75,7 @@ def expm1(x: float) -> float:
 
 
 def tanh(x: float) -> float:
-    n, p = _expm1_reduced(2.0 * minimum(fabs(x), 20.0))
-    s = pow2(n)
-    e = fma(s, p, s - 1.0)
+    e = expm1(2.0 * minimum(fabs(x), 20.0))
     return copysign(e / (e + 2.0), x)
 
 
@@ -126,8 +124,3 @@ def cos(x: float) -> float:
     n, s, c = _sincos_reduced(x)
     b = select(odd(n), s, c)
     return select(twos(n + 1.0), -b, b)
-
-
-def tan(x: float) -> float:
-    n, s, c = _sincos_reduced(x)
-    return select(odd(n), -c, s) / select(odd(n), s, c)
