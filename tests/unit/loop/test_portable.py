@@ -23,6 +23,7 @@ from contourlab.engine.translate.step_graph import Rows, tick_graph
 from contourlab.engine.translate.tick_loop import SIGNATURE, source_of
 from contourlab.errors import ParameterError
 from contourlab.geometry.view import view_of
+from contourlab.loop import parameters_of
 from contourlab.loop.batch import judged_loop
 from contourlab.loop.feeding import Feed
 from contourlab.loop.judging import all_judged
@@ -159,6 +160,40 @@ def test_what_cannot_change_is_named() -> None:
     machine, controller = stage(), control()
     loop = portable(machine, controller, circle(machine))
     assert loop.fixed.keys() == {f"axes.{axis}.{name}" for axis in "xy" for name in ("sensor.stream", "drive.delay")}
+
+
+FRICTIONS = {
+    "none": make("friction", "none"),
+    "smooth": make("friction", "smooth-coulomb", coulomb=0.05, breakaway=0.07, stribeck_velocity=2e-3, smoothing_velocity=1e-4),
+    "lugre": make("friction", "lugre", coulomb=0.05, breakaway=0.07, stribeck_velocity=2e-3, stiffness=1e4, bristle_damping=10.0),
+    "sticking": make("friction", "coulomb", coulomb=0.055, breakaway=0.066, stribeck_velocity=2e-3),
+}
+COUNT = 125e-9
+
+
+@needs_node
+@pytest.mark.slow
+@pytest.mark.parametrize("friction", FRICTIONS)
+@pytest.mark.parametrize("sensor", ["ideal", "encoder"])
+def test_a_module_is_as_near_to_lanes_as_rounding_allows(friction: str, sensor: str) -> None:
+    """Within 1 nm; where an encoder decides on a last digit, within one of its counts."""
+    numbers = np.random.default_rng([len(friction), len(sensor)])
+    seen = make("sensor", "encoder", resolution=COUNT, noise=5e-8) if sensor == "encoder" else make("sensor", "ideal")
+    for seed in range(7):
+        machine = stage(friction=FRICTIONS[friction], sensor=seen, substeps=2 if friction == "smooth" else 1)
+        controller = control(coupled=bool(numbers.integers(2)))
+        varied = [name for name in parameters_of(machine, controller) if "friction" not in name and "sensor" not in name]
+        varied = [name for name in varied if not name.endswith(("delay", "limit")) and numbers.random() < 0.5]
+        values = {name: float(getattr(*parameters_of(machine, controller)[name])) * numbers.uniform(0.85, 1.15) for name in varied}
+        machine, controller = cl.with_values(machine, controller, values)
+        shape = ("circle", "ellipse", "lemniscate", "butterfly")[numbers.integers(4)]
+        loop = portable(machine, controller, cl.uniform(cl.contour(shape), 2.0, 1, machine.servo_period), seed=seed)
+        log = native(loop)[1]
+        _, found = in_node(loop, ("run", 0, len(log)), log_of(loop))
+        positions = list(loop.signals["axis_position"])
+        assert np.isfinite(log).all() and np.ptp(log[:, positions], axis=0).min() > 1e-3
+        difference = np.abs(found.reshape(log.shape) - log)[:, positions].max()
+        assert difference <= (COUNT if sensor == "encoder" else 1e-9), (seed, shape)
 
 
 @needs_node
