@@ -18,7 +18,7 @@ from contourlab.engine.translate.maths import LANES
 from contourlab.engine.translate.step_graph import Rows, tick_graph
 from contourlab.engine.translate.tracing import KnownError, Trace, Traced
 from contourlab.engine.translate.wasm import ROWS, function_source, loop_source, module_of
-from contourlab.errors import ParameterError, refuse
+from contourlab.errors import EngineError, ParameterError, refuse
 from contourlab.feed import Reference
 from contourlab.geometry.view import view_of
 from contourlab.loop.batch import blends, check_steps, check_substeps, check_together, judged_loop
@@ -30,6 +30,8 @@ from contourlab.loop.simulate import check_kinds, sampler
 from contourlab.loop.template import Loop
 
 SIGNALS = ("axis_position", "command")
+MOST = 1 << 31
+"""Bytes of memory that a module can address."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -62,7 +64,7 @@ class PortableLoop:
     signals : mapping of str to tuple of int
         Columns of the log for each axis; also of ``contour_error``, ``part_error``, and ``doubt``: 1 where the judge is not sure.
     figures : mapping of str to int
-        Those of `contourlab.simulate_batch` without `failed_at`; ``unsure`` counts ticks that they leave out.
+        Word of each figure of `contourlab.simulate_batch`, and of ``unsure``, the count of ticks in doubt.
     failed_at : int
         The sample at which the loop ran away, or -1.
     parameters : mapping of str to tuple of (int, Parameter)
@@ -134,12 +136,12 @@ def portable(
     ParameterError
         If there is no such signal.
     EngineError
-        If a step uses what cannot be translated.
+        If a step uses what cannot be translated, or the motion is too long for the memory of a module.
 
     Notes
     -----
     It computes what a variant of `contourlab.simulate_batch` computes, but rounds each product before it is added. As there, the judge sees
-    true positions of the axes. Samples in doubt are judged only there.
+    true positions of the axes; here it decides ticks in doubt itself.
     """
     check_kinds(machine, controller, reference)
     feed, view = Feed(machine, controller, reference, learned, sampler(True)), view_of(reference.path)
@@ -152,6 +154,9 @@ def portable(
     schedule, n = loop.schedule, reference.n_sample
     for name in signals:
         refuse(name not in loop.signals, ParameterError, "signals", repr(name), "one of " + ", ".join(loop.signals))
+    kept = {name: loop.signals[name] for name in signals} | {name: (f"{JUDGE}.{name}",) for name in ("contour_error", "doubt")}
+    kept |= {"part_error": (f"{PART}.contour_error",)} if blends(reference) else {}
+    columns = list(dict.fromkeys(schedule.row(signal) for wanted in kept.values() for signal in wanted))
     group = CompiledGroup(schedule, 1, slice(0, 1), like_lanes=True)
     prepare, constants, values, fixed = _prepared(machine, controller, judged, len(group.memory))
     states = {node.name: row for node, row in zip(schedule.nodes, group.places.states, strict=True)}
@@ -162,11 +167,10 @@ def portable(
     of_words = ROWS + of_figures + len(figures)
     *of_tables, of_inputs = accumulate(sizes, initial=of_words + words.size)
     of_log = of_inputs + rows(schedule.externals) * n
+    n_word = of_log + len(columns) * n
+    refuse(8 * n_word >= MOST, EngineError, f"the motion has {n} samples: too many for the memory of a module")
     words[: len(sizes), 0] = 8 * np.array(of_tables, dtype=np.int64)
     start = [group.memory, np.array([*values.values()]), np.zeros(len(figures)), words.view(float), *group.tables]
-    kept = {name: loop.signals[name] for name in signals} | {name: (f"{JUDGE}.{name}",) for name in ("contour_error", "doubt")}
-    kept |= {"part_error": (f"{PART}.contour_error",)} if blends(reference) else {}
-    columns = list(dict.fromkeys(schedule.row(signal) for wanted in kept.values() for signal in wanted))
     made = tick_graph(schedule, Rows(group.places.states, group.places.parameters), columns, LANES, contract=False)
     sources = {
         "run": loop_source(made, of_words, of_inputs, of_log, n, machine.servo_period),
@@ -179,7 +183,7 @@ def portable(
     return PortableLoop(
         code=module_of(sources),
         start=np.concatenate([part.ravel() for part in start]),
-        n_word=of_log + len(columns) * n,
+        n_word=n_word,
         inputs={name: tuple(of_inputs + n * row for row in range_) for name, range_ in fed.items()},
         log=of_log,
         rows=tuple(columns),
@@ -218,6 +222,6 @@ def _prepared(
             check_substeps(machine, columns)
             begin: dict[int, Any] = judged(columns).schedule.begin[1]
         except KnownError as error:
-            fixed |= dict.fromkeys(error.args[1], f"its constants need {error.args[0]}")
+            fixed |= dict.fromkeys(error.args[1], f"a constant, a check or a length needs {error.args[0]}")
         else:
             return trace, {row: value.op for row, value in begin.items() if isinstance(value, Traced)}, values, fixed

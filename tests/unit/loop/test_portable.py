@@ -21,6 +21,7 @@ from contourlab.engine.translate import llvm_ir
 from contourlab.engine.translate.maths import LANES
 from contourlab.engine.translate.step_graph import Rows, tick_graph
 from contourlab.engine.translate.tick_loop import SIGNATURE, source_of
+from contourlab.engine.translate.tracing import KnownError, Trace
 from contourlab.errors import ParameterError
 from contourlab.geometry.view import view_of
 from contourlab.loop import parameters_of
@@ -160,6 +161,24 @@ def test_what_cannot_change_is_named() -> None:
     machine, controller = stage(), control()
     loop = portable(machine, controller, circle(machine))
     assert loop.fixed.keys() == {f"axes.{axis}.{name}" for axis in "xy" for name in ("sensor.stream", "drive.delay")}
+
+
+def test_code_beside_numpy_names_its_parameters() -> None:
+    trace = Trace()
+    a, b = trace.leaf(0, 2.0, "a"), trace.leaf(1, 3.0, "b")
+    asks = (
+        lambda: float(a * b),
+        lambda: np.column_stack([a]),
+        lambda: (a + 1.0).min(),
+        lambda: 2.0**b,
+        lambda: np.asarray(a),
+        lambda: a * np.ones(2),
+    )
+    for ask, names in zip(asks, ("ab", "a", "a", "b", "a", "a"), strict=True):
+        with pytest.raises(KnownError) as caught:
+            ask()
+        assert caught.value.args[1] == set(names)
+    assert max(a, b) is b and len(trace.conditions) == 1
 
 
 FRICTIONS = {

@@ -51,10 +51,9 @@ class Traced(np.lib.mixins.NDArrayOperatorsMixin):
         return args[0] if function in (np.max, np.any) else self._made(function, args, plain=not named)
 
     def _made(self, function: Any, values: Any, *, plain: bool) -> Any:
-        traced = [value for value in values if isinstance(value, Traced)]
-        names = set[str]().union(*(value.names for value in traced))
+        names = self.names.union(*(value.names for value in values if isinstance(value, Traced)))
         if not plain or function not in _OPERATIONS or any(np.ndim(value) for value in values if not isinstance(value, Traced)):
-            raise KnownError(function.__name__, names)
+            raise KnownError(f"its {function.__name__}", names)
         ops = [value.op if isinstance(value, Traced) else np.asarray(value).item() for value in values]
         with np.errstate(all="ignore"):
             now = function(*(value.value if isinstance(value, Traced) else value for value in values))
@@ -76,10 +75,10 @@ class Traced(np.lib.mixins.NDArrayOperatorsMixin):
         return format(self.value, spec)
 
     def __getattr__(self, name: str) -> Any:
-        return self._asked(name) if not name.startswith("__") else super().__getattribute__(name)
+        raise AttributeError(name) if name.startswith("__") else KnownError(f"its {name}", self.names)
 
     def _asked(self, *asked: Any, **named: Any) -> NoReturn:
-        raise KnownError(" ".join(map(str, asked)) or "its value", self.names)
+        raise KnownError("its value", self.names)
 
     __float__ = __int__ = __index__ = __round__ = __hash__ = __array__ = __iter__ = __len__ = _asked
 
