@@ -53,7 +53,7 @@ class Traced(np.lib.mixins.NDArrayOperatorsMixin):
     def _made(self, function: Any, values: Any, *, plain: bool) -> Any:
         names = self.names.union(*(value.names for value in values if isinstance(value, Traced)))
         if not plain or function not in _OPERATIONS or any(np.ndim(value) for value in values if not isinstance(value, Traced)):
-            raise KnownError(f"its {function.__name__}", names)
+            raise KnownError(f"its value in numpy.{function.__name__}", names)
         ops = [value.op if isinstance(value, Traced) else np.asarray(value).item() for value in values]
         with np.errstate(all="ignore"):
             now = function(*(value.value if isinstance(value, Traced) else value for value in values))
@@ -61,7 +61,7 @@ class Traced(np.lib.mixins.NDArrayOperatorsMixin):
         return Traced(self.trace, made, now, names) if isinstance(made, Op) else made
 
     def __pow__(self, n: Any) -> Any:
-        return reduce(lambda a, b: a * b, [self] * int(n), 1.0) if n in range(17) else self._asked()
+        return reduce(lambda a, b: a * b, [self] * int(n), 1.0) if n in range(65) else self._asked()
 
     def __bool__(self) -> bool:
         now, condition = bool(self.value), self.trace.graph.condition(self.op)
