@@ -21,7 +21,7 @@ _HOMES = {
     "contourlab.components.conformance": ("check_component",),
     "contourlab.components.contract": ("Component", "Port", "param", "text_param"),
     "contourlab.components.registry": ("component", "load_plugin"),
-    "contourlab.components.translation": ("translate",),
+    "contourlab.scenario.translation": ("translate",),
     "contourlab.contours": ("read_contour",),
     "contourlab.errors": ("ContourlabError", "DivergenceError"),
     "contourlab.feed": (

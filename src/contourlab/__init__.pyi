@@ -16,7 +16,6 @@ from contourlab.components.plant.plant import reflected_inertia as reflected_ine
 from contourlab.components.plant.plant import reflected_mass as reflected_mass
 from contourlab.components.registry import component as component
 from contourlab.components.registry import load_plugin as load_plugin
-from contourlab.components.translation import translate as translate
 from contourlab.contours.reader import read_contour as read_contour
 from contourlab.engine.step import Port as Port
 from contourlab.errors import ContourlabError as ContourlabError
@@ -106,6 +105,7 @@ from contourlab.result.signals import Signal as Signal
 from contourlab.result.signals import Status as Status
 from contourlab.scenario.dump import save as save
 from contourlab.scenario.load import load_scenario as load_scenario
+from contourlab.scenario.translation import translate as translate
 from contourlab.scenario.values import Scenario as Scenario
 from pathlib import Path as File
 from typing import Any as Any

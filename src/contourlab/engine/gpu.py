@@ -122,7 +122,7 @@ class Gpu:
 
     def compiled(self, source: str) -> bytes:
         """Return some LLVM IR as portable assembly."""
-        return llvm_ir.assembly(source, *_OLDEST).encode()
+        return str(llvm_ir.assembly(source, *_OLDEST)).encode()
 
     def loaded(self, assembly: bytes) -> Any:
         """Return the function ``run`` of portable assembly."""

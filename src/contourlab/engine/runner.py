@@ -121,11 +121,11 @@ class CompiledGroup(Group):
     def __init__(self, schedule: Schedule, width: int, lanes: slice | Index, like_lanes: bool = False) -> None:
         super().__init__(schedule, width, lanes)
         self._maths = LANES if width > 1 or like_lanes else SINGLE
-        self._tables = [np.ascontiguousarray(node.tables[name], dtype=float) for node in schedule.nodes for name in node.step.tables]
-        words = [(table.ctypes.data, table.size) for table in self._tables]
+        self.tables = [np.ascontiguousarray(node.tables[name], dtype=float) for node in schedule.nodes for name in node.step.tables]
+        words = [(table.ctypes.data, table.size) for table in self.tables]
         words += [(first, len(ring)) for first, ring in zip(self.places.rings, self.rings, strict=False) if len(ring)]
-        self._tables_at = np.array(words, dtype=np.int64).reshape(-1, 2)
-        self._data = self.memory.ctypes.data, self._tables_at.ctypes.data
+        self.tables_at = np.array(words, dtype=np.int64).reshape(-1, 2)
+        self._data = self.memory.ctypes.data, self.tables_at.ctypes.data
 
     def restore(self, saved: tuple[int, Array]) -> None:
         super().restore(saved)
@@ -232,12 +232,12 @@ class GpuGroup(CompiledGroup):
         super().__init__(schedule, width, lanes)
         self._gpu = gpu
         gpu.use()
-        self._rows, *self._table_memory = (gpu.memory(array.size) for array in (self.memory, *self._tables))
-        for memory, values in zip((self._rows, *self._table_memory), (self.memory, *self._tables), strict=True):
+        self._rows, *self._table_memory = (gpu.memory(array.size) for array in (self.memory, *self.tables))
+        for memory, values in zip((self._rows, *self._table_memory), (self.memory, *self.tables), strict=True):
             memory.write(values)
-        self._tables_at[: len(self._tables), 0] = [memory.address for memory in self._table_memory]
-        self._table_list = gpu.memory(self._tables_at.size)
-        self._table_list.write(self._tables_at)
+        self.tables_at[: len(self.tables), 0] = [memory.address for memory in self._table_memory]
+        self._table_list = gpu.memory(self.tables_at.size)
+        self._table_list.write(self.tables_at)
 
     def run(self, external: Array, log_rows: list[int], out: Array | None = None) -> Array:
         gpu, external = self._gpu, np.ascontiguousarray(external, dtype=float)

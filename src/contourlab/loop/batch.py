@@ -6,7 +6,6 @@ import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import nullcontext, suppress
-from copy import copy
 from dataclasses import dataclass
 from functools import partial
 from itertools import accumulate, pairwise
@@ -28,7 +27,7 @@ from contourlab.errors import ParameterError, refuse
 from contourlab.feed import Reference
 from contourlab.figures import number
 from contourlab.geometry.view import PathView, check_view, view_of
-from contourlab.loop.builder import Signals
+from contourlab.loop.builder import Signals, with_arrays
 from contourlab.loop.feeding import BLOCK, Feed, Learned
 from contourlab.loop.judging import (
     CUT,
@@ -246,17 +245,9 @@ def simulate_batch(
     view = view or view_of(reference.path)
     compiled = jit_enabled(jit)
     feed = Feed(machine, controller, reference, learned, sampler(compiled))
-    begin = feed.first(moving=moving)
-    extra: tuple[Node | Callable[[Signals], Node], ...] = (judge_node(machine, reference, view),) if judge else ()
-    blended = part and reference.programmed is not reference.path
-    if blended:
-        extra += part_nodes(machine, reference)
-    if effort:
-        extra += (lambda signals: effort_node(machine, reference, signals["command"], columns),)
-    loop = build(
-        machine, controller, reference.path, **begin, overrides=columns, view=view, extra=extra, seed=seeds, fed=feed.names
-    )  # fmt: skip
+    loop = judged_loop(machine, controller, feed, columns, view, seeds, judge=judge, part=part, effort=effort, moving=moving)
     workers, device = threads or os.cpu_count() or 1, gpu_of_process() if gpu else None
+    blended = part and blends(reference)
     judged = (JUDGE,) * judge + (PART,) * blended
     exactly = partial(DoubtfulSamples, positions=loop.signals["axis_position"], reference=reference)
     if device is not None:
@@ -299,6 +290,35 @@ def simulate_batch(
     known = parameters_of(machine, controller)
     units = {name: declared(machine, name, *known[name]).unit for name in columns} | {name: FIGURES[name].unit for name in figures}
     return BatchResult(figures, failed, unsure, _split(log, n, keep, loop), log, columns, units)
+
+
+def blends(reference: Reference) -> bool:
+    """Return whether the part error differs from the contour error."""
+    return reference.programmed is not reference.path
+
+
+def judged_loop(
+    machine: Machine,
+    controller: Controller,
+    feed: Feed,
+    columns: Mapping[str, Any],
+    view: PathView,
+    seed: int | tuple[int, ...],
+    *,
+    judge: bool = True,
+    part: bool = True,
+    effort: bool = True,
+    moving: bool = False,
+) -> Loop:
+    """Return the schedule of a machine under its controller, with the nodes that judge it; arguments as in `simulate_batch`."""
+    reference = feed.reference
+    extra: tuple[Node | Callable[[Signals], Node], ...] = (judge_node(machine, reference, view),) if judge else ()
+    if part and blends(reference):
+        extra += part_nodes(machine, reference)
+    if effort:
+        extra += (lambda signals: effort_node(machine, reference, signals["command"], columns),)
+    begin = feed.first(moving=moving)
+    return build(machine, controller, reference.path, **begin, overrides=columns, view=view, extra=extra, seed=seed, fed=feed.names)
 
 
 def _advance_all(
@@ -381,13 +401,13 @@ def checked_variants(
     lengths = {len(values) for values in columns.values()} | ({len(seeds)} if isinstance(seeds, tuple) else set())
     if len(lengths) != 1 or 0 in lengths:
         raise ParameterError("variants", f"arrays of lengths {sorted(lengths)}", "given, all of the same length, 1 or more, seeds too")
-    _check_together(known, columns)
-    _check_steps(known, columns, len(machine.axes))
-    _check_substeps(machine, columns)
+    check_together(known, columns)
+    check_steps(known, columns, len(machine.axes))
+    check_substeps(machine, columns)
     return columns, lengths.pop()
 
 
-def _check_together(known: Mapping[str, tuple[Component, str]], columns: Mapping[str, Array]) -> None:
+def check_together(known: Mapping[str, tuple[Component, str]], columns: Mapping[str, Array]) -> None:
     """Raise if a component refuses its combination of parameters in a variant."""
     heads = {name.rpartition(".")[0] for name in columns}
     for head in sorted(heads):
@@ -398,7 +418,7 @@ def _check_together(known: Mapping[str, tuple[Component, str]], columns: Mapping
         changed = {known[name][1]: values for name, values in of_part.items()}
         if _takes_arrays(part):
             with suppress(ParameterError, TypeError, ValueError):
-                _with_arrays(part, changed).check_values()
+                with_arrays(part, changed).check_values()
                 continue
         for row in _rows(changed):
             try:
@@ -419,19 +439,11 @@ def _rows(changed: Mapping[str, Array]) -> list[dict[str, float]]:
     return [dict(zip(changed, row, strict=True)) for row in rows]
 
 
-def _with_arrays(part: Any, values: Mapping[str, ArrayLike]) -> Any:
-    """Return a copy of a component whose parameters have other values, unchecked: arrays of all variants."""
-    other = copy(part)
-    for name, value in values.items():
-        object.__setattr__(other, name, value)
-    return other
-
-
-def _check_steps(known: Mapping[str, tuple[Component, str]], columns: Mapping[str, Array], n_axis: int) -> None:
+def check_steps(known: Mapping[str, tuple[Component, str]], columns: Mapping[str, Array], n_axis: int) -> None:
     """Raise if a parameter that differs between variants changes the step itself, which all variants share."""
     for name, values in columns.items():
         part, parameter = known[name]
-        others = [_with_arrays(part, {parameter: float(value)}) for value in (values.min(), values.max())]
+        others = [with_arrays(part, {parameter: float(value)}) for value in (values.min(), values.max())]
         steps = {one.make_step(n_axis) for one in (part, *others)}
         if len(steps) > 1 and len({_read_by(step) for step in steps}) > 1:
             raise ParameterError(name, "different in each variant", "the same in all: the step does not read it from par")
@@ -443,7 +455,7 @@ def _read_by(step: Step) -> str:
     return repr(reads.words)
 
 
-def _check_substeps(machine: Machine, columns: Mapping[str, Array]) -> None:
+def check_substeps(machine: Machine, columns: Mapping[str, Array]) -> None:
     """Raise if a variant of a plant needs more sub-steps than its axis has."""
     for axis in machine.axes:
         head = f"axes.{axis.name}.plant."
@@ -452,7 +464,7 @@ def _check_substeps(machine: Machine, columns: Mapping[str, Array]) -> None:
             continue
         plant = machine.loaded_plant(axis.name)
         for values in (changed,) if _takes_arrays(plant) else _rows(changed):
-            wanted, why = _with_arrays(plant, values).fewest_substeps(machine.servo_period)
+            wanted, why = with_arrays(plant, values).fewest_substeps(machine.servo_period)
             if axis.substeps < wanted:
                 bound = f"at least {wanted} for {why}, in one of the variants"
                 raise ParameterError(f"axes.{axis.name}.substeps", f"{axis.substeps}", bound)

@@ -12,21 +12,24 @@ import hashlib
 import math
 import re
 from collections.abc import Mapping
+from copy import copy
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.components.ideal import IdealLink, IdealSensor, TrueVelocity
 from contourlab.engine.step import Late, Node, Step, ports
+from contourlab.engine.translate.tracing import Traced
 from contourlab.errors import ParameterError, refuse
 from contourlab.geometry import Path
 from contourlab.loop.machine import SIDES, Axis, Controller, Machine
 from contourlab.primitives import select
 
-Overrides = Mapping[str, Array]
+Overrides = Mapping[str, Any]
 Signals = Mapping[str, tuple[str, ...]]
 """Signals of a result by name: one for each axis, or one for the machine."""
 
@@ -39,6 +42,19 @@ def check_seed(seed: object, name: str = "seed") -> None:
 def stream_of(seed: int, *words: object) -> float:
     """Return the number of a noise stream, below 2**48, from a seed and its use (variant, trial, axis, signal)."""
     return float(int.from_bytes(hashlib.sha256("/".join(map(str, (seed, *words))).encode()).digest()[:6], "big"))
+
+
+def with_arrays(part: Any, values: Mapping[str, ArrayLike]) -> Any:
+    """Return a copy of a component whose parameters have other values, unchecked: arrays of all variants."""
+    other = copy(part)
+    for name, value in values.items():
+        object.__setattr__(other, name, value)
+    return other
+
+
+def _side_by_side(values: list[Any]) -> Any:
+    """Return the values of all variants as an array; for a vector, a tuple of arrays."""
+    return tuple(np.array(column) for column in zip(*values, strict=True)) if isinstance(values[0], tuple) else np.array(values)
 
 
 @dataclass(eq=False)
@@ -88,7 +104,7 @@ class Builder:
             bound = f"one that acts on the reference, because the axes take commands in {', '.join(units)}"
             raise ParameterError("controller.coupling", f'"{coupling.kind}"', bound)
 
-    def changed(self, prefix: str) -> dict[str, Array]:
+    def changed(self, prefix: str) -> dict[str, Any]:
         """Return the overrides of one component: parameter -> values over the variants."""
         head = prefix + "."
         return {name[len(head) :]: values for name, values in self.overrides.items() if name.startswith(head)}
@@ -104,9 +120,12 @@ class Builder:
         step, values = part.make_step(len(self.names)), self.values_of(part, prefix)
         return Node(name, step, wires, values, part.table_values(), initial, start, self.ring_length(part, changed))
 
-    def ring_length(self, part: Component, changed: Mapping[str, Array]) -> int:
+    def ring_length(self, part: Component, changed: Overrides) -> int:
         """Return the length of a component's ring buffer, enough for every variant."""
         lengths = [part.ring_length(self.period)]
+        traced = {name: values for name, values in changed.items() if isinstance(values, Traced)}
+        if part.ring and traced:
+            return with_arrays(part, traced).ring_length(self.period)  # type: ignore[no-any-return]
         for name, values in changed.items() if part.ring else ():
             lengths += [part.replace(**{name: float(extreme)}).ring_length(self.period) for extreme in (values.min(), values.max())]
         if part.ring and len(changed) > 1:  # two parameters may lengthen it together
@@ -161,10 +180,20 @@ class Builder:
         """Return the command to an axis before the first tick: for a plant that takes positions its initial position."""
         return float(self.start[self.names.index(axis)]) if self.machine.axis(axis).plant.takes_position else 0.0
 
-    def motor_start(self, axis: str) -> float:
-        """Return the initial position of an axis' motor [m]."""
-        at = float(self.start[self.names.index(axis)])
-        return float(self.machine.axis(axis).plant.at_rest(at)[1].get("motor_position", at))
+    def resting(self, axis: str) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Return states and outputs of an axis' plant at rest, for each variant if they depend on a varied parameter."""
+        plant, at = self.machine.axis(axis).plant, float(self.start[self.names.index(axis)])
+        varied = {name: values for name, values in self.changed(f"axes.{axis}.plant").items() if name in plant.rest_depends}
+        if all(isinstance(values, Traced) for values in varied.values()):
+            return with_arrays(plant, varied).at_rest(at)  # type: ignore[no-any-return]
+        rows = np.column_stack([*varied.values()]).tolist()
+        resting = [plant.replace(**dict(zip(varied, row, strict=True))).at_rest(at) for row in rows]
+        together = [{name: _side_by_side([rest[part][name] for rest in resting]) for name in resting[0][part]} for part in (0, 1)]
+        return together[0], together[1]
+
+    def motor_start(self, axis: str) -> Any:
+        """Return the initial position of an axis' motor [m], for each variant if it depends on a varied parameter."""
+        return self.resting(axis)[1].get("motor_position", float(self.start[self.names.index(axis)]))
 
     def controlled_from_base(self, axis: str) -> bool:
         """Return whether the commands of an axis go down its link."""
@@ -442,7 +471,7 @@ class _LinkInsertion:
                 builder.arrived[axis] = received
         return Late(received) if direction == "down" and isinstance(wire, Late) else received
 
-    def at(self, axis: str, label: str) -> float:
+    def at(self, axis: str, label: str) -> Any:
         """Return the value of a signal on the other side before the first message."""
         if label.endswith("motor_position") or label == "motor_sensor_position":
             return self.builder.motor_start(axis)

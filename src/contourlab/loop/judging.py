@@ -13,6 +13,8 @@ import numpy as np
 from contourlab.arrays import Array, Flags, Index
 from contourlab.engine.runner import Group
 from contourlab.engine.step import Late, Node, Schedule, Step, ports
+from contourlab.engine.translate.graph import Op
+from contourlab.engine.translate.tracing import Trace
 from contourlab.feed import Reference
 from contourlab.geometry import Path
 from contourlab.geometry.clearance import clearance
@@ -22,6 +24,7 @@ from contourlab.loop.feeding import BLOCK
 from contourlab.loop.machine import Axis, Machine
 from contourlab.metrics.judge import MARGIN, planning_deviation, reach
 from contourlab.metrics.run_figures import CONTOUR, EFFORT, figures_from
+from contourlab.metrics.run_figures import PART as OF_PART
 from contourlab.metrics.streaming import EFFORT_SUMS, SUMS, effort_step, judge_step
 from contourlab.primitives import fabs, lookup, select
 from contourlab.result import Status
@@ -87,7 +90,7 @@ def room_for(path: Path, error: float, planning: float) -> tuple[dict[str, float
     """Return parameters and tables of a judge for runs whose largest tracking error [m] does not exceed `error`."""
     window = min(reach(path, min(error, path.length)) + planning, path.length)
     numbers, cells = clearance(path, 2.0 * window)
-    return {"error": error, "planning": planning, "window": window, **numbers}, cells
+    return {"error": error, "planning": planning, "window": window, "doubtful": 0.0, **numbers}, cells
 
 
 def effort_node(machine: Machine, reference: Reference, commands: Sequence[str], columns: Mapping[str, Array]) -> Node:
@@ -102,9 +105,8 @@ def effort_node(machine: Machine, reference: Reference, commands: Sequence[str],
 
 def _rate(axis: Axis, columns: Mapping[str, Array]) -> float | Array:
     """Return one over the limit of a drive, an array if it differs between variants; 1 without a limit."""
-    limit = np.asarray(columns.get(f"axes.{axis.name}.drive.limit", getattr(axis.drive, "limit", math.inf)))
-    rate = np.where(np.isfinite(limit), 1.0 / limit, 1.0)
-    return rate if rate.ndim else float(rate)
+    limit = columns.get(f"axes.{axis.name}.drive.limit", getattr(axis.drive, "limit", math.inf))
+    return np.where(np.isfinite(limit), 1.0 / limit, 1.0)
 
 
 def sums_of(groups: list[Group], node: str, n: int) -> Array:
@@ -116,6 +118,20 @@ def error_figures(sums: Array, failed: Index, period: float, source: str = CONTO
     """Return the figures of a source from its node's states in all lanes (n_state, n); NaN for a lane that failed."""
     figures = figures_from(source, dict(zip(EFFORT_SUMS if source == EFFORT else ("foot", *SUMS), sums, strict=True)), period)
     return {name: np.where(failed < 0, values, np.nan) for name, values in figures.items()}
+
+
+def traced_figures(states: Mapping[str, int], period: float) -> tuple[Trace, dict[str, Op]]:
+    """Return how the figures, and the count of samples in doubt, follow from the states of the judging nodes, by the row of the first."""
+    trace = Trace()
+
+    def sums(node: str, names: Sequence[str]) -> dict[str, Any]:
+        return {name: trace.leaf(states[node] + i, 1.0) for i, name in enumerate(names)}
+
+    contour, part = (sums(node, ("foot", *SUMS)) for node in (JUDGE, PART if PART in states else JUDGE))
+    made = {"unsure": contour["unsure"] + part["unsure"] if PART in states else contour["unsure"]}
+    for source, of in ((CONTOUR, contour), (OF_PART, part), (EFFORT, sums("effort", EFFORT_SUMS))):
+        made |= figures_from(source, of, period)
+    return trace, {name: value.op for name, value in made.items()}
 
 
 WATCH = "watch"
@@ -284,6 +300,13 @@ class DoubtfulSamples:
         of = lane[first]
         ahead = (size[first] > largest[of]) | ((size[first] == largest[of]) & (tick[first] < at[of]))
         largest[of[ahead]], at[of[ahead]] = size[first[ahead]], tick[first[ahead]]
+
+
+def all_judged(schedule: Schedule) -> Schedule:
+    """Return a schedule whose judges decide all samples themselves, those in doubt too."""
+    summed = {"doubtful": 1.0}
+    nodes = (replace(node, parameters={**node.parameters, **summed}) if node.name in (JUDGE, PART) else node for node in schedule.nodes)
+    return replace(schedule, nodes=tuple(nodes))
 
 
 def wider(schedule: Schedule, machine: Machine, reference: Reference) -> Schedule:

@@ -31,7 +31,6 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.components.mechanics.core import MOTOR_FRICTION, friction_prefix, link, moves_its_count
-from contourlab.components.plant.plant import Plant
 from contourlab.engine.step import Late, Node, Port, Schedule, Step, ports
 from contourlab.errors import ParameterError
 from contourlab.geometry import Path
@@ -45,7 +44,7 @@ from contourlab.primitives import maximum, minimum, select
 
 def add_plants(builder: Builder) -> None:
     """Add the loads on the axes, and their plants with linked frictions."""
-    for axis, at, speed in zip(builder.machine.axes, builder.start, builder.speed, strict=True):
+    for axis, speed in zip(builder.machine.axes, builder.speed, strict=True):
         name, prefix = axis.name, f"axes.{axis.name}"
         load: Any = 0.0
         if axis.disturbance is not None:
@@ -65,7 +64,7 @@ def add_plants(builder: Builder) -> None:
         values = _carrying(builder, axis) | {f"{friction_prefix(axis.plant)}{row}": value for row, value in rubbing.items()}
         on_motor = axis.motor_friction.block(builder.period, builder.changed(f"{prefix}.motor_friction"))
         values |= {f"{MOTOR_FRICTION}{row}": value for row, value in on_motor.items()}
-        initial, start = _resting(axis.plant, float(at), builder.changed(f"{prefix}.plant"))
+        initial, start = builder.resting(name)
         initial = {**initial, **_speeds(axis.plant.states, float(speed))}
         start = {**start, **_speeds(axis.plant.outputs, float(speed))}
         pushed: dict[str, Any] = {"command": f"{name}.drive.applied", "load": load}
@@ -76,22 +75,6 @@ def add_plants(builder: Builder) -> None:
             flanks, rest = {"half": 0.5 * axis.error.backlash}, start["position"]
             behind = Node(f"{name}.play", PLAY, {"at": f"{name}.plant.position"}, flanks, {}, {"left": rest}, {"position": rest})
             builder.nodes.append(behind)
-
-
-def _resting(plant: Plant, at: float, changed: Mapping[str, Array]) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return states and outputs of a plant at rest, for each variant if they depend on a varied parameter."""
-    which = [name for name in changed if name in plant.rest_depends]
-    if not which:
-        return plant.at_rest(at)
-    rows = np.column_stack([changed[name] for name in which]).tolist()
-    resting = [plant.replace(**dict(zip(which, row, strict=True))).at_rest(at) for row in rows]
-    together = [{name: _side_by_side([rest[part][name] for rest in resting]) for name in resting[0][part]} for part in (0, 1)]
-    return together[0], together[1]
-
-
-def _side_by_side(values: list[Any]) -> Any:
-    """Return the values of all variants as an array; for a vector, a tuple of arrays."""
-    return tuple(np.array(column) for column in zip(*values, strict=True)) if isinstance(values[0], tuple) else np.array(values)
 
 
 def _speeds(ports: tuple[Port, ...], speed: float) -> dict[str, Any]:
@@ -171,9 +154,8 @@ ACCEPTED = Step(
 
 def handover_parameters(handover_time: Any, dt: float) -> dict[str, Any]:
     """Return the parameters of the step for a time constant [s]; with zero the command jumps."""
-    time = np.asarray(handover_time, dtype=float)
-    blended = np.where(time > 0.0, 1.0, 0.0)
-    return {"kept": np.exp(-dt / np.where(time > 0.0, time, np.inf)) * blended, "blended": blended}
+    blended = np.where(handover_time > 0.0, 1.0, 0.0)
+    return {"kept": np.exp(-dt / np.where(handover_time > 0.0, handover_time, np.inf)) * blended, "blended": blended}
 
 
 NOTHING = "none.value"

@@ -27,8 +27,9 @@ def judge_step(view: PathView, n_axis: int, corners: bool = False) -> Step:
     """Return the judge's step on a path.
 
     Parameters of the node: ``error`` [m], the largest tracking error that is expected; ``planning`` [m], the largest planning deviation;
-    ``window`` [m], how far from the reference foot points are; those of the view and of `contourlab.geometry.clearance`. The table
-    ``counts`` has 1 for each tick that is judged, else 0. `corners` says whether the path has corners or ends.
+    ``window`` [m], how far from the reference foot points are; ``doubtful``, 1 to sum ticks in doubt too, else 0; those of the view and of
+    `contourlab.geometry.clearance`. The table ``counts`` has 1 for each tick that is judged, else 0. `corners` says whether the path has
+    corners or ends.
 
     Notes
     -----
@@ -38,13 +39,14 @@ def judge_step(view: PathView, n_axis: int, corners: bool = False) -> Step:
 
     A tick is in ``doubt`` unless the foot point is proved to be that of the exact judge: both searches converged, the distance is less
     than the clearance of the path, and the foot point lies in the smallest window that the exact judge may have. A tick in doubt is left
-    out of the sums and counted as ``unsure``; a caller judges it exactly. ``reach`` is the largest squared tracking error of all ticks.
+    out of the sums and counted as ``unsure``; a caller judges it exactly, unless ``doubtful`` is 1. ``reach`` is the
+    largest squared tracking error of all ticks.
 
     A controller's Newton estimator takes the same steps, but fewer; tests compare this judge with the exact foot point instead.
     """
     states = ports("foot", *SUMS)
     inputs = (*ports("position", "reference", size=n_axis), Port("arc_length"))
-    parameters = ("error", "planning", "window", *view.parameters, *PARAMETERS)
+    parameters = ("error", "planning", "window", "doubtful", *view.parameters, *PARAMETERS)
     tables, outputs = (*view.tables, "counts", *TABLES), ports("contour_error", "doubt")
     return Step("judge", _make(view.evaluate, n_axis, corners), parameters, tables, "", states, inputs, outputs)
 
@@ -121,7 +123,7 @@ def _make(evaluate: Any, n_axis: int, corners: bool) -> Any:
         further = maximum(fabs(s - centre) - (MARGIN + par.planning), 0.0)
         sure = select(further * further <= 9.0 * reach, select(fabs(s - centre) <= par.window, sure, 0.0), 0.0)
         doubt = select(square < clear, select(apart <= par.error * par.error, 1.0 - sure, 1.0), 1.0)
-        sure = 1.0 - doubt
+        sure = maximum(1.0 - doubt, par.doubtful)
         magnitude = sure * fabs(signed)
         record = magnitude > x.largest
         return (

@@ -18,7 +18,7 @@ from contourlab.errors import ParameterError
 from contourlab.geometry import Path
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop import Learned
-from contourlab.loop.batch import _check_together
+from contourlab.loop.batch import check_together
 from contourlab.loop.trials import Trials
 
 OTHERS = [view_of(cl.contour("circle", radius=6e-3)), view_of(cl.contour("ellipse")), PathView(lambda par, s: s, {}, {}), 3]
@@ -108,7 +108,7 @@ def test_values_that_do_not_fit_together_are_refused_in_any_variant(pair: tuple[
     for (name, column), value in zip(columns.items(), pair, strict=True):
         columns[name] = np.insert(column, 31, value)
     with refuses(ParameterError, name=wanted) if wanted else nullcontext():
-        _check_together(known, columns)
+        check_together(known, columns)
 
 
 def test_a_whole_number_is_whole_in_every_variant(machine: cl.Machine, controller: cl.Controller, circle: cl.Reference) -> None:

@@ -136,3 +136,15 @@ def test_figures_of_a_loop_that_hardly_follows_are_exact() -> None:
         for figure in ("rms", "mean", "max", "integral", "signed_mean"):
             assert batch.figures[f"contour_error_{figure}"][i] == pytest.approx(getattr(exact, figure), rel=1e-6), (figure, gain)
     assert not batch.unsure.any()
+
+
+def test_a_variant_starts_where_a_run_starts(circle: cl.Reference) -> None:
+    """The velocity filter on the motor's side, too: the place of the motor in the gap is a parameter."""
+    plant = make(
+        "plant", "two-inertia", motor_inertia=5e-3, load_inertia=4e-3, lead=0.016, stiffness=950.0, shaft_damping=0.1, start_in_gap=0.5
+    )
+    machine = stage(plant=plant, sensor=make("sensor", "ideal"), friction=make("friction", "none"), substeps=2)
+    name, value = "axes.x.plant.backlash_gap", 2e-5
+    batch = cl.simulate_batch(machine, control(), circle, {name: [value]}, keep=("velocity",))
+    single = cl.simulate(machine, control(), circle, {name: value}, on_failure="return")
+    assert np.array_equal(batch.signals["velocity"][0, :, 0], single["velocity"][0])

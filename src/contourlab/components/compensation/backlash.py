@@ -336,7 +336,7 @@ class QuadrantPulses(Component):
     shape: str = text_param(default="rectangle", choices=tuple(SHAPES), doc="a stage lasts its width, or decays with it")
 
     def check_values(self) -> None:
-        if math.isinf(self.acceleration_2) and not math.isinf(self.acceleration_3):
+        if self.acceleration_2 == math.inf != self.acceleration_3:
             raise ParameterError("acceleration_2", "not given", "given together with acceleration_3", "m/s^2")
         for low, high in (("acceleration_1", "acceleration_2"), ("acceleration_2", "acceleration_3")):
             if not getattr(self, low) <= getattr(self, high):
@@ -344,7 +344,7 @@ class QuadrantPulses(Component):
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         # The slopes of the characteristic below a_1 and from a_2 to a_3, and the start of the latter.
-        first, second, third = (np.asarray(a, dtype=float) for a in (par.acceleration_1, par.acceleration_2, par.acceleration_3))
+        first, second, third = par.acceleration_1, par.acceleration_2, par.acceleration_3
         rise = np.where(first > 0.0, 1.0 / np.where(first > 0.0, first, 1.0), 0.0)
         # An infinite a_3 gives no fall, equal a_2 and a_3 no line.
         line = np.isfinite(third) & (third > second)

@@ -30,7 +30,7 @@ class Biquad(Component):
         raise NotImplementedError
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
-        fastest = float(np.max(par.frequency))
+        fastest = np.max(par.frequency)
         if fastest * dt >= 0.5:
             raise ParameterError(f"{self.kind}.frequency", f"{fastest:g}", f"below half of the servo frequency, {0.5 / dt:g}", "Hz")
         warped = np.tan(math.pi * par.frequency * dt)

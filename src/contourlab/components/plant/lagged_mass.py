@@ -33,7 +33,7 @@ class LaggedMass(SingleMass):
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         m, d, r, g, b = self.rates(par)
-        doublings = doublings_for(float(np.max((d + r + np.sqrt(m * b)) * dt)))
+        doublings = doublings_for(np.max((d + r + np.sqrt(m * b)) * dt))
         full, half = (propagator(d, r, d * r + m * b, h, doublings) for h in (dt, 0.5 * dt))
         return (m, d, r, g, b, *full, *half)
 
@@ -45,7 +45,7 @@ class LaggedMass(SingleMass):
     def fewest_substeps(self, dt: float) -> tuple[int, str]:
         m, d, r, _, b = self.rates(self)
         # The linear part is exact up to STIFFEST of its shortest time constants per step.
-        wanted = math.ceil(float(np.max(d + r + np.sqrt(m * b))) * dt / STIFFEST)
+        wanted = math.ceil(np.max(d + r + np.sqrt(m * b)) * dt / STIFFEST)
         words = f"a {self.kind} whose time constants are so far below the servo period; or use a plant without them, such as mass-damper"
         return max(1, wanted), words
 

@@ -57,8 +57,8 @@ class Follower(SingleMass):
 
     def fewest_substeps(self, dt: float) -> tuple[int, str]:
         d = self.constants()
-        fast = float(np.max(np.sqrt(d.stiffness_value * d.mobility_value)))
-        wanted = max(fast / COARSEST, float(np.max(d.decay_value + 2.0 * d.damper_value * d.mobility_value))) * dt
+        fast = np.max(np.sqrt(d.stiffness_value * d.mobility_value))
+        wanted = max(fast / COARSEST, np.max(d.decay_value + 2.0 * d.damper_value * d.mobility_value)) * dt
         return max(1, math.ceil(wanted - 1e-9)), f"a {self.kind} that oscillates about its count at {fast / (2.0 * math.pi):.4g} Hz"
 
     def linearize(self) -> LinearModel:

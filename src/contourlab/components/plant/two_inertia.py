@@ -41,7 +41,7 @@ class TwoInertia(TwoSided):
     kind = "two-inertia"
     reference = "Shahin, ElMaraghy & ElBeheiry, eqs 1-4; Nordin, Galic & Gutman 1997"
     command_unit = "N*m"
-    rest_depends = ("backlash_gap", "backlash_angle", "start_in_gap", "lead")
+    rest_depends = ("backlash_gap", "backlash_angle", "start_in_gap", "lead", "profile_start", "profile_step")
     derived = (*TWO_SIDED, "profile_rate")
     tables = ("profile",)
     example = {

@@ -90,8 +90,8 @@ class TwoSided(Plant):
 
     def fewest_substeps(self, dt: float) -> tuple[int, str]:
         d = self.constants()
-        fast = float(np.max(self.shaft_rate))
-        damped = float(np.max(d.damper_value * (d.motor_mobility + d.load_mobility) + np.maximum(d.motor_decay, d.load_decay)))
+        fast = np.max(self.shaft_rate)
+        damped = np.max(d.damper_value * (d.motor_mobility + d.load_mobility) + np.maximum(d.motor_decay, d.load_decay))
         wanted = max(fast * dt / COARSEST, damped * dt / 1.0)
         return max(1, math.ceil(wanted - 1e-9)), f"a shaft that oscillates at {fast / (2.0 * math.pi):.4g} Hz"
 

@@ -52,7 +52,7 @@ class SmithPredictor(Transport):
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
         w, rate = par.natural_frequency, 2.0 * par.damping_ratio * par.natural_frequency
-        phi = propagator(0.0 * rate, rate, w * w, dt, doublings_for(float(np.max((rate + w) * dt))))
+        phi = propagator(0.0 * rate, rate, w * w, dt, doublings_for(np.max((rate + w) * dt)))
         v0, _, _, _, _, x0, x1, _, _, _, f0, f1 = phi
         push = par.dc_gain * w * w * dt
         return (

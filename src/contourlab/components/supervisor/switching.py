@@ -121,7 +121,7 @@ class Performance(Supervisor):
             raise ParameterError("hysteresis", f"{self.hysteresis:g}", f"< {self.thresholds[0]:g}, the first threshold", "m")
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
-        time = np.asarray(par.averaging_time, dtype=float)
+        time = par.averaging_time
         return (np.where(time > 0.0, -np.expm1(-dt / np.where(time > 0.0, time, 1.0)), 1.0),)
 
     @staticmethod

@@ -20,6 +20,11 @@ _SIGNS = {"<": "olt", ">": "ogt", "<=": "ole", ">=": "oge", "==": "oeq", "!=": "
 _HASH = (0x9E3779B97F4A7C15, 0xD1342543DE82EF95, 0x2545F4914F6CDD1D)
 
 
+def exactly(value: float) -> str:
+    """Return a number as LLVM reads it without rounding."""
+    return f"0x{struct.pack('>d', value).hex().upper()}"
+
+
 class Writer:
     """Writes operations as lines of IR; each value gets a name.
 
@@ -29,13 +34,15 @@ class Writer:
         1, or the length of the vectors.
     width : int
         Numbers in a row of memory.
+    fused : bool
+        Whether a fused multiply-add is one instruction, or a product and a sum.
     """
 
     members: tuple[str, str]
     """Where the members of banks are read, and where they are stored."""
 
-    def __init__(self, lanes: int = 1, width: int = 1) -> None:
-        self.lanes, self.width = lanes, width
+    def __init__(self, lanes: int = 1, width: int = 1, fused: bool = True) -> None:
+        self.lanes, self.width, self.fused = lanes, width, fused
         self.lines: list[str] = []
         self.names: dict[int, str] = {}
         self.counters: dict[int, str] = {}
@@ -88,7 +95,7 @@ class Writer:
             return self.names[id(op)]
         if op.type == CONDITION:
             return self.spread_constant("i1", str(op.extra).lower())
-        return self.spread_constant("double", f"0x{struct.pack('>d', op.extra).hex().upper()}")
+        return self.spread_constant("double", exactly(op.extra))
 
     def load(self, base: str, index: str) -> str:
         """Return the numbers of all lanes at a row that is the same in all of them."""
@@ -128,6 +135,8 @@ class Writer:
         args = [self.value(arg) for arg in op.args]
         if op.kind in _PLAIN:
             return self.let(f"{op.kind} {self.number} {', '.join(args)}")
+        if op.kind == "fma" and not self.fused:
+            return self.let(f"fadd {self.number} {self.let(f'fmul {self.number} {args[0]}, {args[1]}')}, {args[2]}")
         if op.kind in _INTRINSICS:
             return self._call(f"llvm.{op.kind}.{'f64' if self.lanes == 1 else f'v{self.lanes}f64'}", args)
         if op.kind in _LIBRARY:
@@ -388,15 +397,14 @@ def module_of(source: str, machine: Any, triple: str) -> Any:
     return module
 
 
-def assembly(source: str, triple: str, processor: str) -> str:
-    """Return the assembly of LLVM IR for another processor."""
+def assembly(source: str, triple: str, processor: str, *, binary: bool = False) -> Any:
+    """Return the assembly of LLVM IR for another processor, or its object file in bytes."""
     import llvmlite.binding as llvm
 
     llvm.initialize_all_targets()
     llvm.initialize_all_asmprinters()
     machine = llvm.Target.from_triple(triple).create_target_machine(cpu=processor, opt=2)
-    text: str = machine.emit_assembly(module_of(source, machine, triple))
-    return text
+    return (machine.emit_object if binary else machine.emit_assembly)(module_of(source, machine, triple))
 
 
 def loaded(code: bytes, name: str, signature: Any) -> Any:

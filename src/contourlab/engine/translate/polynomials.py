@@ -67,10 +67,15 @@ def exp(x: float) -> float:
     return select(x <= -700.0, 0.0, pow2(n) * (1.0 + p))
 
 
-def tanh(x: float) -> float:
-    n, p = _expm1_reduced(2.0 * minimum(fabs(x), 20.0))
+def expm1(x: float) -> float:
+    """Return e**x - 1 without cancellation."""
+    n, p = _expm1_reduced(clip(x, -700.0, 709.0))
     s = pow2(n)
-    e = fma(s, p, s - 1.0)
+    return fma(s, p, s - 1.0)
+
+
+def tanh(x: float) -> float:
+    e = expm1(2.0 * minimum(fabs(x), 20.0))
     return copysign(e / (e + 2.0), x)
 
 

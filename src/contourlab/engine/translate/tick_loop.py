@@ -26,7 +26,7 @@ _ON_GPU += f"define ptx_kernel void @run({_TAKES}) {{"
 _FOOT = 'attributes #0 = { nounwind "prefer-vector-width"="512" "no-trapping-math"="true" }\n!0 = !{i32 1}'
 
 
-class _LoopWriter(Writer):
+class LoopWriter(Writer):
     """Writes the operations of a tick; each row of memory has `width` numbers."""
 
     members = ("%mem", "%mem")
@@ -78,14 +78,18 @@ class _LoopWriter(Writer):
         return self.gather(ring, index)
 
 
-def source_of(made: TickGraph, lanes: int, width: int, *, gpu: bool = False) -> str:
+def source_of(
+    made: TickGraph, lanes: int, width: int, *, gpu: bool = False, fused: bool = True, own: tuple[str, Sequence[str]] = ("", ())
+) -> str:
     """Return the LLVM IR of ``run(memory, tables, external, tick_stride, signal_stride, logs, log_stride, first, n_tick, period, lane)``.
 
     It runs `n_tick` ticks of the `lanes` that begin at `lane`, records into ``logs`` (n_tick, n_log, log_stride), and leaves states and
-    signals of the last tick in memory. For a GPU it has no argument `lane`: each thread runs the lane of its number.
+    signals of the last tick in memory. For a GPU it has no argument `lane`: each thread runs the lane of its number. `own` is another head
+    of the function, and the instructions that make its arguments of those of that head.
     """
-    w = _LoopWriter(lanes, width)
+    w = LoopWriter(lanes, width, fused)
     w.start("entry")
+    w.put(*own[1])
     if gpu:
         thread, block, size = (w.let(f"call i32 @llvm.nvvm.read.ptx.sreg.{name}.x()") for name in _PLACES)
         before = w.let(f"mul i32 {block}, {size}")
@@ -121,5 +125,5 @@ def source_of(made: TickGraph, lanes: int, width: int, *, gpu: bool = False) -> 
         w.store(w.value(op), "%mem", w.row(row))
     w.put("br label %done")
     w.start("done")
-    head, foot = (_ON_GPU, "") if gpu else (_HEAD, _FOOT)
+    head, foot = (_ON_GPU, "") if gpu else (own[0], "") if own[0] else (_HEAD, _FOOT)
     return "\n".join([*w.declared.values(), head, *w.lines, "  ret void", "}", foot]) + "\n"

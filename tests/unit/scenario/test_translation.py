@@ -15,11 +15,12 @@ import pytest
 from contourlab.components.conformance import subject
 from contourlab.components.contract import Component
 from contourlab.components.registry import component, components
-from contourlab.components.translation import LANGUAGES, translate
 from contourlab.engine.step import Step, pack, record, rows, unpack
 from contourlab.engine.translate import llvm_ir
 from contourlab.errors import ParameterError
 from contourlab.primitives import Clock
+from contourlab.scenario import load_scenario
+from contourlab.scenario.translation import LANGUAGES, translate
 
 KINDS = [kind for kind in components() if kind.family not in ("learning", "friction")]
 CALLS = {"aarch64": r"\bbl\s+(\w+)", "cortex-m7": r"\bbl\s+(\w+)", "wasm32": r"\bcall\s+(\w+)", "ptx": r"\bcall[^;]*?(\w+)\s*,"}
@@ -49,6 +50,21 @@ def test_what_cannot_be_printed_is_refused() -> None:
     for part, to in ((component("drive", "saturation")(), "cobol"), (friction, "c99")):
         with pytest.raises(ParameterError):
             translate(part, to)
+
+
+def test_a_case_becomes_a_module_that_imports_its_memory() -> None:
+    case = load_scenario("builtin:ghaffari/demo-stage").base
+    code = translate(case, "wasm")
+    assert code[:8] == b"\x00asm\x01\x00\x00\x00"
+    assert b"\x03env\x06memory\x02" in code and code.count(b"\x03env") == 1
+    for name in (b"run", b"prepare", b"judge"):
+        assert bytes([len(name)]) + name + b"\x00" in code
+    with pytest.raises(ParameterError):
+        translate(case, "c99")
+    with pytest.raises(ParameterError):
+        translate(component("drive", "saturation")(), "wasm")
+    with pytest.raises(ParameterError):
+        translate(load_scenario("builtin:gecer-ulu/contour-simulated").base, "wasm")
 
 
 def exported(code: bytes) -> bytes:

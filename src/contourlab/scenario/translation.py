@@ -1,12 +1,16 @@
-"""Print the step of a component in another language: C99 for a control, or assembly for another processor."""
+"""The step of a component in another language: C99 for a control, or assembly; the loop of a case as WebAssembly."""
 
 from __future__ import annotations
+
+from typing import overload
 
 from contourlab.components.contract import Component
 from contourlab.engine.step import Step
 from contourlab.engine.translate import c99, llvm_ir, maths
 from contourlab.engine.translate.step_graph import graph_of
-from contourlab.errors import ParameterError
+from contourlab.errors import ParameterError, refuse
+from contourlab.loop.portable import portable
+from contourlab.scenario.values import Case
 
 _PROCESSORS = {
     "aarch64": ("aarch64-unknown-linux-gnu", "generic"),
@@ -18,13 +22,18 @@ _PROCESSORS = {
 LANGUAGES = ("c99", "llvm", *_PROCESSORS)
 
 
-def translate(component: Component, to: str = "c99", *, n_axis: int = 1, friction: Component | None = None) -> str:
-    """Return the step of a component as source text.
+@overload
+def translate(component: Component, to: str = "c99", *, n_axis: int = 1, friction: Component | None = None) -> str: ...
+@overload
+def translate(component: Case, to: str) -> bytes: ...
+def translate(component: Component | Case, to: str = "c99", *, n_axis: int = 1, friction: Component | None = None) -> str | bytes:
+    """Return the step of a component as source text, or the loop of a case as a WebAssembly module.
 
     Parameters
     ----------
-    component : Component
+    component : Component or Case
     to : str
+        A case takes ``"wasm"`` alone; `contourlab.loop.portable` says what lies where in the module's memory. For a component,
         ``"c99"`` (one function that allocates nothing and needs `<math.h>` alone), ``"llvm"`` (LLVM IR), or the assembly of a processor:
         ``"aarch64"``, ``"cortex-m7"``, ``"wasm32"`` or ``"ptx"``. It calls no mathematical library, except that wasm32 imports `fma`.
     n_axis : int, >= 1
@@ -34,14 +43,14 @@ def translate(component: Component, to: str = "c99", *, n_axis: int = 1, frictio
 
     Returns
     -------
-    str
+    str or bytes
         C99 compiled without contraction (``-ffp-contract=off``) computes what plain Python computes, bit for bit. Parameters, states,
         inputs and tables are arguments: a comment in the C source lists them.
 
     Raises
     ------
     ParameterError
-        If `to` is none of these, or a friction is to be translated without its plant.
+        If `to` is none of these, a friction is to be translated without its plant, or a case learns or changes its controller.
     EngineError
         If the step uses what cannot be translated; names file and line.
 
@@ -51,14 +60,19 @@ def translate(component: Component, to: str = "c99", *, n_axis: int = 1, frictio
     >>> print(translate(component("velocity", "true")()).splitlines()[-2].strip())
     out[0] = v0;
     """
-    if to not in LANGUAGES:
-        raise ParameterError("to", repr(to), "one of " + ", ".join(LANGUAGES))
+    allowed = ("wasm",) if isinstance(component, Case) else LANGUAGES
+    refuse(to not in allowed, ParameterError, "to", repr(to), "one of " + ", ".join(allowed))
+    if isinstance(component, Case):
+        varies = bool(component.changes or component.learning)
+        refuse(varies, ParameterError, "case", "one that learns or changes its controller", "one with the same controller throughout")
+        parts = component.machine, component.controller, component.reference()
+        return portable(*parts, seed=component.run.seed, moving=component.moving).code
     step = _step_of(component, n_axis, friction)
     if to == "c99":
         return c99.source_of(graph_of(step))
     if to == "llvm":
         return llvm_ir.source_of(graph_of(step))
-    return llvm_ir.assembly(llvm_ir.source_of(graph_of(step, contract=True, primitives=maths.LANES)), *_PROCESSORS[to])
+    return str(llvm_ir.assembly(llvm_ir.source_of(graph_of(step, contract=True, primitives=maths.LANES)), *_PROCESSORS[to]))
 
 
 def _step_of(component: Component, n_axis: int, friction: Component | None) -> Step:
