@@ -190,6 +190,32 @@ def test_files_include_each_other_up_to_sixteen_deep(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    ("hal", "place"),
+    [
+        (b"source 1.hal\n", r"1\.hal:1: source 1\.hal"),
+        (b"\nsource 2.hal\n", r"2\.hal:1: source 1\.hal"),
+        (bytes(range(256)), r"1\.hal: is no text"),
+    ],
+)
+def test_a_hal_file_that_linuxcnc_would_not_end(tmp_path: Path, hal: bytes, place: str) -> None:
+    (tmp_path / "1.hal").write_bytes(hal)
+    (tmp_path / "2.hal").write_text("source 1.hal\n")
+    with pytest.raises(ScenarioError, match=place):
+        load_machine(machine_file(tmp_path, ("[HAL]\n", "[HAL]\nHALFILE = 1.hal\n")))
+
+
+def test_an_absent_include_is_named_with_its_line(tmp_path: Path) -> None:
+    with pytest.raises(ScenarioError, match=r"m\.ini:2: #INCLUDE absent\.inc"):
+        load_machine(machine_file(tmp_path, ("MACHINE =", "#INCLUDE absent.inc\nMACHINE =")))
+
+
+@pytest.mark.parametrize("scale", ["STEP_SCALE = 0", "STEP_SCALE = 4000\nENCODER_SCALE = -0.0", "INPUT_SCALE = .0e3"])
+def test_a_scale_that_divides_is_not_0(tmp_path: Path, scale: str) -> None:
+    with pytest.raises(ScenarioError, match=r"m\.ini:\d+: \[JOINT_0\]"):
+        load_machine(machine_file(tmp_path, ("[JOINT_0]\n", f"[JOINT_0]\n{scale}\n")))
+
+
+@pytest.mark.parametrize(
     ("planner", "jerk"), [("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 100\n", 2.54), ("MAX_LINEAR_JERK = 100\n", float("inf"))]
 )
 def test_a_jerk_limit_holds_with_its_planner_only(tmp_path: Path, planner: str, jerk: float) -> None:
