@@ -67,11 +67,15 @@ def test_parameter_file_of_points_angles_and_other_numbers() -> None:
     assert numbers["inch"] == pytest.approx((2 * 0.0254, 3 * 0.0254, -2 * 0.0254), abs=1e-15)
 
 
-@pytest.mark.parametrize("zero", ["1, 2", "1, 2, x", "1, 2, inf", "1;2;3"])
+@pytest.mark.parametrize("zero", ["1, 2", "1, 2, x", "1, 2, inf", "1;2;3", "nan,0,0"])
 def test_a_zero_that_is_no_point_is_refused(zero: str, tmp_path: Path) -> None:
     (tmp_path / "part.ngc").write_text(PROGRAM)
-    said = invoke(tmp_path, "check", "part.ngc", "--machine", machine_file(tmp_path), "--zero", zero)
-    assert said.code == 2 and len(said.err.strip().splitlines()) == 1
+    (tmp_path / "s.toml").write_text(f'machine = {{file = "m.ini"}}\n[program]\nfile = "part.ngc"\nzero = "{zero}"\n')
+    machine = ("--machine", machine_file(tmp_path), "--zero", zero)
+    heads = {("check", "part.ngc", *machine): "--zero", ("run", "part.ngc", *machine): "--zero", ("run", "s.toml"): "s.toml: program.zero:"}
+    for words, head in heads.items():
+        said = invoke(tmp_path, *words)
+        assert said.code == 2 and len(said.err.strip().splitlines()) == 1 and said.err.startswith(f"contourlab: {head}")
 
 
 def test_without_work_offsets_only_the_size_is_held_against_the_travel(tmp_path: Path) -> None:
