@@ -23,7 +23,7 @@ def test_a_program_without_an_end_is_run_on_request(contourlab: Run, tmp_path: P
     said = contourlab("run", write(tmp_path, UNOPENED), *ON_XYZ, "--no-require-end")
     assert said.code == 0, said.err
     summary = json.loads((tmp_path / "results" / "summary.json").read_text(encoding="utf-8"))
-    assert summary["command"] == "contourlab run part.ngc --machine xyz --controller xyz-controller --no-require-end"
+    assert summary["command"] == "contourlab run part.ngc --controller xyz-controller --no-require-end --machine xyz"
 
 
 @pytest.mark.parametrize("text", [ENDLESS, UNOPENED])
