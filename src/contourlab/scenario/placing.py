@@ -269,11 +269,15 @@ def _check_travel(reference: Reference, machine: Machine, fault: Fault, cure: st
     for name, line in check.left.items():
         j, limits = machine.axis_names.index(name), machine.axis(name).limits
         if math.isfinite(limits.extent):
-            way, travel = f"cut over {_mm(check.cut_high[j] - check.cut_low[j])} mm", f"{_mm(limits.extent)} mm: shorten the part"
+            code, way, travel = (
+                "CL478",
+                f"cut over {_mm(check.cut_high[j] - check.cut_low[j])} mm",
+                f"{_mm(limits.extent)} mm: shorten the part",
+            )
         else:
             low, high = (_mm(end) for end in limits.ends)
-            way, travel = f"move from {_mm(check.low[j])} to {_mm(check.high[j])} mm", f"{low} to {high} mm: {cure}"
-        raise fault(f"axis {name} would {way}, but its travel is {travel}, or correct limits.travel", line)
+            code, way, travel = "CL470", f"move from {_mm(check.low[j])} to {_mm(check.high[j])} mm", f"{low} to {high} mm: {cure}"
+        raise fault(f"{code} axis {name} would {way}, but its travel is {travel}, or correct limits.travel", line)
 
 
 def _mm(value: float) -> str:

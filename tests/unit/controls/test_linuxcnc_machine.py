@@ -94,8 +94,9 @@ def test_without_work_offsets_only_the_size_is_held_against_the_travel(tmp_path:
     assert code == 0 and "CL985" not in found
     code, found = checked("--zero", "8, 1, 0")  # x to 10 inches of 9
     assert code == 2 and "CL470" in found
-    with pytest.raises(Exception, match="axis x"):
-        scenario_from_parts(part, file, options={"zero": "8, 1, 0"}).base.reference()
+    said = invoke(tmp_path, "run", part, "--machine", file, "--json", "--zero", "8, 1, 0")
+    (problem,) = json.loads(said.out)["problems"]
+    assert (said.code, problem["code"], problem["line"]) == (2, "CL470", 2) and said.err.rstrip().endswith("[CL470]")
 
 
 def test_machine_coordinates_are_held_against_the_travel_without_a_zero(tmp_path: Path) -> None:
@@ -108,7 +109,7 @@ def test_machine_coordinates_are_held_against_the_travel_without_a_zero(tmp_path
         if code:
             with pytest.raises(ProgramError) as caught:
                 scenario_from_parts(part, file).base.reference()
-            assert caught.value.line == 4
+            assert (caught.value.code, caught.value.line) == ("CL989", 4)
 
 
 def test_what_is_absent_is_named_and_the_rest_is_read(tmp_path: Path) -> None:
