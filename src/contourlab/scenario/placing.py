@@ -269,14 +269,11 @@ def _check_travel(reference: Reference, machine: Machine, fault: Fault, cure: st
     for name, line in check.left.items():
         j, limits = machine.axis_names.index(name), machine.axis(name).limits
         if math.isfinite(limits.extent):
-            code, way, travel = (
-                "CL478",
-                f"cut over {_mm(check.cut_high[j] - check.cut_low[j])} mm",
-                f"{_mm(limits.extent)} mm: shorten the part",
-            )
+            way, travel = f"cut over {_mm(check.cut_high[j] - check.cut_low[j])} mm", f"{_mm(limits.extent)} mm: shorten the part"
         else:
             low, high = (_mm(end) for end in limits.ends)
-            code, way, travel = "CL470", f"move from {_mm(check.low[j])} to {_mm(check.high[j])} mm", f"{low} to {high} mm: {cure}"
+            way, travel = f"move from {_mm(check.low[j])} to {_mm(check.high[j])} mm", f"{low} to {high} mm: {cure}"
+        code = "CL478" if math.isfinite(limits.extent) else "CL470"
         raise fault(f"{code} axis {name} would {way}, but its travel is {travel}, or correct limits.travel", line)
 
 
