@@ -106,7 +106,8 @@ def _read_cells(file: Path, text: str, first: int, mark: str | None, comments: l
     width = len(_cells(rows[0][1], mark))
     names, units = _heads([_cells(line, mark) for _, line in heads], width, comments)
     cut = cut and (len(_cells(rows[-1][1], mark)) != width or _is_cut(text, mark))
-    rows, findings = (rows[:-1], (reading.CUT,)) if cut else (rows, ())
+    rows = rows[:-1] if cut else rows
+    findings: tuple[Finding, ...] = (reading.CUT,) if cut else ()
     above = {line for _, line in heads}
     repeated = [i for i, line in rows if line in above]
     rows = [(i, line) for i, line in rows if line not in above]
