@@ -96,12 +96,18 @@ def refused(option: str, text: object, wanted: str) -> Iterator[None]:
 
 
 class ContourlabError(Exception):
-    """Base of all errors raised on purpose; its text is for the user."""
+    """Base of all errors raised on purpose; its text is for the user. A fault of a program has a code, for ``contourlab explain``."""
 
     exit_code = 2
+    code = ""
 
 
 _CODED = re.compile(r"(CL\d{3}) ")
+
+
+def _code_and_message(text: str) -> tuple[str, str]:
+    coded = _CODED.match(text)
+    return (coded[1], text[coded.end() :]) if coded else ("", text)
 
 
 class ProgramError(ContourlabError):
@@ -112,8 +118,7 @@ class ProgramError(ContourlabError):
     """
 
     def __init__(self, message: str, *, file: str | Path = "<program>", line: int = 0, column: int = 0) -> None:
-        coded = _CODED.match(message)
-        self.code, self.message = (coded[1], message[coded.end() :]) if coded else ("", message)
+        self.code, self.message = _code_and_message(message)
         self.file, self.line, self.column = str(file), line, column
         place = self.file + (f":{line}" if line else "") + (f":{column}" if line and column else "")
         super().__init__(f"{place}: {self.message}")
@@ -153,7 +158,11 @@ class GeometryError(ContourlabError):
 
 
 class FeedError(ContourlabError):
-    """A feed profile cannot be planned within the limits given."""
+    """A feed profile cannot be planned within the limits given. It may have a code, as a `ProgramError`."""
+
+    def __init__(self, message: str, name: str = "") -> None:
+        self.code, text = _code_and_message(message)
+        super().__init__(f"{name}: {text}" if name else text)
 
 
 class ComponentError(ContourlabError):

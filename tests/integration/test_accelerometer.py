@@ -82,3 +82,13 @@ def test_a_notch_for_the_resonance_that_is_heard(folder: Path, as_json: AsJson, 
     assert plain["designs"]["x"]["resonance"] == pytest.approx(60.0, rel=1e-2)
     refused("notch", folder / "part.toml", "--log", folder / "heard.csv")
     refused("notch", folder / "part.toml", "--axes", "y", "--log", folder / "heard.csv")
+
+
+@pytest.mark.parametrize(
+    "head", ["#time,accel_x,accel_y,accel_z,", '"time","accel_x","accel_y","accel_z"', '#"time","accel_x","accel_y","accel_z",']
+)
+def test_a_table_with_closed_lines_or_quoted_names(tmp_path: Path, head: str) -> None:
+    end = "," * head.endswith(",")
+    (tmp_path / "heard.csv").write_text("\n".join([head, *(f"{k * 1e-3:.3f},{k},0,9806{end}" for k in range(50)), ""]))
+    log = load_log(tmp_path / "heard.csv")
+    assert log.result["acceleration"][7].tolist() == pytest.approx([7e-3, 0.0, 9.806])

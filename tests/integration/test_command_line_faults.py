@@ -92,7 +92,7 @@ WRONG_NAMES = [
     (["folder.toml"], r"folder\.toml: "),
     (["folder.ngc", *ON_XYZ], r"folder\.ngc: "),
     (["part.ngc", "--machine", "xyz"], r"part\.ngc: .*--machine and --controller"),
-    (["circle.toml", "--machine", "xyz"], r"controller\.axes\.1: the machine has no axis '1'"),
+    (["circle.toml", "--machine", "xyz"], r"calibrated\.toml: controller\.axes\.1: "),
     (["part.ngc", "--machine", "xyzz", "--controller", "xyz-controller"], r"machine: .*xyzz.*did you mean 'xyz'"),
     (["circle.toml", "--plugin", "none.py"], r"none\.py: "),
     (["circle.toml", "--plugin", "empty.py"], r"empty\.py: .*component"),

@@ -125,7 +125,7 @@ def _list(files: list[Shipped]) -> str:
 
 
 def _details(file: Shipped) -> str:
-    from contourlab.rendering.table import Column, Table
+    from contourlab.rendering.table import Column, Table, paragraphs
 
     axes = f" with the axes {', '.join(file.axes)}" if file.axes else ""
     shown = file.name if file.name == str(file.file) else f"builtin:{file.name}"
@@ -136,7 +136,8 @@ def _details(file: Shipped) -> str:
     plain = (Column("value"), *(Column(name, left=True) for name in ("unit", "source", "deviation")))
     rows = ((one.name, one.value_text, one.display, one.source, one.deviation_text, one.reference, one.note) for one in file.numbers)
     table = Table([Column("number", left=True), *plain, Column("from", prose=True), Column("note", prose=True)], rows=rows)
-    return "\n".join([*head, f"{file.about}.", f"numbers: {sources}", table.text()])
+    findings = ["", paragraphs(map(str, file.findings))] if file.findings else []
+    return "\n".join([*head, f"{file.about}.", f"numbers: {sources}", table.text(), *findings])
 
 
 @options

@@ -135,7 +135,8 @@ def _explain(error: BaseException, debug: bool, typed: Sequence[str] = ()) -> in
     """Print the error on standard error; return the exit code."""
     code = BAD_INPUT
     if isinstance(error, ContourlabError):
-        code, lines = error.exit_code, [f"{NAME}: {_in_typed_words(error, typed)}"]
+        known = f" [{error.code}]" if error.code else ""
+        code, lines = error.exit_code, [f"{NAME}: {_in_typed_words(error, typed)}{known}"]
     elif isinstance(error, KeyboardInterrupt | typer.Abort):
         nothing = "" if getattr(error, "__notes__", ()) else ": no result is kept"
         code, lines = INTERRUPTED, [f"{NAME}: interrupted{nothing}"]

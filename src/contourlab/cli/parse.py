@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import json
 import sys
 from collections.abc import Callable, Mapping
 from functools import cache
@@ -16,6 +17,7 @@ from contourlab.app.options import REQUIRED, Part
 from contourlab.app.session import Command, execute
 from contourlab.cli import output
 from contourlab.cli.output import say, suggest, wants_progress
+from contourlab.errors import ContourlabError
 
 PANELS = {
     "Start": "demo new check run measure circle limits tune commission precompensate",
@@ -124,7 +126,14 @@ def _escaped(text: str) -> str:
 def _answered(command: Command, place: str, values: dict[str, Any]) -> int:
     """Ask a question, print the answer and the next command; return the exit code."""
     as_json = bool(values.get("as_json"))
-    answer, asked = execute(command, place, values, output.TYPED, wants_progress(as_json))
+    try:
+        answer, asked = execute(command, place, values, output.TYPED, wants_progress(as_json))
+    except ContourlabError as error:
+        if as_json:
+            from contourlab.features.check.program_check import Message
+
+            say(json.dumps({"problems": [vars(Message.of(error))]}, indent=2))
+        raise
     if answer.SILENT and isinstance(answer.stopped, KeyboardInterrupt):
         raise answer.stopped
     if hasattr(answer, "write"):  # too long for one text

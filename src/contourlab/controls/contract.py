@@ -71,7 +71,7 @@ def driven_by_steps(period: float, pulse: dict[str, Any] | None) -> dict[str, An
     """
     frequency = guessed("150 Hz", "60 Hz", "300 Hz", "rotor and axis on the stiffness of a stepper of usual size")
     damping = {"value": 0.15, "source": "assumed", "range": [0.05, 0.6], "note": "a stepper on usual drives"}
-    ahead = {"value": 1.0, "source": "assumed", "note": "a stepper is damped relative to its count"}
+    ahead = {"value": 1.0, "source": "assumed", "range": [0.7, 1.0], "note": "a stepper is damped relative to its count, guides little"}
     plant = {"kind": "step-drive", "natural_frequency": frequency, "damping_ratio": damping, "velocity_feedforward": ahead}
     return {"substeps": substeps(300.0, period), "plant": plant if pulse is None else {**plant, "pulse": pulse}}
 

@@ -11,7 +11,7 @@ from contourlab.logs.reading import Record
 
 UNITS = {"time": "s", "accel": "mm/s^2"}
 """Units of the firmware; the file states none."""
-_HEAD = re.compile(rb"(?:\s*#[^\r\n]*[\r\n])*\s*#?\s*time\s*[,;\t]\s*accel_[xyz]\b")
+_HEAD = re.compile(rb'(?:\s*#[^\r\n]*[\r\n])*\s*#?\s*"?time"?\s*[,;\t]\s*"?accel_[xyz]\b')
 
 
 def matches(file: Path, head: bytes) -> bool:

@@ -14,6 +14,7 @@ from contourlab.arrays import Array, Index
 from contourlab.errors import LogError, refuse
 from contourlab.findings import Finding, finding
 from contourlab.logs import reading
+from contourlab.logs.mapping import TIME, meant
 from contourlab.logs.reading import COLUMNS, Channel, Record, check_limit
 
 MARKS = (";", "\t", ",")
@@ -100,13 +101,15 @@ def _read_cells(file: Path, text: str, first: int, mark: str | None, comments: l
     cut = len(rows) > 1 and not text.endswith(("\n", "\r"))
     if _is_closed(heads, rows[:-1] if cut else rows, mark):
         heads, rows = ([(i, line.rstrip(" ").removesuffix(mark or "")) for i, line in part] for part in (heads, rows))
+        comments = [cells[:-1] if cells and not cells[-1].strip() else cells for cells in comments]
     width = len(_cells(rows[0][1], mark))
     names, units = _heads([_cells(line, mark) for _, line in heads], width, comments)
     cut = cut and (len(_cells(rows[-1][1], mark)) != width or _is_cut(text, mark))
-    rows, findings = (rows[:-1], (reading.CUT,)) if cut else (rows, ())
+    rows = rows[:-1] if cut else rows
+    findings: tuple[Finding, ...] = (reading.CUT,) if cut else ()
     above = {line for _, line in heads}
-    if repeated := next((i for i, line in rows if line in above), 0):
-        raise LogError(reading.REPEATED, file=file, line=repeated)
+    repeated = [i for i, line in rows if line in above]
+    rows = [(i, line) for i, line in rows if line not in above]
     comma, channels = mark != "," and any("," in line for _, line in rows), []
     numbers = [i for i, _ in rows]
     columns = reading.columns_of([(i, _cells(line, mark)) for i, line in rows], width, file)
@@ -115,6 +118,12 @@ def _read_cells(file: Path, text: str, first: int, mark: str | None, comments: l
             channels.append(timestamp_channel(name, cells, numbers, file))
         else:
             channels.append(reading.number_channel(name, cells, numbers, file, comma, unit))
+    if repeated:
+        times = [channel for channel in channels if channel.is_timestamp or meant(channel.name) == (TIME, "")]
+        steps = [(np.diff(time.values), HALF_DAY if time.is_timestamp else np.inf) for time in times]
+        if not times or not all(((each >= 0.0) & (each < longest)).all() for each, longest in steps):
+            raise LogError(reading.REPEATED, file=file, line=repeated[0])
+        findings += (finding("CL440", line=repeated[0], times=len(repeated)),)
     return Record(file, "csv", tuple(channels), findings=findings)
 
 
@@ -241,6 +250,8 @@ def _heads(lines: list[list[str]], width: int, comments: list[list[str]]) -> tup
 
 DAY = 86_400 * 10**9
 """A day in nanoseconds."""
+HALF_DAY = 43_200.0
+"""Longest pause [s] of one record: a time of day that begins again looks like the next day's."""
 EXAMPLE = "2024-05-31T14:03:21.250"
 CURE = f"write timestamps as {EXAMPLE}, with or without a zone (Z or +02:00), or as seconds; or give --period"
 

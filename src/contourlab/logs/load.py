@@ -231,7 +231,8 @@ def result_of(record: Record, given: Columns) -> Log:
     columns = (*given.columns, *guesses)
     wanted = [column for column in columns if column.signal in SIGNALS]
     if not wanted:
-        cure = "write for example --column 'position.x=NAME [mm]', or name a file of columns with --columns"
+        at_once = "--unit mm, or " if any(signal == "position" for signal, _ in guessed(record, "mm")) else ""
+        cure = f"write {at_once}for example --column 'position.x=NAME [mm]', or name a file of columns with --columns"
         unknown = f"no column matches a signal: {cure}. The columns are {quoted(record.names)}"
         raise LogError("; ".join([*(doubt.text for doubt in doubtful), unknown]), file=record.file)
     times, time_findings = _times(record, columns, given)
@@ -261,7 +262,7 @@ def _guesses(record: Record, given: Columns) -> tuple[list[Column], list[Finding
     named = {(column.signal, column.axis) for column in given.columns}
     taken = {channel.name for channel in record.channels_of(column.column for column in given.columns)}
     guesses, doubtful = [], []
-    for target, candidates in guessed(record).items():
+    for target, candidates in guessed(record, given.unit or record.unit).items():
         names = [name for name in candidates if name not in taken]
         if target not in named and len(names) == 1:
             guesses.append(Column(*target, names[0]))

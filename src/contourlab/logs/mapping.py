@@ -195,22 +195,25 @@ def once(columns: Sequence[Column], where: str | Path) -> tuple[Column, ...]:
     return tuple(columns)
 
 
-def guessed(record: Record) -> dict[tuple[str, str], list[str]]:
+def guessed(record: Record, unit: str = "") -> dict[tuple[str, str], list[str]]:
     """Return the candidate columns of each signal and axis, by name: time, reference, position, velocity.
 
     `meant` reads the name, or else the channel's path in the control. A column named ``position.x`` is that signal alone. Timestamps are
-    the time if no other column is it. Several candidates are ambiguous. ``x [mm]`` is a position if no other column is that of x.
+    the time if no other column is it. Several candidates are ambiguous. ``x [mm]`` is a position if no other column is that of x; with a
+    `unit` of columns without one, ``x`` is, too.
     """
     candidates: dict[tuple[str, str], list[str]] = {}
     for channel in record.channels:
         target = _meaning(channel)
         if target is not None and not (target == (TIME, "") and channel.is_timestamp):
             candidates.setdefault(target, []).append(channel.name)
+    bare: dict[tuple[str, str], list[str]] = {}
     for channel in record.channels:
         if (own := _own(channel)) is not None:
             candidates[own] = [channel.name]
-        if channel.name.casefold() in _AXES and channel.unit in _LENGTHS:
-            candidates.setdefault(("position", channel.name.casefold()), [channel.name])
+        if channel.name.casefold() in _AXES and (channel.unit in _LENGTHS or (unit and not channel.unit)):
+            bare.setdefault(("position", channel.name.casefold()), []).append(channel.name)
+    candidates = bare | candidates
     dates = [channel for channel in record.channels if channel.is_timestamp]
     if (TIME, "") not in candidates and dates:
         dates = [channel for channel in dates if channel.fault is None] or dates

@@ -31,6 +31,8 @@ SETTING = "CONTOURLAB_LOG_LIMIT"
 COLUMNS = 10_000
 LINE = 1_000_000
 """Characters of a line of text."""
+TEXT = 500_000_000
+"""Bytes of a text; reading takes five times as much memory."""
 LONGEST, FASTEST = 10.0, 50.0
 """Travel [m] that hardly any feed axis reaches, and speed [m/s] that none does."""
 NUMBERS = 50_000_000
@@ -295,9 +297,10 @@ def text_of(file: Path) -> str:
     Raises
     ------
     LogError
-        If it cannot be read, or is not text.
+        If it cannot be read, is not text, or is too long.
     """
     with readable(file):
+        check_limit(file.stat().st_size, TEXT, "bytes", file)
         data = file.read_bytes()
     if data[:2] in UTF_16:
         return data.decode("utf-16", errors="replace")

@@ -11,7 +11,7 @@ import numpy as np
 from contourlab.arrays import Array
 from contourlab.errors import LogError, refuse
 from contourlab.findings import finding
-from contourlab.logs.reading import REPEATED, Channel, Record, cell_number, cells_of, lines_of, number
+from contourlab.logs.reading import REPEATED, Channel, Record, cell_number, cells_of, lines_of
 
 MARKS = "\t;:, "
 TICK = 1e-7
@@ -61,7 +61,7 @@ def read(file: Path) -> Record:
     values = _values(body, max(max(pair) for pair in layout) + 1, comma, file, {column: heads[NAME][head] for head, column, _ in layout})
     scaled = [name for name, factor in zip(heads[NAME], heads.get("ScaleFactor", []), strict=False) if _number(factor) and factor != "1"]
     findings += (finding("CL420", channels=scaled),) if scaled else ()
-    return Record(file, "twincat", tuple(_channel(heads, values, *pair) for pair in layout), findings=findings)
+    return Record(file, "twincat", tuple(_channel(file, heads, values, *pair) for pair in layout), findings=findings)
 
 
 def _number(cell: str) -> bool:
@@ -95,8 +95,8 @@ def _values(body: Sequence[tuple[int, Sequence[str]]], width: int, comma: bool, 
     return values
 
 
-def _channel(heads: dict[str, list[str]], values: Array, head: int, column: int, time: int) -> Channel:
-    period = number(heads[PERIOD][head], comma=True) * 1e-3
+def _channel(file: Path, heads: dict[str, list[str]], values: Array, head: int, column: int, time: int) -> Channel:
+    period = cell_number(heads[PERIOD][head], heads[NAME][head], file, 0, True) * 1e-3
     valid = np.isfinite(values[:, column])
     if time >= 0:
         valid &= np.isfinite(values[:, time])

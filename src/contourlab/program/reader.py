@@ -11,7 +11,7 @@ from functools import partial
 from pathlib import Path
 from typing import Literal, TextIO, TypeAlias, get_args
 
-from contourlab.errors import ProgramEndError, ProgramError, refuse
+from contourlab.errors import ParameterError, ProgramEndError, ProgramError, check_known, refuse
 from contourlab.file_kinds import mistaken
 from contourlab.program.block import Block, Parameters, read_block, without_blanks
 from contourlab.program.flow import LONGEST_LINE, Tape, Walker
@@ -86,8 +86,8 @@ class Reading:
 
     Raises
     ------
-    ProgramError
-        If the dialect is unknown, or `most_moves` is not positive.
+    ParameterError
+        If the dialect is unknown, `most_moves` is not positive, or `zero` or `start` is no point.
     """
 
     dialect: Dialect = "linuxcnc"
@@ -106,9 +106,8 @@ class Reading:
     most_moves: int = field(default=500_000, metadata=setting(minimum=1))
 
     def __post_init__(self) -> None:
-        if self.dialect not in get_args(Dialect):
-            raise ProgramError(f"unknown dialect {self.dialect!r}: use {', '.join(get_args(Dialect))}")
-        refuse(self.most_moves < 1, ProgramError, f"most_moves = {self.most_moves}: write a number from 1")
+        check_known("dialect", self.dialect, get_args(Dialect))
+        refuse(self.most_moves < 1, ParameterError, "most_moves", self.most_moves, "1 or more")
         for name in ("zero", "start"):
             self.point(name)
 
@@ -117,7 +116,7 @@ class Reading:
 
         Raises
         ------
-        ProgramError
+        ParameterError
             If it is no point.
         """
         text = getattr(self, name)
@@ -126,7 +125,7 @@ class Reading:
         except ValueError:
             x = y = z = math.nan
         if not all(map(math.isfinite, (x, y, z))):
-            raise ProgramError(f'{name} = {text!r}: write three numbers, x, y and z, in {self.unit}, such as "100, 100, -20"')
+            raise ParameterError(name, repr(text), f'three numbers, x, y and z, in {self.unit}, such as "100, 100, -20"')
         return x, y, z
 
 

@@ -11,7 +11,7 @@ from contourlab.components.registry import load_plugin
 from contourlab.contours import SUFFIXES, unit_size
 from contourlab.contours.reader import ContourOptions
 from contourlab.controls import control_file
-from contourlab.errors import ProgramError, ScenarioError, hint, refuse
+from contourlab.errors import ParameterError, ProgramError, ScenarioError, hint, refuse
 from contourlab.file_kinds import kind_of
 from contourlab.geometry import contour_names, contour_parameters
 from contourlab.loop import Axis, Change, Controller, Machine
@@ -94,7 +94,12 @@ def read_motion(content: Table, machine: Machine) -> Motion:
     given = read_values(node, PartProgram, Reading, needed=("file",))
     file, fit, own = given.pop("file"), given.pop("fit", False), given.pop("letters", None)
     letters = tuple(name.lower() for name in machine.axis_names) if own is None else own
-    names, reading = ", ".join(machine.axis_names), reading_on(machine, given)
+    try:
+        names, reading = ", ".join(machine.axis_names), reading_on(machine, given)
+    except ParameterError as error:
+        if error.name not in node.entries or node.entries[error.name].file.startswith("<"):  # given as an option
+            raise
+        raise node.error(f"must be {error.bound}", error.name) from error
     strange = own is None and not set(letters) <= set("xyz")
     rules: _Rules = [
         ("letters", len(letters) != len(machine.axes), f"{len(letters)} letters for the axes {names}: write one for each"),

@@ -273,7 +273,8 @@ def _check_travel(reference: Reference, machine: Machine, fault: Fault, cure: st
         else:
             low, high = (_mm(end) for end in limits.ends)
             way, travel = f"move from {_mm(check.low[j])} to {_mm(check.high[j])} mm", f"{low} to {high} mm: {cure}"
-        raise fault(f"axis {name} would {way}, but its travel is {travel}, or correct limits.travel", line)
+        code = "CL478" if math.isfinite(limits.extent) else "CL470"
+        raise fault(f"{code} axis {name} would {way}, but its travel is {travel}, or correct limits.travel", line)
 
 
 def _mm(value: float) -> str:

@@ -343,7 +343,7 @@ class Case:
         """
         if isinstance(self.motion, PartProgram):
             for name, (line, at) in beyond_travel(self.motion.program.machine_points, self.motion.letters, self.machine).items():
-                raise self._fault(f"G53 leads axis {name} to {1e3 * at:.6g} mm, outside of its travel", line)
+                raise self._fault(f"CL989 G53 leads axis {name} to {1e3 * at:.6g} mm, outside of its travel", line)
         reference = self._sampled(self.feed.override * feed_scale)
         check_motion(reference, self.machine, self._fault, bounded=self.feed.law != "uniform", cure=self._cure)
         return replace(reference, chosen=self._chosen(reference))
@@ -394,7 +394,7 @@ class Case:
     def _fault(self, message: str, line: int) -> FeedError | ProgramError:
         if isinstance(self.motion, PartProgram):
             return ProgramError(message, file=self.motion.file, line=line)
-        return FeedError(f"{self.motion.name}: {message}")
+        return FeedError(message, self.motion.name)
 
     def _sampled(self, factor: float) -> Reference:
         period = self.machine.servo_period

@@ -8,6 +8,7 @@ from made_controls import FILES, made_control
 
 from contourlab.controls import control_file, readers
 from contourlab.errors import ContourlabError, ScenarioError
+from contourlab.features.machines.command import shipped_one
 from contourlab.file_kinds import kind_of
 from contourlab.loop import Machine
 from contourlab.rendering.origins import numbers_of_machine, stated
@@ -38,7 +39,9 @@ def test_limits_travel_and_their_sources(tmp_path: Path, reader: str) -> None:
     sources = {number.name: number.source for number in stated(numbers_of_machine(machine))}
     assert sources["axes.x.limits.velocity"] == sources["axes.y.limits.travel"] == "control"
     assert sources["axes.x.plant.pulse"] == "computed"
-    assert "assumed" in {source for name, source in sources.items() if name.startswith("axes.x.plant.")}
+    guesses = [number for number in stated(numbers_of_machine(machine)) if ".plant." in number.name and number.source == "assumed"]
+    assert len(guesses) == 6 and all(" to " in number.deviation_text for number in guesses)
+    assert [one.code for one in shipped_one(str(made_control(tmp_path, reader))).findings] == ["CL984"]
 
 
 @pytest.mark.parametrize("reader", FILES)

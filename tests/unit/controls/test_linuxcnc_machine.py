@@ -67,11 +67,15 @@ def test_parameter_file_of_points_angles_and_other_numbers() -> None:
     assert numbers["inch"] == pytest.approx((2 * 0.0254, 3 * 0.0254, -2 * 0.0254), abs=1e-15)
 
 
-@pytest.mark.parametrize("zero", ["1, 2", "1, 2, x", "1, 2, inf", "1;2;3"])
+@pytest.mark.parametrize("zero", ["1, 2", "1, 2, x", "1, 2, inf", "1;2;3", "nan,0,0"])
 def test_a_zero_that_is_no_point_is_refused(zero: str, tmp_path: Path) -> None:
     (tmp_path / "part.ngc").write_text(PROGRAM)
-    said = invoke(tmp_path, "check", "part.ngc", "--machine", machine_file(tmp_path), "--zero", zero)
-    assert said.code == 2 and len(said.err.strip().splitlines()) == 1
+    (tmp_path / "s.toml").write_text(f'machine = {{file = "m.ini"}}\n[program]\nfile = "part.ngc"\nzero = "{zero}"\n')
+    machine = ("--machine", machine_file(tmp_path), "--zero", zero)
+    heads = {("check", "part.ngc", *machine): "--zero", ("run", "part.ngc", *machine): "--zero", ("run", "s.toml"): "s.toml: program.zero:"}
+    for words, head in heads.items():
+        said = invoke(tmp_path, *words)
+        assert said.code == 2 and len(said.err.strip().splitlines()) == 1 and said.err.startswith(f"contourlab: {head}")
 
 
 def test_without_work_offsets_only_the_size_is_held_against_the_travel(tmp_path: Path) -> None:
@@ -90,8 +94,9 @@ def test_without_work_offsets_only_the_size_is_held_against_the_travel(tmp_path:
     assert code == 0 and "CL985" not in found
     code, found = checked("--zero", "8, 1, 0")  # x to 10 inches of 9
     assert code == 2 and "CL470" in found
-    with pytest.raises(Exception, match="axis x"):
-        scenario_from_parts(part, file, options={"zero": "8, 1, 0"}).base.reference()
+    said = invoke(tmp_path, "run", part, "--machine", file, "--json", "--zero", "8, 1, 0")
+    (problem,) = json.loads(said.out)["problems"]
+    assert (said.code, problem["code"], problem["line"]) == (2, "CL470", 2) and said.err.rstrip().endswith("[CL470]")
 
 
 def test_machine_coordinates_are_held_against_the_travel_without_a_zero(tmp_path: Path) -> None:
@@ -104,7 +109,7 @@ def test_machine_coordinates_are_held_against_the_travel_without_a_zero(tmp_path
         if code:
             with pytest.raises(ProgramError) as caught:
                 scenario_from_parts(part, file).base.reference()
-            assert caught.value.line == 4
+            assert (caught.value.code, caught.value.line) == ("CL989", 4)
 
 
 def test_what_is_absent_is_named_and_the_rest_is_read(tmp_path: Path) -> None:
@@ -187,6 +192,32 @@ def test_files_include_each_other_up_to_sixteen_deep(tmp_path: Path) -> None:
     file.write_text("#INCLUDE 0.inc\n")
     with pytest.raises(ScenarioError, match=r"15\.inc:1"):
         load_machine(file)
+
+
+@pytest.mark.parametrize(
+    ("hal", "place"),
+    [
+        (b"source 1.hal\n", r"1\.hal:1: source 1\.hal"),
+        (b"\nsource 2.hal\n", r"2\.hal:1: source 1\.hal"),
+        (bytes(range(256)), r"1\.hal: is no text"),
+    ],
+)
+def test_a_hal_file_that_linuxcnc_would_not_end(tmp_path: Path, hal: bytes, place: str) -> None:
+    (tmp_path / "1.hal").write_bytes(hal)
+    (tmp_path / "2.hal").write_text("source 1.hal\n")
+    with pytest.raises(ScenarioError, match=place):
+        load_machine(machine_file(tmp_path, ("[HAL]\n", "[HAL]\nHALFILE = 1.hal\n")))
+
+
+def test_an_absent_include_is_named_with_its_line(tmp_path: Path) -> None:
+    with pytest.raises(ScenarioError, match=r"m\.ini:2: #INCLUDE absent\.inc"):
+        load_machine(machine_file(tmp_path, ("MACHINE =", "#INCLUDE absent.inc\nMACHINE =")))
+
+
+@pytest.mark.parametrize("scale", ["STEP_SCALE = 0", "STEP_SCALE = 4000\nENCODER_SCALE = -0.0", "INPUT_SCALE = .0e3"])
+def test_a_scale_that_divides_is_not_0(tmp_path: Path, scale: str) -> None:
+    with pytest.raises(ScenarioError, match=r"m\.ini:\d+: \[JOINT_0\]"):
+        load_machine(machine_file(tmp_path, ("[JOINT_0]\n", f"[JOINT_0]\n{scale}\n")))
 
 
 @pytest.mark.parametrize(

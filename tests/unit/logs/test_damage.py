@@ -102,6 +102,21 @@ def test_two_records_one_after_the_other(tmp_path: Path, kind: str, line: int) -
     assert refusal.value.line == line
 
 
+@pytest.mark.parametrize("kind", MARKS.keys() - {"twincat"} | {"blanks"})
+def test_a_header_repeated_in_one_record(tmp_path: Path, kind: str) -> None:
+    head, *rows = GOOD[kind].splitlines(keepends=True)
+    good, record = read(tmp_path, GOOD[kind], kind), read(tmp_path, "".join([head, *rows[:9], head, *rows[9:20], head, *rows[20:]]), kind)
+    assert numbers(record) == numbers(good)
+    assert [(one.code, one.values) for one in record.findings] == [("CL440", {"line": 11, "times": 2})]
+
+
+def test_times_of_day_that_begin_again_are_two_records(tmp_path: Path) -> None:
+    text = "time,x [mm]\n" + "".join(f"12:00:0{k}.000,{k}.5\n" for k in range(9))
+    with pytest.raises(LogError) as refusal:
+        read(tmp_path, text * 2, "csv")
+    assert refusal.value.line == 11
+
+
 @pytest.mark.parametrize("kind", ["halsampler -t", "twincat", "sinumerik"])
 def test_two_records_in_formats_with_an_end(tmp_path: Path, kind: str) -> None:
     with pytest.raises(LogError) as refusal:

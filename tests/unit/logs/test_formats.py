@@ -542,3 +542,9 @@ def test_a_line_of_bare_units_below_the_names(tmp_path: Path, mark: str, heads: 
     assert [channel.name for channel in record.channels] == names
     assert [channel.unit for channel in record.channels] == units
     assert record.channels[1].values.tolist() == [0.0, 2.0, 4.0]
+
+
+def test_a_sample_time_of_the_scope_that_is_no_number(tmp_path: Path) -> None:
+    (tmp_path / "a.csv").write_text(twincat().replace("SampleTime[ms]\t1", "SampleTime[ms]\ts"))
+    with pytest.raises(LogError, match=r"a\.csv: 's'"):
+        read_record(tmp_path / "a.csv")

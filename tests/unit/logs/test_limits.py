@@ -134,6 +134,15 @@ def test_a_line_has_a_limit(tmp_path: Path, kind: str, head: str) -> None:
         read_record(tmp_path / "a.csv", kind)
 
 
+def test_a_text_has_a_limit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "a.csv").write_text("t [s],x [mm]\n0,1\n1,2\n")
+    monkeypatch.setattr(reading, "TEXT", 21)
+    assert read_record(tmp_path / "a.csv").names == ["t", "x"]
+    monkeypatch.setattr(reading, "TEXT", 20)
+    with refuses(LogError, f"set {reading.SETTING}=2", file=tmp_path / "a.csv"):
+        read_record(tmp_path / "a.csv")
+
+
 def test_columns_have_a_limit(tmp_path: Path) -> None:
     (tmp_path / "a.csv").write_text("1,2\n" + ("1," * 25_000 + "1\n") * 3)
     with refuses(LogError, f"25001.*{reading.SETTING}=3", file=tmp_path / "a.csv", line=2):

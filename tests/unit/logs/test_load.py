@@ -363,3 +363,22 @@ def test_the_channels_that_have_a_gap_at_a_time() -> None:
     log = result_of(record(Channel("x pos", values, "mm", time), Channel("y pos", time, "mm", time)), Columns())
     assert log.start == 7.0
     assert [log.gaps_at(at) for at in (0.039, 0.0405, 0.042, 0.043)] == [[], ["x pos"], ["x pos"], []]
+
+
+def test_with_a_unit_bare_letters_are_positions(tmp_path: Path) -> None:
+    """``x`` beside ``x_ref`` is plain; beside another position it is not asked for, and two of a letter are ambiguous."""
+    file = tmp_path / "log.csv"
+    rows = "".join(f"{k}e-3,{k}e-2,{2 * k}e-2,{3 * k}e-2,{4 * k}e-2\n" for k in range(9))
+    for head, names in {
+        "time,x,y,x_ref,y_ref": ["x", "y"],
+        "time,x,y,x_pos,y_ref": ["x_pos", "y"],
+        "time,x,X,y,y_ref": ["y"],
+    }.items():
+        file.write_text(f"{head}\n{rows}")
+        log = load_log(file, unit="cm")
+        assert [column.column for column in log.columns if column.signal == "position"] == names
+        assert ("CL431" in [one.code for one in log.findings]) == ("X" in head)
+        assert log.result["position"][1, -1] == pytest.approx({"y": 1e-2, "x": 1e-2}[names[-1]] * (3e-2 if "X" in head else 2e-2))
+    file.write_text(f"time,x,y,q,p\n{rows}")
+    with pytest.raises(LogError, match="--unit mm"):
+        load_log(file)

@@ -12,7 +12,7 @@ import pytest
 from each import each
 from refusals import refuses
 
-from contourlab.errors import ProgramError
+from contourlab.errors import ParameterError, ProgramError
 from contourlab.program import Dwell, Reader, Reading, open_program, parse_program, read_program
 from contourlab.program.flow import LONGEST_LINE, Tape
 
@@ -291,7 +291,7 @@ def test_cycles_cannot_produce_unlimited_moves() -> None:
         parse_program(text, reading=Reading(most_moves=1000))
     with refuses(ProgramError, "strokes", line=1):
         parse_program("F100 G91 G83 X1 Z-1 R1 Q0.001 L200\nM2")
-    with refuses(ProgramError, "most_moves"):
+    with refuses(ParameterError, "most_moves"):
         Reading(most_moves=0)
 
 

@@ -8,7 +8,7 @@ import pytest
 from each import each
 from refusals import refuses
 
-from contourlab.errors import ProgramError
+from contourlab.errors import ParameterError, ProgramError
 from contourlab.program import Dwell, Feed, Reader, Reading, parse_program
 from contourlab.program.moves import Notice
 
@@ -52,7 +52,7 @@ def test_grbl_does_not_hide_errors() -> None:
 
 
 def test_an_unknown_dialect() -> None:
-    with pytest.raises(ProgramError, match=r"'fanuc'.*linuxcnc, grbl"):
+    with pytest.raises(ParameterError, match=r"'fanuc'.*linuxcnc, grbl"):
         Reading(dialect="fanuc")  # type: ignore[arg-type]
 
 

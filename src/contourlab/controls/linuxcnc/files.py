@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -28,6 +28,8 @@ DEEPEST = 16
 REFERENCE = re.compile(r"\[(\w+)\](?:\((\w+)\)|(\w+))")
 """A key of the INI file in a HAL file."""
 _OWN = re.compile(r"^\s*(\[\w+\]|(net|setp|addf|loadrt|loadusr|source)\s)", re.MULTILINE)
+_NOTHING = re.compile(r"[-+]?(0+\.?0*|\.0+)([eE].*)?")
+_UNREADABLE = re.compile(r"[\0-\x08\x0e-\x19]")
 _PORT = re.compile(r"(fb-)?(in|out)(?![a-z])")
 
 
@@ -216,8 +218,10 @@ def _ini_lines(path: Path, depth: int) -> Iterator[tuple[Line, str]]:
             yield place, line
         elif depth == DEEPEST:
             raise ScenarioError(f"#INCLUDE {included[1]}: files include each other, or more than {DEEPEST} deep", file=place.place)
+        elif not (file := beside(path, included[1])).is_file():
+            raise ScenarioError(f"#INCLUDE {included[1]}: there is no such file", file=place.place)
         else:
-            yield from _ini_lines(beside(path, included[1]), depth + 1)
+            yield from _ini_lines(file, depth + 1)
 
 
 def _text(path: Path) -> str:
@@ -226,6 +230,8 @@ def _text(path: Path) -> str:
         text = path.read_text(encoding="utf-8", errors="replace")
     except OSError as error:
         raise ScenarioError(mistaken(path, *kinds) or error.strerror or "cannot be read", file=path) from error
+    if _UNREADABLE.search(text):
+        raise ScenarioError("is no text", file=path)
     # Lines of G-code may stand in an INI file, and a pin may be named as a word of it.
     if words := mistaken(path, *kinds, *(["a part program"] if _OWN.search(text) else [])):
         raise ScenarioError(words, file=path)
@@ -284,6 +290,9 @@ def units_of(ini: Ini, graph: HalGraph) -> tuple[float, float, list[Finding]]:
     entry, period = ini.first("TRAJ", "LINEAR_UNITS"), ini.number("EMCMOT", "SERVO_PERIOD", positive=True)
     if period is None and (given := ini.first("EMCMOT", "SERVO_PERIOD")):
         raise ScenarioError(f"SERVO_PERIOD = {given.value}: write it in ns, such as 1000000", file=given.place)
+    for (section, key), (given, *_) in ini.values.items():
+        if key.endswith("SCALE") and section.startswith(("JOINT_", "AXIS_")) and _NOTHING.fullmatch(given.value):
+            raise ScenarioError(f"[{section}]{key} = {given.value}: must not be 0", file=given.place)
     unit = LENGTHS.get(entry.value.lower()) if entry else None
     findings = [finding("CL866", other.place, file=other.value) for other in graph.unread]
     findings += [finding("CL850", entry.place if entry else ini.file.name)] if unit is None else []
@@ -305,24 +314,27 @@ def read_graph(ini: Ini, files: Sequence[Path], unread: Sequence[Entry] = ()) ->
     ScenarioError
         If a file cannot be read, or a number of channels is none.
     """
-    absent, statements = list(unread), list[Statement]()
-    open_ = [statement for file in files for statement in read_hal(file, ini)]
-    open_ += [statement for entry in ini.values.get(("HAL", "HALCMD"), []) for statement in _statement(entry, ini)]
-    read = {file.resolve() for file in files}
-    while open_:
-        statement = open_.pop(0)
-        if statement.words[0] != "source" or len(statement.words) < 2:
-            statements.append(statement)
-            continue
-        entry = statement.entry(1)
-        path = _located(entry, ini)
-        if path is None:
-            absent.append(entry)
-        elif path.resolve() not in read:
-            read.add(path.resolve())
-            open_ = [*read_hal(path, ini), *open_]
-    graph = HalGraph(tuple(statements), unread=tuple(absent))
-    for statement in statements:
+    absent, read = list(unread), {file.resolve() for file in files}
+
+    def sourced(lines: Iterable[Statement], *above: Path) -> Iterator[Statement]:
+        for statement in lines:
+            if statement.words[0] != "source" or len(statement.words) < 2:
+                yield statement
+                continue
+            entry = statement.entry(1)
+            path = _located(entry, ini)
+            if path is None:
+                absent.append(entry)
+            elif (file := path.resolve()) in above:
+                raise ScenarioError(f"source {entry.value}: files source each other", file=entry.place)
+            elif file not in read:
+                read.add(file)
+                yield from sourced(read_hal(path, ini), *above, file)
+
+    commands = (statement for entry in ini.values.get(("HAL", "HALCMD"), []) for statement in _statement(entry, ini))
+    statements = [statement for file in files for statement in sourced(read_hal(file, ini), file.resolve())]
+    graph = HalGraph((*statements, *sourced(commands)), unread=tuple(absent))
+    for statement in graph.statements:
         _add(graph, statement)
     return graph
 

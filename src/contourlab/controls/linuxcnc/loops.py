@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from contourlab.controls.linuxcnc.files import HalGraph, Ini
+from contourlab.errors import ScenarioError
 
 Loop = Literal["servo", "step generator", "velocity drive", "position drive", "simulated", "unknown"]
 _STEPS = re.compile(r"step[-_]?(gen|dir|per)|pluto.step|freqgen|(remora|rio)\.joint\.")
@@ -92,6 +93,13 @@ def kinematics_of(ini: Ini, graph: HalGraph) -> list[tuple[str, str]]:
     entry = ini.first("KINS", "KINEMATICS")
     loaded = [(line.place, " ".join(line.words[1:])) for line in graph.statements if line.words[0] == "loadrt" and len(line.words) > 1]
     return ([(entry.place, entry.value)] if entry else []) + [one for one in loaded if re.match(r"\w*kins\b", one[1])]
+
+
+def refuse_coupled(ini: Ini, graph: HalGraph) -> None:
+    """Raise ScenarioError if a joint may be no axis."""
+    for place, kind in kinematics_of(ini, graph):
+        if kind.partition(" ")[0] != "trivkins":
+            raise ScenarioError(f"kinematics {kind.partition(' ')[0]}: joints are no axes; only trivkins is read", file=place)
 
 
 def joints(ini: Ini, graph: HalGraph) -> list[Joint]:

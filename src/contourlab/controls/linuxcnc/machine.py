@@ -10,7 +10,7 @@ from typing import Any
 
 from contourlab.controls.contract import FLOATING, ControlFile, computed, driven_by_steps, position_drive, read_from, steps_controller
 from contourlab.controls.linuxcnc.files import LENGTHS, HalGraph, Ini, beside, graph_of, read_ini, units_of
-from contourlab.controls.linuxcnc.loops import Joint, LoopClass, classified, joints, kinematics_of, without_pid
+from contourlab.controls.linuxcnc.loops import Joint, LoopClass, classified, joints, refuse_coupled, without_pid
 from contourlab.errors import ScenarioError, refuse
 from contourlab.findings import Finding, finding
 
@@ -52,9 +52,7 @@ class _Machine:
 
     def control_file(self) -> ControlFile:
         """Return what the files say."""
-        for place, kind in kinematics_of(self.ini, self.graph):
-            if kind.partition(" ")[0] != "trivkins":
-                raise ScenarioError(f"kinematics {kind.partition(' ')[0]}: joints are no axes; only trivkins is read", file=place)
+        refuse_coupled(self.ini, self.graph)
         self.unit, self.period, self.findings = units_of(self.ini, self.graph)
         if (given := self.ini.first("TRAJ", "LINEAR_UNITS")) and any(found.code == "CL850" for found in self.findings):
             raise ScenarioError(f"LINEAR_UNITS = {given.value}: write mm or inch", file=given.place)

@@ -13,6 +13,7 @@ from typing import Any, ClassVar
 from contourlab.app.json_values import HIDDEN
 from contourlab.controls import reader_of
 from contourlab.errors import OutputError, refuse
+from contourlab.findings import Finding
 from contourlab.rendering.judgement import NOT_STATED, Number
 from contourlab.rendering.origins import numbers_of_axis, numbers_of_machine, stated
 from contourlab.result import write_bytes_atomic
@@ -39,6 +40,8 @@ class Shipped:
         First sentence of the file.
     numbers : tuple of Number
         Parameters of a machine or an axis, with their sources.
+    findings : tuple of Finding
+        Those on a control's own file.
     """
 
     json_derived: ClassVar = ("sources", "references", "provenance", "text")
@@ -49,6 +52,7 @@ class Shipped:
     about: str
     file: Path
     numbers: tuple[Number, ...] = field(default=(), metadata=HIDDEN)
+    findings: tuple[Finding, ...] = ()
 
     @property
     def sources(self) -> dict[str, int]:
@@ -91,10 +95,10 @@ def shipped_one(name: str) -> Shipped:
     short = name if own else name.removeprefix(BUILTIN).removesuffix(".toml")
     if reader_of(file) is not None:
         machine = load_machine(file)
-        assert machine.control is not None
-        return Shipped(
-            short, "machine", machine.axis_names, f"Read from a file of {machine.control.control}", file, numbers_of_machine(machine)
-        )
+        control = machine.control
+        assert control is not None
+        about, numbers = f"Read from a file of {control.control}", numbers_of_machine(machine)
+        return Shipped(short, "machine", machine.axis_names, about, file, numbers, control.findings)
     about = _about(file)
     if file.suffix == ".ngc":
         return Shipped(short, "program", (), about, file)

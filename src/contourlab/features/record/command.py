@@ -11,7 +11,7 @@ from contourlab.app.json_values import HIDDEN
 from contourlab.app.results import filled, write_together
 from contourlab.app.session import QUIET, Answer, Session, question
 from contourlab.controls.linuxcnc.files import HalGraph, graph_of, read_ini, sampler_lines, units_of
-from contourlab.controls.linuxcnc.loops import Joint, commanded, feedback, joints
+from contourlab.controls.linuxcnc.loops import Joint, commanded, feedback, joints, refuse_coupled
 from contourlab.controls.linuxcnc.machine import LETTERS, matches
 from contourlab.errors import ScenarioError, refuse
 from contourlab.features.record.options import Record
@@ -112,11 +112,12 @@ def record(ini: str | Path, *, settings: Record, session: Session = QUIET) -> Re
     Raises
     ------
     ScenarioError
-        If a file cannot be read, LinuxCNC loads a sampler already, or none of x, y and z moves.
+        If a file cannot be read, the kinematics couple the axes, LinuxCNC loads a sampler already, or none of x, y and z moves.
     """
     files = read_ini(ini)
     refuse(not matches(files.file, files.file.read_bytes()), ScenarioError, "is no INI file of LinuxCNC", file=ini)
     graph, _ = graph_of(files)
+    refuse_coupled(files, graph)
     if loaded := next((line for line in graph.statements if line.words[:2] == ("loadrt", "sampler")), None):
         raise ScenarioError("loads a sampler, and LinuxCNC loads only one: remove it to record with another", file=loaded.place)
     of_axes = [(joint, _recorded(graph, joint)) for joint in joints(files, graph) if joint.axis in LETTERS]

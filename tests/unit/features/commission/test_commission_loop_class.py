@@ -206,7 +206,7 @@ def test_a_number_of_channels_that_cannot_be_is_refused(tmp_path: Path, count: s
 
 def test_odd_statements_are_passed_over(tmp_path: Path) -> None:
     odd = "source\nsource [HAL]NOTHING\nnet\nnet a\nlinkps a\nsetp a\naddf\nloadrt\nunlinkp\nunlinkp never.0.linked\nunlinkp\n"
-    odd += "net x-fb x.y\nnet x-fb x.y\nunlinkp x.y\nsource m.hal\nloadrt encoder num_chan=999999999999\n"
+    odd += "net x-fb x.y\nnet x-fb x.y\nunlinkp x.y\nloadrt encoder num_chan=999999999999\n"
     assert loop_of(setup_of(tmp_path, odd + OWN)) == STEPS
 
 

@@ -108,6 +108,8 @@ def test_a_sampler_that_is_there_and_axes_that_are_not(tmp_path: Path) -> None:
     ini.write_text(ini.read_text().replace("COORDINATES = X Y", "COORDINATES = A C"))
     with pytest.raises(ScenarioError):
         cl.record(ini)
+    with pytest.raises(ScenarioError, match=r"m\.ini:\d+: kinematics 5axiskins"):
+        cl.record(machine(tmp_path, SERVO, "[KINS]", "KINEMATICS = 5axiskins coordinates=XYZBC"))
     with pytest.raises(ContourlabError):
         cl.record(made_control(tmp_path, "grbl"))
 
