@@ -230,11 +230,11 @@ def _text(path: Path) -> str:
         text = path.read_text(encoding="utf-8", errors="replace")
     except OSError as error:
         raise ScenarioError(mistaken(path, *kinds) or error.strerror or "cannot be read", file=path) from error
-    if _UNREADABLE.search(text):
-        raise ScenarioError("is no text", file=path)
     # Lines of G-code may stand in an INI file, and a pin may be named as a word of it.
     if words := mistaken(path, *kinds, *(["a part program"] if _OWN.search(text) else [])):
         raise ScenarioError(words, file=path)
+    if _UNREADABLE.search(text):
+        raise ScenarioError("is no text", file=path)
     return text
 
 
