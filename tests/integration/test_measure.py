@@ -626,7 +626,7 @@ def test_a_recording_in_machine_coordinates(tmp_path: Path, as_json: AsJson, com
     )
 
 
-@pytest.mark.parametrize("code", ["", "G28"])
+@pytest.mark.parametrize("code", ["", pytest.param("G28", marks=pytest.mark.slow)])
 @pytest.mark.parametrize("commanded", [True, False])
 @pytest.mark.parametrize("shift", ["fit", "123.4 mm, -56.7 mm"])
 def test_a_move_in_machine_coordinates_does_not_move_with_the_part(

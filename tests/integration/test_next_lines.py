@@ -103,7 +103,7 @@ def test_what_a_quick_command_proposes_runs(contourlab: Run, folder: Path, words
     assert follow(contourlab, folder, words) or words[0] in SILENT
 
 
-@pytest.mark.parametrize("command", ["measure", "circle", "limits"])
+@pytest.mark.parametrize("command", [*(pytest.param(name, marks=pytest.mark.slow) for name in ("measure", "circle")), "limits"])
 def test_the_unit_of_a_machine_goes_on(contourlab: Run, folder: Path, command: str) -> None:
     log = np.loadtxt(folder / "circle.csv", delimiter=",", skiprows=1) / [1.0, *[25.4] * 4]
     np.savetxt(folder / "circle.csv", log, header="time [s],x cmd,y cmd,x pos,y pos", comments="", delimiter=",")
