@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import subprocess
@@ -176,7 +177,8 @@ def test_a_loop_that_runs_away_is_3_and_leaves_the_old_results(contourlab: Run, 
     with staged(old.parent, "summary.json") as stage:
         (stage / "summary.json").write_text("older", encoding="utf-8")
     said = contourlab("run", "wild.toml", "--out", "results", *words)
-    assert (said.code, said.out) == (3, "")
+    assert said.code == 3 and bool(said.out) == ("--json" in words)
+    assert not words or [problem["message"] in one_line(said.err) for problem in json.loads(said.out)["problems"]] == [True]
     found = re.search(r"([\d.]+) mm .*\b5 mm .*axis 3, sample (\d+), t = ([\d.]+) s", one_line(said.err))
     assert found
     gap, sample, time = (float(group) for group in found.groups())

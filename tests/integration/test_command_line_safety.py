@@ -35,8 +35,8 @@ def test_a_contour_beyond_the_travel_of_an_axis_is_2(contourlab: Run, tmp_path: 
 def test_a_disk_that_fills_up_late_keeps_the_old_results(contourlab: Run, old_results: Path, tmp_path: Path) -> None:
     import resource
 
-    (tmp_path / "other.toml").write_text(CIRCLE.replace("20 mm", "19 mm").replace("laps = 2", "laps = 1"), encoding="utf-8")
-    before, full = contents(old_results), 2_000_000
+    (tmp_path / "other.toml").write_text(CIRCLE.replace("0.5 Hz", "1 Hz").replace("laps = 2", "laps = 1"), encoding="utf-8")
+    before, full = contents(old_results), 400_000  # room for the signals
     said = contourlab("run", "other.toml", "--out", "results", before=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (full, full)))
     assert said.code == 2
     assert "report.html: " in said.err and said.err.count("\n") == 1
