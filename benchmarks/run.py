@@ -123,7 +123,7 @@ class Bench:
         to_c, ratio = (ns / self.ns[other] if other in self.ns else None for other in ("c", reference))
         row = {"name": name, "ns_per_step_variant": ns, "ratio_to_c": to_c, "reference": reference, "ratio": ratio, "rms": error}
         self.rows.append({**row, "note": note})
-        ratios = "".join(f"{f'{value:#.3g}'.rstrip('.') if value else '':>7s}" for value in (to_c, ratio))
+        ratios = "".join(f"{f'{value:#.3g}'.rstrip('.') if value else '':>9s}" for value in (to_c, ratio))
         print(f"{name:35s}{ns:9.1f}{ratios}  {error:<17.12g}{reference or ''}".rstrip(), flush=True)
 
     def rounds(self, contenders: list[Contender], repeat: int) -> None:
@@ -372,7 +372,7 @@ def main() -> int:
     if not references.compiler():
         print("No C compiler found: the rows in C are left out, and ratios to them are empty")
     print("Nanoseconds per step and variant; rms contour error of the second lap (judge: part error, second half) in mm")
-    print(f"{'':35s}{'ns':>9s}{'to C':>7s}{'ratio':>7s}  {'rms':17s}ratio to")
+    print(f"{'':35s}{'ns':>9s}{'to C':>9s}{'ratio':>9s}  {'rms':17s}ratio to")
     with tempfile.TemporaryDirectory() as folder:
         bench.rounds([*on_circle(), *with_backlash(), *with_five_axes(), *judging(Path(folder))], options.repeat)
     bench_judged(bench, min(options.repeat, 7))
