@@ -6,7 +6,7 @@ import {
 } from "./base";
 
 const GLYPHS: Record<string, string> = { reversal: "▲", corner: "◆", "first zero": "●", "curvature step": "▼" };
-const HEIGHT = { alone: 250, each: 170, axis: 40, gap: 8 };
+const HEIGHT = { alone: 250, each: 170, paper: 120, axis: 40, gap: 8 };
 type Range = [number, number];
 
 export function drawChart(host: HTMLElement, chart: Chart): Drawing {
@@ -114,11 +114,13 @@ class View {
     add(head, "b", "", panel.y_label);
     for (const [text, colour] of this.notes()) add(head, "span", "", text).style.color = colour;
     const place = add(host, "div", "cl-panel"), k = this.scale, count = group.chart.panels.length;
-    const inner = group.chart.panel_height || (count === 1 ? HEIGHT.alone : HEIGHT.each);
+    const inner = group.chart.panel_height || (count === 1 ? HEIGHT.alone : isPaper() ? HEIGHT.paper : HEIGHT.each);
     place.style.setProperty("zoom", String(1 / k));
     this.tip = new Tip(place);
     const font = `${12 * k}px ${FONT.slice(5)}`;
     const axis: uPlot.Axis = {
+      values: (plot, splits, i, _space, step) =>
+        splits.map(at => (at === null ? "" : tickText(at, plot.scales[plot.axes[i].scale!].distr === 3 ? at : step))),
       stroke: colours.muted, font, labelFont: font, gap: 5 * k,
       grid: { stroke: colours.line, width: k }, ticks: { stroke: colours.edge, width: k, size: 4 * k }, border: { show: true, stroke: colours.edge, width: k },
     };
@@ -351,6 +353,12 @@ function place(plot: uPlot, key: "x" | "y", canvas = true): (value: number) => n
   const to = distr === 3 ? Math.log : (v: number) => v, low = to(min!), span = to(max!) - low;
   const size = (key === "x" ? bbox.width : bbox.height) / ratio, start = canvas ? (key === "x" ? bbox.left : bbox.top) : 0;
   return key === "x" ? v => start + (size * (to(v) - low)) / span : v => start + size * (1 - (to(v) - low) / span);
+}
+
+/** Return the text of a tick, with the digits that its distance to the next asks for; a point in every language, as in the tables. */
+function tickText(at: number, step: number): string {
+  const digits = Math.ceil(-Math.log10(step)) + 1;
+  return digits > 7 ? figure(at) : at.toLocaleString("en", { maximumFractionDigits: Math.max(digits, 0) });
 }
 
 /** Return the index of the value nearest to x; values ascend, nan in between are skipped. */
