@@ -135,8 +135,8 @@ class View {
       },
       series: [{}, ...panel.curves.map(curve => this.series(curve))],
       axes: [
-        { ...axis, size: (last ? 24 : HEIGHT.gap) * k, space: 70 * k, ...(last ? { label: panel.x_label, labelSize: 16 * k, labelGap: 0 } : { values: () => [] }) },
-        { ...axis, size: gutter * k, space: 32 * k, ...(y.length ? { splits: () => y.map(([at]) => at), values: () => y.map(([, text]) => text) } : {}) },
+        { ...axis, ...(panel.log_x ? { splits: logSplits, filter: named } : {}), size: (last ? 24 : HEIGHT.gap) * k, space: 70 * k, ...(last ? { label: panel.x_label, labelSize: 16 * k, labelGap: 0 } : { values: () => [] }) },
+        { ...axis, ...(panel.log_y ? { splits: logSplits } : {}), size: gutter * k, space: 32 * k, ...(y.length ? { splits: () => y.map(([at]) => at), values: () => y.map(([, text]) => text) } : {}) },
       ],
       legend: { show: false },
       cursor: { y: false, points: { show: false }, drag: { setScale: false, x: true, y: false } },
@@ -353,6 +353,19 @@ function place(plot: uPlot, key: "x" | "y", canvas = true): (value: number) => n
   const to = distr === 3 ? Math.log : (v: number) => v, low = to(min!), span = to(max!) - low;
   const size = (key === "x" ? bbox.width : bbox.height) / ratio, start = canvas ? (key === "x" ? bbox.left : bbox.top) : 0;
   return key === "x" ? v => start + (size * (to(v) - low)) / span : v => start + size * (1 - (to(v) - low) / span);
+}
+
+/** Return 1 to 9 times each power of ten in a range: uPlot's own begin at its lower end, as in 128, 228, 328. */
+function logSplits(_plot: uPlot, _i: number, low: number, high: number): number[] {
+  const first = Math.floor(Math.log10(low)), count = 9 * (Math.ceil(Math.log10(high)) - first) + 1;
+  const all = Array.from({ length: count }, (_, k) => Number(`${1 + (k % 9)}e${first + Math.floor(k / 9)}`));
+  return all.filter(at => at >= low && at <= high);
+}
+
+/** Keep the powers of ten, and 2 and 5 times them where there is room. */
+function named(plot: uPlot, splits: number[]): (number | null)[] {
+  const room = Math.abs(plot.valToPos(10, "x") - plot.valToPos(1, "x")), digits = room > 240 ? "125" : "1";
+  return splits.map(at => (digits.includes(at.toExponential()[0]) ? at : null));
 }
 
 /** Return the text of a tick, with the digits that its distance to the next asks for; a point in every language, as in the tables. */
