@@ -6,7 +6,7 @@ import {
 } from "./base";
 
 const GLYPHS: Record<string, string> = { reversal: "▲", corner: "◆", "first zero": "●", "curvature step": "▼" };
-const HEIGHT = { alone: 250, each: 170, axis: 40, gap: 8 };
+const HEIGHT = { alone: 250, each: 170, paper: 120, axis: 40, gap: 8 };
 type Range = [number, number];
 
 export function drawChart(host: HTMLElement, chart: Chart): Drawing {
@@ -114,11 +114,13 @@ class View {
     add(head, "b", "", panel.y_label);
     for (const [text, colour] of this.notes()) add(head, "span", "", text).style.color = colour;
     const place = add(host, "div", "cl-panel"), k = this.scale, count = group.chart.panels.length;
-    const inner = group.chart.panel_height || (count === 1 ? HEIGHT.alone : HEIGHT.each);
+    const inner = group.chart.panel_height || (count === 1 ? HEIGHT.alone : isPaper() ? HEIGHT.paper : HEIGHT.each);
     place.style.setProperty("zoom", String(1 / k));
     this.tip = new Tip(place);
     const font = `${12 * k}px ${FONT.slice(5)}`;
     const axis: uPlot.Axis = {
+      values: (plot, splits, i, _space, step) =>
+        splits.map(at => (at === null ? "" : tickText(at, plot.scales[plot.axes[i].scale!].distr === 3 ? at : step))),
       stroke: colours.muted, font, labelFont: font, gap: 5 * k,
       grid: { stroke: colours.line, width: k }, ticks: { stroke: colours.edge, width: k, size: 4 * k }, border: { show: true, stroke: colours.edge, width: k },
     };
@@ -133,8 +135,8 @@ class View {
       },
       series: [{}, ...panel.curves.map(curve => this.series(curve))],
       axes: [
-        { ...axis, size: (last ? 24 : HEIGHT.gap) * k, space: 70 * k, ...(last ? { label: panel.x_label, labelSize: 16 * k, labelGap: 0 } : { values: () => [] }) },
-        { ...axis, size: gutter * k, space: 32 * k, ...(y.length ? { splits: () => y.map(([at]) => at), values: () => y.map(([, text]) => text) } : {}) },
+        { ...axis, ...(panel.log_x ? { splits: logSplits, filter: named } : {}), size: (last ? 24 : HEIGHT.gap) * k, space: 70 * k, ...(last ? { label: panel.x_label, labelSize: 16 * k, labelGap: 0 } : { values: () => [] }) },
+        { ...axis, ...(panel.log_y ? { splits: logSplits } : {}), size: gutter * k, space: 32 * k, ...(y.length ? { splits: () => y.map(([at]) => at), values: () => y.map(([, text]) => text) } : {}) },
       ],
       legend: { show: false },
       cursor: { y: false, points: { show: false }, drag: { setScale: false, x: true, y: false } },
@@ -351,6 +353,25 @@ function place(plot: uPlot, key: "x" | "y", canvas = true): (value: number) => n
   const to = distr === 3 ? Math.log : (v: number) => v, low = to(min!), span = to(max!) - low;
   const size = (key === "x" ? bbox.width : bbox.height) / ratio, start = canvas ? (key === "x" ? bbox.left : bbox.top) : 0;
   return key === "x" ? v => start + (size * (to(v) - low)) / span : v => start + size * (1 - (to(v) - low) / span);
+}
+
+/** Return 1 to 9 times each power of ten in a range: uPlot's own begin at its lower end, as in 128, 228, 328. */
+function logSplits(_plot: uPlot, _i: number, low: number, high: number): number[] {
+  const first = Math.floor(Math.log10(low)), count = 9 * (Math.ceil(Math.log10(high)) - first) + 1;
+  const all = Array.from({ length: count }, (_, k) => Number(`${1 + (k % 9)}e${first + Math.floor(k / 9)}`));
+  return all.filter(at => at >= low && at <= high);
+}
+
+/** Keep the powers of ten, and 2 and 5 times them where there is room. */
+function named(plot: uPlot, splits: number[]): (number | null)[] {
+  const room = Math.abs(plot.valToPos(10, "x") - plot.valToPos(1, "x")), digits = room > 240 ? "125" : "1";
+  return splits.map(at => (digits.includes(at.toExponential()[0]) ? at : null));
+}
+
+/** Return the text of a tick, with the digits that its distance to the next asks for; a point in every language, as in the tables. */
+function tickText(at: number, step: number): string {
+  const digits = Math.ceil(-Math.log10(step)) + 1;
+  return digits > 7 ? figure(at) : at.toLocaleString("en", { maximumFractionDigits: Math.max(digits, 0) });
 }
 
 /** Return the index of the value nearest to x; values ascend, nan in between are skipped. */

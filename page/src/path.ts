@@ -49,7 +49,7 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   const low: Point = [Infinity, Infinity, Infinity], high: Point = [-Infinity, -Infinity, -Infinity];
   path.forEach((value, i) => { low[i % 3] = Math.min(low[i % 3], value); high[i % 3] = Math.max(high[i % 3], value); });
   const centre = mix(low, high, 0.5), extent = Math.max(...high.map((value, k) => value - low[k])) || 1, tolerance = scene.tolerance;
-  const asked = { foot: attribute(path, 3, centre), tangent: tangents(path) };
+  const asked = { foot: attribute(path, 3, centre), tangent: tangents(path, 3e-5 * extent) };  // a corner comes as three points, rounded to 2^-17 of the extent
   const cuts = pairs(count, i => judged[i] > 0 && judged[i + 1] > 0), rests = pairs(count, i => !(judged[i] && judged[i + 1]));
   const rapids = gl.add(asked, rests, 0), outline = gl.add(asked, cuts, 2), halo = gl.add(asked, pairs(count, () => true), 3);
   const edges = tolerance === null ? [] : [1, -1].map(side => gl.add(asked, cuts, 1, side * tolerance * 1e-3));
@@ -88,9 +88,10 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
     listen(made, "click", act);
     return made;
   };
-  const letters = scene.axes.map(name => name.toUpperCase()), [x, y, z] = letters;
-  const views: [string, number, number][] = [[x + y, -90, 90], ["ISO", ...ISO]];
-  if (z) views.splice(1, 0, [x + z, -90, 0], [y + z, 0, 0]);
+  const letters = scene.axes.map(name => name.toUpperCase()), [x, y, z] = letters, longest = Math.max(...letters.map(name => name.length));
+  const plane = (a: string, b: string): string => a + (longest > 1 ? " " : "") + b;
+  const views: [string, number, number][] = [[plane(x, y), -90, 90], ["ISO", ...ISO]];
+  if (z) views.splice(1, 0, [plane(x, z), -90, 0], [plane(y, z), 0, 0]);
   const switches = runs.map(one => tick(one.run.name, one.shown, on => {
     one.shown = on;
     colourBy.value = visible().length > 1 ? "run" : "error";
@@ -175,7 +176,7 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
       marks.push(shape("path", { class: "path-mark", d: `M${px - 11} ${py}h8m6 0h8M${px} ${py - 11}v8m0 6v8` }));
     }
     letters.forEach((letter, k) => {
-      const [bx, by] = [view.width - 38, view.height - 34], dx = view.right[k], dy = -view.up[k];
+      const [bx, by] = [view.width - 30 - 8 * Math.min(longest, 9), view.height - 34], dx = view.right[k], dy = -view.up[k];
       marks.push(shape("line", { class: "path-mark", x1: bx, y1: by, x2: bx + 24 * dx, y2: by + 24 * dy }));
       if (Math.hypot(dx, dy) > 0.3) marks.push(shape("text", { x: bx + 30 * dx - 4, y: by + 32 * dy + 4 }, letter));
     });

@@ -75,14 +75,16 @@ export function attribute(values: Values, parts: number, centre: Point = [0, 0, 
   return new BufferAttribute(Float32Array.from(values, (value, i) => (value - centre[i % parts]) * unit), parts);
 }
 
-/** Return unit vectors along a path (n, 3). */
-export function tangents(path: Values): BufferAttribute {
+/** Return unit vectors along a path (n, 3); where points are closer than `least`, that of the point before, or at the start the first. */
+export function tangents(path: Values, least: number): BufferAttribute {
   const end = path.length - 3, along = new Float32Array(path.length);
   for (let i = 0; i <= end; i += 3) {
     const before = Math.max(i - 3, 0), after = Math.min(i + 3, end);
-    const step = [0, 1, 2].map(k => path[after + k] - path[before + k]), length = Math.hypot(...step) || 1;
-    along.set(step.map(part => part / length), i);
+    const step = [0, 1, 2].map(k => path[after + k] - path[before + k]), length = Math.hypot(...step);
+    if (length > least) along.set(step.map(part => part / length), i); else along.copyWithin(i, i - 3, i);
   }
+  const first = along.findIndex(part => part !== 0), start = first - (first % 3);
+  for (let i = 0; i < start; i += 3) along.copyWithin(i, start, start + 3);
   return new BufferAttribute(along, 3);
 }
 

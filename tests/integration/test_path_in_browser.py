@@ -7,8 +7,9 @@ import json
 import math
 import re
 import subprocess
-from dataclasses import fields, is_dataclass
-from pathlib import Path
+from dataclasses import fields, is_dataclass, replace
+from itertools import pairwise
+from pathlib import Path as File
 from typing import Any
 
 import numpy as np
@@ -16,11 +17,13 @@ import pytest
 import synthetic
 
 import contourlab as cl
+from contourlab.feed import uniform
+from contourlab.geometry import Line, Path
 from contourlab.metrics.figures import summarise
 from contourlab.rendering.data import JudgedRun, Provenance, ReportData
 from contourlab.rendering.path_picture import path_scene
 
-SOURCES = Path(__file__).parents[2] / "page"
+SOURCES = File(__file__).parents[2] / "page"
 ESBUILD = SOURCES / "node_modules" / ".bin" / "esbuild"
 pytestmark = pytest.mark.slow
 
@@ -60,7 +63,7 @@ MAGNIFY = (
     "value => { const slider = document.querySelector('[type=range]'); slider.value = value; slider.dispatchEvent(new Event('input')); }"
 )
 TAKE = "() => { const taken = {...spy}; Object.assign(spy, {buffers: 0, draws: 0, uniforms: []}); return taken; }"
-PICKED = (240, 162, 2)
+PICKED, BAND = (240, 162, 2), (140, 195, 179)
 
 
 def packed(value: Any) -> Any:
@@ -129,6 +132,19 @@ def test_the_circle_is_drawn_where_it_is(opened, circle):
     assert len(radii) > 1000 and np.median(radii) == pytest.approx(x - middle[0], rel=0.02)
     labels = page.locator(".path-worst text").all_text_contents()
     assert labels[0] == f"{np.abs(circle.schemes[0].result['part_error'][1000:]).max() * 1e6:.3g} um, line 4"
+
+
+def test_the_tolerance_follows_short_moves(opened, circle):
+    turns = np.linspace(0.0, 2.0 * np.pi, 1001)
+    corners = list(map(tuple, synthetic.RADIUS * np.column_stack([np.cos(turns), np.sin(turns)])))
+    path = Path([Line(*ends) for ends in pairwise(corners)], closed=True)
+    moved = synthetic.around(circle, path, uniform(path, 0.5, 1, 1e-3))
+    page = opened(replace(moved, tolerance=20e-6))
+    page.evaluate(MAGNIFY, math.log10(200.0))  # 4 mm
+    page.evaluate(FRAME)
+    scale = place(page, 1.0, 0.0)[0] - place(page, 0.0, 0.0)[0]
+    radii = np.array([math.hypot(*at) for at in page.evaluate(PIXELS, BAND)]) / scale
+    assert len(radii) > 1000 and np.all(np.minimum(abs(radii - 16.0), abs(radii - 24.0)) < 3.0 / scale)
 
 
 def test_a_magnification_is_one_uniform(opened, part):

@@ -11,7 +11,7 @@ import numpy as np
 import page_contract
 import pytest
 import synthetic
-from browsing import Browsing, drawn, painted
+from browsing import OPEN, Browsing, drawn, painted
 from jsonschema import Draft202012Validator
 from made_studies import made_study
 from messages import header_and_numbers, message_in, pictures
@@ -119,6 +119,28 @@ def test_panels_zoom_together_and_the_legend_hides_a_curve(browsing, page):
     frames.first.hover(position={"x": 201, "y": 30})
     assert name in lines and name not in place.locator(".cl-tip").first.inner_text()
     assert button.get_attribute("aria-pressed") == "false"
+
+
+@pytest.mark.slow
+def test_ticks_have_their_digits_in_every_language(browsing, page):
+    opened = browsing.open(page)
+    opened.add_init_script(
+        "Object.defineProperty(navigator, 'language', {value: 'de'}); const pen = CanvasRenderingContext2D.prototype, own = pen.fillText;"
+        "globalThis.texts = []; pen.fillText = function (text, ...at) { texts.push(text); return own.call(this, text, ...at); };"
+    )
+    opened.reload()
+    opened.evaluate(OPEN)
+    drawn(opened, "error-time").focus()
+    for _ in range(12):
+        opened.keyboard.press("+")
+    opened.evaluate("texts.length = 0")
+    opened.keyboard.press("+")
+    opened.wait_for_function("texts.includes('time [s]')")
+    texts = opened.evaluate("texts")
+    times = [float(text) for text in texts if text not in ("time [s]", *"▲◆●▼")]
+    times = times[: int(np.argmax(np.diff(times) < 0.0)) + 1]  # those of the y axis follow
+    assert len(times) > 3 and np.ptp(times) < 1e-2
+    np.testing.assert_allclose(np.diff(times), times[1] - times[0], rtol=1e-6)
 
 
 @pytest.mark.slow

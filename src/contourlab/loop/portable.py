@@ -41,7 +41,8 @@ class PortableLoop:
     Places are words of 8 bytes from the beginning of memory. The module imports the memory as ``env.memory`` and exports
 
     * ``run(first, count)``: run ticks from `first` on, which writes their rows of the log;
-    * ``prepare()``: compute all constants from the parameters, and the state of rest. It returns 0 if the parameters do not fit together;
+    * ``prepare()``: compute all constants from the parameters, and the state of rest. It returns 0 if the parameters are beyond their
+      bounds or do not fit together;
     * ``judge()``: compute the figures of the ticks so far.
 
     To run: copy `start` to the word `first`, and the inputs to theirs. After a parameter was changed, call ``prepare``. To begin in the
@@ -68,7 +69,7 @@ class PortableLoop:
     failed_at : int
         The sample at which the loop ran away, or -1.
     parameters : mapping of str to tuple of (int, Parameter)
-        Word of each value [SI], and its declaration, whose bounds the module does not check.
+        Word of each value [SI], and its declaration.
     fixed : mapping of str to str
         Parameters that cannot be changed: why.
     tables : mapping of str to tuple of (int, int)
@@ -218,6 +219,8 @@ def _prepared(
         trace = Trace()
         columns: dict[str, Any] = {name: trace.leaf(first + i, value, name) for i, (name, value) in enumerate(values.items())}
         try:
+            for name, column in columns.items():
+                _within(known[name][0].parameters[known[name][1]], column)
             check_together(known, columns)
             check_substeps(machine, columns)
             begin: dict[int, Any] = judged(columns).schedule.begin[1]
@@ -225,3 +228,12 @@ def _prepared(
             fixed |= dict.fromkeys(error.args[1], f"a constant, a check or a length needs {error.args[0]}")
         else:
             return trace, {row: value.op for row, value in begin.items() if isinstance(value, Traced)}, values, fixed
+
+
+def _within(declared: Parameter, value: Traced) -> None:
+    """Make it a condition of the trace that a parameter would take the value."""
+    conditions = [value > declared.minimum if declared.exclusive else value >= declared.minimum, value <= declared.maximum]
+    conditions += [np.isfinite(value)] if declared.default != np.inf else []
+    conditions += [np.rint(value) == value] if declared.whole else []
+    for condition in conditions:
+        bool(condition)

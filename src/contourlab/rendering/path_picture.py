@@ -230,7 +230,7 @@ def _cause(scheme: JudgedRun, sample: int) -> str:
 
 
 def _rounded(values: Array, bits: int) -> Array:
-    """Round to `bits` bits of the spread, more than a screen shows: numbers that end in zeros take half the space when compressed."""
-    spread = float(np.ptp(values)) if values.size else 0.0
+    """Round to `bits` bits of the widest column, more than a screen shows: numbers that end in zeros take half the space."""
+    spread = float(np.max(np.ptp(values, axis=0))) if values.size else 0.0
     step = 2.0 ** (np.floor(np.log2(spread)) - bits) if 0.0 < spread < np.inf else 1.0
     return np.asarray(np.round(values / step) * step if spread > 0.0 else values)

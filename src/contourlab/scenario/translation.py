@@ -60,9 +60,11 @@ def translate(component: Component | Case, to: str = "c99", *, n_axis: int = 1, 
     >>> print(translate(component("velocity", "true")()).splitlines()[-2].strip())
     out[0] = v0;
     """
+    refuse(not isinstance(component, Component | Case), ParameterError, "component", type(component).__name__, "a component or a case")
     allowed = ("wasm",) if isinstance(component, Case) else LANGUAGES
     refuse(to not in allowed, ParameterError, "to", repr(to), "one of " + ", ".join(allowed))
     if isinstance(component, Case):
+        refuse(n_axis != 1 or friction is not None, ParameterError, "case", "with n_axis or friction", "without: it has its own")
         varies = bool(component.changes or component.learning)
         refuse(varies, ParameterError, "case", "one that learns or changes its controller", "one with the same controller throughout")
         parts = component.machine, component.controller, component.reference()

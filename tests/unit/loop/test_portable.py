@@ -157,6 +157,15 @@ def test_parameters_that_do_not_fit_together_are_refused() -> None:
     assert (fits[0], refused[0]) == (1.0, 0.0)
 
 
+@needs_node
+def test_a_value_beyond_its_bounds_is_refused() -> None:
+    machine, controller = smooth()
+    loop = portable(machine, controller, circle(machine))
+    word = loop.parameters["controller.axes.x.observer.bandwidth"][0]
+    for value, holds in ((260.0, 1.0), (0.0, 0.0), (-1.0, 0.0), (np.nan, 0.0), (np.inf, 0.0)):
+        assert in_node(loop, ("write", word, [value]), ("prepare",))[0][0] == holds, value
+
+
 def test_what_cannot_change_is_named() -> None:
     machine, controller = stage(), control()
     loop = portable(machine, controller, circle(machine))

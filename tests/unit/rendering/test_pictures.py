@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -102,6 +103,15 @@ def test_the_scene_holds_the_errors_of_the_judged_lap(circle):
         assert run.time[0] == scheme.metrics.judged.ranges[0][0] * 1e-3 and np.all(np.diff(run.time) > 0.0)
         np.testing.assert_allclose(run.feedrate, synthetic.RADIUS * 2 * np.pi * synthetic.FREQUENCY * 6e4, rtol=1e-6)
         assert set(run.lines) == {3, 4} and set(run.stretch) == {1}
+
+
+def test_a_scene_far_from_zero_is_as_fine(single):
+    (left, right), (low, high) = sides = (0.7, 0.7037), (0.01, 0.0123)
+    corners = [(left, low), (right, low), (right, high), (left, high), (left, low)]
+    path = Path([Line(*ends) for ends in pairwise(corners)], closed=True)
+    scene = path_scene(synthetic.around(single, path, uniform(path, 0.05, 1, 1e-3)), POINTS)
+    off = [np.abs(scene.path[:, axis] - 1e3 * side) for axis in (0, 1) for side in sides[axis]]
+    assert np.min(off, axis=0).max() < 3.7 / 2**17
 
 
 def test_worst_places_of_the_scene_are_apart_and_have_causes(circle):

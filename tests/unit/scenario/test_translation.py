@@ -47,7 +47,8 @@ def test_ptx_is_assembled(tmp_path: Path) -> None:
 
 def test_what_cannot_be_printed_is_refused() -> None:
     friction = component("friction", "none")()
-    for part, to in ((component("drive", "saturation")(), "cobol"), (friction, "c99")):
+    scenario = load_scenario("builtin:ghaffari/demo-stage")
+    for part, to in ((component("drive", "saturation")(), "cobol"), (friction, "c99"), (scenario, "wasm"), (None, "c99")):
         with pytest.raises(ParameterError):
             translate(part, to)
 
@@ -61,6 +62,8 @@ def test_a_case_becomes_a_module_that_imports_its_memory() -> None:
         assert bytes([len(name)]) + name + b"\x00" in code
     with pytest.raises(ParameterError):
         translate(case, "c99")
+    with pytest.raises(ParameterError):
+        translate(case, "wasm", n_axis=2)  # type: ignore[call-overload]
     with pytest.raises(ParameterError):
         translate(component("drive", "saturation")(), "wasm")
     with pytest.raises(ParameterError):
