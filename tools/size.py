@@ -23,16 +23,16 @@ BUDGETS = {
     "findings": 55,
     "geometry": 2093,
     "logs": 1907,
-    "loop": 2423,
+    "loop": 2431,
     "metrics": 1043,
     "native": 249,
     "papers": 3363,
     "program": 2350,
     "rendering": 2317,
     "result": 404,
-    "scenario": 2020,
+    "scenario": 2022,
     "study": 1412,
-    "without papers": 54215,
+    "without papers": 54225,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

@@ -40,7 +40,7 @@ class PortableLoop:
 
     Places are words of 8 bytes from the beginning of memory. The module imports the memory as ``env.memory`` and exports
 
-    * ``run(first, count)``: run ticks from `first` on, which writes their rows of the log;
+    * ``run(first, count)``: run ticks from `first` on, which writes their rows of the log. It does not check that the motion has them;
     * ``prepare()``: compute all constants from the parameters, and the state of rest. It returns 0 if the parameters are beyond their
       bounds or do not fit together;
     * ``judge()``: compute the figures of the ticks so far.
@@ -67,7 +67,7 @@ class PortableLoop:
     figures : mapping of str to int
         Word of each figure of `contourlab.simulate_batch`, and of ``unsure``, the count of ticks in doubt.
     failed_at : int
-        The sample at which the loop ran away, or -1.
+        Word of the sample at which the loop ran away, or -1: the figures then mean nothing.
     parameters : mapping of str to tuple of (int, Parameter)
         Word of each value [SI], and its declaration.
     fixed : mapping of str to str
