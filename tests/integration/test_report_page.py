@@ -146,6 +146,7 @@ def test_ticks_have_their_digits_in_every_language(browsing, page):
 @pytest.mark.slow
 def test_paper_is_light_and_has_every_picture(browsing, page):
     opened = browsing.open(page, height=100, dark=True)  # so low that nothing is drawn yet
+    opened.wait_for_selector("#cl-style", state="attached")  # the viewer has begun
     assert opened.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(20, 25, 30)"
     opened.evaluate("dispatchEvent(new Event('beforeprint'))")
     assert opened.evaluate("getComputedStyle(document.querySelector('.plot')).backgroundColor") == "rgb(255, 255, 255)"
