@@ -20,6 +20,7 @@ from contourlab.errors import DivergenceError, ScenarioError
 from contourlab.features.check.program_check import origin_of
 from contourlab.features.learn import LearnedTable
 from contourlab.features.learn import learn as learn_machine
+from contourlab.features.run.changes import of_machine
 from contourlab.features.run.options import Compare, Learn, Run
 from contourlab.features.run.outcome import Outcome, run_case
 from contourlab.features.run.record import switch_file
@@ -419,7 +420,7 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
 
     gains = not all(axis.plant.takes_position for outcome in outcomes for axis in outcome.case.machine.axes)
     about = [] if gains else ["--parameter", "axes.*.plant.damping_ratio"]
-    quick = ["sensitivity", "--quick", *about, *chosen_options(options, "--plugin", "--machine")]
+    quick = ["sensitivity", "--quick", *about, *chosen_options(options, "--plugin", "--machine", "--set")]
     judged = [outcome for outcome in outcomes if outcome.verdict is not None]
     if not judged:
         limit = max(2.0 * min(outcome.metrics.part_error.max for outcome in outcomes), 1e-9)  # not the rounding of a straight line
@@ -433,8 +434,12 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
     if any(outcome.verdict is not None and outcome.verdict.passed for outcome in judged):
         return steps
     if proposed and (part or "--controller" in options):
+        values = [word for word in chosen_options(options, "--set") if word != "--set"]
+        kept = [word for text in of_machine(values, judged[0].case) for word in ("--set", text)]
         changed = ["--controller", str(out / proposed[0]), "--out", f"{out}-changed"]
-        steps.append(step("Run it with the changed controller:", "run", *_without(options, "--controller", "--out"), *changed))
+        steps.append(
+            step("Run it with the changed controller:", "run", *_without(options, "--controller", "--out", "--set"), *kept, *changed)
+        )
     scheme = [] if outcomes[-1].name == "base" else ["--scheme", min(judged, key=lambda one: one.metrics.part_error.max).name]
     if not gains and part:
         return steps
