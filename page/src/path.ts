@@ -360,7 +360,7 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   // --- magnification, colours, size --------------------------------------------------------------------------------------------------
   function magnify(value: number): void {
     uniforms.magnification.value = Number(Math.min(Math.max(value, 1), MOST).toPrecision(2));
-    times.textContent = slider.ariaValueText = `error × ${uniforms.magnification.value.toLocaleString("en").replace(",", "\u2009")}`;
+    times.textContent = slider.ariaValueText = `error × ${uniforms.magnification.value.toLocaleString("en")}`;
     invalidate();
   }
   listen(slider, "input", () => { move(); magnify(10 ** Number(slider.value)); });

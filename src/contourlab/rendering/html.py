@@ -137,7 +137,7 @@ def _facts(data: ReportData, points: int) -> list[tuple[str, str]]:
         ("Seed", "" if source.seed is None else str(source.seed)),
         ("Axes", ", ".join(data.axes)),
         ("Servo period", figure(period, "ms", 6)),
-        ("Samples", f"{samples:,}".replace(",", " ") + f" in {figure(samples * period, 's', 4)}"),
+        ("Samples", f"{samples:,} in {figure(samples * period, 's', 4)}"),
         ("Path length", figure(float(data.planned.length), "mm", 6)),
         ("Curves", f"at most {points} points each; thinning keeps minima and maxima"),
     )

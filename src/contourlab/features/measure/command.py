@@ -34,7 +34,7 @@ from contourlab.features.run.command import SCHEMA, JudgedRuns, Runs, compare_sc
 from contourlab.features.run.options import Compare
 from contourlab.feed.reference import RAPIDS
 from contourlab.feed.route import Route
-from contourlab.figures import figure
+from contourlab.figures import figure, limit_to_propose
 from contourlab.findings import finding
 from contourlab.logs.load import Log, about
 from contourlab.program import Reading
@@ -172,8 +172,8 @@ class MeasuredRuns(JudgedRuns):
             return []
         typed = shlex.split(self.command) if len(self.runs) == 1 else ["contourlab", "measure", str(worst.log.record.file)]
         if self.tolerance is None:
-            twice = 2e6 * worst.metrics.part_error.max
-            return [("Judge it against a tolerance:", as_typed([*typed, "--tolerance", f"{float(f'{twice:.1g}'):g} um"]))]
+            limit = limit_to_propose(2.0 * worst.metrics.part_error.max)
+            return [("Judge it against a tolerance:", as_typed([*typed, "--tolerance", limit]))]
         errors = [math.inf if math.isnan(one.rms) else one.rms for one in worst.metrics.tracking_error]
         axis = worst.result.axes[errors.index(max(errors))]
         known = worst.log.result

@@ -26,7 +26,7 @@ from contourlab.features.run.outcome import Outcome, run_case
 from contourlab.features.run.record import switch_file
 from contourlab.features.run.source import Source, is_scenario, scenario_asked
 from contourlab.features.run.trust import NOTABLE
-from contourlab.figures import figure
+from contourlab.figures import figure, limit_to_propose
 from contourlab.findings import Finding
 from contourlab.metrics.figures import judged_part
 from contourlab.rendering.data import JudgedRun
@@ -423,9 +423,9 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
     quick = ["sensitivity", "--quick", *about, *chosen_options(options, "--plugin", "--machine", "--set")]
     judged = [outcome for outcome in outcomes if outcome.verdict is not None]
     if not judged:
-        limit = max(2.0 * min(outcome.metrics.part_error.max for outcome in outcomes), 1e-9)  # not the rounding of a straight line
+        limit = limit_to_propose(2.0 * min(outcome.metrics.part_error.max for outcome in outcomes))
         if part:
-            return [step("Judge it against a tolerance:", "run", *options, "--tolerance", f"{float(f'{1e6 * limit:.1g}'):g} um")]
+            return [step("Judge it against a tolerance:", "run", *options, "--tolerance", limit)]
         return [step("Find what the error depends on:", *quick)]
     for code in ("CL208", "CL209"):
         if all(any(finding.code == code for finding in outcome.findings) for outcome in judged):
