@@ -34,7 +34,7 @@ def _pairs(texts: Sequence[str]) -> dict[str, str]:
 def _is_key(name: str) -> bool:
     """Return whether a name is that of a key of the scenario's file, not that of a parameter of a component."""
     head, *words = name.split(".")
-    return head in KEYS or (head == "axes" and any(word in AXIS_KEYS for word in words[1:2]))
+    return head in KEYS or (head == "axes" and len(words) > 1 and words[1] in AXIS_KEYS)
 
 
 def changed_keys(texts: Sequence[str]) -> dict[str, Any]:
