@@ -63,7 +63,7 @@ def _caption(runs: Sequence[LiveRun], refused: Sequence[tuple[str, str]]) -> str
     """Return what a page can run, from where the short runs begin, and what it cannot run."""
     begins = "; ".join(f"{run.name} {run.short[0] * run.motion.period:.3f} s" for run in runs)
     about = f"The loop runs in this page. A short run begins {BEFORE} s before the worst place: {begins}. Then the whole part follows. "
-    about += "Its largest error is within 0.1 um of that of contourlab run; by some um where it depends on when an axis leaves stiction. "
+    about += "Figures agree with contourlab run to a fraction of an encoder count; where an axis leaves stiction, to some um. "
     return (about if runs else "") + " ".join(f"{name} cannot be changed here: {why}." for name, why in refused)
 
 

@@ -18,8 +18,8 @@ from contourlab.rendering.charts import LiveLoop, Words
 from contourlab.rendering.message import message
 from contourlab.scenario import load_controller
 
-BOUND = 1e-7
-"""Difference [m] of figures that the page states."""
+BOUND = 0.25e-6
+"""Half an encoder count of the machine [m]: where a last digit decides between two counts, figures differ by a part of one."""
 PROGRAM = """G21 G90 G94 G17 G64 P0.1
 G0 X10 Y0
 G1 X14 F1200
