@@ -7,7 +7,6 @@ import re
 import shlex
 import zlib
 from collections.abc import Sequence
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -20,6 +19,7 @@ from contourlab.geometry import Path
 from contourlab.geometry.view import view_of
 from contourlab.loop import Controller, Machine
 from contourlab.loop.feeding import SOURCE_LINE
+from contourlab.loop.judging import PLACE
 from contourlab.loop.portable import PortableLoop, portable
 from contourlab.loop.simulate import ToolPosition
 from contourlab.rendering.charts import LiveLoop, LiveMotion, LiveParameter, LivePath, LiveRun, Words
@@ -109,10 +109,18 @@ def _run(outcome: Outcome) -> LiveRun:
 
 def _words(loop: PortableLoop) -> list[Words]:
     """Return what memory holds before the first tick: the rows, then each table by itself, as runs share tables."""
-    edges = sorted({loop.first, *(begin for begin, _ in loop.tables.values()), loop.first + loop.start.size})
-    words = [Words(begin, loop.start[begin - loop.first : end - loop.first]) for begin, end in pairwise(edges)]
-    lines = loop.inputs.get(SOURCE_LINE, ())
-    return words + ([Words(at, loop.fed()[(at - loop.inputs["reference"][0]) // loop.feed.reference.n_sample]) for at in lines])
+    begin, rows = loop.first, min(at for at, _ in loop.tables.values()) - loop.first
+    words = [Words(begin, loop.start[:rows])]
+    for name, (at, size) in loop.tables.items():
+        values = loop.start[at - begin : at - begin + size]
+        if name.endswith("cell_clearance"):  # one that is too small only makes more ticks doubtful
+            mantissa, power = np.frexp(values)
+            values = np.ldexp(np.floor(64.0 * mantissa) / 64.0, power)
+        if name == f"{PLACE}.place":  # where a search begins
+            values = values.astype(np.float32).astype(np.float64)
+        words.append(Words(at, values))
+    first, n = loop.inputs["reference"][0], loop.feed.reference.n_sample
+    return words + [Words(at, loop.fed()[(at - first) // n]) for at in loop.inputs.get(SOURCE_LINE, ())]
 
 
 def _motion(reference: Reference) -> LiveMotion:
