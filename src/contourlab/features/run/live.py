@@ -30,7 +30,7 @@ from contourlab.units import from_si
 MOST_TICKS, MOST_CURVES, MOST_RUNS, MOST_BYTES = 400_000, 5000, 4, 300_000
 """Samples and curves of a motion (a run of 65,000 samples takes a browser some 40 ms), runs, and compressed bytes of all runs together."""
 BEFORE, SHORT = 0.5, 1.0
-"""Time before the worst place at which a short run begins, and its duration [s]."""
+"""Time from the begin of a short run to the worst place, and its duration [s]."""
 FINE = 0.01
 """Share of a view's tolerance for arcs, as in the judge."""
 _GAINS = r"\.controller\.(?!model_)\w*(gain|integral_\w+)$|coupling\.\w*(gain|weight)$"
@@ -60,9 +60,8 @@ def live_loop(outcomes: Sequence[Outcome], command: str) -> LiveLoop:
 
 
 def _caption(runs: Sequence[LiveRun], refused: Sequence[tuple[str, str]]) -> str:
-    """Return what a page can run, from where the short runs begin, and what it cannot run."""
-    begins = "; ".join(f"{run.name} {run.short[0] * run.motion.period:.3f} s" for run in runs)
-    about = f"The loop runs in this page. A short run begins {BEFORE} s before the worst place: {begins}. Then the whole part follows. "
+    """Return what a page can run, how near it comes, and what it cannot run."""
+    about = "The loop runs in this page: the second around the worst place, then the whole part. "
     about += "Figures agree with contourlab run to a fraction of an encoder count; where an axis leaves stiction, to some um. "
     return (about if runs else "") + " ".join(f"{name} cannot be changed here: {why}." for name, why in refused)
 
