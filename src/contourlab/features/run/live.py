@@ -18,16 +18,17 @@ from contourlab.feed import Reference
 from contourlab.geometry import Path
 from contourlab.geometry.view import view_of
 from contourlab.loop import Controller, Machine
-from contourlab.loop.feeding import SOURCE_LINE
+from contourlab.loop.feeding import AHEAD, SOURCE_LINE
 from contourlab.loop.judging import PLACE
 from contourlab.loop.portable import PortableLoop, portable
 from contourlab.loop.simulate import ToolPosition
 from contourlab.rendering.charts import LiveLoop, LiveMotion, LiveParameter, LivePath, LiveRun, Words
 from contourlab.scenario.dump import controller_table
 from contourlab.scenario.toml_text import Noted, toml
+from contourlab.scenario.tree import STATED
 from contourlab.units import from_si
 
-MOST_TICKS, MOST_CURVES, MOST_RUNS, MOST_BYTES = 400_000, 5000, 4, 300_000
+MOST_TICKS, MOST_CURVES, MOST_RUNS, MOST_BYTES = 400_000, 2000, 4, 300_000
 """Samples and curves of a motion (a run of 65,000 samples takes a browser some 40 ms), runs, and compressed bytes of all runs together."""
 BEFORE, SHORT = 0.5, 1.0
 """Time from the begin of a short run to the worst place, and its duration [s]."""
@@ -39,23 +40,21 @@ _FIRST = re.compile(_GAINS + r"|observer\.bandwidth$|friction\.(coulomb|breakawa
 
 def live_loop(outcomes: Sequence[Outcome], command: str) -> LiveLoop:
     """Return the runs of a report as modules; for each that has none the reason. `command` is that of the report, as typed."""
-    runs, refused, left = list[LiveRun](), list[tuple[str, str]](), float(MOST_BYTES)
-    seen = set[bytes]()
+    runs, refused, sizes = list[LiveRun](), list[tuple[str, str]](), dict[bytes, int]()
     for outcome in outcomes:
         try:
             refuse(len(runs) >= MOST_RUNS, EngineError, f"a page runs {MOST_RUNS} at most")
             run = _run(outcome)
-            arrays = {array.tobytes() for array in _arrays(run)} - seen
-            needed = sum(len(zlib.compress(array, 1)) for array in arrays)
-            refuse(needed > left, EngineError, "its data would make the page too large")
+            arrays = (run.code, run.motion.spans, run.motion.path.coefficients, *(part.values for part in run.words))
+            more = sizes | {array.tobytes(): len(zlib.compress(array.tobytes(), 1)) for array in arrays}
+            refuse(sum(more.values()) > MOST_BYTES, EngineError, "its data would make the page too large")
         except ContourlabError as error:
             refused.append((outcome.name, str(error)))
-            continue
-        runs.append(run)
-        left -= needed
-        seen |= arrays
-    _, verb, *words = shlex.split(command) if command else ("", "")
-    again = as_typed(["contourlab", verb, *without_options(words, "--out")]) if verb == "run" else ""
+        else:
+            runs.append(run)
+            sizes = more
+    words = shlex.split(command)
+    again = as_typed(without_options(words, "--out")) if words[1:2] == ["run"] else ""
     return LiveLoop("live", "Try other values", _caption(runs, refused), tuple(runs), again, tuple(refused))
 
 
@@ -86,7 +85,7 @@ def _run(outcome: Outcome) -> LiveRun:
         tuple(_words(loop)),
         _motion(reference),
         loop.inputs["reference"][0],
-        loop.feed.ahead if "reference_ahead" in loop.inputs else (),
+        loop.feed.ahead if AHEAD in loop.inputs else (),
         loop.log,
         len(loop.rows),
         position,
@@ -156,15 +155,5 @@ def _controller_file(machine: Machine, controller: Controller, loop: PortableLoo
                 table = table[place]
             held = table.get(last, "")
             value = held.value if isinstance(held, Noted) else held
-            table[last] = Noted({**value, "value": f"@{name}@"} if isinstance(value, dict) else f"@{name}@")
+            table[last] = Noted({**value, STATED: f"@{name}@"} if isinstance(value, dict) else f"@{name}@")
     return toml(content)
-
-
-def _arrays(run: LiveRun) -> list[Any]:
-    paths = (run.motion.path, run.asked)
-    return [
-        run.code,
-        run.motion.spans,
-        *(part.values for part in run.words),
-        *(a for path in paths for a in (path.start, path.coefficients)),
-    ]
