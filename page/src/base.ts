@@ -1,15 +1,21 @@
 /** What all pictures share: elements, colours, texts of numbers, legend, tip, canvas. */
+import type { Picture } from "./contract";
 
 /** A picture on the page. */
 export interface Drawing {
   /** Draw again: another width, other colours, or paper. */
   resize(): void;
+  /** Draw what the picture holds now. */
+  update?(): void;
   destroy(): void;
 }
 
 /** What a picture may ask of its page. */
 export interface Page {
+  readonly pictures: Picture[];
   pick(line: number): void;
+  /** Numbers of a picture have changed. */
+  changed(picture: Picture): void;
 }
 
 /** Room on paper [px]: A4 less margins and padding. */

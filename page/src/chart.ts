@@ -58,6 +58,10 @@ class Chartist implements Drawing {
     this.views.forEach(view => view.plot.redraw());
   }
 
+  update(): void {
+    if (this.views.some(view => view.isBehind)) this.resize(); else this.redraw();
+  }
+
   /** Move the pointer of all panels to a value of x; null takes it away. */
   point(x: number | null, from?: View): void {
     this.views.forEach(view => {
@@ -149,6 +153,9 @@ class View {
     }, [group.whole, ...panel.curves.map(() => [1, 1])], place);
     this.plot.over.addEventListener("dblclick", () => group.zoom());
   }
+
+  /** Whether the panel has another number of curves than when it was made. */
+  get isBehind(): boolean { return this.plot.series.length !== this.panel.curves.length + 1; }
 
   private get shown(): Curve[] {
     return this.panel.curves.filter(curve => !this.group.hidden.has(curve.name));

@@ -37,7 +37,10 @@ class Viewer {
     }
   }));
 
-  constructor(private readonly places: Map<HTMLElement, Picture>, private readonly page: Page) {
+  private readonly page: Page;
+
+  constructor(private readonly places: Map<HTMLElement, Picture>, pick: (line: number) => void) {
+    this.page = { pick, pictures: [...places.values()], changed: picture => this.changed(picture) };
     if (!document.getElementById("cl-style")) add(document.head, "style", "", uplotStyle + style).id = "cl-style";
     places.forEach((_, host) => this.watch.observe(host));
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.resize());
@@ -59,6 +62,10 @@ class Viewer {
       console.error(error);
     }
     host.dataset.drawn = "1";
+  }
+
+  private changed(picture: Picture): void {
+    this.drawn.forEach((drawing, host) => { if (this.places.get(host) === picture) drawing.update?.(); });
   }
 
   highlight(line: number): void {
@@ -88,7 +95,7 @@ export function page(message: ArrayBuffer): void {
     const host = document.getElementById(picture.key);
     if (host) places.set(host, picture);
   }
-  const pick = alive(line => viewer.highlight(line)), viewer = new Viewer(places, { pick });
+  const viewer: Viewer = new Viewer(places, alive(line => viewer.highlight(line)));
 }
 
 /** Draw the pictures of a message, with titles and captions, in an element; for a notebook. */
@@ -99,5 +106,5 @@ export function show(root: HTMLElement, message: ArrayBuffer): void {
     places.set(add(root, "div", "plot"), picture);
     add(root, "p", "", picture.caption);
   }
-  const viewer = new Viewer(places, { pick: line => viewer.highlight(line) });
+  const viewer: Viewer = new Viewer(places, line => viewer.highlight(line));
 }

@@ -29,6 +29,9 @@ function shape(tag: string, given: Record<string, string | number>, ...inside: (
   return made;
 }
 
+/** Runs with thin lines: what there was before. */
+export const ghosts = new WeakSet<SceneRun>(), isGhost = (run: SceneRun): boolean => ghosts.has(run);
+
 /** Draw the path and its runs; a click on them picks the line of the program, and `highlight` marks the stretch that a line makes. */
 export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawing & { highlight(line: number | null): void } {
   // Without a graphics card, smooth edges cost as much as all the rest. A page that is printed needs the last frame.
@@ -53,13 +56,19 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   const cuts = pairs(count, i => judged[i] > 0 && judged[i + 1] > 0), rests = pairs(count, i => !(judged[i] && judged[i + 1]));
   const rapids = gl.add(asked, rests, 0), outline = gl.add(asked, cuts, 2), halo = gl.add(asked, pairs(count, () => true), 3);
   const edges = tolerance === null ? [] : [1, -1].map(side => gl.add(asked, cuts, 1, side * tolerance * 1e-3));
-  const runs = scene.runs.map((run, r) => {
+  /** Return what is drawn of a run. */
+  function drawnOf(run: SceneRun) {
     const size = run.size.values, stretch = run.stretch.values, index = pairs(size.length, i => stretch[i] > 0 && stretch[i] === stretch[i + 1]);
     const places = { foot: attribute(run.foot.values, 3, centre), error: attribute(run.error.values, 3, NOTHING, 1e-3), size: attribute(size, 1) };
     let top = 0;
     size.forEach((value, i) => { if (stretch[i] > 0) top = Math.max(top, value); });
-    return { run, index, top, shown: false, lines: gl.add(places, index, RUN + r), halo: gl.add(places, index.slice(), 4) };
-  });
+    return { index, top, places, of: run.size };
+  }
+  function added(run: SceneRun, r: number) {
+    const drawn = drawnOf(run), { places, index } = drawn;
+    return { run, ...drawn, shown: false, lines: gl.add(places, index, RUN + r), halo: gl.add(places, index.slice(), 4) };
+  }
+  const runs = scene.runs.map(added);
   const visible = (): typeof runs => runs.filter(one => one.shown);
   const worstRun = runs.reduce((a, b) => (b.top > a.top ? b : a));
   worstRun.shown = true;
@@ -92,10 +101,15 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   const plane = (a: string, b: string): string => a + (longest > 1 ? " " : "") + b;
   const views: [string, number, number][] = [[plane(x, y), -90, 90], ["ISO", ...ISO]];
   if (z) views.splice(1, 0, [plane(x, z), -90, 0], [plane(y, z), 0, 0]);
-  const switches = runs.map(one => tick(one.run.name, one.shown, on => {
+  const which = element("span", { className: "path-which" });
+  function show(one: typeof runs[0], on: boolean): void {
     one.shown = on;
     colourBy.value = visible().length > 1 ? "run" : "error";
-  }, one.run.colour));
+  }
+  const list = (): void => {
+    if (runs.length > 1) which.replaceChildren(...runs.map(one => tick(one.run.name, one.shown, on => show(one, on), one.run.colour)), colourBy);
+  };
+  list();
   // A flat path is seen from above; there, edges of the tolerance do not hide one another.
   let length = 0, climb = 0, showRapids = true;
   for (let k = 0; k < cuts.length; k += 2) {
@@ -111,7 +125,7 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
     element("div", { className: "path-row" },
       element("span", { className: "path-views" }, 
         ...views.map(([name, a, e]) => button(name, () => { view.from(a, e); fit(); })), button("Fit", fit)),
-      ...(runs.length > 1 ? [...switches, colourBy] : []),
+      which,
       ...(rests.length ? [tick(scene.unjudged, true, on => { showRapids = on; })] : []),
       ...(edges.length ? [tick("tolerance", showEdges, on => { showEdges = on; })] : [])),
     stage,
@@ -140,7 +154,7 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
     uniforms.view.value.set(...view.back);
     rapids.object.visible = showRapids;
     edges.forEach(edge => { edge.object.visible = showEdges && tolerance! * 1e-3 * uniforms.magnification.value < 0.3 * extent; });
-    runs.forEach(one => { one.lines.object.visible = one.shown; one.lines.width(moves ? 1 : 2 * dense); });
+    runs.forEach(one => { one.lines.object.visible = one.shown; one.lines.width(moves || isGhost(one.run) ? 1 : 2 * dense); });
     gl.renderer.render(gl.scene, gl.camera);
     annotate();
   }
@@ -432,9 +446,27 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   dress();
   resize();
 
+  /** Take runs that are new, or have other points; a new one shows itself. */
+  function update(): void {
+    for (const run of scene.runs.slice(runs.length)) {
+      const one = added(run, runs.length);
+      runs.push(one);
+      one.halo.width(6 * dense);
+      show(one, true);
+    }
+    list();
+    runs.filter(({ run, of }) => run.size !== of).forEach(one => {
+      const { places, index } = Object.assign(one, drawnOf(one.run));
+      one.lines.fill(places, index);
+      one.halo.fill(places, index.slice());
+    });
+    dress();
+  }
+
   return {
     highlight,
     resize,
+    update,
     destroy() {
       gone.abort();
       pause();
