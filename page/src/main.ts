@@ -19,6 +19,7 @@ function draw(host: HTMLElement, picture: Picture, page: Page): Drawn {
     case "PathScene": return drawPath(host, picture, page);
     case "Heat": return drawHeat(host, picture);
     case "CircleCauses": return drawCauses(host, picture);
+    case "LiveLoop": return { resize: () => undefined, destroy: () => undefined };
   }
 }
 

@@ -14,7 +14,7 @@ function filled(value: any, buffer: ArrayBuffer, start: number): any {
   if (Array.isArray(value)) return value.map(item => filled(item, buffer, start));
   if (value === null || typeof value !== "object") return value;
   if ("dtype" in value) {
-    const kinds = { f4: Float32Array, f8: Float64Array, i4: Int32Array };
+    const kinds = { f4: Float32Array, f8: Float64Array, i4: Int32Array, u1: Uint8Array };
     const size = value.shape.reduce((product: number, n: number) => product * n, 1);
     const Kind = kinds[value.dtype as keyof typeof kinds];
     return { values: new Kind(buffer, start + value.at, size), shape: value.shape } satisfies Numbers;

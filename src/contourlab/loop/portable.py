@@ -63,7 +63,8 @@ class PortableLoop:
     rows : tuple of int
         The signal of `schedule` in each column of the log.
     signals : mapping of str to tuple of int
-        Columns of the log for each axis; also of ``contour_error``, ``part_error``, and ``doubt``: 1 where the judge is not sure.
+        Columns of the log for each axis; also of ``contour_error``, ``part_error``, ``foot``, the arc length of the foot point on the
+        programmed path [m], and ``doubt``, for each judge: 1 where it is not sure.
     figures : mapping of str to int
         Word of each figure of `contourlab.simulate_batch`, and of ``unsure``, the count of ticks in doubt.
     failed_at : int
@@ -155,8 +156,13 @@ def portable(
     schedule, n = loop.schedule, reference.n_sample
     for name in signals:
         refuse(name not in loop.signals, ParameterError, "signals", repr(name), "one of " + ", ".join(loop.signals))
-    kept = {name: loop.signals[name] for name in signals} | {name: (f"{JUDGE}.{name}",) for name in ("contour_error", "doubt")}
-    kept |= {"part_error": (f"{PART}.contour_error",)} if blends(reference) else {}
+    part = PART if blends(reference) else JUDGE
+    kept = {name: loop.signals[name] for name in signals} | {"contour_error": (f"{JUDGE}.contour_error",)}
+    kept |= {
+        "part_error": (f"{part}.contour_error",),
+        "foot": (f"{part}.foot",),
+        "doubt": tuple({f"{name}.doubt": 0 for name in (JUDGE, part)}),
+    }
     columns = list(dict.fromkeys(schedule.row(signal) for wanted in kept.values() for signal in wanted))
     group = CompiledGroup(schedule, 1, slice(0, 1), like_lanes=True)
     prepare, constants, values, fixed = _prepared(machine, controller, judged, len(group.memory))
