@@ -5,6 +5,7 @@ import { add, type Drawing, type Page } from "./base";
 import { drawChart } from "./chart";
 import type { Picture } from "./contract";
 import { drawHeat } from "./heat";
+import { drawLive } from "./live";
 import { pictures } from "./message";
 import { alive } from "./page";
 import { drawPath } from "./path";
@@ -19,7 +20,7 @@ function draw(host: HTMLElement, picture: Picture, page: Page): Drawn {
     case "PathScene": return drawPath(host, picture, page);
     case "Heat": return drawHeat(host, picture);
     case "CircleCauses": return drawCauses(host, picture);
-    case "LiveLoop": return { resize: () => undefined, destroy: () => undefined };
+    case "LiveLoop": return drawLive(host, picture, page);
   }
 }
 

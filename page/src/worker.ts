@@ -4,14 +4,16 @@ import type { LivePath, LiveRun } from "./contract";
 /** Run loop `run` with values in some words; `short`: around the worst place only. */
 export interface Ask { id: number; run: number; values: [number, number][]; short: boolean }
 
-/** Points of a run, thinned: each keeps the largest errors around it. Foot points lie on the programmed path; in stretch 0 nothing is judged. */
+/** Points of a run [s, mm, um, mm/min], thinned: each keeps the largest errors around it. Foot points lie on the programmed path; in stretch 0 nothing is judged. */
 export interface Points {
   time: Float64Array; along: Float64Array; signed: Float32Array; size: Float32Array; stretch: Int32Array; foot: Float32Array; error: Float32Array;
   feedrate: Float32Array;
 }
 
-/** What came out, in SI; `points` in mm, um, mm/min and s. Without them the values are not possible, or the run failed at a tick. */
-export interface Answer { id: number; short: boolean; failed: number | null; unsure: number; figures: Record<string, number>; points: Points | null }
+/** What came out, in SI, and the time that it took [ms]; without points the values are not possible, or the run failed at a tick. Id 0 is the run of the report. */
+export interface Answer {
+  id: number; run: number; short: boolean; took: number; failed: number | null; unsure: number; figures: Record<string, number>; points: Points | null;
+}
 
 const CHUNK = 1 << 13, BINS = 4000;
 type Loop = { memory: Float64Array; run(first: number, count: number): void; prepare(): number; judge(): void };
@@ -37,7 +39,7 @@ function along({ start, coefficients, closed }: LivePath, axes: number): (s: num
 class Live {
   private readonly loop: Loop;
   private readonly rest: Float64Array[];
-  private worst: Float64Array[] | null = null;
+  private worst: Float64Array[] = [];
   private readonly axes: number;
 
   constructor(private readonly given: LiveRun) {
@@ -78,24 +80,35 @@ class Live {
 
   private restore(parts: Float64Array[]): void { this.given.state.forEach(([from], i) => this.loop.memory.set(parts[i], from)); }
 
+  /** Return the answers for the run of the report, and keep its state before the worst place. */
+  first(run: number): Answer[] {
+    const { short: [first], motion } = this.given, from = performance.now();
+    this.begin([]);
+    this.loop.run(0, first);
+    this.worst = this.state();
+    this.loop.run(first, motion.n_sample - first);
+    return [false, true].map(short => this.found({ id: 0, run, values: [], short }, from));
+  }
+
   /** Answer a question; null if it is dropped. */
-  async answer({ id, values, short }: Ask, dropped: () => Promise<boolean>): Promise<Answer | null> {
-    const { given, loop } = this, { failed_at, motion, figures } = given, n = motion.n_sample;
-    const [first, stop] = short ? given.short : [0, n], none = { id, short, failed: null, unsure: 0, figures: {}, points: null };
-    if (short && !this.worst) {
-      this.begin([]);
-      loop.run(0, first);
-      this.worst = this.state();
-    }
-    if (!this.begin(values)) return none;
-    if (short) this.restore(this.worst!);
+  async answer(ask: Ask, dropped: () => Promise<boolean>): Promise<Answer | null> {
+    const { loop, given: { short, motion } } = this, [first, stop] = ask.short ? short : [0, motion.n_sample], from = performance.now();
+    if (!this.begin(ask.values)) return this.none(ask);
+    if (ask.short) this.restore(this.worst);
     for (let k = first; k < stop; k += CHUNK) {
       loop.run(k, Math.min(CHUNK, stop - k));
-      if (loop.memory[failed_at] >= 0) return { ...none, failed: loop.memory[failed_at] };
-      if (!short && (await dropped())) return null;
+      if (!ask.short && (await dropped())) return null;
     }
-    const found = short ? this.around(first, stop) : this.judged(figures);
-    return { ...none, unsure: found.unsure, figures: found, points: this.points(first, stop) };
+    return this.found(ask, from);
+  }
+
+  private none = ({ id, run, short }: Ask): Answer => ({ id, run, short, took: 0, failed: null, unsure: 0, figures: {}, points: null });
+
+  private found(ask: Ask, from: number): Answer {
+    const { short, motion: { n_sample }, failed_at } = this.given, [first, stop] = ask.short ? short : [0, n_sample], failed = this.loop.memory[failed_at];
+    if (failed >= 0) return { ...this.none(ask), failed };
+    const figures = ask.short ? this.around(first, stop) : this.judged(), points = this.points(first, stop);
+    return { ...this.none(ask), figures, points, unsure: figures.unsure, took: performance.now() - from };
   }
 
   private begin(values: [number, number][]): boolean {
@@ -106,9 +119,9 @@ class Live {
     return prepare() !== 0;
   }
 
-  private judged(figures: [string, number][]): Record<string, number> {
+  private judged(): Record<string, number> {
     this.loop.judge();
-    return Object.fromEntries(figures.map(([name, word]) => [name, this.loop.memory[word]]));
+    return Object.fromEntries(this.given.figures.map(([name, word]) => [name, this.loop.memory[word]]));
   }
 
   /** Return figures of some ticks. */
@@ -174,22 +187,26 @@ const newer = (): Promise<boolean> => new Promise(done => {
   channel.port2.postMessage(0);
 });
 
+const send = (answer: Answer): void => postMessage(answer, { transfer: Object.values(answer.points ?? {}).map(values => values.buffer) });
+
 async function work(): Promise<void> {
   works = true;
   while (latest) {
     const ask: Ask = latest;
     latest = null;
     const answer = await loops[ask.run].answer(ask, newer);
-    if (answer) postMessage(answer, { transfer: Object.values(answer.points ?? {}).map(values => values.buffer) });
+    if (answer) send(answer);
   }
   works = false;
 }
 
-/** A message is a question, or first a loop and its number. */
+/** A message is a question, or the number of a loop, and the loop. */
 addEventListener("message", ({ data }: MessageEvent<Ask | { run: number; loop: LiveRun }>) => {
-  if ("loop" in data) loops[data.run] = new Live(data.loop);
-  else {
+  if ("id" in data) {
     latest = data;
     if (!works) void work();
+  } else {
+    loops[data.run] = new Live(data.loop);
+    loops[data.run].first(data.run).forEach(send);
   }
 });
