@@ -71,9 +71,10 @@ def write_html(data: ReportData, file: str | Path) -> Path:
 def render_html(data: ReportData) -> str:
     """Return the text of the report; the same data give the same text."""
     points, scene = _points(data), path_scene(data, share(SCENE_POINTS, len(data.schemes), SCENE_POINTS))
+    live = (data.live,) if data.live is not None and data.live.runs else ()
     return page_text(
         "report.html.j2",
-        {"path": () if scene is None else (scene,)} | dict(sections(data, points)),
+        {"path": () if scene is None else (scene,), "live": live} | dict(sections(data, points)),
         title=data.title,
         version=data.provenance.version,
         data=data,

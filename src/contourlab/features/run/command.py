@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from contourlab import __version__
-from contourlab.app.command_line import as_typed, chosen_options
+from contourlab.app.command_line import as_typed, chosen_options, without_options
 from contourlab.app.json_values import json_values, write_json
 from contourlab.app.results import proposed, staged
 from contourlab.app.session import QUIET, Answer, Session, interrupt, question
@@ -218,6 +218,7 @@ class Runs(JudgedRuns):
         OutputError
             If the folder cannot be written.
         """
+        from contourlab.features.run.live import live_loop
         from contourlab.scenario.dump import dump
 
         out, names = Path(folder), file_names([case.name for case in self.scenario.cases()])
@@ -246,6 +247,7 @@ class Runs(JudgedRuns):
             files |= {"report": "report.html"} | ({"to print": "report.pdf"} if pdf else {})
             saved = replace(self, steps=steps, files={what: str(out / file) for what, file in files.items()})
             vars(saved)["summary"] = self.summary  # computed once
+            vars(saved)["data"] = replace(saved.data, live=live_loop(self.outcomes, self.command))
             saved._write(stage, plots)
             if pdf:
                 from contourlab.rendering.one_page import write_page
@@ -434,7 +436,7 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
         return steps
     if proposed and (part or "--controller" in options):
         changed = ["--controller", str(out / proposed[0]), "--out", f"{out}-changed"]
-        steps.append(step("Run it with the changed controller:", "run", *_without(options, "--controller", "--out"), *changed))
+        steps.append(step("Run it with the changed controller:", "run", *without_options(options, "--controller", "--out"), *changed))
     scheme = [] if outcomes[-1].name == "base" else ["--scheme", min(judged, key=lambda one: one.metrics.part_error.max).name]
     if not gains and part:
         return steps
@@ -442,13 +444,7 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
         return [*steps, step("Find what the error depends on:", *quick[:2], *scheme, *quick[2:])]
     # A command may not write into the folder that it reads from.
     elsewhere = ["--out", f"{out}-tuned"] if any(Path(word).parent == out for word in options) else []
-    return [*steps, step("Search all gains:", "tune", *_without(options, "--schemes", "--trials", "--table"), *scheme, *elsewhere)]
-
-
-def _without(options: Sequence[str], *names: str) -> list[str]:
-    """Return the options of a command without some that have a value."""
-    starts = [i for i, word in enumerate(options) if word in names]
-    return [word for i, word in enumerate(options) if i not in starts and i - 1 not in starts]
+    return [*steps, step("Search all gains:", "tune", *without_options(options, "--schemes", "--trials", "--table"), *scheme, *elsewhere)]
 
 
 # --- schemes side by side, and schemes that learn ---
