@@ -9,7 +9,7 @@ const GLYPHS: Record<string, string> = { reversal: "▲", corner: "◆", "first 
 const HEIGHT = { alone: 250, each: 170, paper: 120, axis: 40, gap: 8 };
 type Range = [number, number];
 
-export function drawChart(host: HTMLElement, chart: Chart): Drawing {
+export function drawChart(host: HTMLElement, chart: Chart): Drawing & { zoom(range?: Range): void } {
   return new Chartist(host, chart);
 }
 

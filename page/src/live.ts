@@ -1,5 +1,6 @@
 /** "Try it": the reader changes parameters of a run, a worker runs its loop again, and path, curves and figures follow. */
 import { add, type Drawing, figure, type Page } from "./base";
+import { drawChart } from "./chart";
 import type { Chart, Curve, LiveLoop, LiveParameter, Numbers, PathScene, SceneRun } from "./contract";
 import { ghosts } from "./path";
 import type { Answer, Ask, Points } from "./worker";
@@ -10,11 +11,12 @@ interface Row { title: string; members: LiveParameter[]; taken: LiveParameter[];
 type Values = ReadonlyMap<string, number>;
 
 /** Time [ms] after which the whole part follows, and the longest that needs no short run before it. */
-const REST = 120, QUICK = 60;
+const REST = 60, QUICK = 60;
 const NOW = "changed settings", BEFORE = "settings before", GREY = "#8a949e", COLOURS = ["#d55e00", "#cc79a7", "#56b4e9"];
 const FIGURES: [string, string, number, string][] = [
   ["part_error_max", "largest part error", 1e6, "um"], ["part_error_rms", "part error, rms", 1e6, "um"],
-  ["tracking_error_max", "largest tracking error", 1e6, "um"], ["command_largest", "largest command, share of the limit", 100, "%"],
+  ["tracking_error_max", "largest tracking error", 1e6, "um"], ["command_largest", "largest command, of the limit", 100, "%"],
+  ["unsure", "ticks in doubt", 1, ""],
 ];
 
 export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing {
@@ -50,10 +52,13 @@ class Panel implements Drawing {
   private took = Infinity;
   private rest = 0;
   private readonly scene?: PathScene;
-  private readonly charts: Chart[];
+  /** The error over time. */
+  private readonly errors?: Chart;
   private readonly now: SceneRun;
   private readonly then: SceneRun;
-  private readonly curves: [Chart, Curve, Curve][] = [];
+  private curves: Curve[] = [];
+  private picture: ReturnType<typeof drawChart> | null = null;
+  private readonly place: HTMLElement;
   private readonly list: HTMLElement;
   private readonly more: HTMLSelectElement;
   private readonly said: HTMLElement;
@@ -63,7 +68,7 @@ class Panel implements Drawing {
 
   constructor(private readonly host: HTMLElement, private readonly live: LiveLoop, private readonly page: Page, refused: string) {
     this.scene = page.pictures.find(picture => picture.kind === "PathScene") as PathScene | undefined;
-    this.charts = page.pictures.filter(picture => picture.kind === "Chart" && ["error-time", "error-arc"].includes(picture.key)) as Chart[];
+    this.errors = page.pictures.find(picture => picture.key === "error-time") as Chart | undefined;
     const used = this.scene?.runs.map(run => run.colour) ?? [], colour = COLOURS.find(one => !used.includes(one)) ?? COLOURS[0];
     [this.then, this.now] = [[BEFORE, GREY], [NOW, colour]].map(([name, paint]) => ({ kind: "SceneRun", name, colour: paint, ...this.drawn(null) }));
     this.firsts = live.runs.map(() => ({}));
@@ -90,7 +95,9 @@ class Panel implements Drawing {
     this.list = add(host, "div", "live-rows");
     this.said = add(host, "p", "live-said");
     this.said.setAttribute("aria-live", "polite");
-    this.table = add(add(host, "div", "scroll"), "table", "figures slim tight");
+    const sides = add(host, "div", "cl-sides");
+    this.place = add(sides, "div");
+    this.table = add(add(sides, "div", "scroll"), "table", "figures slim tight live-table");
     add(host, "div", "cl-tools").append(this.tools.copy, this.tools.save);
     this.command = add(add(host, "pre", "command"), "code");
     if (refused) add(host, "p", "note", refused);
@@ -101,10 +108,11 @@ class Panel implements Drawing {
     this.take(Number(which.value));
   }
 
-  resize(): void {}
+  resize(): void { this.picture?.resize(); }
 
   destroy(): void {
     this.worker?.terminate();
+    this.picture?.destroy();
     clearTimeout(this.rest);
     this.host.removeEventListener("keydown", this.key);
     this.host.replaceChildren();
@@ -129,7 +137,20 @@ class Panel implements Drawing {
       else this.more.add(new Option(inWords(family), family));
     });
     if (this.worker) this.load();
+    this.chart();
     this.refresh();
+  }
+
+  /** Draw the error of the run, and room for that of other values, around the worst place. */
+  private chart(): void {
+    const { name, short, motion: { period } } = this.live.runs[this.r], none = numbers(new Float64Array(0));
+    this.picture?.destroy();
+    if (!this.errors) return;
+    const curve = (looks: Partial<Curve>): Curve => ({ kind: "Curve", x: none, y: none, name: "", colour: GREY, dash: "solid", width: 1.3, half: null, numbers: null, ...looks });
+    const [panel] = this.errors.panels, base = panel.curves.find(one => one.name === name);
+    this.curves = [{ ...base, dash: "dash" }, { name: BEFORE, dash: "dot" }, { name: NOW, colour: this.now.colour, width: 2 }].map(curve);
+    this.picture = drawChart(this.place, { ...this.errors, panel_height: 170, panels: [{ ...panel, curves: this.curves }] });
+    this.picture.zoom([short[0] * period, short[1] * period]);
   }
 
   /** Add the row of a family. */
@@ -198,7 +219,7 @@ class Panel implements Drawing {
       const [one] = row.taken, base = this.baseOf(one), value = this.valueOf(one), isEqual = this.isEqual(row), share = value / base;
       row.slider.disabled = !Number.isFinite(base) || base === 0;
       if (row !== inHand) row.slider.value = String(Math.log10(share > 0 ? share : 1));
-      row.field.value = Number.isFinite(value) ? String(Number((isEqual ? value * one.factor : share).toPrecision(6))) : "";
+      row.field.value = Number.isFinite(value) ? String(Number((isEqual ? value * one.factor : share).toPrecision(5))) : "";
       row.unit.textContent = isEqual ? one.display : "times";
       row.slider.ariaValueText = `${row.field.value} ${row.unit.textContent}`;
     }
@@ -257,7 +278,7 @@ class Panel implements Drawing {
     const { short, points, failed } = answer, { period } = this.live.runs[this.r].motion;
     if (!answer.id) {
       this.firsts[answer.run][short ? "short" : "whole"] = answer;
-      return this.figures(null);
+      return answer.run === this.r ? this.draw(null) : undefined;
     }
     if (answer.id <= this.since) return;
     const isLast = answer.id === this.asked;
@@ -285,7 +306,14 @@ class Panel implements Drawing {
 
   // --- what is drawn -------------------------------------------------------------------------------------------------------------------
 
-  private draw(answer: Answer): void {
+  /** Draw an answer beside the run of the report and the settings before. */
+  private draw(answer: Answer | null): void {
+    [this.firsts[this.r].whole, this.before, answer].forEach((one, i) => {
+      if (one?.points && this.curves[i]) Object.assign(this.curves[i], { x: numbers(one.points.time), y: numbers(one.points.signed) });
+    });
+    this.picture?.update?.();
+    this.figures(answer);
+    if (!answer) return;
     const { scene } = this, base = scene?.runs.find(run => run.name === this.live.runs[this.r].name);
     Object.assign(this.now, this.drawn(answer.points, base));
     if (this.before) Object.assign(this.then, this.drawn(this.before.points, base));
@@ -294,19 +322,6 @@ class Panel implements Drawing {
       if (base) ghosts.add(base);
       this.page.changed(scene);
     }
-    this.charts.forEach((chart, i) => {
-      const [panel] = chart.panels;
-      this.curves[i] ??= [chart, ...[this.then, this.now].map(({ name, colour }, k): Curve => ({
-        kind: "Curve", x: numbers(new Float64Array(0)), y: numbers(new Float64Array(0)), name, colour, dash: k ? "solid" : "dot", width: k ? 1.8 : 1.3, half: null, numbers: null,
-      }))] as [Chart, Curve, Curve];
-      const [, then, now] = this.curves[i], x = (points: Points): Numbers => numbers(chart.key === "error-time" ? points.time : points.along);
-      for (const [curve, points] of [[then, this.before?.points], [now, answer.points]] as [Curve, Points | null | undefined][]) {
-        if (points) [curve.x, curve.y] = [x(points), numbers(points.signed)];
-      }
-      if (!panel.curves.includes(now)) panel.curves.push(then, now);
-      this.page.changed(chart);
-    });
-    this.figures(answer);
   }
 
   /** Return the points of an answer as those of a run in space. */
@@ -334,7 +349,7 @@ class Panel implements Drawing {
     const short = answer?.short ?? false, first = this.firsts[this.r][short ? "short" : "whole"], { motion: { period }, short: [from, to] } = this.live.runs[this.r];
     if (!first) return;
     const base = this.scene?.runs.find(run => run.name === this.live.runs[this.r].name);
-    const tolerance = this.scene?.tolerance ?? this.charts[0]?.panels[0].band?.[1] ?? null;
+    const tolerance = this.scene?.tolerance ?? this.errors?.panels[0].band?.[1] ?? null;
     const given: [string, Answer | null][] = [["report", first], ["before", short ? null : this.before], ["now", answer]];
     const columns = given.filter((one): one is [string, Answer] => one[1] !== null);
     const table = document.createElement("tbody"), head = add(this.table.tHead ?? this.table.createTHead(), "tr");
@@ -360,9 +375,9 @@ class Panel implements Drawing {
     this.table.tBodies[0]?.remove();
     this.table.append(table);
     if (!answer) return;
-    const where = short ? `Short run, from ${figure(from * period, "s", 5)} to ${figure(to * period, "s", 5)}` : "Whole part";
+    const where = short ? `Short run, from ${figure(from * period, "s", 5)} to ${figure(to * period, "s", 5)}, begun with the state of the report at ${figure(answer.begun * period, "s", 5)}` : "Whole part";
     const [was, is] = [first, answer].map(one => figure(one.figures.part_error_max * 1e6, "um"));
-    this.say(`${where}: largest part error ${is}, in the report ${was}.${answer.unsure ? ` At ${answer.unsure} ticks the judge is not sure of the nearest point of the path.` : ""}`);
+    this.say(`${where}: largest part error ${is}, in the report ${was}.`);
   }
 
   private say(text: string): void { this.said.textContent = text; }

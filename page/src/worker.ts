@@ -6,15 +6,17 @@ export interface Ask { id: number; run: number; values: [number, number][]; shor
 
 /** Points of a run [s, mm, um, mm/min], thinned: each keeps the largest errors around it. Foot points lie on the programmed path; in stretch 0 nothing is judged. */
 export interface Points {
-  time: Float64Array; along: Float64Array; signed: Float32Array; size: Float32Array; stretch: Int32Array; foot: Float32Array; error: Float32Array;
+  time: Float64Array; signed: Float32Array; size: Float32Array; stretch: Int32Array; foot: Float32Array; error: Float32Array;
   feedrate: Float32Array;
 }
 
-/** What came out, in SI, and the time that it took [ms]; without points the values are not possible, or the run failed at a tick. Id 0 is the run of the report. */
+/** What came out, in SI, its first tick, and the time that it took [ms]; without points the values are not possible, or the run failed at a tick. Id 0 is the run of the report. */
 export interface Answer {
-  id: number; run: number; short: boolean; took: number; failed: number | null; unsure: number; figures: Record<string, number>; points: Points | null;
+  id: number; run: number; short: boolean; begun: number; took: number; failed: number | null; unsure: number; figures: Record<string, number>; points: Points | null;
 }
 
+/** A short run begins so much earlier [s], and is not shown there: an axis that stands before the worst place has come there with the new values. */
+const LEAD = 2;
 const CHUNK = 1 << 13, BINS = 4000;
 type Loop = { memory: Float64Array; run(first: number, count: number): void; prepare(): number; judge(): void };
 
@@ -76,23 +78,25 @@ class Live {
     });
   }
 
+  private get early(): number { return Math.max(0, this.given.short[0] - Math.round(LEAD / this.given.motion.period)); }
+
   private state(): Float64Array[] { return this.given.state.map(([from, to]) => this.loop.memory.slice(from, to)); }
 
   private restore(parts: Float64Array[]): void { this.given.state.forEach(([from], i) => this.loop.memory.set(parts[i], from)); }
 
   /** Return the answers for the run of the report, and keep its state before the worst place. */
   first(run: number): Answer[] {
-    const { short: [first], motion } = this.given, from = performance.now();
+    const { early, given: { motion } } = this, from = performance.now();
     this.begin([]);
-    this.loop.run(0, first);
+    this.loop.run(0, early);
     this.worst = this.state();
-    this.loop.run(first, motion.n_sample - first);
+    this.loop.run(early, motion.n_sample - early);
     return [false, true].map(short => this.found({ id: 0, run, values: [], short }, from));
   }
 
   /** Answer a question; null if it is dropped. */
   async answer(ask: Ask, dropped: () => Promise<boolean>): Promise<Answer | null> {
-    const { loop, given: { short, motion } } = this, [first, stop] = ask.short ? short : [0, motion.n_sample], from = performance.now();
+    const { loop, given: { short, motion } } = this, [first, stop] = ask.short ? [this.early, short[1]] : [0, motion.n_sample], from = performance.now();
     if (!this.begin(ask.values)) return this.none(ask);
     if (ask.short) this.restore(this.worst);
     for (let k = first; k < stop; k += CHUNK) {
@@ -102,7 +106,7 @@ class Live {
     return this.found(ask, from);
   }
 
-  private none = ({ id, run, short }: Ask): Answer => ({ id, run, short, took: 0, failed: null, unsure: 0, figures: {}, points: null });
+  private none = ({ id, run, short }: Ask): Answer => ({ id, run, short, begun: short ? this.early : 0, took: 0, failed: null, unsure: 0, figures: {}, points: null });
 
   private found(ask: Ask, from: number): Answer {
     const { short, motion: { n_sample }, failed_at } = this.given, [first, stop] = ask.short ? short : [0, n_sample], failed = this.loop.memory[failed_at];
@@ -161,14 +165,13 @@ class Live {
     });
     const n = kept.length, on = along(this.given.asked, axes), out = new Float64Array(3 * axes), many = motion.n_sample;
     const made: Points = {
-      time: new Float64Array(n), along: new Float64Array(n), signed: new Float32Array(n), size: new Float32Array(n), stretch: Int32Array.from(stretches),
+      time: new Float64Array(n), signed: new Float32Array(n), size: new Float32Array(n), stretch: Int32Array.from(stretches),
       foot: new Float32Array(axes * n), error: new Float32Array(axes * n), feedrate: new Float32Array(n),
     };
     kept.forEach((k, i) => {
       const row = log + k * wide, tool = position.map(column => memory[row + column]);
       if (stretches[i]) on(memory[row + foot], out); else out.set(tool);
       made.time[i] = k * motion.period;
-      made.along[i] = memory[inputs + 3 * axes * many + k] * 1e3;
       made.feedrate[i] = memory[inputs + (3 * axes + 1) * many + k] * 6e4;
       made.signed[i] = stretches[i] ? memory[row + part_error] * 1e6 : NaN;
       made.size[i] = stretches[i] ? size(k) * 1e6 : 0;
