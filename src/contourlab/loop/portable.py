@@ -238,7 +238,8 @@ def _prepared(
 
 def _within(declared: Parameter, value: Traced) -> None:
     """Make it a condition of the trace that a parameter would take the value."""
-    conditions = [value > declared.minimum if declared.exclusive else value >= declared.minimum, value <= declared.maximum]
+    conditions = [value > declared.minimum if declared.exclusive else value >= declared.minimum]
+    conditions += [value <= declared.maximum] if declared.maximum < np.inf else []
     conditions += [np.isfinite(value)] if declared.default != np.inf else []
     conditions += [np.rint(value) == value] if declared.whole else []
     for condition in conditions:

@@ -397,13 +397,13 @@ def module_of(source: str, machine: Any, triple: str) -> Any:
     return module
 
 
-def assembly(source: str, triple: str, processor: str, *, binary: bool = False) -> Any:
-    """Return the assembly of LLVM IR for another processor, or its object file in bytes."""
+def assembly(source: str, triple: str, processor: str, *, binary: bool = False, effort: int = 2) -> Any:
+    """Return the assembly of LLVM IR for another processor, or its object file in bytes; `effort` is LLVM's, from 0 to 3."""
     import llvmlite.binding as llvm
 
     llvm.initialize_all_targets()
     llvm.initialize_all_asmprinters()
-    machine = llvm.Target.from_triple(triple).create_target_machine(cpu=processor, opt=2)
+    machine = llvm.Target.from_triple(triple).create_target_machine(cpu=processor, opt=effort)
     return (machine.emit_object if binary else machine.emit_assembly)(module_of(source, machine, triple))
 
 

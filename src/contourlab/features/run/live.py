@@ -7,6 +7,7 @@ import re
 import shlex
 import zlib
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -32,9 +33,8 @@ BEFORE, SHORT = 0.5, 1.0
 """Time before the worst place at which a short run begins, and its duration [s]."""
 FINE = 0.01
 """Share of a view's tolerance for arcs, as in the judge."""
-_FIRST = re.compile(
-    r"\.controller\.(?!model_)\w*(gain|integral_\w+)$|observer\.bandwidth$|friction\.(coulomb|breakaway|viscous)$|backlash|weight$"
-)
+_GAINS = r"\.controller\.(?!model_)\w*(gain|integral_\w+)$|coupling\.\w*(gain|weight)$"
+_FIRST = re.compile(_GAINS + r"|observer\.bandwidth$|friction\.(coulomb|breakaway|viscous)$|backlash")
 
 
 def live_loop(outcomes: Sequence[Outcome], command: str) -> LiveLoop:
@@ -63,7 +63,7 @@ def _caption(runs: Sequence[LiveRun], refused: Sequence[tuple[str, str]]) -> str
     """Return what a page can run, from where the short runs begin, and what it cannot run."""
     begins = "; ".join(f"{run.name} {run.short[0] * run.motion.period:.3f} s" for run in runs)
     about = f"The loop runs in this page. A short run begins {BEFORE} s before the worst place: {begins}. Then the whole part follows. "
-    about += "Figures are within 1 nm of those of contourlab run; an axis that stands in stiction may differ by some um. "
+    about += "Figures may differ by 0.1 um from those of contourlab run, and single places by some um where an axis stands in stiction. "
     return (about if runs else "") + " ".join(f"{name} cannot be changed here: {why}." for name, why in refused)
 
 
@@ -110,7 +110,7 @@ def _run(outcome: Outcome) -> LiveRun:
 def _words(loop: PortableLoop) -> list[Words]:
     """Return what memory holds before the first tick: the rows, then each table by itself, as runs share tables."""
     edges = sorted({loop.first, *(begin for begin, _ in loop.tables.values()), loop.first + loop.start.size})
-    words = [Words(begin, loop.start[begin - loop.first : end - loop.first]) for begin, end in zip(edges, edges[1:], strict=False)]
+    words = [Words(begin, loop.start[begin - loop.first : end - loop.first]) for begin, end in pairwise(edges)]
     lines = loop.inputs.get(SOURCE_LINE, ())
     return words + ([Words(at, loop.fed()[(at - loop.inputs["reference"][0]) // loop.feed.reference.n_sample]) for at in lines])
 
