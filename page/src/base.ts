@@ -89,6 +89,16 @@ export function roundDown(value: number): number {
   return ([5, 2].find(step => step <= (value / power) * (1 + 1e-12)) ?? 1) * power;
 }
 
+/** Return the i of ascending values with values[i] <= value < values[i + 1], or that of the first or last two. */
+export function indexBefore(values: ArrayLike<number>, value: number): number {
+  let from = 0, to = values.length - 1;
+  while (to - from > 1) {
+    const middle = (from + to) >> 1;
+    if (values[middle] <= value) from = middle; else to = middle;
+  }
+  return from;
+}
+
 // --- legend and tip ------------------------------------------------------------------------------------------------------------------
 
 export interface Entry { name: string; colour: string; dash: string; glyph?: string }

@@ -1,5 +1,5 @@
 /** The path in space, judged: errors magnified and coloured, worst places, playback. Nothing is drawn while nothing changes. */
-import { type Drawing, figure, type Page, roundDown, visible as seen } from "./base";
+import { type Drawing, figure, indexBefore, type Page, roundDown, visible as seen } from "./base";
 import type { PathScene, Place, SceneRun } from "./contract";
 import LOOK from "./path.css";
 import { attribute, Canvas, drawsInSoftware, mix, pairs, type Point, rgb, RUN, scaleColours, tangents, type Values } from "./path_lines";
@@ -216,13 +216,8 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   }
 
   function toolAt(run: SceneRun, when: number): Spot {
-    const values = run.time.values;
-    let from = 0, to = values.length - 1;
-    while (to - from > 1) {
-      const middle = (from + to) >> 1;
-      if (values[middle] <= when) from = middle; else to = middle;
-    }
-    return between(run, from, Math.min(Math.max((when - values[from]) / (values[to] - values[from] || 1), 0), 1));
+    const values = run.time.values, i = indexBefore(values, when);
+    return between(run, i, Math.min(Math.max((when - values[i]) / (values[i + 1] - values[i] || 1), 0), 1));
   }
 
   let time = first, playing = 0, before = 0;
