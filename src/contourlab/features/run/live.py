@@ -63,7 +63,7 @@ def _caption(runs: Sequence[LiveRun], refused: Sequence[tuple[str, str]]) -> str
     """Return what a page can run, from where the short runs begin, and what it cannot run."""
     begins = "; ".join(f"{run.name} {run.short[0] * run.motion.period:.3f} s" for run in runs)
     about = f"The loop runs in this page. A short run begins {BEFORE} s before the worst place: {begins}. Then the whole part follows. "
-    about += "Figures may differ by 0.1 um from those of contourlab run, and single places by some um where an axis stands in stiction. "
+    about += "Its largest error is within 0.1 um of that of contourlab run; by some um where it depends on when an axis leaves stiction. "
     return (about if runs else "") + " ".join(f"{name} cannot be changed here: {why}." for name, why in refused)
 
 
