@@ -38,6 +38,9 @@ function lineAt(run: SceneRun | undefined, time: number): number {
   return run.lines.values[times[i + 1] - time < time - times[i] ? i + 1 : i];
 }
 
+/** Return a value as files and options take it: in SI, with its unit. */
+const written = ({ unit }: LiveParameter, value: number): string => (Number.isFinite(value) ? `${value} ${unit}`.trim() : "inf");
+
 /** Return what is wrong with a value, or nothing. */
 function wrong(one: LiveParameter, value: number): string {
   const text = (edge: number): string => figure(edge * one.factor, one.display), { minimum: low, maximum: high } = one;
@@ -89,10 +92,14 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
   const end = add(host, "div", "cl-tools"), copied = button(end, "Copy the command line", () => void copy());
   button(end, "Save as controller file", save);
   const note = add(end, "span"), line = add(host, "pre", "command"), command = add(line, "code");
-  const say = (text: string): void => { said.textContent = text; };
+  /** Say what is shown now: the run of the report, a short run, the whole part, or nothing new. */
+  const say = (text: string, shown: "report" | "short" | "whole" | "none"): void => {
+    said.textContent = text;
+    host.dataset.shows = shown;
+  };
   which.hidden = live.runs.length === 1;
   copied.hidden = line.hidden = !live.command;  // no command has written the page
-  say("Drag a slider: the loop runs in this page.");
+  say("Drag a slider: the loop runs in this page.", "report");
   host.addEventListener("keydown", event => {
     const key = event.key.toLowerCase();
     if (!(event.ctrlKey || event.metaKey) || !["z", "y"].includes(key)) return;
@@ -189,7 +196,7 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
     const all = changed();
     [undo.disabled, redo.disabled, reset.disabled] = [!at && !all.length, at + 1 >= past.length, !all.length];
     note.textContent = all.some(([one]) => !one.name.startsWith("controller.")) ? "The controller file lacks the values of the machine." : "";
-    command.textContent = [live.command, ...all.map(([one, value]) => `--set ${one.name}=${value}`)].join(" ");
+    command.textContent = [live.command, ...all.map(([one, value]) => `--set "${one.name}=${written(one, value)}"`)].join(" ");
     host.classList.toggle("live-same", !all.length);
   }
 
@@ -201,7 +208,7 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
       const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
       worker = new Worker(address);
       worker.addEventListener("message", ({ data }: MessageEvent<Answer>) => answered(data));
-      worker.addEventListener("error", event => say(`The loop cannot run here: ${event.message}.`));
+      worker.addEventListener("error", event => say(`The loop cannot run here: ${event.message}.`, "none"));
       URL.revokeObjectURL(address);
     }
     if (!loaded.has(r)) worker.postMessage({ run: r, loop: live.runs[r] });
@@ -212,8 +219,9 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
     refresh(inHand);
     clearTimeout(rest);
     const reason = changed().map(([one, value]) => wrong(one, value)).find(Boolean);
-    if (reason) return say(`Not possible: ${reason}.`);
+    if (reason) return say(`Not possible: ${reason}.`, "none");
     load();
+    delete host.dataset.shows;
     ask(took > QUICK);
   }
 
@@ -232,8 +240,9 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
     if (id <= since) return;
     if (id === asked && short) rest = window.setTimeout(() => ask(false), REST);
     if (!points) {
-      const why = failed === null ? "Not possible: these values do not fit together" : `The loop runs away at ${figure(failed * live.runs[r].motion.period, "s", 5)}`;
-      return say(`${why}. The pictures show the values before.`);
+      const when = figure((failed ?? 0) * live.runs[r].motion.period, "s", 5);
+      const why = failed === null ? "Not possible: these values do not fit together" : `At ${when} an axis leaves its limit of following error`;
+      return say(`${why}. The pictures show the values before.`, "none");
     }
     if (id === asked && !short) settle(answer);
     draw(answer);
@@ -315,7 +324,7 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
     const [start, stop, begun] = [from, to, answer.begun].map(k => figure(k * period, "s", 5));
     const where = short ? `Short run, from ${start} to ${stop}, begun with the state of the report at ${begun}` : "Whole part";
     const [was, is] = [first, answer].map(one => figure(one.figures.part_error_max * 1e6, "um"));
-    say(`${where}: largest part error ${is}, in the report ${was}.`);
+    say(`${where}: largest part error ${is}, in the report ${was}.`, short ? "short" : "whole");
   }
 
   // --- what leaves the page ----------------------------------------------------------------------------------------------------------
@@ -331,8 +340,8 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
   }
 
   function save(): void {
-    const known = new Map(live.runs[r].parameters.map(one => [one.name, values.get(one.name) ?? baseOf(one)]));
-    const text = live.runs[r].controller.replace(/"@([^"]+)@"/g, (_, name) => String(known.get(name)).replace("Infinity", "inf"));
+    const known = new Map(live.runs[r].parameters.map(one => [one.name, written(one, values.get(one.name) ?? baseOf(one))]));
+    const text = live.runs[r].controller.replace(/"@([^"]+)@"/g, (_, name) => JSON.stringify(known.get(name)).replace(/^"([^ ]*)"$/, "$1"));
     const link = document.createElement("a"), href = URL.createObjectURL(new Blob([text], { type: "application/toml" }));
     Object.assign(link, { href, download: "controller.toml" }).click();
     setTimeout(() => URL.revokeObjectURL(href), 1000);

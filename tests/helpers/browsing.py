@@ -33,11 +33,12 @@ class Browsing:
         self.contexts: list[Any] = []
         self.complaints: list[str] = []
 
-    def open(self, page: Path, width: int = 1280, height: int = 720, *, dark: bool = False) -> Any:
-        """Open a page in a window of a size [px], and all its folds."""
+    def open(self, page: Path, width: int = 1280, height: int = 720, *, dark: bool = False, first: str = "") -> Any:
+        """Open a page in a window of a size [px], and all its folds; before all others, run the script `first`."""
         look = {"viewport": {"width": width, "height": height}, "color_scheme": "dark" if dark else "light", "offline": True}
         context = self.browser.new_context(**look)
         self.contexts.append(context)
+        context.add_init_script(first)
         opened = context.new_page()
         opened.on("pageerror", lambda error: self.complaints.append(str(error)))
         opened.on("console", lambda said: self.complaints.append(said.text) if said.type in ("error", "warning") else None)
