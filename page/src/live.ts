@@ -60,7 +60,6 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
   const tolerance = scene?.tolerance ?? errors?.panels[0].band?.[1] ?? null, used = scene?.runs.map(run => run.colour) ?? [];
   const colour = COLOURS.find(one => !used.includes(one)) ?? COLOURS[0];
   const [then, now] = [[BEFORE, GREY], [NOW, colour]].map(([name, paint]): SceneRun => ({ kind: "SceneRun", name, colour: paint, ...drawn(null, 0) }));
-  ghosts.add(then);
 
   let r = -1, values = new Map<string, number>(), past: Values[] = [], at = 0, rows: Row[] = [];
   let worker: Worker | null = null, asked = 0, since = 0, sent: Values = values, took = Infinity, rest = 0;
@@ -113,6 +112,10 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
   function take(index: number): void {
     [r, rows, values, past, at, before, settled] = [index, [], new Map(), [new Map()], 0, null, null];
     since = asked;  // answers on their way are about another run
+    scene?.runs.forEach(run => ghosts.delete(run));
+    ghosts.add(then);
+    [then, now].forEach(run => Object.assign(run, drawn(null, r)));
+    if (scene?.runs.includes(now)) page.changed(scene);
     const { name, parameters, short, motion: { period } } = live.runs[r], families = [...new Set(parameters.map(familyOf))];
     list.replaceChildren();
     more.replaceChildren(new Option("more parameters", ""));
@@ -253,7 +256,10 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
     const key = keyOf(sent);
     took = answer.took;
     settled ??= { answer: firsts[r].whole!, key: keyOf(new Map()) };
-    if (settled.key !== key) before = settled.answer;
+    if (settled.key !== key) {
+      before = settled.answer;
+      Object.assign(then, drawn(before.points, r, baseRun()));
+    }
     settled = { answer, key };
     if (keyOf(past[at]) === key) return;
     past = [...past.slice(0, at + 1), sent];
@@ -261,17 +267,19 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
     refresh();
   }
 
+  const baseRun = (): SceneRun | undefined => scene?.runs.find(run => run.name === live.runs[r].name);
+
   // --- what is drawn -----------------------------------------------------------------------------------------------------------------
   /** Draw an answer beside the run of the report and the values before. */
   function draw(answer: Answer | null): void {
-    const base = scene?.runs.find(run => run.name === live.runs[r].name);
+    const base = baseRun();
     [firsts[r].whole, before, answer].forEach((one, i) => {
       if (one?.points && curves[i]) Object.assign(curves[i], { x: numbers(one.points.time), y: numbers(one.points.signed) });
     });
     picture?.update?.();
     tabulate(answer, base);
     if (!scene || !answer) return;
-    [before, answer].forEach((one, i) => Object.assign([then, now][i], drawn(one?.points ?? null, r, base)));
+    Object.assign(now, drawn(answer.points, r, base));
     if (!scene.runs.includes(now)) scene.runs.push(then, now);
     if (base) ghosts.add(base);
     page.changed(scene);
