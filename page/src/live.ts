@@ -15,7 +15,7 @@ const REST = 60, QUICK = 60;
 const NOW = "changed settings", BEFORE = "settings before", GREY = "#8a949e", COLOURS = ["#d55e00", "#cc79a7", "#56b4e9"];
 const FIGURES: [string, string, number][] = [
   ["part_error_max", "largest part error [um]", 1e6], ["part_error_rms", "part error, rms [um]", 1e6],
-  ["tracking_error_max", "largest tracking error [um]", 1e6], ["command_largest", "largest command, of the limit [%]", 100],
+  ["tracking_error_max", "largest tracking error [um]", 1e6], ["command_largest", "largest command [% of the limit]", 100],
   ["unsure", "ticks in doubt", 1],
 ];
 
@@ -322,7 +322,7 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
       add(cell, "span", "seal", isGood ? "PASS" : "FAIL");
     });
     for (const [name, label, factor] of FIGURES) {
-      if (name in first.figures) row(label, (one, cell) => { cell.textContent = figure(one.figures[name] * factor); });
+      if (columns.some(([, one]) => one.figures[name])) row(label, (one, cell) => { cell.textContent = figure(one.figures[name] * factor); });
     }
     row("worst place", ({ points }, cell) => {
       const time = points!.time[worstOf(points!)], found = lineAt(base, time);

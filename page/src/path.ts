@@ -452,6 +452,7 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
     list();
     runs.filter(({ run, of }) => run.size !== of).forEach(one => {
       const { places, index } = Object.assign(one, drawnOf(one.run));
+      if (chosen?.run === one.run) chosen = null;
       one.lines.fill(places, index);
       one.halo.fill(places, index.slice());
     });
