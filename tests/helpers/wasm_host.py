@@ -47,13 +47,14 @@ def in_node(loop: PortableLoop, *commands: tuple[Any, ...]) -> list[Array]:
 
 def live_in_node(run: dict[str, Any], *commands: tuple[Any, ...]) -> list[Array]:
     """Return what each command reads or returns in a run of a message's `LiveLoop`; its memory is set from the message alone."""
-    begin = [("write", part["at"], part["values"]) for part in run["words"]] + [("write", run["inputs"], live_inputs(run["motion"]))]
+    begin = [("write", part["at"], part["values"]) for part in run["words"]] + [("write", run["inputs"], live_inputs(run))]
     return module_in_node(run["code"].astype(np.uint8).tobytes(), run["n_word"], *begin, *commands)
 
 
-def live_inputs(motion: dict[str, Any]) -> Array:
-    """Return the inputs (3 n_axis + 2, n_sample) of a run, as the documentation of `LiveMotion` and `LivePath` says."""
-    starts, path = motion["spans"][0], motion["path"]
+def live_inputs(run: dict[str, Any]) -> Array:
+    """Return the inputs (n_input, n_sample) of a run, as the documentation of `LiveRun`, `LiveMotion` and `LivePath` says."""
+    motion = run["motion"]
+    starts, path, last = motion["spans"][0], motion["path"], motion["n_sample"] - 1
     time = np.arange(motion["n_sample"]) * motion["period"]
     span = np.searchsorted(starts, time, side="right") - 1
     t0, s, v, a, j = motion["spans"][:, span]
@@ -66,7 +67,8 @@ def live_inputs(motion: dict[str, Any]) -> Array:
     h, c = (along - path["start"][piece])[:, None], np.moveaxis(path["coefficients"][piece], 2, 0)
     r, r1, r2 = (np.polynomial.polynomial.polyval(h, part, tensor=False) for part in (c, *(_derivative(c, n) for n in (1, 2))))
     moves = (r, r1 * v[:, None], r2 * v[:, None] ** 2 + r1 * a[:, None])
-    return np.concatenate([*(part.T for part in moves), s[None], v[None]])
+    later = [r[np.minimum(np.arange(last + 1) + ticks, last), j] for j, ticks in enumerate(run["ahead"])]
+    return np.concatenate([*(part.T for part in moves), s[None], v[None], *(one[None] for one in later)])
 
 
 def _derivative(coefficients: Array, n: int) -> Array:

@@ -602,7 +602,7 @@ class LiveRun:
     fixed : tuple of (str, str)
         Parameters that cannot be changed: why.
     short : (int, int)
-        Samples [start, stop) of a short run around the worst place. It begins with the words of `state` that a run from 0 has there.
+        Samples [start, stop) around the worst place, for a short run. It begins there, or earlier, with the words of `state` of this run.
     controller : str
         The controller's file (TOML), with ``"@NAME@"`` in place of the value of each of its parameters.
     """

@@ -7,7 +7,6 @@ import re
 import shlex
 import zlib
 from collections.abc import Sequence
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -19,18 +18,20 @@ from contourlab.feed import Reference
 from contourlab.geometry import Path
 from contourlab.geometry.view import view_of
 from contourlab.loop import Controller, Machine
-from contourlab.loop.feeding import SOURCE_LINE
+from contourlab.loop.feeding import AHEAD, SOURCE_LINE
+from contourlab.loop.judging import PLACE
 from contourlab.loop.portable import PortableLoop, portable
 from contourlab.loop.simulate import ToolPosition
 from contourlab.rendering.charts import LiveLoop, LiveMotion, LiveParameter, LivePath, LiveRun, Words
 from contourlab.scenario.dump import controller_table
 from contourlab.scenario.toml_text import Noted, toml
+from contourlab.scenario.tree import STATED
 from contourlab.units import from_si
 
-MOST_TICKS, MOST_CURVES, MOST_RUNS, MOST_BYTES = 400_000, 5000, 4, 300_000
+MOST_TICKS, MOST_CURVES, MOST_RUNS, MOST_BYTES = 400_000, 2000, 4, 300_000
 """Samples and curves of a motion (a run of 65,000 samples takes a browser some 40 ms), runs, and compressed bytes of all runs together."""
 BEFORE, SHORT = 0.5, 1.0
-"""Time before the worst place at which a short run begins, and its duration [s]."""
+"""Time from the begin of a short run to the worst place, and its duration [s]."""
 FINE = 0.01
 """Share of a view's tolerance for arcs, as in the judge."""
 _GAINS = r"\.controller\.(?!model_)\w*(gain|integral_\w+)$|coupling\.\w*(gain|weight)$"
@@ -39,31 +40,28 @@ _FIRST = re.compile(_GAINS + r"|observer\.bandwidth$|friction\.(coulomb|breakawa
 
 def live_loop(outcomes: Sequence[Outcome], command: str) -> LiveLoop:
     """Return the runs of a report as modules; for each that has none the reason. `command` is that of the report, as typed."""
-    runs, refused, left = list[LiveRun](), list[tuple[str, str]](), float(MOST_BYTES)
-    seen = set[bytes]()
+    runs, refused, sizes = list[LiveRun](), list[tuple[str, str]](), dict[bytes, int]()
     for outcome in outcomes:
         try:
             refuse(len(runs) >= MOST_RUNS, EngineError, f"a page runs {MOST_RUNS} at most")
             run = _run(outcome)
-            arrays = {array.tobytes() for array in _arrays(run)} - seen
-            needed = sum(len(zlib.compress(array, 1)) for array in arrays)
-            refuse(needed > left, EngineError, "its data would make the page too large")
+            arrays = (run.code, run.motion.spans, run.motion.path.coefficients, *(part.values for part in run.words))
+            more = sizes | {array.tobytes(): len(zlib.compress(array.tobytes(), 1)) for array in arrays}
+            refuse(sum(more.values()) > MOST_BYTES, EngineError, "its data would make the page too large")
         except ContourlabError as error:
             refused.append((outcome.name, str(error)))
-            continue
-        runs.append(run)
-        left -= needed
-        seen |= arrays
-    _, verb, *words = shlex.split(command) if command else ("", "")
-    again = as_typed(["contourlab", verb, *without_options(words, "--out")]) if verb == "run" else ""
+        else:
+            runs.append(run)
+            sizes = more
+    words = shlex.split(command)
+    again = as_typed(without_options(words, "--out")) if words[1:2] == ["run"] else ""
     return LiveLoop("live", "Try other values", _caption(runs, refused), tuple(runs), again, tuple(refused))
 
 
 def _caption(runs: Sequence[LiveRun], refused: Sequence[tuple[str, str]]) -> str:
-    """Return what a page can run, from where the short runs begin, and what it cannot run."""
-    begins = "; ".join(f"{run.name} {run.short[0] * run.motion.period:.3f} s" for run in runs)
-    about = f"The loop runs in this page. A short run begins {BEFORE} s before the worst place: {begins}. Then the whole part follows. "
-    about += "Its largest error is within 0.1 um of that of contourlab run; by some um where it depends on when an axis leaves stiction. "
+    """Return what a page can run, how near it comes, and what it cannot run."""
+    about = "The loop runs in this page: the second around the worst place, then the whole part. "
+    about += "Figures agree with contourlab run to a fraction of an encoder count; where an axis leaves stiction, to some um. "
     return (about if runs else "") + " ".join(f"{name} cannot be changed here: {why}." for name, why in refused)
 
 
@@ -87,7 +85,7 @@ def _run(outcome: Outcome) -> LiveRun:
         tuple(_words(loop)),
         _motion(reference),
         loop.inputs["reference"][0],
-        loop.feed.ahead if "reference_ahead" in loop.inputs else (),
+        loop.feed.ahead if AHEAD in loop.inputs else (),
         loop.log,
         len(loop.rows),
         position,
@@ -109,10 +107,18 @@ def _run(outcome: Outcome) -> LiveRun:
 
 def _words(loop: PortableLoop) -> list[Words]:
     """Return what memory holds before the first tick: the rows, then each table by itself, as runs share tables."""
-    edges = sorted({loop.first, *(begin for begin, _ in loop.tables.values()), loop.first + loop.start.size})
-    words = [Words(begin, loop.start[begin - loop.first : end - loop.first]) for begin, end in pairwise(edges)]
-    lines = loop.inputs.get(SOURCE_LINE, ())
-    return words + ([Words(at, loop.fed()[(at - loop.inputs["reference"][0]) // loop.feed.reference.n_sample]) for at in lines])
+    begin, rows = loop.first, min(at for at, _ in loop.tables.values()) - loop.first
+    words = [Words(begin, loop.start[:rows])]
+    for name, (at, size) in loop.tables.items():
+        values = loop.start[at - begin : at - begin + size]
+        if name.endswith("cell_clearance"):  # one that is too small only makes more ticks doubtful
+            mantissa, power = np.frexp(values)
+            values = np.ldexp(np.floor(64.0 * mantissa) / 64.0, power)
+        if name == f"{PLACE}.place":  # where a search begins
+            values = values.astype(np.float32).astype(np.float64)
+        words.append(Words(at, values))
+    first, n = loop.inputs["reference"][0], loop.feed.reference.n_sample
+    return words + [Words(at, loop.fed()[(at - first) // n]) for at in loop.inputs.get(SOURCE_LINE, ())]
 
 
 def _motion(reference: Reference) -> LiveMotion:
@@ -149,15 +155,5 @@ def _controller_file(machine: Machine, controller: Controller, loop: PortableLoo
                 table = table[place]
             held = table.get(last, "")
             value = held.value if isinstance(held, Noted) else held
-            table[last] = Noted({**value, "value": f"@{name}@"} if isinstance(value, dict) else f"@{name}@")
+            table[last] = Noted({**value, STATED: f"@{name}@"} if isinstance(value, dict) else f"@{name}@")
     return toml(content)
-
-
-def _arrays(run: LiveRun) -> list[Any]:
-    paths = (run.motion.path, run.asked)
-    return [
-        run.code,
-        run.motion.spans,
-        *(part.values for part in run.words),
-        *(a for path in paths for a in (path.start, path.coefficients)),
-    ]
