@@ -16,7 +16,7 @@ from contourlab.cli.main import main
 BOUND = 0.1
 """Difference [um] of figures that the page states."""
 PROGRAM = "G21 G90 G94 G17 G64 P0.002\nG0 X10 Y0\nG1 X14 F1200\nG3 X14 Y8 I0 J4\nG1 X5\nY2\nX8\nM2\n"
-OPTIONS = ("--machine", "xyz", "--tolerance", "15 um")
+OPTIONS = ("--machine", "xyz", "--tolerance", "15 um", "--no-interval")
 BANDWIDTH, GAIN = "observer bandwidth", "controller position gain"
 NOW = "#d55e00"
 DRAG = "(slider, value) => { slider.value = value; slider.dispatchEvent(new Event('input', {bubbles: true})); }"
@@ -34,7 +34,10 @@ def part(tmp_path_factory) -> Path:
 
 @pytest.fixture(scope="module")
 def report(part) -> Path:
-    assert main(["run", str(part), *OPTIONS, "--controller", "xyz-controller", "--no-interval", "--out", str(part.parent / "out")]) in (0, 1)
+    assert main(["run", str(part), *OPTIONS, "--controller", "xyz-controller", "--out", str(part.parent / "out")]) in (
+        0,
+        1,
+    )
     return part.parent / "out" / "report.html"
 
 
@@ -81,7 +84,7 @@ def test_a_gain_is_dragged(page, part):
     assert value == pytest.approx(300.0 * 10**-0.4, rel=1e-2)
     case = cl.run(part, machine="xyz", controller="xyz-controller", interval=False).outcomes[0].case
     names = [f"controller.axes.{axis}.observer.bandwidth" for axis in "xyz"]
-    batch = cl.simulate_batch(case.machine, case.controller, case.reference(), dict.fromkeys(names, [value]), part=True)
+    batch = cl.simulate_batch(case.machine, case.controller, case.reference(), {name: [value] for name in names}, part=True)
     assert largest(page, "now") == pytest.approx(1e6 * batch.figures["part_error_max"][0], abs=BOUND)
     assert largest(page, "report") + 5.0 * BOUND < largest(page, "now")
     assert figures(page, "now")["tolerance 15 um"] == "FAIL"
@@ -113,7 +116,7 @@ def test_what_was_found_leaves_the_page(page, part, tmp_path):
     file = tmp_path / saved.value.suggested_filename
     saved.value.save_as(file)
     out = tmp_path / "out"
-    assert main(["run", str(part), *OPTIONS, "--controller", str(file), "--no-interval", "--out", str(out)]) in (0, 1)
+    assert main(["run", str(part), *OPTIONS, "--controller", str(file), "--out", str(out)]) in (0, 1)
     verdict = json.loads((out / "summary.json").read_text())["schemes"]["base"]["verdict"]
     assert largest(page, "now") == pytest.approx(verdict["worst"]["value"] * 1e6, abs=BOUND)
 
