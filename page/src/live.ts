@@ -9,6 +9,8 @@ import script from "./worker?text";
 /** Parameters of several axes with one name, and those of them that the row changes. */
 interface Row { taken: LiveParameter[]; slider: HTMLInputElement; field: HTMLInputElement; unit: HTMLElement }
 type Values = ReadonlyMap<string, number>;
+/** Values, and what came out. */
+interface Step { values: Values; answer?: Answer }
 
 /** Time [ms] after which the whole part follows, and the longest for which it needs no short run before it. */
 const REST = 60, QUICK = 60;
@@ -61,9 +63,11 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
   const colour = COLOURS.find(one => !used.includes(one)) ?? COLOURS[0];
   const [then, now] = [[BEFORE, GREY], [NOW, colour]].map(([name, paint]): SceneRun => ({ kind: "SceneRun", name, colour: paint, ...drawn(null, 0) }));
 
-  let r = -1, values = new Map<string, number>(), past: Values[] = [], at = 0, rows: Row[] = [];
+  let r = -1, values = new Map<string, number>(), past: Step[] = [], at = 0, rows: Row[] = [];
+  /** Each movement of a hand is one step that can be undone: number of the next, of that of the values, and of that of the newest step. */
+  let next = 1, movement = 0, newest = 0;
   let worker: Worker | null = null, asked = 0, since = 0, sent: Values = values, took = Infinity, rest = 0;
-  let before: Answer | null = null, settled: { answer: Answer; key: string } | null = null;
+  let before: Answer | undefined;
   /** The report's own runs, whole and short, as the worker has found them. */
   const firsts = live.runs.map((): { whole?: Answer; short?: Answer } => ({}));
   let picture: ReturnType<typeof drawChart> | null = null, curves: Curve[] = [];
@@ -98,7 +102,6 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
   };
   which.hidden = live.runs.length === 1;
   copied.hidden = line.hidden = !live.command;  // no command has written the page
-  say("Drag a slider: the loop runs in this page.", "report");
   host.addEventListener("keydown", event => {
     const key = event.key.toLowerCase();
     if (!(event.ctrlKey || event.metaKey) || !["z", "y"].includes(key)) return;
@@ -110,7 +113,7 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
   // --- parameters --------------------------------------------------------------------------------------------------------------------
   /** Take a run of the report. */
   function take(index: number): void {
-    [r, rows, values, past, at, before, settled] = [index, [], new Map(), [new Map()], 0, null, null];
+    [r, rows, values, past, at, before] = [index, [], new Map(), [{ values: new Map() }], 0, undefined];
     since = asked;  // answers on their way are about another run
     scene?.runs.forEach(run => ghosts.delete(run));
     ghosts.add(then);
@@ -133,6 +136,7 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
     if (worker) load();
     refresh();
     draw(null);
+    say("Drag a slider: the loop runs in this page.", "report");
   }
 
   /** Add the row of a family. */
@@ -152,9 +156,11 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
       const power = Number(slider.value);
       change(row, base => (power ? Number((base * 10 ** power).toPrecision(3)) : base));
     });
+    slider.addEventListener("change", () => { next += 1; });
     field.addEventListener("change", () => {
       const given = field.valueAsNumber;
       if (Number.isFinite(given)) change(row, (base, { factor }) => (isAlike(row) ? given / factor : base * given));
+      next += 1;
     });
     rows.push(row);
     [...more.options].find(option => option.value === family)?.remove();
@@ -175,15 +181,17 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
 
   function set(wanted: Values): void {
     values = new Map(wanted);
+    next += 1;
     touched();
+    next += 1;
   }
 
   /** Go back to the values before, or forth. Values that gave no picture are no step. */
   function step(by: number): void {
-    const to = at + (by > 0 || keyOf(values) === keyOf(past[at]) ? by : 0);
+    const to = at + (by > 0 || keyOf(values) === keyOf(past[at].values) ? by : 0);
     if (!past[to]) return;
     at = to;
-    set(past[to]);
+    set(past[to].values);
   }
 
   /** Write the values in their rows; the slider in hand stays where it is. */
@@ -219,6 +227,7 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
   }
 
   function touched(inHand?: Row): void {
+    movement = next;
     refresh(inHand);
     clearTimeout(rest);
     const reason = changed().map(([one, value]) => wrong(one, value)).find(Boolean);
@@ -251,19 +260,17 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
     draw(answer);
   }
 
-  /** The whole part has followed: one more step that can be undone. */
+  /** The whole part has followed. */
   function settle(answer: Answer): void {
-    const key = keyOf(sent);
     took = answer.took;
-    settled ??= { answer: firsts[r].whole!, key: keyOf(new Map()) };
-    if (settled.key !== key) {
-      before = settled.answer;
-      Object.assign(then, drawn(before.points, r, baseRun()));
+    if (keyOf(past[at].values) !== keyOf(sent)) {
+      past = [...past.slice(0, at + (movement === newest && at ? 0 : 1)), { values: sent }];
+      [at, newest] = [past.length - 1, movement];
     }
-    settled = { answer, key };
-    if (keyOf(past[at]) === key) return;
-    past = [...past.slice(0, at + 1), sent];
-    at += 1;
+    past[at].answer = answer;
+    const last = at > 1 ? past[at - 1].answer : undefined;
+    if (last !== before) Object.assign(then, drawn(last?.points, r, baseRun()));
+    before = last;
     refresh();
   }
 
@@ -274,7 +281,8 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
   function draw(answer: Answer | null): void {
     const base = baseRun();
     [firsts[r].whole, before, answer].forEach((one, i) => {
-      if (one?.points && curves[i]) Object.assign(curves[i], { x: numbers(one.points.time), y: numbers(one.points.signed) });
+      const points = one?.points, none = new Float64Array(0);
+      if (curves[i] && (points || i)) Object.assign(curves[i], { x: numbers(points?.time ?? none), y: numbers(points?.signed ?? none) });
     });
     picture?.update?.();
     tabulate(answer, base);
@@ -286,7 +294,7 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
   }
 
   /** Return points as those of a run in space. */
-  function drawn(points: Points | null, run: number, base?: SceneRun): Omit<SceneRun, "kind" | "name" | "colour"> {
+  function drawn(points: Points | null | undefined, run: number, base?: SceneRun): Omit<SceneRun, "kind" | "name" | "colour"> {
     const n = points?.time.length ?? 0, names = [...new Set(live.runs[run].parameters.map(axisOf).filter(Boolean))];
     const columns = (scene?.axes ?? []).map(name => names.indexOf(name)), none = new Float32Array(0);
     const spread = (given: Float32Array = none): Numbers => {
@@ -308,7 +316,7 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
     const short = answer?.short ?? false, first = firsts[r][short ? "short" : "whole"], { motion: { period }, short: [from, to] } = live.runs[r];
     table.replaceChildren();
     if (!first?.points) return;
-    const columns = [["report", first], ["before", short ? null : before], ["now", answer]].filter((one): one is [string, Answer] => one[1] !== null);
+    const columns = [["report", first], ["before", short ? null : before], ["now", answer]].filter((one): one is [string, Answer] => Boolean(one[1]));
     const head = add(add(table, "thead"), "tr"), body = add(table, "tbody");
     ["", ...columns.map(([name]) => name)].forEach(text => { add(head, "th", "n", text).scope = "col"; });
     const row = (text: string, write: (one: Answer, cell: HTMLElement) => void): void => {

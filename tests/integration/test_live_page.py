@@ -19,7 +19,7 @@ PROGRAM = "G21 G90 G94 G17 G64 P0.002\nG0 X10 Y0\nG1 X14 F1200\nG3 X14 Y8 I0 J4\
 OPTIONS = ("--machine", "xyz", "--tolerance", "15 um", "--no-interval")
 BANDWIDTH, GAIN = "observer bandwidth", "controller position gain"
 NOW = "#d55e00"
-DRAG = "(slider, value) => { slider.value = value; slider.dispatchEvent(new Event('input', {bubbles: true})); }"
+DRAG = "(slider, value) => { slider.value = value; ['input', 'change'].forEach(kind => slider.dispatchEvent(new Event(kind))); }"
 
 WATCH = """() => { window.told = []; const said = document.querySelector(".live-said");
   new MutationObserver(() => told.push(said.textContent)).observe(said, {childList: true}); }"""
@@ -99,6 +99,26 @@ def test_a_gain_is_dragged(page, part):
     page.get_by_role("button", name="Redo").click()
     rests(page)
     assert largest(page, "now") == pytest.approx(1e6 * batch.figures["part_error_max"][0], abs=BOUND)
+
+
+def test_a_movement_of_the_hand_is_one_step(page):
+    slider = page.get_by_role("slider", name=GAIN)
+    slider.scroll_into_view_if_needed()
+    box, found = slider.bounding_box(), []
+    page.mouse.move(box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"])
+    page.mouse.down()
+    for share in (0.55, 0.6):
+        page.mouse.move(box["x"] + share * box["width"], box["y"] + 0.5 * box["height"])
+        rests(page)
+        found.append(largest(page, "now"))
+    page.mouse.up()
+    slider.press("ArrowRight")
+    rests(page)
+    assert len({largest(page, "report"), *found, largest(page, "now")}) == 4 and largest(page, "before") == found[1]
+    for wanted in (found[1], largest(page, "report")):
+        page.get_by_role("button", name="Undo").click()
+        rests(page)
+        assert largest(page, "now") == wanted
 
 
 def test_what_was_found_leaves_the_page(page, part, tmp_path):
