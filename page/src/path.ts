@@ -1,5 +1,5 @@
 /** The path in space, judged: errors magnified and coloured, worst places, playback. Nothing is drawn while nothing changes. */
-import { type Drawing, figure, indexBefore, type Page, roundDown, visible as legible } from "./base";
+import { type Drawing, figure, indexBefore, type Page, roundDown, visible as seen } from "./base";
 import type { PathScene, Place, SceneRun } from "./contract";
 import LOOK from "./path.css";
 import { attribute, Canvas, drawsInSoftware, mix, pairs, type Point, rgb, RUN, scaleColours, tangents, type Values } from "./path_lines";
@@ -134,8 +134,8 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
 
   // --- one frame ---------------------------------------------------------------------------------------------------------------------
   let frame = 0, settling = 0, dense = 1, moves = false, isSeen = true;
-  const seen = new IntersectionObserver(([{ isIntersecting }]) => { isSeen = isIntersecting; invalidate(); }, { rootMargin: "200px" });
-  seen.observe(stage);
+  const inView = new IntersectionObserver(([{ isIntersecting }]) => { isSeen = isIntersecting; invalidate(); }, { rootMargin: "200px" });
+  inView.observe(stage);
   function invalidate(): void { if (isSeen) frame ||= requestAnimationFrame(render); }
 
   function fit(): void {
@@ -389,7 +389,7 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
     paint([rapids], "rapid");
     paint(edges, "band");
     paint([halo, ...runs.map(one => one.halo)], "picked");
-    runs.forEach(({ run, lines }) => lines.paint(bySize ? null : rgb(legible(run.colour, named("paper")))));
+    runs.forEach(({ run, lines }) => lines.paint(bySize ? null : rgb(seen(run.colour, named("paper")))));
     stops.forEach((colour, k) => uniforms.scale.value[k].set(...colour));
     const top = Math.max(...visible().map(one => one.top), 0) || 1, strip = element("div", { className: "path-scale" }), mark = element("i");
     uniforms.top.value = top;
@@ -472,7 +472,7 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
       cancelAnimationFrame(frame);
       clearTimeout(settling);
       watch.disconnect();
-      seen.disconnect();
+      inView.disconnect();
       gl.destroy();
       root.adoptedStyleSheets = root.adoptedStyleSheets.filter(sheet => sheet !== look);
       host.classList.remove("cl-path");
