@@ -123,7 +123,7 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
     list.replaceChildren();
     more.replaceChildren(new Option("more parameters", ""));
     families.sort((a, b) => Number(b.startsWith("controller")) - Number(a.startsWith("controller"))).forEach(family => {
-      if (parameters.some(one => one.first && familyOf(one) === family)) show(family); else more.add(new Option(inWords(family), family));
+      if (parameters.some(one => one.first && one.value && familyOf(one) === family)) show(family); else more.add(new Option(inWords(family), family));
     });
     if (errors) {
       const [panel] = errors.panels, base = panel.curves.find(one => one.name === name), none = numbers(new Float64Array(0));
