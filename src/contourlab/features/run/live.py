@@ -77,32 +77,15 @@ def _run(outcome: Outcome) -> LiveRun:
     judged, size = outcome.metrics.judged, np.abs(outcome.result["part_error"])
     worst, per_second = int(judged.samples[size[judged.samples].argmax()]), 1.0 / reference.servo_period
     start = max(worst - round(BEFORE * per_second), 0)
-    position, (contour,), (part,), (foot,) = (loop.signals[name] for name in ("axis_position", "contour_error", "part_error", "foot"))
+    contour, part, foot = (loop.signals[name][0] for name in ("contour_error", "part_error", "foot"))
     return LiveRun(
-        outcome.name,
-        np.frombuffer(loop.code, dtype=np.uint8),
-        loop.n_word,
-        tuple(_words(loop)),
-        _motion(reference),
-        loop.inputs["reference"][0],
-        loop.feed.ahead if AHEAD in loop.inputs else (),
-        loop.log,
-        len(loop.rows),
-        position,
-        contour,
-        part,
-        foot,
-        loop.signals["doubt"],
-        _path(reference.programmed),
-        judged.ranges,
-        tuple(loop.figures.items()),
-        loop.failed_at,
-        loop.state,
-        tuple(_parameter(loop, name) for name in loop.parameters),
-        tuple(loop.fixed.items()),
-        (start, min(start + round(SHORT * per_second), reference.n_sample)),
-        _controller_file(case.machine, case.controller, loop),
-    )
+        outcome.name, np.frombuffer(loop.code, dtype=np.uint8), loop.n_word, tuple(_words(loop)), _motion(reference),
+        loop.inputs["reference"][0], loop.feed.ahead if AHEAD in loop.inputs else (),
+        loop.log, len(loop.rows), loop.signals["axis_position"], contour, part, foot, loop.signals["doubt"],
+        _path(reference.programmed), judged.ranges, tuple(loop.figures.items()), loop.failed_at, loop.state,
+        tuple(_parameter(loop, name) for name in loop.parameters), tuple(loop.fixed.items()),
+        (start, min(start + round(SHORT * per_second), reference.n_sample)), _controller_file(case.machine, case.controller, loop),
+    )  # fmt: skip
 
 
 def _words(loop: PortableLoop) -> list[Words]:
