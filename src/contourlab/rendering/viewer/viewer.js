@@ -26,10 +26,11 @@
 .live-row { display: grid; grid-template-columns: minmax(10rem, 1.3fr) minmax(6rem, 1fr) 6.5rem 6.5rem; gap: .7rem; align-items: center; padding: .2rem 0; font-size: .92rem; }
 .live-row [type="range"] { width: 100%; accent-color: var(--accent, #0b5a94); }
 .live-row [type="number"], .live-row select, .cl-tools select { font: inherit; color: var(--ink, #1d2733); background: var(--card, #fff); border: 1px solid var(--edge, #c9d0d7); border-radius: 6px; padding: .1rem .3rem; }
-.live-row [type="number"] { width: 100%; text-align: right; }
+.live-row [type="number"] { width: 100%; box-sizing: border-box; text-align: right; }
 .live-name { display: flex; flex-wrap: wrap; gap: .1rem .6rem; justify-content: space-between; }
 .live-unit { min-width: 0; overflow-wrap: anywhere; color: var(--muted, #5b6774); }
 .live-table.figures th, .live-table td { white-space: normal; min-width: 0; padding: .3rem .5rem; font-size: .875rem; }
+.live-table td.n { text-align: right; }
 .live-said { min-height: 1.6em; margin: .6rem 0 0; }
 .cl-tools button:disabled { opacity: .45; cursor: default; }
 @media (max-width: 640px) { .live-row { grid-template-columns: minmax(0, 1fr) 6.5rem 4.5rem; } .live-name { grid-column: 1 / -1; } .live-said { position: sticky; bottom: 0; z-index: 4; background: var(--card, #fff); } }
