@@ -91,11 +91,11 @@ def _panel(data: ReportData, label: str, spectra: dict[str, _Spectrum], points: 
         kept = np.append(np.arange(low), low + keep_extremes(amplitude[low:], points - low)) if low < len(hertz) else np.arange(low)
         curves.append(Curve(hertz[kept], np.where(amplitude[kept] > 0.0, amplitude[kept], np.nan), *data.looks[scheme.name]))
         peaks += _peaks(scheme, spectra[scheme.name], label.split("[")[-1].rstrip("]"))
-    ticks: list[Tick] = []
-    for _, tick in sorted(peaks, key=lambda peak: -peak[0]):
-        if len(ticks) < PEAKS and all(abs(tick.x - other.x) > NEAR * tick.x for other in ticks):
-            ticks.append(tick)
     top = max(float(np.nanmax(curve.y, initial=0.0)) for curve in curves) or 1.0
+    ticks: list[Tick] = []
+    for size, tick in sorted(peaks, key=lambda peak: -peak[0]):
+        if size > DEPTH * top and len(ticks) < PEAKS and all(abs(tick.x - other.x) > NEAR * tick.x for other in ticks):
+            ticks.append(tick)
     marks = tuple(sorted(ticks, key=lambda tick: tick.x))
     return Panel("frequency [Hz]", label, tuple(curves), ticks=marks, log_x=True, log_y=True, y_range=(DEPTH * top, 1.5 * top))
 
