@@ -55,7 +55,7 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   });
   const visible = (): typeof runs => runs.filter(one => one.shown);
   const worstRun = runs.reduce((a, b) => (b.top > a.top ? b : a));
-  worstRun.shown = true;
+  (runs.length === 2 ? runs : [worstRun]).forEach(one => { one.shown = true; });  // before and after
 
   // --- controls ----------------------------------------------------------------------------------------------------------------------
   const copy = element("canvas", { hidden: true }), svg = shape("svg", {});
@@ -69,7 +69,7 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   const scrubber = element("input", { type: "range", min: String(first), max: String(last), step: "any", ariaLabel: "Time", value: String(first) });
   const play = element("button", { type: "button" });
   const speed = element("select", { ariaLabel: "Speed" }, ...SPEEDS.map(s => new Option(`${s} ×`, String(s))));
-  const colourBy = element("select", { ariaLabel: "Colour" }, new Option("colour: error", "error"), new Option("colour: run", "run"));
+  const colourBy = element("select", { ariaLabel: "Colour" }, new Option("colour: error", "error"), new Option("colour: run", "run", runs.length === 2, runs.length === 2));
   const tick = (text: string, checked: boolean, act: (on: boolean) => void, colour = ""): HTMLElement => {
     const box = element("input", { type: "checkbox", checked }), swatch = element("i");
     swatch.style.background = colour;
