@@ -35,7 +35,7 @@ from wasm_host import in_node, log_of
 
 PARTS = [kind for kind in KINDS if kind.family in ("plant", "controller")]
 SHAPES = ("circle", "ellipse", "lemniscate", "butterfly")
-RESISTANCE, FOLLOWS, TRIES = 0.06, 5e-3, 20
+RESISTANCE, FOLLOWS, TRIES = 0.06, 1e-2, 20
 """Deceleration by friction [m/s^2], largest contour error [m] of a loop that follows, and draws of a part before it is given up."""
 Difference = tuple[float, float]
 
