@@ -21,6 +21,8 @@ DEPTH = 1e-4
 """Smallest amplitude drawn, as a share of the largest."""
 PEAKS, NEAR, RINGS = 3, 0.05, 1.25
 """Most peaks of a panel; how far from it a known frequency may be, and another peak; and the least peak of a closed loop."""
+ROUNDING = 1e-9
+"""Amplitudes below this share of the largest value are rounding."""
 CHANCE = 1e-4
 """Probability of a level that chance alone makes so high, or so low, at one frequency."""
 
@@ -62,7 +64,7 @@ def spectrum_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
 
 
 def _spectrum(scheme: JudgedRun, values: Array) -> _Spectrum | None:
-    """Return the spectrum of a vector (n_sample, n); None without enough finite samples in a row.
+    """Return the spectrum of a vector (n_sample, n); None without enough finite samples in a row, or if it is constant.
 
     A segment is as long as the stretches that hold at least half of the judged samples, up to `LONGEST`.
     """
@@ -76,8 +78,10 @@ def _spectrum(scheme: JudgedRun, values: Array) -> _Spectrum | None:
         return None
     counts = [1 + (len(stretch) - size) // (size - size // 2) for stretch in stretches]
     powers = [welch(stretch, 1.0 / period, nperseg=size, scaling="spectrum", axis=0)[1].sum(axis=1) for stretch in stretches]
-    amplitude = np.sqrt(2.0 * np.average(powers, axis=0, weights=counts))
-    return _Spectrum(np.arange(1, amplitude.size) / (size * period), amplitude[1:], sum(counts))
+    amplitude = np.sqrt(2.0 * np.average(powers, axis=0, weights=counts))[1:]
+    if not np.max(amplitude) > ROUNDING * max(float(np.abs(stretch).max()) for stretch in stretches):
+        return None
+    return _Spectrum(np.arange(1, amplitude.size + 1) / (size * period), amplitude, sum(counts))
 
 
 def _panel(data: ReportData, label: str, spectra: dict[str, _Spectrum], points: int) -> Panel:
