@@ -3,7 +3,7 @@ import type { Picture } from "./contract";
 
 /** A picture on the page. */
 export interface Drawing {
-  /** Draw again: another width, other colours, or paper. */
+  /** Draw again: another size, other colours, or paper. */
   resize(): void;
   /** Draw what the picture holds now. */
   update?(): void;
@@ -30,13 +30,18 @@ export function widthOf(host: HTMLElement): number {
   return Math.max(host.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight), 200);
 }
 
-export function add<K extends keyof HTMLElementTagNameMap>(host: Element, tag: K, cls = "", text = ""): HTMLElementTagNameMap[K] {
-  const element = document.createElement(tag);
-  if (cls) element.className = cls;
-  if (text) element.textContent = text;
-  host.append(element);
-  return element;
+type Tags = HTMLElementTagNameMap;
+
+/** Return an element with properties, and what is inside. */
+export function element<K extends keyof Tags>(tag: K, given: object = {}, ...inside: (Node | string)[]): Tags[K] {
+  const made = Object.assign(document.createElement(tag), given);
+  made.append(...inside);
+  return made;
 }
+
+/** Return an element of a class, with what is inside, at the end of another. */
+export const add = <K extends keyof Tags>(host: Element, tag: K, className = "", ...inside: string[]): Tags[K] =>
+  host.appendChild(element(tag, { className }, ...inside));
 
 // --- colours -------------------------------------------------------------------------------------------------------------------------
 

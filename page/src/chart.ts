@@ -5,7 +5,7 @@ import {
   add, coloursOf, DASHES, figure, FONT, isPaper, legend, nameOf, Tip, unitOf, visible, widthOf, type Colours, type Drawing, type Entry,
 } from "./base";
 
-const GLYPHS: Record<string, string> = { reversal: "▲", corner: "◆", "first zero": "●", "curvature step": "▼" };
+const GLYPHS: Record<string, string> = { reversal: "▲", corner: "◆", "first zero": "●", "curvature step": "▼", peak: "▲" };
 const HEIGHT = { alone: 250, each: 170, paper: 120, axis: 40, gap: 8 };
 type Range = [number, number];
 
@@ -140,7 +140,7 @@ class View {
       series: [{}, ...panel.curves.map(curve => this.series(curve))],
       axes: [
         { ...axis, ...(panel.log_x ? { splits: logSplits, filter: named } : {}), size: (last ? 24 : HEIGHT.gap) * k, space: 70 * k, ...(last ? { label: panel.x_label, labelSize: 16 * k, labelGap: 0 } : { values: () => [] }) },
-        { ...axis, ...(panel.log_y ? { splits: logSplits } : {}), size: gutter * k, space: 32 * k, ...(y.length ? { splits: () => y.map(([at]) => at), values: () => y.map(([, text]) => text) } : {}) },
+        { ...axis, ...(panel.log_y ? { splits: (_plot, _i, low, high) => logSplits(_plot, _i, low, high).filter(at => high < 2e3 * low || isPower(at)) } : {}), size: gutter * k, space: 32 * k, ...(y.length ? { splits: () => y.map(([at]) => at), values: () => y.map(([, text]) => text) } : {}) },
       ],
       legend: { show: false },
       cursor: { y: false, points: { show: false }, drag: { setScale: false, x: true, y: false } },
@@ -368,6 +368,8 @@ function logSplits(_plot: uPlot, _i: number, low: number, high: number): number[
   const all = Array.from({ length: count }, (_, k) => Number(`${1 + (k % 9)}e${first + Math.floor(k / 9)}`));
   return all.filter(at => at >= low && at <= high);
 }
+
+const isPower = (at: number): boolean => at.toExponential()[0] === "1";
 
 /** Keep the powers of ten, and 2 and 5 times them where there is room. */
 function named(plot: uPlot, splits: number[]): (number | null)[] {

@@ -24,6 +24,10 @@ function draw(host: HTMLElement, picture: Picture, page: Page): Drawn {
   }
 }
 
+const FOLDED = "details.fold:not([open]), .verdict details:not([open])";
+/** What the size of a picture follows: the width of its place and the height of the window. */
+const sizeOf = (width: number): string => `${Math.round(width)} ${innerHeight}`;
+
 /** Pictures in their places. Each is drawn when it comes near the window, so that a long page opens quickly. */
 class Viewer {
   private readonly drawn = new Map<HTMLElement, Drawn>();
@@ -31,10 +35,11 @@ class Viewer {
   private readonly watch = new IntersectionObserver(entries => entries.forEach(({ isIntersecting, target }) => {
     if (isIntersecting) this.draw(target as HTMLElement);
   }), { rootMargin: "600px 0px" });
+  private readonly folds: HTMLDetailsElement[] = [];
   private readonly sizes = new ResizeObserver(entries => entries.forEach(({ target, contentRect }) => {
-    const host = target as HTMLElement, width = String(Math.round(contentRect.width));
-    if (host.dataset.width !== width && contentRect.width > 0) {
-      host.dataset.width = width;
+    const host = target as HTMLElement, size = sizeOf(contentRect.width);
+    if (host.dataset.size !== size && contentRect.width > 0) {
+      host.dataset.size = size;
       this.drawn.get(host)?.resize();
     }
   }));
@@ -53,7 +58,7 @@ class Viewer {
   private draw(host: HTMLElement): void {
     if (this.drawn.has(host) || host.closest("[hidden], details:not([open])")) return;
     this.watch.unobserve(host);
-    host.dataset.width = String(Math.round(host.clientWidth - parseFloat(getComputedStyle(host).paddingLeft) * 2));
+    host.dataset.size = sizeOf(host.clientWidth - parseFloat(getComputedStyle(host).paddingLeft) * 2);
     try {
       const drawing = draw(host, this.places.get(host)!, this.page);
       this.drawn.set(host, drawing);
@@ -75,18 +80,19 @@ class Viewer {
     this.drawn.forEach(drawing => drawing.highlight?.(line));
   }
 
+  /** Draw again what is seen now, and the rest when its fold opens. */
   private resize(): void {
-    this.drawn.forEach(drawing => drawing.resize());
+    this.drawn.forEach((drawing, host) => {
+      if (host.clientWidth) drawing.resize(); else host.dataset.size = "";
+    });
   }
 
-  /** On paper all pictures are drawn, in light colours. */
+  /** On paper all folds are open, and all pictures drawn, in light colours. */
   private paper(on: boolean): void {
     document.documentElement.classList.toggle("printing", on);
-    const late = on ? [...this.places.keys()].filter(host => !this.drawn.has(host)) : [];
-    late.forEach(host => this.draw(host));
+    if (on) document.querySelectorAll<HTMLDetailsElement>(FOLDED).forEach(fold => { this.folds.push(fold); fold.open = true; });
     this.resize();
-    // The path listens for itself: drawn just now, it missed the event.
-    if (late.some(host => this.drawn.get(host)?.highlight)) dispatchEvent(new Event("beforeprint"));
+    if (on) this.places.forEach((_, host) => this.draw(host)); else this.folds.splice(0).forEach(fold => { fold.open = false; });
   }
 }
 

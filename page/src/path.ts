@@ -1,5 +1,5 @@
 /** The path in space, judged: errors magnified and coloured, worst places, playback. Nothing is drawn while nothing changes. */
-import { type Drawing, figure, indexBefore, type Page, roundDown, visible as seen } from "./base";
+import { type Drawing, element, figure, indexBefore, isPaper, type Page, roundDown, visible as seen } from "./base";
 import type { PathScene, Place, SceneRun } from "./contract";
 import LOOK from "./path.css";
 import { attribute, Canvas, drawsInSoftware, mix, pairs, type Point, rgb, RUN, scaleColours, tangents, type Values } from "./path_lines";
@@ -13,13 +13,6 @@ const ISO: [number, number] = [-60, 35.264], PAPER: [number, number] = [640, 440
 /** Left ends and heights [px] that the key of colours takes from labels. */
 const KEY_PLACE = [20, 36, 52].flatMap(y => [12, 90].map((x): [number, number] => [x, y]));
 const SPEEDS = [0.1, 0.2, 0.5, 1, 2, 5, 10], NOTHING: Point = [0, 0, 0];
-
-/** Return an element with properties, and what is inside. */
-function element<K extends keyof HTMLElementTagNameMap>(tag: K, given: object = {}, ...inside: (Node | string)[]): HTMLElementTagNameMap[K] {
-  const made = Object.assign(document.createElement(tag), given);
-  made.append(...inside);
-  return made;
-}
 
 /** Return an element of SVG. */
 function shape(tag: string, given: Record<string, string | number>, ...inside: (Node | string)[]): SVGElement {
@@ -71,7 +64,7 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   const runs = scene.runs.map(added);
   const visible = (): typeof runs => runs.filter(one => one.shown);
   const worstRun = runs.reduce((a, b) => (b.top > a.top ? b : a));
-  worstRun.shown = true;
+  (runs.length === 2 ? runs : [worstRun]).forEach(one => { one.shown = true; });  // before and after
 
   // --- controls ----------------------------------------------------------------------------------------------------------------------
   const copy = element("canvas", { hidden: true }), svg = shape("svg", {});
@@ -85,7 +78,7 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   const scrubber = element("input", { type: "range", min: String(first), max: String(last), step: "any", ariaLabel: "Time", value: String(first) });
   const play = element("button", { type: "button" });
   const speed = element("select", { ariaLabel: "Speed" }, ...SPEEDS.map(s => new Option(`${s} ×`, String(s))));
-  const colourBy = element("select", { ariaLabel: "Colour" }, new Option("colour: error", "error"), new Option("colour: run", "run"));
+  const colourBy = element("select", { ariaLabel: "Colour" }, new Option("colour: error", "error"), new Option("colour: run", "run", runs.length === 2, runs.length === 2));
   const tick = (text: string, checked: boolean, act: (on: boolean) => void, colour = ""): HTMLElement => {
     const box = element("input", { type: "checkbox", checked }), swatch = element("i");
     swatch.style.background = colour;
@@ -378,12 +371,12 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   listen(colourBy, "change", () => dress());
 
   const night = matchMedia("screen and (prefers-color-scheme: dark)");
-  let isPaper = false, kept = {};
+  let onPaper = false, kept = {};
 
   /** Take the colours of the theme, and those of the runs: by error, or one each. */
   function dress(): void {
     const style = getComputedStyle(host), named = (name: string): string => style.getPropertyValue(`--p-${name}`).trim();
-    const bySize = colourBy.value === "error", stops = scaleColours(night.matches && !isPaper);
+    const bySize = colourBy.value === "error", stops = scaleColours(night.matches && !onPaper);
     const paint = (lines: { paint(colour: Point): void }[], name: string): void => lines.forEach(one => one.paint(rgb(named(name))));
     paint([outline], "path");
     paint([rapids], "rapid");
@@ -403,8 +396,8 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
     highlight(marked);
   }
 
-  function resize(): void {
-    const isFirst = !view.width, ratio = isPaper ? 2 : devicePixelRatio || 1;
+  function size(): void {
+    const isFirst = !view.width, ratio = onPaper ? 2 : devicePixelRatio || 1;
     if (!stage.clientWidth || !stage.clientHeight) return;
     [view.width, view.height] = [stage.clientWidth, stage.clientHeight];
     gl.renderer.setPixelRatio(ratio);
@@ -420,28 +413,31 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   /** On paper the picture has its own size and the light colours; what is printed is a flat copy. */
   function paper(on: boolean): void {
     if (on) kept = { target: view.target, span: view.span };
-    isPaper = on;
+    onPaper = on;
+    host.classList.toggle("path-paper", on);
     [stage.style.width, stage.style.height] = on ? PAPER.map(pixels => `${pixels}px`) : ["", ""];
     dress();
-    resize();
+    size();
     if (on) fit(); else Object.assign(view, kept);
     render();
     [copy.width, copy.height, copy.hidden] = [canvas.width, canvas.height, !on];
     if (on) copy.getContext("2d")!.drawImage(canvas, 0, 0);
   }
-  listen(night, "change", () => dress());
-  listen(window, "beforeprint", () => paper(true));
-  listen(window, "afterprint", () => paper(false));
+
+  function resize(): void {
+    if (onPaper !== isPaper()) return paper(isPaper());
+    dress();
+    size();
+  }
   listen(canvas, "webglcontextrestored", invalidate);
-  const watch = new ResizeObserver(resize);
-  watch.observe(stage);
   speed.value = "1";
   pause();
   slider.value = String(Math.log10(scene.magnification));
   magnify(scene.magnification);
   view.turn(0, 0);
   dress();
-  resize();
+  size();
+  if (isPaper()) paper(true);
 
   /** Take runs that are new, or have other points; a new one shows itself. */
   function update(): void {
@@ -471,11 +467,10 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
       pause();
       cancelAnimationFrame(frame);
       clearTimeout(settling);
-      watch.disconnect();
       inView.disconnect();
       gl.destroy();
       root.adoptedStyleSheets = root.adoptedStyleSheets.filter(sheet => sheet !== look);
-      host.classList.remove("cl-path");
+      host.classList.remove("cl-path", "path-paper");
       host.replaceChildren();
     },
   };

@@ -148,11 +148,18 @@ def test_paper_is_light_and_has_every_picture(browsing, page):
     opened = browsing.open(page, height=100, dark=True)  # so low that nothing is drawn yet
     opened.wait_for_selector("#cl-style", state="attached")  # the viewer has begun
     assert opened.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(20, 25, 30)"
+    opened.evaluate(OPEN.replace("true", "false"))
     opened.evaluate("dispatchEvent(new Event('beforeprint'))")
     assert opened.evaluate("getComputedStyle(document.querySelector('.plot')).backgroundColor") == "rgb(255, 255, 255)"
+    path = "getComputedStyle(document.querySelector('.cl-path')).getPropertyValue('--p-path')"
+    assert opened.evaluate(path) == "#7d8791"
     assert opened.locator(".plot:not([data-drawn])").count() == 0
     assert "" not in opened.locator(".path-stage").evaluate_all("all => all.map(stage => stage.style.width)")  # sized for paper
     assert opened.pdf(format="A4").startswith(b"%PDF")
+    opened.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert opened.locator("details.fold[open]").count() == 0 and opened.evaluate(path) == "#8d98a4"
+    opened.evaluate(OPEN)
+    assert drawn(opened, "axis-0").locator("canvas").first.evaluate("canvas => canvas.clientWidth") > 640
 
 
 @pytest.mark.slow

@@ -104,7 +104,7 @@ def _points(data: ReportData) -> int:
     n_scheme, n_axis = len(data.schemes), len(data.axes)
     n_circle = sum(len(scheme.circles) for scheme in data.schemes)
     n_loop = FINER * sum(len(scheme.gaps) for scheme in data.schemes)
-    n_curve = n_scheme * (2 + 4 * n_axis) + n_circle + 4 * n_axis + n_loop
+    n_curve = n_scheme * (3 + 5 * n_axis) + n_circle + 4 * n_axis + n_loop
     return max(16, share(TOTAL_POINTS, n_curve, MOST_POINTS))
 
 
