@@ -42,7 +42,7 @@ def circle() -> Any:
 
 
 SHOWN: dict[str, Callable[[], Any]] = {
-    "part": lambda: cl.run("builtin:demo-part"),
+    "part": lambda: cl.run("builtin:demo-part").save(),  # its report has the loop, too
     "circle": circle,
     "learning": lambda: cl.learn("stage.toml", schemes="ccc+ilc", trials=100),
 }
