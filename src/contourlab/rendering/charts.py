@@ -157,7 +157,6 @@ def traces_chart(
     level: Level | None = Level(0.0, ""),
     below: Mapping[str, Traces] | None = None,
     panel_height: int = 0,
-    loops: bool = False,
     log_y: bool = False,
     **panel: Any,
 ) -> Chart:
@@ -172,7 +171,7 @@ def traces_chart(
     for label, some in parts.items():
         curves = (Curve(x, y, name, *looks[name], half=half[0] if half else None) for name, (x, y, *half) in some.items())
         panels.append(Panel(labels[0], label, tuple(curves), levels, log_y=log_y and some is traces, **panel))
-    return Chart(key, title, caption, tuple(panels), panel_height, loops)
+    return Chart(key, title, caption, tuple(panels), panel_height)
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,13 +15,13 @@ from uuid import uuid4
 import numpy as np
 
 from contourlab.app.session import Answer
-from contourlab.errors import ParameterError, refuse
+from contourlab.errors import ParameterError, check_known, refuse
 from contourlab.extras import extra_module
 from contourlab.features.run.report import Results, data_of
 from contourlab.feed import Reference
 from contourlab.loop.batch import BatchResult
 from contourlab.program import Program
-from contourlab.rendering.charts import Chart, Picture, traces_chart
+from contourlab.rendering.charts import Picture, traces_chart
 from contourlab.rendering.html import packed_viewer, picture_groups, template_file
 from contourlab.rendering.message import message
 from contourlab.result import Result, Signal
@@ -70,14 +70,12 @@ def show(
 
     Notes
     -----
-    A saved notebook keeps tables and a still picture of each view: they show where no kernel runs, and in files that nbconvert writes.
+    A saved notebook keeps tables and a still picture: they show where no kernel runs, and in files that nbconvert writes.
     """
-    pictures = pictures_of(what, reference, tolerance, program)
-    known = [picture.key for picture in pictures]
+    widget, pictures = _widget(), {picture.key: picture for picture in pictures_of(what, reference, tolerance, program)}
     for key in keys:
-        refuse(key not in known, ParameterError, "keys", repr(key), "one of " + ", ".join(known))
-    wanted = [picture for picture in pictures if picture.key in keys or not keys]
-    return _widget()(message=message(wanted), still=_still(what))
+        check_known("keys", key, pictures)
+    return widget(message=message(pictures[key] for key in keys or pictures), still=_still(what))
 
 
 def pictures_of(
@@ -87,7 +85,7 @@ def pictures_of(
     if isinstance(what, Answer):
         pictures = list(what._pictures())
     elif isinstance(what, BatchResult):
-        pictures = list(_study_charts(what))
+        pictures = _study_charts(what)
     else:
         results: Any = _followed(what) if isinstance(what, Reference) else what
         known = isinstance(results, Result | Sequence | Mapping)
@@ -110,18 +108,20 @@ def _followed(reference: Reference) -> Result:
     return Result("planned motion", tuple(COORDINATES[: reference.n_axis]), reference.servo_period, signals, motion=reference)
 
 
-def _study_charts(batch: BatchResult) -> list[Chart]:
+def _study_charts(batch: BatchResult) -> list[Picture]:
     """Return the share of variants up to each value of an error, and the errors over each parameter."""
     errors = [name for name in batch.figures if name.endswith(("error_max", "error_rms"))]
     values = {name.replace("_", " "): 1e6 * batch.figures[name] for name in errors}
     ended = {name: np.sort(some[np.isfinite(some)]) for name, some in values.items()}
     below = {name: (some, 100.0 * np.arange(1, some.size + 1) / len(batch.failed_at)) for name, some in ended.items()}
     caption = f"Share of {len(batch.failed_at)} variants with at most this error; {np.count_nonzero(batch.failed_at >= 0)} failed."
-    charts = [traces_chart("distribution", "Distribution of the errors", ("error [um]", "up to here [%]"), below, caption=caption)]
+    charts: list[Picture] = [
+        traces_chart("distribution", "Distribution of the errors", ("error [um]", "up to here [%]"), below, caption=caption)
+    ]
     for name, varied in batch.variants.items():
         unit = f" [{batch.units[name]}]" if batch.units[name] else ""
         points = {error: (varied, some, np.zeros(some.size)) for error, some in values.items()}
-        charts.append(traces_chart(name, f"Errors over {name}", (name + unit, "error [um]"), points, level=None, loops=True))
+        charts.append(traces_chart(name, f"Errors over {name}", (name + unit, "error [um]"), points, level=None))
     return charts
 
 
