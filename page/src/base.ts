@@ -68,6 +68,15 @@ function luminance(rgb: number[]): number {
   return 0.2126 * r + 0.7152 * g + 0.0722 * b;
 }
 
+/** Return whether what lies behind an element is dark; paper is not. */
+export function isDark(element: Element | null): boolean {
+  for (let at = isPaper() ? null : element; at; at = at.parentElement ?? (at.getRootNode() as ShadowRoot).host ?? null) {
+    const [r, g, b, opacity = 1] = getComputedStyle(at).backgroundColor.match(/[\d.]+/g)?.map(Number) ?? [0, 0, 0, 0];
+    if (opacity > 0.5) return luminance([r, g, b]) < 0.2;
+  }
+  return false;
+}
+
 /** Return a colour (#rrggbb), on a dark ground mixed with white until its contrast is 4.5. */
 export function visible(colour: string, ground: string): string {
   const dark = luminance(parts(ground));

@@ -370,13 +370,12 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   listen(slider, "input", () => { move(); magnify(10 ** Number(slider.value)); });
   listen(colourBy, "change", () => dress());
 
-  const night = matchMedia("screen and (prefers-color-scheme: dark)");
   let onPaper = false, kept = {};
 
   /** Take the colours of the theme, and those of the runs: by error, or one each. */
   function dress(): void {
     const style = getComputedStyle(host), named = (name: string): string => style.getPropertyValue(`--p-${name}`).trim();
-    const bySize = colourBy.value === "error", stops = scaleColours(night.matches && !onPaper);
+    const bySize = colourBy.value === "error", stops = scaleColours(host.closest(".cl-dark") !== null);
     const paint = (lines: { paint(colour: Point): void }[], name: string): void => lines.forEach(one => one.paint(rgb(named(name))));
     paint([outline], "path");
     paint([rapids], "rapid");
@@ -414,7 +413,6 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   function paper(on: boolean): void {
     if (on) kept = { target: view.target, span: view.span };
     onPaper = on;
-    host.classList.toggle("path-paper", on);
     [stage.style.width, stage.style.height] = on ? PAPER.map(pixels => `${pixels}px`) : ["", ""];
     dress();
     size();
@@ -470,7 +468,7 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
       inView.disconnect();
       gl.destroy();
       root.adoptedStyleSheets = root.adoptedStyleSheets.filter(sheet => sheet !== look);
-      host.classList.remove("cl-path", "path-paper");
+      host.classList.remove("cl-path");
       host.replaceChildren();
     },
   };

@@ -161,5 +161,6 @@ export class Canvas {
   destroy(): void {
     for (const { geometry, material } of this.scene.children as Lines["object"][]) { geometry.dispose(); material.dispose(); }
     this.renderer.dispose();
+    this.renderer.forceContextLoss();  // a page has some 16
   }
 }

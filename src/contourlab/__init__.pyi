@@ -45,6 +45,7 @@ from contourlab.features.run.command import Planned as Planned
 from contourlab.features.run.command import Runs as Runs
 from contourlab.features.run.record import simulate_to_file as simulate_to_file
 from contourlab.features.run.report import report as report
+from contourlab.features.run.show import show as show
 from contourlab.features.run.source import Source as Source
 from contourlab.features.run.verdict import verdict as verdict
 from contourlab.features.sensitivity.command import Sensitivity as Sensitivity
@@ -196,6 +197,7 @@ __all__ = [
     "run",
     "save",
     "sensitivity",
+    "show",
     "simulate",
     "simulate_batch",
     "simulate_to_file",

@@ -118,8 +118,8 @@ def part() -> ReportData:
 
 def place(page, x: float, y: float) -> tuple[float, float]:
     """Return the pixel of a point [mm] of a picture seen from above, about its middle."""
-    bar = page.locator(".path-bar")
-    scale = bar.locator("i").bounding_box()["width"] / float(bar.inner_text().split()[0])
+    width, text = page.locator(".path-bar").evaluate("bar => [bar.firstChild.getBoundingClientRect().width, bar.innerText]")
+    scale = width / float(text.split()[0])
     stage = page.locator(".path-stage").bounding_box()
     return stage["x"] + stage["width"] / 2 + scale * x, stage["y"] + stage["height"] / 2 - scale * y
 

@@ -194,11 +194,10 @@ def test_the_sliders_of_a_circle_take_its_causes_away(browsing, tmp_path, monkey
 
 SHOW = """async () => {
   const data = Uint8Array.from(atob(document.getElementById('message').textContent), c => c.charCodeAt(0));
-  const unpacked = new Blob([data]).stream().pipeThrough(new DecompressionStream('gzip'));
   const root = document.createElement('div');
   root.id = 'notebook';
   document.body.replaceChildren(root);
-  contourlab.show(root, await new Response(unpacked).arrayBuffer());
+  globalThis.end = contourlab.show(root, await contourlab.unpacked(data));
 }"""
 
 
@@ -208,10 +207,14 @@ def test_the_viewer_draws_a_message_in_any_element(browsing, page):
     opened.locator(".plot[data-drawn]").first.wait_for()
     opened.evaluate(SHOW)
     assert opened.locator("#notebook .plot").count() == len(in_file(page))
-    last = opened.locator("#notebook .plot").last
-    last.scroll_into_view_if_needed()
+    titles = opened.locator("#notebook summary")
+    assert titles.all_inner_texts() == [picture["title"] for picture in in_file(page).values()]
+    assert opened.locator("#notebook details[open]").count() == 2
+    titles.last.click()
+    opened.locator("#notebook .plot").last.scroll_into_view_if_needed()
     opened.locator("#notebook .plot[data-drawn] canvas").last.wait_for()
-    assert opened.locator("#notebook h3").all_inner_texts() == [picture["title"] for picture in in_file(page).values()]
+    opened.evaluate("end()")
+    assert opened.locator("#notebook *").count() == 0
 
 
 MODULES = """
