@@ -1,15 +1,21 @@
 /** What all pictures share: elements, colours, texts of numbers, legend, tip, canvas. */
+import type { Picture } from "./contract";
 
 /** A picture on the page. */
 export interface Drawing {
-  /** Draw again: another width, other colours, or paper. */
+  /** Draw again: another size, other colours, or paper. */
   resize(): void;
+  /** Draw what the picture holds now. */
+  update?(): void;
   destroy(): void;
 }
 
 /** What a picture may ask of its page. */
 export interface Page {
+  readonly pictures: Picture[];
   pick(line: number): void;
+  /** Numbers of a picture have changed. */
+  changed(picture: Picture): void;
 }
 
 /** Room on paper [px]: A4 less margins and padding. */
@@ -24,13 +30,18 @@ export function widthOf(host: HTMLElement): number {
   return Math.max(host.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight), 200);
 }
 
-export function add<K extends keyof HTMLElementTagNameMap>(host: Element, tag: K, cls = "", text = ""): HTMLElementTagNameMap[K] {
-  const element = document.createElement(tag);
-  if (cls) element.className = cls;
-  if (text) element.textContent = text;
-  host.append(element);
-  return element;
+type Tags = HTMLElementTagNameMap;
+
+/** Return an element with properties, and what is inside. */
+export function element<K extends keyof Tags>(tag: K, given: object = {}, ...inside: (Node | string)[]): Tags[K] {
+  const made = Object.assign(document.createElement(tag), given);
+  made.append(...inside);
+  return made;
 }
+
+/** Return an element of a class, with what is inside, at the end of another. */
+export const add = <K extends keyof Tags>(host: Element, tag: K, className = "", ...inside: string[]): Tags[K] =>
+  host.appendChild(element(tag, { className }, ...inside));
 
 // --- colours -------------------------------------------------------------------------------------------------------------------------
 
@@ -57,6 +68,15 @@ function luminance(rgb: number[]): number {
   return 0.2126 * r + 0.7152 * g + 0.0722 * b;
 }
 
+/** Return whether what lies behind an element is dark; paper is not. */
+export function isDark(element: Element | null): boolean {
+  for (let at = isPaper() ? null : element; at; at = at.parentElement ?? (at.getRootNode() as ShadowRoot).host ?? null) {
+    const [r, g, b, opacity = 1] = getComputedStyle(at).backgroundColor.match(/[\d.]+/g)?.map(Number) ?? [0, 0, 0, 0];
+    if (opacity > 0.5) return luminance([r, g, b]) < 0.2;
+  }
+  return false;
+}
+
 /** Return a colour (#rrggbb), on a dark ground mixed with white until its contrast is 4.5. */
 export function visible(colour: string, ground: string): string {
   const dark = luminance(parts(ground));
@@ -81,6 +101,16 @@ export function figure(value: number, unit = "", digits = 4): string {
 export function roundDown(value: number): number {
   const power = 10 ** Math.floor(Math.log10(value) + 1e-12);
   return ([5, 2].find(step => step <= (value / power) * (1 + 1e-12)) ?? 1) * power;
+}
+
+/** Return the i of ascending values with values[i] <= value < values[i + 1], or that of the first or last two. */
+export function indexBefore(values: ArrayLike<number>, value: number): number {
+  let from = 0, to = values.length - 1;
+  while (to - from > 1) {
+    const middle = (from + to) >> 1;
+    if (values[middle] <= value) from = middle; else to = middle;
+  }
+  return from;
 }
 
 // --- legend and tip ------------------------------------------------------------------------------------------------------------------

@@ -5,11 +5,11 @@ import {
   add, coloursOf, DASHES, figure, FONT, isPaper, legend, nameOf, Tip, unitOf, visible, widthOf, type Colours, type Drawing, type Entry,
 } from "./base";
 
-const GLYPHS: Record<string, string> = { reversal: "▲", corner: "◆", "first zero": "●", "curvature step": "▼" };
+const GLYPHS: Record<string, string> = { reversal: "▲", corner: "◆", "first zero": "●", "curvature step": "▼", peak: "▲" };
 const HEIGHT = { alone: 250, each: 170, paper: 120, axis: 40, gap: 8 };
 type Range = [number, number];
 
-export function drawChart(host: HTMLElement, chart: Chart): Drawing {
+export function drawChart(host: HTMLElement, chart: Chart): Drawing & { zoom(range?: Range): void } {
   return new Chartist(host, chart);
 }
 
@@ -56,6 +56,10 @@ class Chartist implements Drawing {
 
   redraw(): void {
     this.views.forEach(view => view.plot.redraw());
+  }
+
+  update(): void {
+    if (this.views.some(view => view.isBehind)) this.resize(); else this.redraw();
   }
 
   /** Move the pointer of all panels to a value of x; null takes it away. */
@@ -136,7 +140,7 @@ class View {
       series: [{}, ...panel.curves.map(curve => this.series(curve))],
       axes: [
         { ...axis, ...(panel.log_x ? { splits: logSplits, filter: named } : {}), size: (last ? 24 : HEIGHT.gap) * k, space: 70 * k, ...(last ? { label: panel.x_label, labelSize: 16 * k, labelGap: 0 } : { values: () => [] }) },
-        { ...axis, ...(panel.log_y ? { splits: logSplits } : {}), size: gutter * k, space: 32 * k, ...(y.length ? { splits: () => y.map(([at]) => at), values: () => y.map(([, text]) => text) } : {}) },
+        { ...axis, ...(panel.log_y ? { splits: (_plot, _i, low, high) => logSplits(_plot, _i, low, high).filter(at => high < 2e3 * low || isPower(at)) } : {}), size: gutter * k, space: 32 * k, ...(y.length ? { splits: () => y.map(([at]) => at), values: () => y.map(([, text]) => text) } : {}) },
       ],
       legend: { show: false },
       cursor: { y: false, points: { show: false }, drag: { setScale: false, x: true, y: false } },
@@ -149,6 +153,9 @@ class View {
     }, [group.whole, ...panel.curves.map(() => [1, 1])], place);
     this.plot.over.addEventListener("dblclick", () => group.zoom());
   }
+
+  /** Whether the panel has another number of curves than when it was made. */
+  get isBehind(): boolean { return this.plot.series.length !== this.panel.curves.length + 1; }
 
   private get shown(): Curve[] {
     return this.panel.curves.filter(curve => !this.group.hidden.has(curve.name));
@@ -361,6 +368,8 @@ function logSplits(_plot: uPlot, _i: number, low: number, high: number): number[
   const all = Array.from({ length: count }, (_, k) => Number(`${1 + (k % 9)}e${first + Math.floor(k / 9)}`));
   return all.filter(at => at >= low && at <= high);
 }
+
+const isPower = (at: number): boolean => at.toExponential()[0] === "1";
 
 /** Keep the powers of ten, and 2 and 5 times them where there is room. */
 function named(plot: uPlot, splits: number[]): (number | null)[] {

@@ -1,6 +1,10 @@
 /** Read messages of contract contourlab-page/1: contourlab.rendering.message describes them. */
 import { CONTRACT, type Numbers, type Picture } from "./contract";
 
+/** Unpack a message. */
+export const unpacked = (packed: BufferSource): Promise<ArrayBuffer> =>
+  new Response(new Blob([packed as BlobPart]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+
 /** Return the pictures of an unpacked message. */
 export function pictures(buffer: ArrayBuffer): Picture[] {
   const length = new DataView(buffer).getUint32(0, true);

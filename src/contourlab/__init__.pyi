@@ -45,6 +45,7 @@ from contourlab.features.run.command import Planned as Planned
 from contourlab.features.run.command import Runs as Runs
 from contourlab.features.run.record import simulate_to_file as simulate_to_file
 from contourlab.features.run.report import report as report
+from contourlab.features.run.show import show as show
 from contourlab.features.run.source import Source as Source
 from contourlab.features.run.verdict import verdict as verdict
 from contourlab.features.sensitivity.command import Sensitivity as Sensitivity
@@ -196,6 +197,7 @@ __all__ = [
     "run",
     "save",
     "sensitivity",
+    "show",
     "simulate",
     "simulate_batch",
     "simulate_to_file",
@@ -230,7 +232,7 @@ def limits(file: str | File | Log, *, machine: str | Machine | None = ..., veloc
 
 def link(*source: Source, vary: str | Sequence[str] = ..., axes: str | Sequence[str] = ..., figure: str = ..., tolerance: str | None = ..., extrapolate: bool = ..., seeds: int | None = ..., quick: bool = ..., division: str | Sequence[str] = ..., ways: str | Sequence[str] = ..., within: str | None = ..., message_period: str | None = ..., delay: str | None = ..., jitter: str | None = ..., loss: str | None = ..., longest: str | None = ..., schemes: str | Sequence[str] = ..., set: str | Sequence[str] = ..., plugin: str | File | Sequence[str | File] = ...) -> LinkResult: ...
 
-def compare(*files: Any, trials: int | None = ..., schemes: str | Sequence[str] = ..., machine: str | None = ..., judge: str | None = ..., set: str | Sequence[str] = ..., plugin: str | File | Sequence[str | File] = ..., interval: bool | None = ...) -> Runs | MeasuredRuns: ...
+def compare(*files: Any, program: str | File | None = ..., tolerance: str | None = ..., trials: int | None = ..., schemes: str | Sequence[str] = ..., machine: str | None = ..., judge: str | None = ..., set: str | Sequence[str] = ..., plugin: str | File | Sequence[str | File] = ..., interval: bool | None = ...) -> Runs | MeasuredRuns: ...
 
 def measure(log: str | File | Log, *, program: str | File | None = ..., reference: str | None = ..., shift: str | None = ..., axes: str | Sequence[str] = ..., tolerance: str | None = ..., machine: str | Machine | None = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ..., unit: str | None = ..., window: str | Sequence[str] = ...) -> MeasuredRuns: ...
 

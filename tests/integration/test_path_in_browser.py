@@ -118,8 +118,8 @@ def part() -> ReportData:
 
 def place(page, x: float, y: float) -> tuple[float, float]:
     """Return the pixel of a point [mm] of a picture seen from above, about its middle."""
-    bar = page.locator(".path-bar")
-    scale = bar.locator("i").bounding_box()["width"] / float(bar.inner_text().split()[0])
+    width, text = page.locator(".path-bar").evaluate("bar => [bar.firstChild.getBoundingClientRect().width, bar.innerText]")
+    scale = width / float(text.split()[0])
     stage = page.locator(".path-stage").bounding_box()
     return stage["x"] + stage["width"] / 2 + scale * x, stage["y"] + stage["height"] / 2 - scale * y
 
@@ -167,6 +167,7 @@ def test_a_magnification_is_one_uniform(opened, part):
 @pytest.mark.parametrize(("degrees", "line"), [(45.0, 3), (225.0, 4)])
 def test_a_click_tells_line_time_and_error(opened, circle, degrees, line):
     page = opened(circle)
+    page.get_by_label(circle.schemes[1].name).uncheck()
     radius = synthetic.RADIUS * 1e3
     page.mouse.click(*place(page, radius * math.cos(math.radians(degrees)), radius * math.sin(math.radians(degrees))))
     assert page.evaluate("picks") == [line]
@@ -229,10 +230,10 @@ def test_keys_and_views_change_what_is_seen(opened, part):
 def test_runs_can_be_switched_and_have_their_colours(opened, circle):
     page = opened(circle)
     blue = (0, 114, 178)
-    assert page.evaluate(PIXELS, blue) == []
-    page.get_by_label(circle.schemes[1].name).check()
+    assert len(page.evaluate(PIXELS, blue)) > 100  # before and after: both
+    page.get_by_label(circle.schemes[1].name).uncheck()
     page.evaluate(FRAME)
-    assert len(page.evaluate(PIXELS, blue)) > 100
+    assert page.evaluate(PIXELS, blue) == []
 
 
 def test_an_old_browser_gets_a_line_of_text(opened, circle):

@@ -186,6 +186,12 @@ class Answer:
     def _charts(self) -> Iterator[Any]:
         yield from getattr(self, "charts", ())
 
+    def _pictures(self) -> Iterator[Any]:
+        """Yield what the viewer draws."""
+        from contourlab.rendering.message import Drawn
+
+        yield from (chart for chart in self._charts() if isinstance(chart, Drawn))
+
     def plot(self, ax: matplotlib.axes.Axes | None = None, *, key: str = "") -> matplotlib.axes.Axes:
         """Draw a picture of the answer.
 

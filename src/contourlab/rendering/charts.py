@@ -13,7 +13,7 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.rendering.samples import largest_magnitude
 from contourlab.rendering.style import BAND, LIMIT, round_down, scheme_style
 
-MARKS = {"reversal": "^", "corner": "D", "first zero": "o", "curvature step": "v"}
+MARKS = {"reversal": "^", "corner": "D", "first zero": "o", "curvature step": "v", "peak": "^"}
 """Kinds of marks on the x axis, and their symbols."""
 _BEYOND = ", off scale"
 

@@ -112,12 +112,15 @@ class TrialCourse:
         The trial that gives the scheme's figures.
     status : str
         How learning ended.
+    errors : tuple of (ndarray (n,) [s], ndarray (n,) [m])
+        Times and contour errors of each trial, thinned; empty where they were not kept.
     """
 
     contour_rms: Array
     tracking_rms: Array
     best: int
     status: str
+    errors: tuple[tuple[Array, Array], ...] = ()
 
     @property
     def whole_rms(self) -> Array:

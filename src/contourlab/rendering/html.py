@@ -70,11 +70,9 @@ def write_html(data: ReportData, file: str | Path) -> Path:
 
 def render_html(data: ReportData) -> str:
     """Return the text of the report; the same data give the same text."""
-    points, scene = _points(data), path_scene(data, share(SCENE_POINTS, len(data.schemes), SCENE_POINTS))
-    live = (data.live,) if data.live is not None and data.live.runs else ()
     return page_text(
         "report.html.j2",
-        {"path": () if scene is None else (scene,), "live": live} | dict(sections(data, points)),
+        picture_groups(data),
         title=data.title,
         version=data.provenance.version,
         data=data,
@@ -87,15 +85,23 @@ def render_html(data: ReportData) -> str:
         origins=origin_tables(data),
         program=_program(data),
         scenario=_clipped(data.provenance.scenario),
-        facts=_facts(data, points),
+        facts=_facts(data, _points(data)),
     )
+
+
+def picture_groups(data: ReportData) -> dict[str, Sequence[Picture]]:
+    """Return the pictures of the report by section."""
+    scene = path_scene(data, share(SCENE_POINTS, len(data.schemes), SCENE_POINTS))
+    live = (data.live,) if data.live is not None and data.live.runs else ()
+    return {"path": () if scene is None else (scene,), "live": live} | dict(sections(data, _points(data)))
 
 
 def page_text(template: str, groups: Mapping[str, Sequence[Picture]], **values: Any) -> str:
     """Return a page that draws pictures; the template places them by group, and needs `title` and `version`."""
-    loader, (viewer, digest) = template_file("loader.js"), _viewer()
+    loader, viewer = template_file("loader.js"), base64.b64encode(packed_viewer()).decode("ascii")
     picture = base64.b64encode(message(chart for charts in groups.values() for chart in charts)).decode("ascii")
-    scripts = {"message": picture, "viewer": viewer, "loader": loader, "hashes": [digest, script_hash(loader)]}
+    hashes = [script_hash(text) for text in (VIEWER.read_text("utf-8"), loader)]
+    scripts = {"message": picture, "viewer": viewer, "loader": loader, "hashes": hashes}
     return str(page_template(template).render(groups=groups, style=template_file("report.css"), **scripts, **values))
 
 
@@ -104,7 +110,7 @@ def _points(data: ReportData) -> int:
     n_scheme, n_axis = len(data.schemes), len(data.axes)
     n_circle = sum(len(scheme.circles) for scheme in data.schemes)
     n_loop = FINER * sum(len(scheme.gaps) for scheme in data.schemes)
-    n_curve = n_scheme * (2 + 4 * n_axis) + n_circle + 4 * n_axis + n_loop
+    n_curve = n_scheme * (3 + 5 * n_axis) + n_circle + 4 * n_axis + n_loop
     return max(16, share(TOTAL_POINTS, n_curve, MOST_POINTS))
 
 
@@ -152,10 +158,9 @@ def template_file(name: str) -> str:
 
 
 @cache
-def _viewer() -> tuple[str, str]:
-    """Return the viewer's script, compressed and in base64, and its hash."""
-    text = VIEWER.read_text(encoding="utf-8")
-    return base64.b64encode(gzip.compress(text.encode(), 9, mtime=0)).decode("ascii"), script_hash(text)
+def packed_viewer() -> bytes:
+    """Return the viewer's script, compressed."""
+    return gzip.compress(VIEWER.read_text(encoding="utf-8").encode(), 9, mtime=0)
 
 
 def script_hash(script: str) -> str:

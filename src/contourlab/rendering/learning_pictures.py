@@ -37,8 +37,28 @@ def trial_charts(data: ReportData) -> tuple[Chart, ...]:
         Panel("trial", "tracking rms [um]", tuple(tracking), log_y=True),
     )
     caption = f"Error of each trial. Trial 0 is the first run, before any learning. {'. '.join(ends)}. Dotted: schemes that do not learn."
+    courses = [
+        _course_chart(i, scheme.name, scheme.trials)
+        for i, scheme in enumerate(data.schemes)
+        if scheme.trials is not None and scheme.trials.errors and len(data.axes) > 1
+    ]
     foretold = {scheme.name: scheme.foretold for scheme in data.schemes if scheme.foretold is not None}
-    return (Chart("trials", "Error of each trial", caption, panels), *(learning_charts(foretold) if foretold else ()))
+    return (Chart("trials", "Error of each trial", caption, panels), *courses, *(learning_charts(foretold) if foretold else ()))
+
+
+SHOWN = (0, 1, 2, 5, 10, 20, 50, 100, 200, 500)
+"""Trials whose errors are drawn, besides the best and the last."""
+
+
+def _course_chart(index: int, name: str, course: TrialCourse) -> Chart:
+    """Return the contour error of some trials over time."""
+    last = len(course.errors) - 1
+    shown = sorted({trial for trial in SHOWN if trial < last} | {min(course.best, last), last})
+    traces = {f"trial {k}" + ", the best" * (k == course.best): (course.errors[k][0], course.errors[k][1] * 1e6) for k in shown}
+    title, labels = f"Contour error of the trials of {name}", ("time [s]", "contour error [um]")
+    return traces_chart(
+        f"trials-{index}", title, labels, traces, caption="A click on a name hides or shows the curve of its trial.", level=None
+    )
 
 
 def trial_rows(course: TrialCourse) -> list[tuple[int, float, float]]:

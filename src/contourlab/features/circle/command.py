@@ -211,6 +211,10 @@ class CircleTest(Answer):
         runs = {f"{run.name} {k + 1}": (np.degrees(run.angle), 1e6 * run.deviation) for k, run in enumerate(self.fit.runs)}
         yield traces_chart("circle", "Deviation from the circle", ("angle [deg]", "radial deviation [um]"), runs)
 
+    def _pictures(self) -> Iterator[CircleCauses]:
+        assert self.fit is not None
+        yield _picture(self, self.fit)
+
     def save(self, folder: str | Path = "results") -> CircleTest:
         """Write summary.json and report.html into a folder.
 

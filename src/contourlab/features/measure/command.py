@@ -258,12 +258,13 @@ def compare(*files: Any, settings: Compare, session: Session = QUIET) -> Runs | 
     ScenarioError, LogError, ParameterError
         If a file cannot be read, the axes of the runs differ, or an option is for a scenario only.
     """
+    only = "finished runs" if len(files) == 1 else "a scenario"
+    for name, part in Compare.PARTS.items():
+        if getattr(settings, name) != part.default and (name in ("program", "tolerance")) == (len(files) == 1):
+            raise ParameterError(part.typed, "given", f"omitted: it applies to {only} only")
     if len(files) == 1:
         return compare_schemes(files, settings, session)
-    for name, part in Compare.PARTS.items():
-        if getattr(settings, name) != part.default:
-            raise ParameterError(part.typed, "given", "omitted when you compare runs from files: it applies to a scenario only")
-    judged = [_judged(_signals_of(file), Measure()) for file in files]
+    judged = [_judged(_signals_of(file), Measure(program=settings.program, tolerance=settings.tolerance)) for file in files]
     names = _names([Path(file) for file in files])
     runs = [replace(run, name=name) for name, run in zip(names, judged, strict=True)]
     axes, path = runs[0].result.axes, runs[0].reference.path
@@ -274,7 +275,7 @@ def compare(*files: Any, settings: Compare, session: Session = QUIET) -> Runs | 
         if run.reference.path.digest != path.digest:
             runs[i] = replace(run, findings=(*run.findings, finding("CL413", first=runs[0].name)))
     session.will_write([file for run in runs for file in run.inputs], *_outputs(runs))
-    return MeasuredRuns(" and ".join(names), tuple(runs), None, session.command)
+    return MeasuredRuns(" and ".join(names), tuple(runs), settings.si("tolerance"), session.command)
 
 
 def _judged(file: str | Path | Log, settings: Measure) -> MeasuredRun:

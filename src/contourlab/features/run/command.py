@@ -6,7 +6,7 @@ import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import count
+from itertools import chain, count
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -81,6 +81,11 @@ class JudgedRuns(Answer):
         from contourlab.rendering.plots import charts_of
 
         yield from charts_of(self.data)
+
+    def _pictures(self) -> Iterator[Any]:
+        from contourlab.rendering.html import picture_groups
+
+        yield from chain.from_iterable(picture_groups(self.data).values())
 
     def _write(self, stage: Path, plots: Sequence[str]) -> None:
         """Write summary.json, report.html and plots into a temporary folder."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, TypeAlias
 
+from contourlab.app.shared_options import Motion
 from contourlab.contours import ContourReading
 from contourlab.errors import ParameterError, ProgramEndError, ScenarioError
 from contourlab.features.check.reading import of_control, refuse_drawing
@@ -74,7 +75,7 @@ def scenario_asked(inputs: Sequence[Source], settings: Any) -> Scenario:
         case [Machine() as machine, Controller() as controller, Reference() as reference]:
             motion = Contour("reference", axes=machine.axis_names)
             vars(motion)["reading"] = ContourReading(reference.path)  # that of a name would be drawn
-            limit = settings.si("tolerance") if hasattr(settings, "program") else None
+            limit = settings.si("tolerance") if isinstance(settings, Motion) else None
             made = GivenCase("base", machine, controller, motion, FeedSettings("uniform"), RunSettings(limit), given=reference)
             scenario = _as_asked(Scenario(machine.name, Path(), made), replace(settings, tolerance=None) if limit else settings)
         case _:
@@ -113,7 +114,7 @@ def scenario_of(file: str | Path, settings: Any) -> Scenario:
     ScenarioError, ProgramError
         If the content is invalid, or an option does not fit the file.
     """
-    path, of_program = Path(file), hasattr(settings, "program")
+    path, of_program = Path(file), isinstance(settings, Motion)
     changes = changed_keys(getattr(settings, "set", ()))
     if is_scenario(file):
         try:
@@ -149,7 +150,7 @@ def scenario_of(file: str | Path, settings: Any) -> Scenario:
 
 def _as_asked(scenario: Scenario, settings: Any) -> Scenario:
     """Return the schemes that are asked for, or the scenario under another controller; refuse options of part programs."""
-    if hasattr(settings, "program"):
+    if isinstance(settings, Motion):
         _refuse_options(scenario.file, settings)
         return scenario if settings.controller is None else _under(scenario, settings)
     schemes = getattr(settings, "schemes", ())

@@ -1,0 +1,134 @@
+"""Spectra of the error and of the commands over the judged moves, with their peaks and what is known to cause them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from contourlab.arrays import Array
+from contourlab.components.plant.plant import resonance_of
+from contourlab.figures import figure, number, shown_unit
+from contourlab.rendering.charts import Chart, Curve, Panel, Tick
+from contourlab.rendering.data import JudgedRun, ReportData
+from contourlab.rendering.samples import signal
+from contourlab.thinning import keep_extremes
+
+LONGEST, FEWEST = 2.0, 256
+"""Longest segment [s], and its fewest samples."""
+DEPTH = 1e-4
+"""Smallest amplitude drawn, as a share of the largest."""
+PEAKS, NEAR, RINGS = 3, 0.05, 1.25
+"""Most peaks of a panel; how far from it a known frequency may be, and another peak; and the least peak of a closed loop."""
+ROUNDING = 1e-9
+"""Amplitudes below this share of the largest value are rounding."""
+CHANCE = 1e-4
+"""Probability of a level that chance alone makes so high, or so low, at one frequency."""
+
+
+class _Spectrum(NamedTuple):
+    """Frequencies (m,) [Hz] > 0, amplitudes (m,) of a sine there, and the number of segments of which it is the mean."""
+
+    hertz: Array
+    amplitude: Array
+    segments: int
+
+
+def spectrum_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
+    """Return the amplitude spectrum of the part error and of each command; nothing where the judged moves are too short.
+
+    The error is the vector from the path to the tool: the squares of its axes' amplitudes are added, so that no direction counts more.
+    """
+    found: dict[str, dict[str, _Spectrum]] = {}
+    for scheme in data.schemes:
+        result = scheme.result
+        error = signal(result, "tool_position") - scheme.reference.programmed.position(signal(result, "foot_arc_length"))
+        columns = {"part error [um]": error * 1e6}
+        if "command" in result:
+            factor, unit = shown_unit(str(result.signals["command"].unit))
+            command = signal(result, "command") * factor
+            columns |= {f"command {axis} [{unit or '1'}]": command[:, [i]] for i, axis in enumerate(data.axes)}
+        for label, values in columns.items():
+            if spectrum := _spectrum(scheme, values):
+                found.setdefault(label, {})[scheme.name] = spectrum
+    panels = [_panel(data, label, spectra, points) for label, spectra in found.items()]
+    if not panels:
+        return ()
+    longest = max(1.0 / spectrum.hertz[0] for spectra in found.values() for spectrum in spectra.values())
+    caption = "Amplitude of a sine at each frequency: mean over segments of the judged moves, Hann window, half overlapped, "
+    caption += f"{figure(longest, 's')} long. "
+    peaks = [f"{panel.y_label.split(' [')[0]} at {'; '.join(tick.label for tick in panel.ticks)}" for panel in panels if panel.ticks]
+    caption += f"Triangles mark what stands out by more than chance: {'. '.join(peaks)}." if peaks else ""
+    return (Chart("spectrum", "Spectrum of error and commands", caption.strip(), tuple(panels)),)
+
+
+def _spectrum(scheme: JudgedRun, values: Array) -> _Spectrum | None:
+    """Return the spectrum of a vector (n_sample, n); None without enough finite samples in a row, or if it is constant.
+
+    A segment is as long as the stretches that hold at least half of the judged samples, up to `LONGEST`.
+    """
+    from scipy.signal import welch
+
+    ranges, period = scheme.metrics.judged.ranges, scheme.result.servo_period
+    lengths = np.sort([stop - start for start, stop in ranges])[::-1]
+    size = min(int(lengths[np.searchsorted(np.cumsum(lengths), 0.5 * lengths.sum())]), round(LONGEST / period))
+    stretches = [values[start:stop] for start, stop in ranges if stop - start >= size]
+    if size < FEWEST or not all(np.isfinite(stretch).all() for stretch in stretches):
+        return None
+    counts = [1 + (len(stretch) - size) // (size - size // 2) for stretch in stretches]
+    powers = [welch(stretch, 1.0 / period, nperseg=size, scaling="spectrum", axis=0)[1].sum(axis=1) for stretch in stretches]
+    amplitude = np.sqrt(2.0 * np.average(powers, axis=0, weights=counts))[1:]
+    if not np.max(amplitude) > ROUNDING * max(float(np.abs(stretch).max()) for stretch in stretches):
+        return None
+    return _Spectrum(np.arange(1, amplitude.size + 1) / (size * period), amplitude, sum(counts))
+
+
+def _panel(data: ReportData, label: str, spectra: dict[str, _Spectrum], points: int) -> Panel:
+    """Return the spectra of one quantity, the low frequencies unthinned; its largest peaks are marked."""
+    curves, peaks = [], list[tuple[float, Tick]]()
+    for scheme in data.schemes:
+        if scheme.name not in spectra:
+            continue
+        hertz, amplitude, _ = spectra[scheme.name]
+        low = min(points // 2, len(hertz))
+        kept = np.append(np.arange(low), low + keep_extremes(amplitude[low:], points - low)) if low < len(hertz) else np.arange(low)
+        curves.append(Curve(hertz[kept], np.where(amplitude[kept] > 0.0, amplitude[kept], np.nan), *data.looks[scheme.name]))
+        peaks += _peaks(scheme, spectra[scheme.name], label.split("[")[-1].rstrip("]"))
+    top = max(float(np.nanmax(curve.y, initial=0.0)) for curve in curves) or 1.0
+    ticks: list[Tick] = []
+    for size, tick in sorted(peaks, key=lambda peak: -peak[0]):
+        if size > DEPTH * top and len(ticks) < PEAKS and all(abs(tick.x - other.x) > NEAR * tick.x for other in ticks):
+            ticks.append(tick)
+    marks = tuple(sorted(ticks, key=lambda tick: tick.x))
+    return Panel("frequency [Hz]", label, tuple(curves), ticks=marks, log_x=True, log_y=True, y_range=(DEPTH * top, 1.5 * top))
+
+
+def _peaks(scheme: JudgedRun, spectrum: _Spectrum, unit: str) -> Iterator[tuple[float, Tick]]:
+    """Yield the peaks with their amplitudes, each with its causes if some are known there.
+
+    A mean of K spectra of noise is spread like chi-square with 2 K degrees of freedom: a peak must stand out by more than that.
+    """
+    from scipy.signal import find_peaks
+    from scipy.special import gammaincinv
+
+    hertz, amplitude, segments = spectrum
+    low, high = gammaincinv(segments, [CHANCE, 1.0 - CHANCE])
+    places, _ = find_peaks(2.0 * np.log(np.maximum(amplitude, 1e-300)), prominence=np.log(high / low))
+    known = list(_known(scheme))
+    for at in places:
+        own = [cause for frequency, cause in known if abs(hertz[at] - frequency) <= NEAR * frequency]
+        label = f"{figure(hertz[at], 'Hz')}, {number(amplitude[at])} {unit}"
+        yield float(amplitude[at]), Tick(float(hertz[at]), label + (f" ({', '.join(own)})" if own else ""), "peak")
+
+
+def _known(scheme: JudgedRun) -> Iterator[tuple[float, str]]:
+    """Yield known frequencies [Hz] with what they are."""
+    machine = scheme.machine
+    for axis in () if machine is None else machine.axis_names:
+        if machine is not None and (ringing := resonance_of(machine.loaded_plant(axis))):
+            yield ringing[0], f"resonance of {axis}"
+    for axis, loop in scheme.bode.items():
+        size = np.abs(loop.response)
+        if loop.margins.stable and np.max(size) > RINGS:
+            yield float(loop.frequency[np.argmax(size)]), f"the closed loop of {axis} peaks"
