@@ -49,7 +49,7 @@ def test_an_answer_shows_its_own_pictures(case, tmp_path):
     (causes,) = pictures(cl.show(test).message).values()
     assert causes["kind"] == "CircleCauses" and "backlash x" in causes["causes"]
     runs = cl.run(case)
-    assert pictures(cl.show(runs).message).keys() >= {"path-space", "error-time", "bode-0"}
+    assert pictures(cl.show(runs).message).keys() >= {"path-space", "live", "error-time", "bode-0"}
 
 
 def test_a_stored_study_shows_the_pictures_of_its_page(tmp_path):
