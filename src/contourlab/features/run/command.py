@@ -85,7 +85,11 @@ class JudgedRuns(Answer):
     def _pictures(self) -> Iterator[Any]:
         from contourlab.rendering.html import picture_groups
 
-        yield from chain.from_iterable(picture_groups(self.data).values())
+        yield from chain.from_iterable(picture_groups(self._of_page()).values())
+
+    def _of_page(self) -> Any:
+        """Return the data of the report's page."""
+        return self.data
 
     def _write(self, stage: Path, plots: Sequence[str]) -> None:
         """Write summary.json, report.html and plots into a temporary folder."""
@@ -178,6 +182,12 @@ class Runs(JudgedRuns):
         data = report_data(self.scenario.name, self.outcomes, scenario=text, command=self.command)
         return replace(data, next_steps=self.steps)
 
+    def _of_page(self) -> Any:
+        """Return the data of the report with the loops that its page runs."""
+        from contourlab.features.run.live import live_loop
+
+        return replace(self.data, live=self.data.live or live_loop(self.outcomes, self.command))
+
     @property
     def text(self) -> str:
         """Tables, verdicts and findings; files and the next command once it is saved."""
@@ -224,7 +234,6 @@ class Runs(JudgedRuns):
         OutputError
             If the folder cannot be written.
         """
-        from contourlab.features.run.live import live_loop
         from contourlab.scenario.dump import dump
 
         out, names = Path(folder), file_names([case.name for case in self.scenario.cases()])
@@ -253,7 +262,7 @@ class Runs(JudgedRuns):
             files |= {"report": "report.html"} | ({"to print": "report.pdf"} if pdf else {})
             saved = replace(self, steps=steps, files={what: str(out / file) for what, file in files.items()})
             vars(saved)["summary"] = self.summary  # computed once
-            vars(saved)["data"] = replace(saved.data, live=live_loop(self.outcomes, self.command))
+            vars(saved)["data"] = saved._of_page()
             saved._write(stage, plots)
             if pdf:
                 from contourlab.rendering.one_page import write_page
