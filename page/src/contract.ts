@@ -163,7 +163,6 @@ export interface LiveLoop {
   caption: string;
   runs: LiveRun[];
   command: string;
-  refused: [string, string][];
 }
 
 /** A run of the report as a WebAssembly module; places are words of 8 bytes. `contourlab.loop.PortableLoop` says how to run it. */
@@ -179,7 +178,6 @@ export interface LiveRun {
   log: number;
   n_log: number;
   position: number[];
-  contour_error: number;
   part_error: number;
   foot: number;
   doubt: number[];
@@ -189,7 +187,6 @@ export interface LiveRun {
   failed_at: number;
   state: [number, number][];
   parameters: LiveParameter[];
-  fixed: [string, string][];
   short: [number, number];
   controller: string;
 }

@@ -46,7 +46,7 @@ class PortableLoop:
     * ``judge()``: compute the figures of the ticks so far.
 
     To run: copy `start` to the word `first`, and the inputs to theirs. After a parameter was changed, call ``prepare``. To begin in the
-    middle, then copy what `state_at` returns.
+    middle, then copy the words of `state` of another run.
 
     Attributes
     ----------
@@ -63,8 +63,8 @@ class PortableLoop:
     rows : tuple of int
         The signal of `schedule` in each column of the log.
     signals : mapping of str to tuple of int
-        Columns of the log for each axis; also of ``contour_error``, ``part_error``, ``foot``, the arc length of the foot point on the
-        programmed path [m], and ``doubt``, for each judge: 1 where it is not sure.
+        Columns of the log for each axis; also of ``part_error``, ``foot``, the arc length of the foot point on the programmed path [m],
+        and ``doubt``, for each judge: 1 where it is not sure.
     figures : mapping of str to int
         Word of each figure of `contourlab.simulate_batch`, and of ``unsure``, the count of ticks in doubt.
     failed_at : int
@@ -99,12 +99,6 @@ class PortableLoop:
     def fed(self) -> Array:
         """Return the inputs (n_input, n_tick), in the order of their words."""
         return np.concatenate([self.feed.block(*samples)[1] for samples in self.feed.reference.blocks(BLOCK)]).T
-
-    def state_at(self, tick: int) -> list[Array]:
-        """Return the words of each part of `state` before a tick, from a run of this machine's processor."""
-        group = CompiledGroup(self.schedule, 1, slice(0, 1), like_lanes=True)
-        group.run(self.fed()[:, :tick].T, [])
-        return [group.memory[begin - ROWS : end - ROWS, 0].copy() for begin, end in self.state]
 
 
 def portable(
@@ -157,12 +151,8 @@ def portable(
     for name in signals:
         refuse(name not in loop.signals, ParameterError, "signals", repr(name), "one of " + ", ".join(loop.signals))
     part = PART if blends(reference) else JUDGE
-    kept = {name: loop.signals[name] for name in signals} | {"contour_error": (f"{JUDGE}.contour_error",)}
-    kept |= {
-        "part_error": (f"{part}.contour_error",),
-        "foot": (f"{part}.foot",),
-        "doubt": tuple({f"{name}.doubt": 0 for name in (JUDGE, part)}),
-    }
+    kept = {name: loop.signals[name] for name in signals} | {"part_error": (f"{part}.contour_error",), "foot": (f"{part}.foot",)}
+    kept["doubt"] = tuple(dict.fromkeys((f"{JUDGE}.doubt", f"{part}.doubt")))
     columns = list(dict.fromkeys(schedule.row(signal) for wanted in kept.values() for signal in wanted))
     group = CompiledGroup(schedule, 1, slice(0, 1), like_lanes=True)
     prepare, constants, values, fixed = _prepared(machine, controller, judged, len(group.memory))

@@ -585,9 +585,10 @@ class LiveRun:
         First word of the log, and its columns; each tick has a row.
     position : tuple of int
         Columns: position of each axis [m].
-    contour_error, part_error, foot, doubt : int
-        Columns: errors [m], and arc length of the foot point on `asked` [m]; 0 and meaningless where nothing is judged. `doubt` is 1 where
-        the judge is not sure.
+    part_error, foot : int
+        Columns: part error, and arc length of its foot point on `asked` [m]; meaningless where nothing is judged.
+    doubt : tuple of int
+        Columns: 1 where a judge is not sure.
     asked : LivePath
         The programmed path.
     judged : tuple of (int, int)
@@ -599,8 +600,6 @@ class LiveRun:
     state : tuple of (int, int)
         Begin and end of the words that change while ticks run, besides the log.
     parameters : tuple of LiveParameter
-    fixed : tuple of (str, str)
-        Parameters that cannot be changed: why.
     short : (int, int)
         Samples [start, stop) around the worst place, for a short run. It begins there, or earlier, with the words of `state` of this run.
     controller : str
@@ -617,7 +616,6 @@ class LiveRun:
     log: int
     n_log: int
     position: tuple[int, ...]
-    contour_error: int
     part_error: int
     foot: int
     doubt: tuple[int, ...]
@@ -627,7 +625,6 @@ class LiveRun:
     failed_at: int
     state: tuple[tuple[int, int], ...]
     parameters: tuple[LiveParameter, ...]
-    fixed: tuple[tuple[str, str], ...]
     short: tuple[int, int]
     controller: str
 
@@ -640,10 +637,7 @@ class LiveLoop(Picture):
     ----------
     command : str
         Runs the report again; ``--set NAME=VALUE`` is appended.
-    refused : tuple of (str, str)
-        Runs that cannot be changed: why.
     """
 
     runs: tuple[LiveRun, ...]
     command: str
-    refused: tuple[tuple[str, str], ...]
