@@ -74,7 +74,7 @@ def _run(outcome: Outcome) -> LiveRun:
     return LiveRun(
         outcome.name, np.frombuffer(loop.code, dtype=np.uint8), loop.n_word, tuple(_words(loop)), _motion(reference),
         loop.inputs["reference"][0], loop.feed.ahead if AHEAD in loop.inputs else (),
-        loop.log, len(loop.rows), loop.signals["axis_position"], *loop.signals["part_error"], *loop.signals["foot"], loop.signals["doubt"],
+        loop.log, len(loop.rows), loop.signals["axis_position"], loop.signals["part_error"][0], loop.signals["foot"][0], loop.signals["doubt"],
         _path(reference.programmed), judged.ranges, tuple(loop.figures.items()), loop.failed_at, loop.state,
         tuple(_parameter(loop, name) for name in loop.parameters),
         (start, min(start + round(SHORT * per_second), reference.n_sample)), _controller_file(case.machine, case.controller, loop),
