@@ -171,7 +171,7 @@ export interface LiveRun {
   name: string;
   code: Numbers;
   n_word: number;
-  words: Words[];
+  words: [number, Numbers][];
   motion: LiveMotion;
   inputs: number;
   ahead: number[];
@@ -189,13 +189,6 @@ export interface LiveRun {
   parameters: LiveParameter[];
   short: [number, number];
   controller: string;
-}
-
-/** Numbers (n,) for the words of memory from `at` on. */
-export interface Words {
-  kind: "Words";
-  at: number;
-  values: Numbers;
 }
 
 /** A planned motion along a path, in spans of constant jerk. */

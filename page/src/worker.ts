@@ -52,7 +52,7 @@ class Live {
     this.memory = new Float64Array(memory.buffer);
     this.loop = instance.exports as unknown as Live["loop"];
     this.early = Math.max(0, given.short[0] - Math.round(LEAD / given.motion.period));
-    given.words.forEach(({ at, values }) => this.memory.set(values.values, at));
+    given.words.forEach(([at, { values }]) => this.memory.set(values, at));
     this.plan();
     this.rest = this.state();
   }

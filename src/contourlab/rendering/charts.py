@@ -476,14 +476,6 @@ class Exact:
 
 
 @dataclass(frozen=True, eq=False)
-class Words(Exact):
-    """Numbers (n,) for the words of memory from `at` on."""
-
-    at: int
-    values: Array
-
-
-@dataclass(frozen=True, eq=False)
 class LivePath(Exact):
     """A path in quintic pieces.
 
@@ -565,7 +557,7 @@ class LiveParameter:
 
 
 @dataclass(frozen=True, eq=False)
-class LiveRun:
+class LiveRun(Exact):
     """A run of the report as a WebAssembly module; places are words of 8 bytes. `contourlab.loop.PortableLoop` says how to run it.
 
     Parameters
@@ -575,8 +567,8 @@ class LiveRun:
     code : ndarray (n,) of uint8
     n_word : int
         Size of the memory.
-    words : tuple of Words
-        What memory holds before the first tick, besides the inputs; the rest is 0.
+    words : tuple of (int, ndarray (n,))
+        What memory holds before the first tick, besides the inputs: numbers, from a word on. The rest is 0.
     inputs : int
         First word of the inputs, `motion.n_sample` words each: position of every axis, velocity, acceleration, then arc length, feedrate,
         and for each number of `ahead` the position of that axis so many ticks later; beyond the end the last one.
@@ -609,7 +601,7 @@ class LiveRun:
     name: str
     code: Array
     n_word: int
-    words: tuple[Words, ...]
+    words: tuple[tuple[int, Array], ...]
     motion: LiveMotion
     inputs: int
     ahead: tuple[int, ...]

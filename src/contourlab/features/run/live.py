@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from contourlab.app.command_line import as_typed, without_options
+from contourlab.arrays import Array
 from contourlab.errors import ContourlabError, EngineError, refuse
 from contourlab.features.run.outcome import Outcome
 from contourlab.feed import Reference
@@ -22,7 +23,7 @@ from contourlab.loop.feeding import AHEAD, SOURCE_LINE
 from contourlab.loop.judging import PLACE
 from contourlab.loop.portable import PortableLoop, portable
 from contourlab.loop.simulate import ToolPosition
-from contourlab.rendering.charts import LiveLoop, LiveMotion, LiveParameter, LivePath, LiveRun, Words
+from contourlab.rendering.charts import LiveLoop, LiveMotion, LiveParameter, LivePath, LiveRun
 from contourlab.rendering.message import message
 from contourlab.scenario.dump import controller_table
 from contourlab.scenario.toml_text import Noted, toml
@@ -73,18 +74,18 @@ def _run(outcome: Outcome) -> LiveRun:
     start = max(worst - round(BEFORE * per_second), 0)
     return LiveRun(
         outcome.name, np.frombuffer(loop.code, dtype=np.uint8), loop.n_word, tuple(_words(loop)), _motion(reference),
-        loop.inputs["reference"][0], loop.feed.ahead if AHEAD in loop.inputs else (),
-        loop.log, len(loop.rows), loop.signals["axis_position"], loop.signals["part_error"][0], loop.signals["foot"][0], loop.signals["doubt"],
+        loop.inputs["reference"][0], loop.feed.ahead if AHEAD in loop.inputs else (), loop.log, len(loop.rows),
+        loop.signals["axis_position"], loop.signals["part_error"][0], loop.signals["foot"][0], loop.signals["doubt"],
         _path(reference.programmed), judged.ranges, tuple(loop.figures.items()), loop.failed_at, loop.state,
         tuple(_parameter(loop, name) for name in loop.parameters),
         (start, min(start + round(SHORT * per_second), reference.n_sample)), _controller_file(case.machine, case.controller, loop),
     )  # fmt: skip
 
 
-def _words(loop: PortableLoop) -> list[Words]:
+def _words(loop: PortableLoop) -> list[tuple[int, Array]]:
     """Return what memory holds before the first tick: the rows, then each table by itself, as runs share tables."""
     begin, rows = loop.first, min(at for at, _ in loop.tables.values()) - loop.first
-    words = [Words(begin, loop.start[:rows])]
+    words = [(begin, loop.start[:rows])]
     for name, (at, size) in loop.tables.items():
         values = loop.start[at - begin : at - begin + size]
         if name.endswith("cell_clearance"):  # one that is too small only makes more ticks doubtful
@@ -92,9 +93,9 @@ def _words(loop: PortableLoop) -> list[Words]:
             values = np.ldexp(np.floor(64.0 * mantissa) / 64.0, power)
         if name == f"{PLACE}.place":  # where a search begins
             values = values.astype(np.float32).astype(np.float64)
-        words.append(Words(at, values))
+        words.append((at, values))
     first, n = loop.inputs["reference"][0], loop.feed.reference.n_sample
-    return words + [Words(at, loop.fed()[(at - first) // n]) for at in loop.inputs.get(SOURCE_LINE, ())]
+    return words + [(at, loop.fed()[(at - first) // n]) for at in loop.inputs.get(SOURCE_LINE, ())]
 
 
 def _motion(reference: Reference) -> LiveMotion:
