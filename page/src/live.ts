@@ -64,7 +64,7 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
   const [then, now] = [[BEFORE, GREY], [NOW, colour]].map(([name, paint]): SceneRun => ({ kind: "SceneRun", name, colour: paint, ...drawn(null, 0) }));
 
   let r = -1, values = new Map<string, number>(), past: Step[] = [], at = 0, rows: Row[] = [];
-  /** Each movement of a hand is one step that can be undone: number of the next, of that of the values, and of that of the newest step. */
+  /** A drag is one step to undo. Numbers of the next drag, of the one that made the values, and of the one that made the newest step. */
   let next = 1, movement = 0, newest = 0;
   let worker: Worker | null = null, asked = 0, since = 0, sent: Values = values, took = Infinity, rest = 0;
   let before: Answer | undefined;

@@ -17,7 +17,7 @@ export interface Answer {
   id: number; run: number; short: boolean; begun: number; took: number; failed: number | null; figures: Record<string, number>; points: Points | null;
 }
 
-/** A short run begins so much earlier [s]: what stands before the worst place has come there with the new values. */
+/** A short run begins this much earlier [s]: an axis that stands before the worst place comes there with the new values. */
 const LEAD = 2;
 const CHUNK = 1 << 13, BINS = 4000;
 
