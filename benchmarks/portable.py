@@ -114,7 +114,7 @@ def difference(machine: cl.Machine, controller: cl.Controller, shape: str, seed:
     loop = portable(machine, controller, cl.uniform(path, 0.5, 1, machine.servo_period), seed=seed)
     group = CompiledGroup(loop.schedule, 1, slice(0, 1), like_lanes=True)
     log = group.run(loop.fed().T, list(loop.rows))[:, :, 0]
-    columns, (error,) = list(loop.signals["axis_position"]), loop.signals["contour_error"]  # without blends, the part error
+    columns, (error,) = list(loop.signals["axis_position"]), loop.signals["part_error"]
     if not np.isfinite(log[:, columns]).all() or not np.abs(log[:, error]).max() < FOLLOWS:
         return None
     _, found = in_node(loop, ("run", 0, len(log)), log_of(loop))

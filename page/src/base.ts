@@ -43,6 +43,13 @@ export function element<K extends keyof Tags>(tag: K, given: object = {}, ...ins
 export const add = <K extends keyof Tags>(host: Element, tag: K, className = "", ...inside: string[]): Tags[K] =>
   host.appendChild(element(tag, { className }, ...inside));
 
+/** Return a button. */
+export function button(textContent: string, act: () => void): HTMLButtonElement {
+  const made = element("button", { type: "button", textContent });
+  made.addEventListener("click", act);
+  return made;
+}
+
 // --- colours -------------------------------------------------------------------------------------------------------------------------
 
 export interface Colours { ink: string; muted: string; line: string; edge: string; card: string; band: string; limit: string }
@@ -122,17 +129,16 @@ export function legend(host: Element, entries: Entry[], hidden: Set<string>, tog
   const row = add(host, "div", "cl-legend");
   const known = entries.filter((entry, i) => entries.findIndex(other => other.name === entry.name) === i);
   for (const entry of known) {
-    const button = add(row, "button");
-    button.type = "button";
-    const swatch = add(button, "i", entry.glyph ? "cl-glyph" : "", entry.glyph ?? "");
-    if (!entry.glyph) swatch.style.borderTop = `3px ${{ dash: "dashed", dot: "dotted" }[entry.dash] ?? "solid"} ${entry.colour}`;
-    button.append(entry.name);
-    button.setAttribute("aria-pressed", String(!hidden.has(entry.name)));
-    button.addEventListener("click", () => {
+    const made = row.appendChild(button("", () => {
       if (!hidden.delete(entry.name)) hidden.add(entry.name);
-      button.setAttribute("aria-pressed", String(!hidden.has(entry.name)));
+      press();
       toggled();
-    });
+    }));
+    const press = (): void => made.setAttribute("aria-pressed", String(!hidden.has(entry.name)));
+    const swatch = add(made, "i", entry.glyph ? "cl-glyph" : "", entry.glyph ?? "");
+    if (!entry.glyph) swatch.style.borderTop = `3px ${{ dash: "dashed", dot: "dotted" }[entry.dash] ?? "solid"} ${entry.colour}`;
+    made.append(entry.name);
+    press();
   }
   return row;
 }

@@ -36,7 +36,7 @@ class Chartist implements Drawing {
       name: curve.name, dash: curve.dash, colour: visible(curve.colour, colours.card), glyph: curve.half ? "●" : undefined,
     })));
     const marks = panels.flatMap(panel => panel.ticks.map(tick => ({ name: tick.mark, dash: "", colour: colours.muted, glyph: GLYPHS[tick.mark] })));
-    const row = legend(this.body, [...entries, ...marks], this.hidden, () => this.redraw());
+    const row = legend(this.body, [...entries, ...marks], this.hidden, () => this.update());
     entries.filter(entry => entry.glyph).forEach(entry => {
       const button = [...row.children].find(child => child.lastChild!.textContent === entry.name);
       (button!.firstChild as HTMLElement).style.color = entry.colour;
@@ -51,16 +51,10 @@ class Chartist implements Drawing {
     const log = this.chart.panels[0].log_x, [low, high] = range;
     const least = log ? (high / low > 1.0001) : (high - low > 1e-9 * (this.whole[1] - this.whole[0]));
     if (least) this.range = [Math.max(low, this.whole[0]), Math.min(high, this.whole[1])];
-    this.redraw();
+    this.update();
   }
 
-  redraw(): void {
-    this.views.forEach(view => view.plot.redraw());
-  }
-
-  update(): void {
-    if (this.views.some(view => view.isBehind)) this.resize(); else this.redraw();
-  }
+  update(): void { this.views.forEach(view => view.plot.redraw()); }
 
   /** Move the pointer of all panels to a value of x; null takes it away. */
   point(x: number | null, from?: View): void {
@@ -153,9 +147,6 @@ class View {
     }, [group.whole, ...panel.curves.map(() => [1, 1])], place);
     this.plot.over.addEventListener("dblclick", () => group.zoom());
   }
-
-  /** Whether the panel has another number of curves than when it was made. */
-  get isBehind(): boolean { return this.plot.series.length !== this.panel.curves.length + 1; }
 
   private get shown(): Curve[] {
     return this.panel.curves.filter(curve => !this.group.hidden.has(curve.name));

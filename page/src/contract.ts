@@ -163,7 +163,6 @@ export interface LiveLoop {
   caption: string;
   runs: LiveRun[];
   command: string;
-  refused: [string, string][];
 }
 
 /** A run of the report as a WebAssembly module; places are words of 8 bytes. `contourlab.loop.PortableLoop` says how to run it. */
@@ -172,14 +171,13 @@ export interface LiveRun {
   name: string;
   code: Numbers;
   n_word: number;
-  words: Words[];
+  words: [number, Numbers][];
   motion: LiveMotion;
   inputs: number;
   ahead: number[];
   log: number;
   n_log: number;
   position: number[];
-  contour_error: number;
   part_error: number;
   foot: number;
   doubt: number[];
@@ -189,16 +187,8 @@ export interface LiveRun {
   failed_at: number;
   state: [number, number][];
   parameters: LiveParameter[];
-  fixed: [string, string][];
   short: [number, number];
   controller: string;
-}
-
-/** Numbers (n,) for the words of memory from `at` on. */
-export interface Words {
-  kind: "Words";
-  at: number;
-  values: Numbers;
 }
 
 /** A planned motion along a path, in spans of constant jerk. */

@@ -1,5 +1,5 @@
 /** The reader changes parameters of a run; a worker runs its loop again, and path, error and figures follow. */
-import { add, type Drawing, figure, indexBefore, type Page } from "./base";
+import { add, button, type Drawing, figure, indexBefore, type Page } from "./base";
 import { drawChart } from "./chart";
 import type { Chart, Curve, LiveLoop, LiveParameter, Numbers, PathScene, SceneRun } from "./contract";
 import { ghosts } from "./path";
@@ -64,7 +64,7 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
   const [then, now] = [[BEFORE, GREY], [NOW, colour]].map(([name, paint]): SceneRun => ({ kind: "SceneRun", name, colour: paint, ...drawn(null, 0) }));
 
   let r = -1, values = new Map<string, number>(), past: Step[] = [], at = 0, rows: Row[] = [];
-  /** Each movement of a hand is one step that can be undone: number of the next, of that of the values, and of that of the newest step. */
+  /** A drag is one step to undo. Numbers of the next drag, of the one that made the values, and of the one that made the newest step. */
   let next = 1, movement = 0, newest = 0;
   let worker: Worker | null = null, asked = 0, since = 0, sent: Values = values, took = Infinity, rest = 0;
   let before: Answer | undefined;
@@ -74,12 +74,6 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
   const gone = new AbortController(), { signal } = gone;
 
   // --- controls ----------------------------------------------------------------------------------------------------------------------
-  const button = (place: HTMLElement, text: string, act: () => void): HTMLButtonElement => {
-    const made = add(place, "button", "", text);
-    made.type = "button";
-    made.addEventListener("click", act);
-    return made;
-  };
   const select = (place: HTMLElement, ariaLabel: string, texts: string[], act: (index: number) => void): HTMLSelectElement => {
     const made = Object.assign(add(place, "select"), { ariaLabel });
     texts.forEach((text, i) => made.add(new Option(text, String(i))));
@@ -89,11 +83,12 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
   const top = add(host, "div", "cl-tools"), which = select(top, "Run", live.runs.map(run => run.name), take);
   const more = Object.assign(add(top, "select"), { ariaLabel: "More parameters" });
   more.addEventListener("change", () => { show(more.value); refresh(); });
-  const undo = button(top, "Undo", () => step(-1)), redo = button(top, "Redo", () => step(1)), reset = button(top, "Reset", () => set(new Map()));
+  const undo = button("Undo", () => step(-1)), redo = button("Redo", () => step(1)), reset = button("Reset", () => set(new Map()));
+  top.append(undo, redo, reset);
   const list = add(host, "div", "live-rows"), said = Object.assign(add(host, "p", "live-said"), { ariaLive: "polite" });
   const sides = add(host, "div", "cl-sides"), place = add(sides, "div"), table = add(add(sides, "div", "scroll"), "table", "figures slim tight live-table");
-  const end = add(host, "div", "cl-tools"), copied = button(end, "Copy the command line", () => void copy());
-  button(end, "Save as controller file", save);
+  const end = add(host, "div", "cl-tools"), copied = button("Copy the command line", () => void copy());
+  end.append(copied, button("Save as controller file", save));
   const note = add(end, "span"), line = add(host, "pre", "command"), command = add(line, "code");
   /** Say what is shown now: the run of the report, a short run, the whole part, or nothing new. */
   const say = (text: string, shown: "report" | "short" | "whole" | "none"): void => {

@@ -1,5 +1,5 @@
 /** The path in space, judged: errors magnified and coloured, worst places, playback. Nothing is drawn while nothing changes. */
-import { type Drawing, element, figure, indexBefore, isPaper, type Page, roundDown, visible as seen } from "./base";
+import { button, type Drawing, element, figure, indexBefore, isPaper, type Page, roundDown, visible as seen } from "./base";
 import type { PathScene, Place, SceneRun } from "./contract";
 import LOOK from "./path.css";
 import { attribute, Canvas, drawsInSoftware, mix, pairs, type Point, rgb, RUN, scaleColours, tangents, type Values } from "./path_lines";
@@ -23,7 +23,7 @@ function shape(tag: string, given: Record<string, string | number>, ...inside: (
 }
 
 /** Runs with thin lines: what there was before. */
-export const ghosts = new WeakSet<SceneRun>(), isGhost = (run: SceneRun): boolean => ghosts.has(run);
+export const ghosts = new WeakSet<SceneRun>();
 
 /** Draw the path and its runs; a click on them picks the line of the program, and `highlight` marks the stretch that a line makes. */
 export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawing & { highlight(line: number | null): void } {
@@ -76,7 +76,7 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   const slider = element("input", { type: "range", min: "0", max: "4", step: "any", ariaLabel: "Magnification of the error" });
   const first = Math.min(...runs.map(({ run }) => run.time.values[0] ?? 0)), last = Math.max(...runs.map(({ run }) => run.time.values.at(-1) ?? 0));
   const scrubber = element("input", { type: "range", min: String(first), max: String(last), step: "any", ariaLabel: "Time", value: String(first) });
-  const play = element("button", { type: "button" });
+  const play = button("", () => toggle());
   const speed = element("select", { ariaLabel: "Speed" }, ...SPEEDS.map(s => new Option(`${s} ×`, String(s))));
   const colourBy = element("select", { ariaLabel: "Colour" }, new Option("colour: error", "error"), new Option("colour: run", "run", runs.length === 2, runs.length === 2));
   const tick = (text: string, checked: boolean, act: (on: boolean) => void, colour = ""): HTMLElement => {
@@ -84,11 +84,6 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
     swatch.style.background = colour;
     listen(box, "change", () => { act(box.checked); dress(); });
     return element("label", {}, box, ...(colour ? [swatch] : []), text);
-  };
-  const button = (textContent: string, act: () => void): HTMLElement => {
-    const made = element("button", { type: "button", textContent });
-    listen(made, "click", act);
-    return made;
   };
   const letters = scene.axes.map(name => name.toUpperCase()), [x, y, z] = letters, longest = Math.max(...letters.map(name => name.length));
   const plane = (a: string, b: string): string => a + (longest > 1 ? " " : "") + b;
@@ -116,7 +111,7 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   host.classList.add("cl-path");
   host.replaceChildren(
     element("div", { className: "path-row" },
-      element("span", { className: "path-views" }, 
+      element("span", { className: "path-views" },
         ...views.map(([name, a, e]) => button(name, () => { view.from(a, e); fit(); })), button("Fit", fit)),
       which,
       ...(rests.length ? [tick(scene.unjudged, true, on => { showRapids = on; })] : []),
@@ -149,7 +144,7 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
     uniforms.view.value.set(...view.back);
     rapids.object.visible = showRapids;
     edges.forEach(edge => { edge.object.visible = showEdges && tolerance! * 1e-3 * uniforms.magnification.value < 0.3 * extent; });
-    runs.forEach(one => { one.lines.object.visible = one.shown; one.lines.width(moves || isGhost(one.run) ? 1 : 2 * dense); });
+    runs.forEach(one => { one.lines.object.visible = one.shown; one.lines.width(moves || ghosts.has(one.run) ? 1 : 2 * dense); });
     gl.renderer.render(gl.scene, gl.camera);
     annotate();
   }
@@ -250,7 +245,6 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
     Object.assign(play, { textContent: "❚❚", ariaLabel: "Pause" });
   }
 
-  listen(play, "click", toggle);
   listen(scrubber, "input", () => { time = Number(scrubber.value); showTools(); });
 
   // --- places and lines --------------------------------------------------------------------------------------------------------------
@@ -444,8 +438,8 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
       runs.push(one);
       one.halo.width(6 * dense);
       show(one, true);
+      list();
     }
-    list();
     runs.filter(({ run, of }) => run.size !== of).forEach(one => {
       const { places, index } = Object.assign(one, drawnOf(one.run));
       if (chosen?.run === one.run) chosen = null;

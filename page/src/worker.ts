@@ -17,7 +17,7 @@ export interface Answer {
   id: number; run: number; short: boolean; begun: number; took: number; failed: number | null; figures: Record<string, number>; points: Points | null;
 }
 
-/** A short run begins so much earlier [s]: what stands before the worst place has come there with the new values. */
+/** A short run begins this much earlier [s]: an axis that stands before the worst place comes there with the new values. */
 const LEAD = 2;
 const CHUNK = 1 << 13, BINS = 4000;
 
@@ -52,7 +52,7 @@ class Live {
     this.memory = new Float64Array(memory.buffer);
     this.loop = instance.exports as unknown as Live["loop"];
     this.early = Math.max(0, given.short[0] - Math.round(LEAD / given.motion.period));
-    given.words.forEach(({ at, values }) => this.memory.set(values.values, at));
+    given.words.forEach(([at, { values }]) => this.memory.set(values, at));
     this.plan();
     this.rest = this.state();
   }

@@ -47,7 +47,7 @@ def in_node(loop: PortableLoop, *commands: tuple[Any, ...]) -> list[Array]:
 
 def live_in_node(run: dict[str, Any], *commands: tuple[Any, ...]) -> list[Array]:
     """Return what each command reads or returns in a run of a message's `LiveLoop`; its memory is set from the message alone."""
-    begin = [("write", part["at"], part["values"]) for part in run["words"]] + [("write", run["inputs"], live_inputs(run))]
+    begin = [("write", at, values) for at, values in run["words"]] + [("write", run["inputs"], live_inputs(run))]
     return module_in_node(run["code"].astype(np.uint8).tobytes(), run["n_word"], *begin, *commands)
 
 

@@ -10,6 +10,7 @@ import pytest
 from typed_commands import CIRCLE, ON_XYZ, PART, SCHEMES, Refused, Run, write
 
 import contourlab as cl
+from contourlab.app.session import Asked
 from contourlab.errors import ParameterError
 from contourlab.features.run.changes import of_machine
 from contourlab.features.run.options import Compare
@@ -100,6 +101,12 @@ def test_no_controller_is_set_that_another_takes_over_from(tmp_path: Path) -> No
     scenario_asked([file], Settings(set=VALUES[:1]))
     with pytest.raises(ParameterError):
         scenario_asked([file], Settings(set=VALUES[1:2]))
+
+
+def test_the_next_command_is_about_the_same() -> None:
+    settings = Settings(machine="xyz", set=VALUES[:1], plugin=(Path("part.py"),))
+    wanted = ["a.ngc", "--machine", "xyz", "--set", VALUES[0], "--plugin", "part.py"]
+    assert Asked("run", settings, None, inputs=("a.ngc",)).given == wanted
 
 
 def test_another_controller_keeps_the_values_of_the_machine_alone(plain: Path) -> None:

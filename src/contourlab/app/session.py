@@ -365,6 +365,12 @@ class Asked:
     words: tuple[str, ...] = ()
     inputs: tuple[Any, ...] = field(default=())
 
+    @property
+    def given(self) -> list[object]:
+        """The inputs, and the options that change what they mean: for another command about the same."""
+        parts = [(key, self.settings.PARTS[key]) for key in ("machine", "set", "plugin") if key in self.settings.PARTS]
+        return [*self.inputs, *(word for key, part in parts for word in part.words(getattr(self.settings, key)))]
+
     def again(self, *more: str, without: str = "") -> list[str]:
         """Return the command as typed, with more words or without one."""
         return [*(word for word in self.words if word != without), *more]

@@ -22,7 +22,7 @@ from contourlab.errors import EngineError, ParameterError, refuse
 from contourlab.feed import Reference
 from contourlab.geometry.view import view_of
 from contourlab.loop.batch import blends, check_steps, check_substeps, check_together, judged_loop
-from contourlab.loop.feeding import BLOCK, Feed, Learned
+from contourlab.loop.feeding import BLOCK, Feed
 from contourlab.loop.judging import JUDGE, PART, WATCH, all_judged, traced_figures
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.parameters import declared, parameters_of
@@ -46,7 +46,7 @@ class PortableLoop:
     * ``judge()``: compute the figures of the ticks so far.
 
     To run: copy `start` to the word `first`, and the inputs to theirs. After a parameter was changed, call ``prepare``. To begin in the
-    middle, then copy what `state_at` returns.
+    middle, then copy the words of `state` of another run.
 
     Attributes
     ----------
@@ -100,12 +100,6 @@ class PortableLoop:
         """Return the inputs (n_input, n_tick), in the order of their words."""
         return np.concatenate([self.feed.block(*samples)[1] for samples in self.feed.reference.blocks(BLOCK)]).T
 
-    def state_at(self, tick: int) -> list[Array]:
-        """Return the words of each part of `state` before a tick, from a run of this machine's processor."""
-        group = CompiledGroup(self.schedule, 1, slice(0, 1), like_lanes=True)
-        group.run(self.fed()[:, :tick].T, [])
-        return [group.memory[begin - ROWS : end - ROWS, 0].copy() for begin, end in self.state]
-
 
 def portable(
     machine: Machine,
@@ -115,7 +109,6 @@ def portable(
     signals: Sequence[str] = SIGNALS,
     seed: int = 0,
     moving: bool = False,
-    learned: Learned | None = None,
 ) -> PortableLoop:
     """Return a machine under its controller along a reference as a WebAssembly module.
 
@@ -130,8 +123,6 @@ def portable(
         Of all noise.
     moving : bool
         Whether the axes start with the velocity of the reference.
-    learned : Learned, optional
-        What earlier trials have learned.
 
     Raises
     ------
@@ -146,7 +137,7 @@ def portable(
     true positions of the axes; here it decides ticks in doubt itself.
     """
     check_kinds(machine, controller, reference)
-    feed, view = Feed(machine, controller, reference, learned, sampler(True)), view_of(reference.path)
+    feed, view = Feed(machine, controller, reference, None, sampler(True)), view_of(reference.path)
 
     def judged(columns: Mapping[str, Any]) -> Loop:
         loop = judged_loop(machine, controller, feed, columns, view, seed, moving=moving)
@@ -157,12 +148,8 @@ def portable(
     for name in signals:
         refuse(name not in loop.signals, ParameterError, "signals", repr(name), "one of " + ", ".join(loop.signals))
     part = PART if blends(reference) else JUDGE
-    kept = {name: loop.signals[name] for name in signals} | {"contour_error": (f"{JUDGE}.contour_error",)}
-    kept |= {
-        "part_error": (f"{part}.contour_error",),
-        "foot": (f"{part}.foot",),
-        "doubt": tuple({f"{name}.doubt": 0 for name in (JUDGE, part)}),
-    }
+    kept = {name: loop.signals[name] for name in signals} | {"contour_error": (f"{JUDGE}.contour_error",), "foot": (f"{part}.foot",)}
+    kept |= {"part_error": (f"{part}.contour_error",), "doubt": tuple(dict.fromkeys((f"{JUDGE}.doubt", f"{part}.doubt")))}
     columns = list(dict.fromkeys(schedule.row(signal) for wanted in kept.values() for signal in wanted))
     group = CompiledGroup(schedule, 1, slice(0, 1), like_lanes=True)
     prepare, constants, values, fixed = _prepared(machine, controller, judged, len(group.memory))

@@ -476,14 +476,6 @@ class Exact:
 
 
 @dataclass(frozen=True, eq=False)
-class Words(Exact):
-    """Numbers (n,) for the words of memory from `at` on."""
-
-    at: int
-    values: Array
-
-
-@dataclass(frozen=True, eq=False)
 class LivePath(Exact):
     """A path in quintic pieces.
 
@@ -565,7 +557,7 @@ class LiveParameter:
 
 
 @dataclass(frozen=True, eq=False)
-class LiveRun:
+class LiveRun(Exact):
     """A run of the report as a WebAssembly module; places are words of 8 bytes. `contourlab.loop.PortableLoop` says how to run it.
 
     Parameters
@@ -575,8 +567,8 @@ class LiveRun:
     code : ndarray (n,) of uint8
     n_word : int
         Size of the memory.
-    words : tuple of Words
-        What memory holds before the first tick, besides the inputs; the rest is 0.
+    words : tuple of (int, ndarray (n,))
+        What memory holds before the first tick, besides the inputs: numbers, from a word on. The rest is 0.
     inputs : int
         First word of the inputs, `motion.n_sample` words each: position of every axis, velocity, acceleration, then arc length, feedrate,
         and for each number of `ahead` the position of that axis so many ticks later; beyond the end the last one.
@@ -585,9 +577,10 @@ class LiveRun:
         First word of the log, and its columns; each tick has a row.
     position : tuple of int
         Columns: position of each axis [m].
-    contour_error, part_error, foot, doubt : int
-        Columns: errors [m], and arc length of the foot point on `asked` [m]; 0 and meaningless where nothing is judged. `doubt` is 1 where
-        the judge is not sure.
+    part_error, foot : int
+        Columns: part error, and arc length of its foot point on `asked` [m]; meaningless where nothing is judged.
+    doubt : tuple of int
+        Columns: 1 where a judge is not sure.
     asked : LivePath
         The programmed path.
     judged : tuple of (int, int)
@@ -599,8 +592,6 @@ class LiveRun:
     state : tuple of (int, int)
         Begin and end of the words that change while ticks run, besides the log.
     parameters : tuple of LiveParameter
-    fixed : tuple of (str, str)
-        Parameters that cannot be changed: why.
     short : (int, int)
         Samples [start, stop) around the worst place, for a short run. It begins there, or earlier, with the words of `state` of this run.
     controller : str
@@ -610,14 +601,13 @@ class LiveRun:
     name: str
     code: Array
     n_word: int
-    words: tuple[Words, ...]
+    words: tuple[tuple[int, Array], ...]
     motion: LiveMotion
     inputs: int
     ahead: tuple[int, ...]
     log: int
     n_log: int
     position: tuple[int, ...]
-    contour_error: int
     part_error: int
     foot: int
     doubt: tuple[int, ...]
@@ -627,7 +617,6 @@ class LiveRun:
     failed_at: int
     state: tuple[tuple[int, int], ...]
     parameters: tuple[LiveParameter, ...]
-    fixed: tuple[tuple[str, str], ...]
     short: tuple[int, int]
     controller: str
 
@@ -640,10 +629,7 @@ class LiveLoop(Picture):
     ----------
     command : str
         Runs the report again; ``--set NAME=VALUE`` is appended.
-    refused : tuple of (str, str)
-        Runs that cannot be changed: why.
     """
 
     runs: tuple[LiveRun, ...]
     command: str
-    refused: tuple[tuple[str, str], ...]

@@ -57,7 +57,7 @@ class _Packer:
             known = {one.name: self.values(getattr(value, one.name), isinstance(value, Exact)) for one in fields(value)}
             return {"kind": type(value).__name__, **known}
         if isinstance(value, tuple | list):
-            return [self.values(item) for item in value]
+            return [self.values(item, exact) for item in value]
         return value.item() if isinstance(value, np.generic) else value
 
     def placed(self, array: np.ndarray[Any, Any], kind: str) -> dict[str, Any]:
@@ -72,12 +72,12 @@ class _Packer:
 
 def _seen(array: np.ndarray[Any, Any]) -> str:
     """Return how an array of a picture travels: as float32 if that is precise enough."""
-    return "u1" if array.dtype == np.uint8 else "i4" if array.dtype.kind in "bui" else "f4" if _fits_single(array) else "f8"
+    return "i4" if array.dtype.kind in "bui" else "f4" if _fits_single(array) else "f8"
 
 
 def _exactly(array: np.ndarray[Any, Any]) -> str:
-    """Return the smallest kind that holds every bit of float64 numbers."""
-    bits = array.view(np.int64)
+    """Return the smallest kind that holds every bit of numbers, as float64."""
+    bits = array.astype(np.float64).view(np.int64)
     with np.errstate(invalid="ignore", over="ignore"):
         kinds = (kind for kind in ("u1", "i4", "f4") if np.array_equal(array.astype(kind).astype(np.float64).view(np.int64), bits))
         return next(kinds, "f8")

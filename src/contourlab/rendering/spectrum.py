@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -40,7 +40,7 @@ def spectrum_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
 
     The error is the vector from the path to the tool: the squares of its axes' amplitudes are added, so that no direction counts more.
     """
-    found: dict[str, dict[str, _Spectrum]] = {}
+    found: dict[str, list[tuple[JudgedRun, _Spectrum]]] = {}
     for scheme in data.schemes:
         result = scheme.result
         error = signal(result, "tool_position") - scheme.reference.programmed.position(signal(result, "foot_arc_length"))
@@ -51,11 +51,11 @@ def spectrum_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
             columns |= {f"command {axis} [{unit or '1'}]": command[:, [i]] for i, axis in enumerate(data.axes)}
         for label, values in columns.items():
             if spectrum := _spectrum(scheme, values):
-                found.setdefault(label, {})[scheme.name] = spectrum
+                found.setdefault(label, []).append((scheme, spectrum))
     panels = [_panel(data, label, spectra, points) for label, spectra in found.items()]
     if not panels:
         return ()
-    longest = max(1.0 / spectrum.hertz[0] for spectra in found.values() for spectrum in spectra.values())
+    longest = max(1.0 / spectrum.hertz[0] for spectra in found.values() for _, spectrum in spectra)
     caption = "Amplitude of a sine at each frequency: mean over segments of the judged moves, Hann window, half overlapped, "
     caption += f"{figure(longest, 's')} long. "
     peaks = [f"{panel.y_label.split(' [')[0]} at {'; '.join(tick.label for tick in panel.ticks)}" for panel in panels if panel.ticks]
@@ -84,18 +84,16 @@ def _spectrum(scheme: JudgedRun, values: Array) -> _Spectrum | None:
     return _Spectrum(np.arange(1, amplitude.size + 1) / (size * period), amplitude, sum(counts))
 
 
-def _panel(data: ReportData, label: str, spectra: dict[str, _Spectrum], points: int) -> Panel:
+def _panel(data: ReportData, label: str, spectra: Sequence[tuple[JudgedRun, _Spectrum]], points: int) -> Panel:
     """Return the spectra of one quantity, the low frequencies unthinned; its largest peaks are marked."""
     curves, peaks = [], list[tuple[float, Tick]]()
-    for scheme in data.schemes:
-        if scheme.name not in spectra:
-            continue
-        hertz, amplitude, _ = spectra[scheme.name]
-        low = min(points // 2, len(hertz))
-        kept = np.append(np.arange(low), low + keep_extremes(amplitude[low:], points - low)) if low < len(hertz) else np.arange(low)
+    for scheme, spectrum in spectra:
+        hertz, amplitude, _ = spectrum
+        low = points // 2
+        kept = np.append(np.arange(len(hertz))[:low], low + keep_extremes(amplitude[low:], points - low)).astype(int)
         curves.append(Curve(hertz[kept], np.where(amplitude[kept] > 0.0, amplitude[kept], np.nan), *data.looks[scheme.name]))
-        peaks += _peaks(scheme, spectra[scheme.name], label.split("[")[-1].rstrip("]"))
-    top = max(float(np.nanmax(curve.y, initial=0.0)) for curve in curves) or 1.0
+        peaks += _peaks(scheme, spectrum, label.split("[")[-1].rstrip("]"))
+    top = max(float(np.nanmax(curve.y)) for curve in curves)
     ticks: list[Tick] = []
     for size, tick in sorted(peaks, key=lambda peak: -peak[0]):
         if size > DEPTH * top and len(ticks) < PEAKS and all(abs(tick.x - other.x) > NEAR * tick.x for other in ticks):
@@ -124,10 +122,10 @@ def _peaks(scheme: JudgedRun, spectrum: _Spectrum, unit: str) -> Iterator[tuple[
 
 def _known(scheme: JudgedRun) -> Iterator[tuple[float, str]]:
     """Yield known frequencies [Hz] with what they are."""
-    machine = scheme.machine
-    for axis in () if machine is None else machine.axis_names:
-        if machine is not None and (ringing := resonance_of(machine.loaded_plant(axis))):
-            yield ringing[0], f"resonance of {axis}"
+    if (machine := scheme.machine) is not None:
+        for axis in machine.axis_names:
+            if ringing := resonance_of(machine.loaded_plant(axis)):
+                yield ringing[0], f"resonance of {axis}"
     for axis, loop in scheme.bode.items():
         size = np.abs(loop.response)
         if loop.margins.stable and np.max(size) > RINGS:

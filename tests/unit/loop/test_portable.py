@@ -109,17 +109,6 @@ def smooth() -> tuple[cl.Machine, cl.Controller]:
 
 
 @needs_node
-def test_a_native_run_gives_the_state_in_the_middle() -> None:
-    machine, controller = smooth()
-    loop, k = portable(machine, controller, circle(machine)), 70
-    writes = [("write", begin, state) for (begin, _), state in zip(loop.state, loop.state_at(k), strict=True)]
-    _, part = in_node(loop, *writes, ("run", k, loop.feed.reference.n_sample - k), log_of(loop))
-    log = native(loop)[1]
-    scale = np.abs(log).max(axis=0)
-    assert np.all(np.abs(part.reshape(log.shape) - log)[k:] <= 1e-9 * np.where(scale > 0.0, scale, 1.0))
-
-
-@needs_node
 def test_a_changed_parameter_gives_the_figures_of_a_variant() -> None:
     machine, controller = smooth()
     reference, name, value = circle(machine), "controller.axes.x.observer.bandwidth", 260.0

@@ -22,7 +22,6 @@ from contourlab.analysis.linear.margins import Margins, doubling
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.app.json_values import HIDDEN, json_values
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
-from contourlab.app.shared_options import Changed
 from contourlab.arrays import Array, Complex
 from contourlab.errors import ComponentError
 from contourlab.features.analyse.options import Analyse
@@ -163,7 +162,7 @@ class Analysis(Answer):
 
     def _next(self, asked: Asked) -> Sequence[object]:
         """Run the schemes."""
-        return ["compare", *asked.inputs, *asked.settings.words_of(Changed), "--schemes", ",".join(asked.settings.schemes) or None]
+        return ["compare", *asked.given, "--schemes", ",".join(asked.settings.schemes) or None]
 
     @property
     def text(self) -> str:

@@ -15,7 +15,6 @@ from contourlab.analysis.backlash.periodic_orbit import PeriodicOrbit, find_orbi
 from contourlab.app.json_values import HIDDEN
 from contourlab.app.quick import PLANNED, affordable, beginning
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
-from contourlab.app.shared_options import Changed
 from contourlab.arrays import Array
 from contourlab.components.contract import Component
 from contourlab.components.gap_observer.multiple_model import MultipleModel
@@ -71,7 +70,7 @@ class BacklashOutcome(Answer):
 
     def _next(self, asked: Asked) -> Sequence[object]:
         """Compare the schemes."""
-        return ["compare", *asked.inputs, *asked.settings.words_of(Changed)]
+        return ["compare", *asked.given]
 
     @property
     def text(self) -> str:

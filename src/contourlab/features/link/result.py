@@ -12,7 +12,6 @@ from typing import Any, ClassVar
 import numpy as np
 
 from contourlab.app.session import Answer, Asked, interrupt
-from contourlab.app.shared_options import Changed
 from contourlab.features.link.cost import DivisionCost
 from contourlab.features.link.sweep import GROWN, QUANTITIES, LinkSweep
 from contourlab.figures import figure, grouped
@@ -164,7 +163,7 @@ class LinkResult(Answer):
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
         """Find what the error depends on."""
-        return None if self.interrupted else ["sensitivity", *asked.inputs, *asked.settings.words_of(Changed)]
+        return None if self.interrupted else ["sensitivity", *asked.given]
 
 
 # --- text --------------------------------------------------------------------------------------------------------------------------------

@@ -12,7 +12,6 @@ from contourlab.analysis.identification.resonance import identify_resonance
 from contourlab.app.json_values import json_values
 from contourlab.app.results import proposed
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
-from contourlab.app.shared_options import Changed
 from contourlab.components.plant.plant import resonance_of
 from contourlab.errors import LogError, ParameterError
 from contourlab.features.measure.log_choice import open_log
@@ -122,7 +121,7 @@ class Notched(Answer):
     def _next(self, asked: Asked) -> Sequence[object]:
         """Write the controller, or analyse the scenario."""
         wanted = asked.files.write is None and self.designs
-        return asked.again("--write", "notched.toml") if wanted else ["analyse", *asked.inputs, *asked.settings.words_of(Changed)]
+        return asked.again("--write", "notched.toml") if wanted else ["analyse", *asked.given]
 
     @property
     def text(self) -> str:

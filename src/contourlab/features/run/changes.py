@@ -9,7 +9,7 @@ from typing import Any
 
 from contourlab.errors import ParameterError, UnitError, refuse
 from contourlab.loop import Axis, parameters_of, with_values
-from contourlab.loop.parameters import declared, fits, matching
+from contourlab.loop.parameters import declared, matching, meant
 from contourlab.scenario import Case, Scenario
 from contourlab.scenario.quantities import in_range, read_number
 from contourlab.scenario.tables import keys_of
@@ -20,35 +20,30 @@ KEYS = ("feed", "machine", "run")
 AXIS_KEYS = ("limits", "error", *keys_of(Axis))
 
 
-def _pairs(texts: Sequence[str]) -> dict[str, str]:
-    """Return the values by their names, as written."""
-    pairs: dict[str, str] = {}
+def _pairs(texts: Sequence[str]) -> tuple[dict[str, str], dict[str, str]]:
+    """Return keys of the scenario's file, and parameters of components, with their values as written."""
+    keys, parameters = dict[str, str](), dict[str, str]()
     for text in texts:
         name, _, value = (part.strip() for part in text.partition("="))
         refuse(not (name and value), ParameterError, "set", repr(text), 'NAME=VALUE, such as "axes.x.plant.mass=90 kg"')
+        head, *words = name.split(".")
+        pairs = keys if head in KEYS or (head == "axes" and len(words) > 1 and words[1] in AXIS_KEYS) else parameters
         pairs.pop(name, None)  # the last one counts, also where a pattern means the same parameter
         pairs[name] = value
-    return pairs
-
-
-def _is_key(name: str) -> bool:
-    """Return whether a name is that of a key of the scenario's file, not that of a parameter of a component."""
-    head, *words = name.split(".")
-    return head in KEYS or (head == "axes" and len(words) > 1 and words[1] in AXIS_KEYS)
+    return keys, parameters
 
 
 def changed_keys(texts: Sequence[str]) -> dict[str, Any]:
     """Return the keys of the scenario's file among the values, as tables: they may change the plan."""
     tables = Table()
-    for name, text in _pairs(texts).items():
-        if _is_key(name):
-            try:
-                value = tomllib.loads(f"value = {text}")["value"]
-            except (ValueError, RecursionError):  # a quantity or a word, which needs no quotes here
-                value = text
-            for word in reversed(name.split(".")):
-                value = {word: value}
-            tables = merge(tables, from_mapping(value, "<arguments>"))
+    for name, text in _pairs(texts)[0].items():
+        try:
+            value = tomllib.loads(f"value = {text}")["value"]
+        except (ValueError, RecursionError):  # a quantity or a word, which needs no quotes here
+            value = text
+        for word in reversed(name.split(".")):
+            value = {word: value}
+        tables = merge(tables, from_mapping(value, "<arguments>"))
     return tables.plain()
 
 
@@ -60,7 +55,7 @@ def changed(scenario: Scenario, texts: Sequence[str]) -> Scenario:
     ParameterError, UnitError
         If no case that runs has the parameter, or a value cannot be read or is out of range.
     """
-    wanted = {name: text for name, text in _pairs(texts).items() if not _is_key(name)}
+    _, wanted = _pairs(texts)
     if not wanted:
         return scenario
     check_changed(scenario.cases(), texts)
@@ -71,15 +66,14 @@ def changed(scenario: Scenario, texts: Sequence[str]) -> Scenario:
 def check_changed(cases: Iterable[Case], texts: Sequence[str]) -> None:
     """Raise ParameterError for a parameter that none of the cases has."""
     known = {name: part for case in cases for name, part in parameters_of(case.machine, case.controller).items()}
-    for name in _pairs(texts):
-        if not _is_key(name):
-            matching(name, known, "set")
+    for name in _pairs(texts)[1]:
+        matching(name, known, "set")
 
 
 def _with(case: Case, wanted: dict[str, str]) -> Case:
     known, values = parameters_of(case.machine, case.controller), dict[str, float]()
     for pattern, text in wanted.items():
-        for name in [pattern] if pattern in known else [name for name in known if fits(name, pattern)]:
+        for name in meant(pattern, known):
             about = declared(case.machine, name, *known[name])
             try:
                 values[name] = in_range(read_number(text, about.unit, about.display), about, repr(text))
@@ -93,9 +87,9 @@ def _with(case: Case, wanted: dict[str, str]) -> Case:
 
 def of_machine(texts: Sequence[str], case: Case) -> tuple[str, ...]:
     """Return the values that still apply with another controller."""
-    known, kept = parameters_of(case.machine, case.controller), list[str]()
-    for name, text in _pairs(texts).items():
-        names = [] if _is_key(name) else [other for other in known if fits(other, name)]
+    known, kept, (keys, parameters) = parameters_of(case.machine, case.controller), list[str](), _pairs(texts)
+    for name, text in parameters.items():
+        names = meant(name, known)
         of_axes = [other for other in names if other.startswith("axes.")]
         kept += [f"{other}={text}" for other in ([name] if of_axes == names else of_axes)]
-    return tuple(kept)
+    return (*kept, *(f"{name}={text}" for name, text in keys.items()))

@@ -450,12 +450,10 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
     if any(outcome.verdict is not None and outcome.verdict.passed for outcome in judged):
         return steps
     if proposed and (part or "--controller" in options):
-        values = [word for word in chosen_options(options, "--set") if word != "--set"]
-        kept = [word for text in of_machine(values, judged[0].case) for word in ("--set", text)]
+        given, values = without_options(options, "--controller", "--out", "--set"), chosen_options(options, "--set")[1::2]
+        given += [word for text in of_machine(values, judged[0].case) for word in ("--set", text)]
         changed = ["--controller", str(out / proposed[0]), "--out", f"{out}-changed"]
-        steps.append(
-            step("Run it with the changed controller:", "run", *without_options(options, "--controller", "--out", "--set"), *kept, *changed)
-        )
+        steps.append(step("Run it with the changed controller:", "run", *given, *changed))
     scheme = [] if outcomes[-1].name == "base" else ["--scheme", min(judged, key=lambda one: one.metrics.part_error.max).name]
     if not gains and part:
         return steps

@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 import re
 import shlex
-import zlib
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from contourlab.app.command_line import as_typed, without_options
+from contourlab.arrays import Array
 from contourlab.errors import ContourlabError, EngineError, refuse
 from contourlab.features.run.outcome import Outcome
 from contourlab.feed import Reference
@@ -22,7 +23,8 @@ from contourlab.loop.feeding import AHEAD, SOURCE_LINE
 from contourlab.loop.judging import PLACE
 from contourlab.loop.portable import PortableLoop, portable
 from contourlab.loop.simulate import ToolPosition
-from contourlab.rendering.charts import LiveLoop, LiveMotion, LiveParameter, LivePath, LiveRun, Words
+from contourlab.rendering.charts import LiveLoop, LiveMotion, LiveParameter, LivePath, LiveRun
+from contourlab.rendering.message import message
 from contourlab.scenario.dump import controller_table
 from contourlab.scenario.toml_text import Noted, toml
 from contourlab.scenario.tree import STATED
@@ -31,7 +33,11 @@ from contourlab.units import from_si
 MOST_TICKS, MOST_CURVES, MOST_RUNS, MOST_BYTES = 400_000, 2000, 4, 300_000
 """Samples and curves of a motion (a run of 65,000 samples takes a browser some 40 ms), runs, and compressed bytes of all runs together."""
 BEFORE, SHORT = 0.5, 1.0
-"""Time from the begin of a short run to the worst place, and its duration [s]."""
+"""Time from the start of a short run to the worst place, and its duration [s]."""
+ABOUT = (
+    "The loop runs in this page: the second around the worst place, then the whole part. "
+    "Figures agree with contourlab run to a fraction of an encoder count; where an axis leaves stiction, to some um."
+)
 FINE = 0.01
 """Share of a view's tolerance for arcs, as in the judge."""
 _GAINS = r"\.controller\.(?!model_)\w*(gain|integral_\w+)$|coupling\.\w*(gain|weight)$"
@@ -40,29 +46,18 @@ _FIRST = re.compile(_GAINS + r"|observer\.bandwidth$|friction\.(coulomb|breakawa
 
 def live_loop(outcomes: Sequence[Outcome], command: str) -> LiveLoop:
     """Return the runs of a report as modules; for each that has none the reason. `command` is that of the report, as typed."""
-    runs, refused, sizes = list[LiveRun](), list[tuple[str, str]](), dict[bytes, int]()
+    words = shlex.split(command)
+    live = LiveLoop("live", "Try other values", "", (), as_typed(without_options(words, "--out")) if words[1:2] == ["run"] else "")
+    refused = []
     for outcome in outcomes:
         try:
-            refuse(len(runs) >= MOST_RUNS, EngineError, f"a page runs {MOST_RUNS} at most")
-            run = _run(outcome)
-            arrays = (run.code, run.motion.spans, run.motion.path.coefficients, *(part.values for part in run.words))
-            more = sizes | {array.tobytes(): len(zlib.compress(array.tobytes(), 1)) for array in arrays}
-            refuse(sum(more.values()) > MOST_BYTES, EngineError, "its data would make the page too large")
+            refuse(len(live.runs) >= MOST_RUNS, EngineError, f"a page runs {MOST_RUNS} at most")
+            longer = replace(live, runs=(*live.runs, _run(outcome)))
+            refuse(len(message([longer])) > MOST_BYTES, EngineError, "its data would make the page too large")
+            live = longer
         except ContourlabError as error:
-            refused.append((outcome.name, str(error)))
-        else:
-            runs.append(run)
-            sizes = more
-    words = shlex.split(command)
-    again = as_typed(without_options(words, "--out")) if words[1:2] == ["run"] else ""
-    return LiveLoop("live", "Try other values", _caption(runs, refused), tuple(runs), again, tuple(refused))
-
-
-def _caption(runs: Sequence[LiveRun], refused: Sequence[tuple[str, str]]) -> str:
-    """Return what a page can run, how near it comes, and what it cannot run."""
-    about = "The loop runs in this page: the second around the worst place, then the whole part. "
-    about += "Figures agree with contourlab run to a fraction of an encoder count; where an axis leaves stiction, to some um. "
-    return (about if runs else "") + " ".join(f"{name} cannot be changed here: {why}." for name, why in refused)
+            refused.append(f"{outcome.name} cannot be changed here: {error}.")
+    return replace(live, caption=" ".join([ABOUT] * bool(live.runs) + refused))
 
 
 def _run(outcome: Outcome) -> LiveRun:
@@ -77,21 +72,20 @@ def _run(outcome: Outcome) -> LiveRun:
     judged, size = outcome.metrics.judged, np.abs(outcome.result["part_error"])
     worst, per_second = int(judged.samples[size[judged.samples].argmax()]), 1.0 / reference.servo_period
     start = max(worst - round(BEFORE * per_second), 0)
-    contour, part, foot = (loop.signals[name][0] for name in ("contour_error", "part_error", "foot"))
     return LiveRun(
         outcome.name, np.frombuffer(loop.code, dtype=np.uint8), loop.n_word, tuple(_words(loop)), _motion(reference),
-        loop.inputs["reference"][0], loop.feed.ahead if AHEAD in loop.inputs else (),
-        loop.log, len(loop.rows), loop.signals["axis_position"], contour, part, foot, loop.signals["doubt"],
+        loop.inputs["reference"][0], loop.feed.ahead if AHEAD in loop.inputs else (), loop.log, len(loop.rows),
+        loop.signals["axis_position"], loop.signals["part_error"][0], loop.signals["foot"][0], loop.signals["doubt"],
         _path(reference.programmed), judged.ranges, tuple(loop.figures.items()), loop.failed_at, loop.state,
-        tuple(_parameter(loop, name) for name in loop.parameters), tuple(loop.fixed.items()),
+        tuple(_parameter(loop, name) for name in loop.parameters),
         (start, min(start + round(SHORT * per_second), reference.n_sample)), _controller_file(case.machine, case.controller, loop),
     )  # fmt: skip
 
 
-def _words(loop: PortableLoop) -> list[Words]:
+def _words(loop: PortableLoop) -> list[tuple[int, Array]]:
     """Return what memory holds before the first tick: the rows, then each table by itself, as runs share tables."""
     begin, rows = loop.first, min(at for at, _ in loop.tables.values()) - loop.first
-    words = [Words(begin, loop.start[:rows])]
+    words = [(begin, loop.start[:rows])]
     for name, (at, size) in loop.tables.items():
         values = loop.start[at - begin : at - begin + size]
         if name.endswith("cell_clearance"):  # one that is too small only makes more ticks doubtful
@@ -99,9 +93,9 @@ def _words(loop: PortableLoop) -> list[Words]:
             values = np.ldexp(np.floor(64.0 * mantissa) / 64.0, power)
         if name == f"{PLACE}.place":  # where a search begins
             values = values.astype(np.float32).astype(np.float64)
-        words.append(Words(at, values))
+        words.append((at, values))
     first, n = loop.inputs["reference"][0], loop.feed.reference.n_sample
-    return words + [Words(at, loop.fed()[(at - first) // n]) for at in loop.inputs.get(SOURCE_LINE, ())]
+    return words + [(at, loop.fed()[(at - first) // n]) for at in loop.inputs.get(SOURCE_LINE, ())]
 
 
 def _motion(reference: Reference) -> LiveMotion:

@@ -100,11 +100,10 @@ def _followed(reference: Reference) -> Result:
     fits = reference.n_sample <= MOST_SAMPLES
     refuse(not fits, ParameterError, "what", f"a reference of {reference.n_sample} samples", f"of at most {MOST_SAMPLES}; see its plot()")
     block = reference.block(0, reference.n_sample)
-    moves = {"reference": block.position, "tool_position": block.position, "axis_position": block.position}
-    moves |= {"reference_velocity": block.velocity, "reference_acceleration": block.acceleration}
-    units = {"reference_velocity": "m/s", "reference_acceleration": "m/s^2"}
-    signals = {name: Signal(data, ("sample", "axis"), units.get(name, "m")) for name, data in moves.items()}
-    signals |= {"arc_length": Signal(block.arc_length, ("sample",), "m"), "feedrate": Signal(block.feedrate, ("sample",), "m/s")}
+    axes = ("sample", "axis")
+    signals = {name: Signal(block.position, axes, "m") for name in ("reference", "tool_position", "axis_position")}
+    signals |= {"reference_velocity": Signal(block.velocity, axes, "m/s"), "feedrate": Signal(block.feedrate, axes[:1], "m/s")}
+    signals |= {"reference_acceleration": Signal(block.acceleration, axes, "m/s^2"), "arc_length": Signal(block.arc_length, axes[:1], "m")}
     return Result("planned motion", tuple(COORDINATES[: reference.n_axis]), reference.servo_period, signals, motion=reference)
 
 
