@@ -40,8 +40,9 @@ function lineAt(run: SceneRun | undefined, time: number): number {
   return run.lines.values[times[i + 1] - time < time - times[i] ? i + 1 : i];
 }
 
-/** Return a value as files and options take it: in SI, with its unit. */
-const written = ({ unit }: LiveParameter, value: number): string => (Number.isFinite(value) ? `${value} ${unit}`.trim() : "inf");
+/** Return a value as files and options take it. */
+const written = ({ display, factor }: LiveParameter, value: number): string =>
+  (Number.isFinite(value) ? `${Number((value * factor).toPrecision(15))} ${display}`.trim() : "inf");
 
 /** Return what is wrong with a value, or nothing. */
 function wrong(one: LiveParameter, value: number): string {
