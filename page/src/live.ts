@@ -18,7 +18,7 @@ const NOW = "changed settings", BEFORE = "settings before", GREY = "#8a949e", CO
 const FIGURES: [string, string, number][] = [
   ["part_error_max", "largest part error [um]", 1e6], ["part_error_rms", "part error, rms [um]", 1e6],
   ["tracking_error_max", "largest tracking error [um]", 1e6], ["command_largest", "largest command [% of the limit]", 100],
-  ["unsure", "ticks in doubt", 1],
+  ["unsure", "samples, nearest point uncertain", 1],
 ];
 
 const numbers = (values: Numbers["values"]): Numbers => ({ values, shape: [values.length] });
@@ -40,8 +40,9 @@ function lineAt(run: SceneRun | undefined, time: number): number {
   return run.lines.values[times[i + 1] - time < time - times[i] ? i + 1 : i];
 }
 
-/** Return a value as files and options take it: in SI, with its unit. */
-const written = ({ unit }: LiveParameter, value: number): string => (Number.isFinite(value) ? `${value} ${unit}`.trim() : "inf");
+/** Return a value as files and options take it. */
+const written = ({ display, factor }: LiveParameter, value: number): string =>
+  (Number.isFinite(value) ? `${Number((value * factor).toPrecision(15))} ${display}`.trim() : "inf");
 
 /** Return what is wrong with a value, or nothing. */
 function wrong(one: LiveParameter, value: number): string {
@@ -117,9 +118,10 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
     const { name, parameters, short, motion: { period } } = live.runs[r], families = [...new Set(parameters.map(familyOf))];
     list.replaceChildren();
     more.replaceChildren(new Option("more parameters", ""));
-    families.sort((a, b) => Number(b.startsWith("controller")) - Number(a.startsWith("controller"))).forEach(family => {
-      if (parameters.some(one => one.first && one.value && familyOf(one) === family)) show(family); else more.add(new Option(inWords(family), family));
-    });
+    families.sort((a, b) => Number(b.startsWith("controller")) - Number(a.startsWith("controller"))).forEach(family => more.add(new Option(inWords(family), family)));
+    const drags = families.filter(family => parameters.some(one => one.value && familyOf(one) === family));
+    const usual = drags.filter(family => parameters.some(one => one.first && one.value && familyOf(one) === family));
+    (usual.length ? usual : drags.slice(0, 5)).forEach(show);  // a stepper has no gains
     if (errors) {
       const [panel] = errors.panels, base = panel.curves.find(one => one.name === name), none = numbers(new Float64Array(0));
       curves = [{ ...base, dash: "dash" }, { name: BEFORE, colour: GREY, dash: "dot" }, { name: NOW, colour, dash: "solid", width: 2 }].map(looks =>
@@ -154,7 +156,7 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
     slider.addEventListener("change", () => { next += 1; });
     field.addEventListener("change", () => {
       const given = field.valueAsNumber;
-      if (Number.isFinite(given)) change(row, (base, { factor }) => (isAlike(row) ? given / factor : base * given));
+      if (Number.isFinite(given)) change(row, (base, { factor }) => (isAlike(row) ? given / factor : base * given)); else refresh();
       next += 1;
     });
     rows.push(row);
@@ -335,7 +337,7 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
     const [start, stop, begun] = [from, to, answer.begun].map(k => figure(k * period, "s", 5));
     const where = short ? `Short run, from ${start} to ${stop}, begun with the state of the report at ${begun}` : "Whole part";
     const [was, is] = [first, answer].map(one => figure(one.figures.part_error_max * 1e6, "um"));
-    say(`${where}: largest part error ${is}, in the report ${was}.`, short ? "short" : "whole");
+    say(`${where}: largest part error ${is}, with the report's values ${was}.`, short ? "short" : "whole");
   }
 
   // --- what leaves the page ----------------------------------------------------------------------------------------------------------
@@ -352,7 +354,11 @@ export function drawLive(host: HTMLElement, live: LiveLoop, page: Page): Drawing
 
   function save(): void {
     const known = new Map(live.runs[r].parameters.map(one => [one.name, written(one, values.get(one.name) ?? baseOf(one))]));
-    const text = live.runs[r].controller.replace(/"@([^"]+)@"/g, (_, name) => JSON.stringify(known.get(name)).replace(/^"([^ ]*)"$/, "$1"));
+    // What a file says of a value, such as its source, does not hold for another one.
+    const text = live.runs[r].controller.replace(/(\{value = )?"@([^"]+)@"(.*\})?/g, (_, open = "", name, rest = "") => {
+      const value = JSON.stringify(known.get(name)).replace(/^"([^ ]*)"$/, "$1");
+      return values.has(name) ? value : open + value + rest;
+    });
     const link = document.createElement("a"), href = URL.createObjectURL(new Blob([text], { type: "application/toml" }));
     Object.assign(link, { href, download: "controller.toml" }).click();
     setTimeout(() => URL.revokeObjectURL(href), 1000);

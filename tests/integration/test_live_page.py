@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -64,6 +65,14 @@ def drag(page: Any, name: str, value: float) -> None:
     """Drag a slider to a power of ten of the report's value, and wait for the pictures."""
     page.get_by_role("slider", name=name, exact=True).evaluate(DRAG, value)
     rests(page)
+
+
+def save(page: Any, folder: Path) -> Path:
+    """Save the controller file."""
+    with page.expect_download() as saved:
+        page.get_by_role("button", name="Save as controller file").click()
+    saved.value.save_as(folder / saved.value.suggested_filename)
+    return folder / saved.value.suggested_filename
 
 
 def rests(page: Any, shows: str = "whole") -> str:
@@ -141,14 +150,16 @@ def test_what_was_found_leaves_the_page(page, part, tmp_path):
     page.get_by_role("button", name="Copy the command line").click()
     page.get_by_role("button", name="Copied").wait_for()
     assert page.evaluate("navigator.clipboard.readText()") == command
-    with page.expect_download() as saved:
-        page.get_by_role("button", name="Save as controller file").click()
-    file = tmp_path / saved.value.suggested_filename
-    saved.value.save_as(file)
+    file = save(page, tmp_path)
     out = tmp_path / "out"
     assert main(["run", str(part), *OPTIONS, "--controller", str(file), "--out", str(out)]) in (0, 1)
     verdict = json.loads((out / "summary.json").read_text())["schemes"]["base"]["verdict"]
     assert largest(page, "now") == pytest.approx(verdict["worst"]["value"] * 1e6, abs=BOUND)
+    page.get_by_label(f"Axes of {GAIN}").select_option("x")
+    drag(page, GAIN, 0.1)
+    axes = tomllib.loads(save(page, tmp_path).read_text())["controller"]["axes"]
+    gains = [axes[axis]["controller"]["position_gain"] for axis in "xy"]
+    assert isinstance(gains[0], str) and gains[1]["source"] == "design"  # where a value came from does not hold for another one
 
 
 def test_a_short_run_knows_where_an_axis_stands(browsing, tmp_path):
@@ -162,7 +173,7 @@ def test_a_short_run_knows_where_an_axis_stands(browsing, tmp_path):
     page.evaluate(WATCH)
     drag(page, GAIN, 0.05)
     begun, short, base = map(
-        float, re.search(r"at (\S+) s: largest part error (\S+) um, in the report (\S+) um", page.evaluate("told")[0]).groups()
+        float, re.search(r"at (\S+) s: largest part error (\S+) um, with the report's values (\S+) um", page.evaluate("told")[0]).groups()
     )
     assert begun > 1.0 and largest(page, "now") + 2.0 < base == largest(page, "report")
     assert short == pytest.approx(largest(page, "now"), abs=BOUND)
@@ -197,6 +208,18 @@ def test_more_parameters_and_another_axis(page):
     rests(page)
     assert f'--set "axes.y.plant.mass={2.0 * mass:g} kg"' in page.locator("#live code").inner_text()
     assert "lacks the values of the machine" in page.locator("#live").inner_text()
+    assert largest(page, "now") != largest(page, "report")
+
+
+def test_a_stepper_has_sliders(browsing, part, tmp_path):
+    """It has no gains and no friction; its planner has no jerk limit, and then makes more spans along an arc than there are samples."""
+    settings = [f"$10{i}={steps}\n$11{i}=5000\n$12{i}=250\n$13{i}=400\n" for i, steps in enumerate((250, 250, 400))]
+    (tmp_path / "grbl.txt").write_text("$0=10\n" + "".join(settings))
+    assert main(["run", str(part), "--machine", str(tmp_path / "grbl.txt"), "--no-interval", "--out", str(tmp_path / "out")]) == 0
+    page = browsing.open(tmp_path / "out" / "report.html")
+    drawn(page, "live").hover()
+    page.locator("#live tbody").wait_for()
+    drag(page, "plant natural frequency", -0.5)
     assert largest(page, "now") != largest(page, "report")
 
 

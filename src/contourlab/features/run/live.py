@@ -101,7 +101,9 @@ def _words(loop: PortableLoop) -> list[tuple[int, Array]]:
 def _motion(reference: Reference) -> LiveMotion:
     profile = reference.profile
     assert profile is not None
-    spans = np.array([profile.t0, profile.s0, profile.v0, profile.a0, profile.j])
+    at = np.arange(reference.n_sample) * reference.servo_period
+    used = np.unique(np.searchsorted(profile.t0, at, side="right") - 1)  # without a jerk limit, many fall between samples
+    spans = np.array([profile.t0, profile.s0, profile.v0, profile.a0, profile.j])[:, used]
     return LiveMotion(reference.servo_period, reference.n_sample, spans, profile.duration, profile.length, _path(reference.path))
 
 
