@@ -75,9 +75,9 @@ def test_the_compiler_is_loaded_only_for_planning() -> None:
 
 def test_the_key_of_a_kernel_covers_the_modules_of_all_that_it_calls() -> None:
     from contourlab.feed import bounds
-    from contourlab.native.compile import _modules
+    from contourlab.native.calls import modules
 
-    assert _modules(bounds._quickest.plain) == {"contourlab.feed.bounds"}
+    assert modules(bounds._quickest.plain) == {"contourlab.feed.bounds"}
 
 
 def test_the_constants_of_a_kernel_are_in_its_key() -> None:
@@ -86,7 +86,7 @@ def test_the_constants_of_a_kernel_are_in_its_key() -> None:
     import inspect
 
     from contourlab.feed import planner  # imports all kernels of the planner
-    from contourlab.native.compile import _called
+    from contourlab.native.calls import called as called_by
     from contourlab.native.kernel import KERNELS
 
     @cache
@@ -99,7 +99,7 @@ def test_the_constants_of_a_kernel_are_in_its_key() -> None:
         assert module is not None
         values = {name for name in function.__code__.co_names if isinstance(function.__globals__.get(name), int | float | tuple)}
         assert not values & imported(module), function
-        for called in _called(function).values():
+        for called in called_by(function).values():
             check(called)
 
     assert planner and len(KERNELS) > 10
