@@ -28,7 +28,6 @@ from typing import Any
 import numpy as np
 
 from contourlab.errors import EngineError
-from contourlab.native import store
 from contourlab.native.calls import modules
 
 KEPT = Path(__file__).with_name("kept")
@@ -104,7 +103,7 @@ class Kernel:
     @cached_property
     def compiled(self) -> Callable[..., None]:
         """The function in machine code."""
-        from contourlab.native import llvm
+        from contourlab.native import llvm, store
 
         key = _digest(self.key, store.toolchain())
         code = (store.read(key) or [b""])[0]

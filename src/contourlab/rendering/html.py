@@ -154,7 +154,7 @@ def template_file(name: str) -> str:
 def _viewer() -> tuple[str, str]:
     """Return the viewer's script, compressed and in base64, and its hash."""
     text = VIEWER.read_text(encoding="utf-8")
-    return base64.b64encode(gzip.compress(text.encode(), 9, mtime=0)).decode("ascii"), script_hash(text)
+    return base64.b64encode(gzip.compress(text.encode(), 6, mtime=0)).decode("ascii"), script_hash(text)
 
 
 def script_hash(script: str) -> str:

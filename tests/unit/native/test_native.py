@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import subprocess
 import sys
+import zlib
 from functools import cache
+from pathlib import Path
 from types import FunctionType, ModuleType
 
 import numpy as np
 import pytest
 
 from contourlab.errors import EngineError
-from contourlab.native.kernel import kernel
+from contourlab.native import kernel as native_kernel
+from contourlab.native import store
+from contourlab.native.kernel import Kernel, kernel
 
 
 def _half(value):  # type: ignore[no-untyped-def]
@@ -68,8 +72,21 @@ def test_a_kernel_that_allocates_memory_is_refused() -> None:
         greedy(np.empty(5), 1.0)
 
 
+@pytest.mark.parametrize("damaged", [False, True])
+def test_what_the_package_keeps_needs_no_numba(damaged: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(native_kernel, "KEPT", tmp_path)
+    monkeypatch.setattr(store, "folder", lambda: tmp_path / "none")
+    code = zlib.compress(stepped.lowered)
+    (tmp_path / stepped.key).write_bytes(code[: len(code) // 2] if damaged else code)
+    if not damaged:
+        monkeypatch.setitem(sys.modules, "contourlab.native.compile", None)
+    out = np.full(5, 7)
+    Kernel(stepped.plain, "i8[:] i8")(out, 2)
+    assert out.tolist() == [0, 7, 2, 7, 4]
+
+
 def test_the_compiler_is_loaded_only_for_planning() -> None:
-    script = "import sys, contourlab.feed, contourlab.native; sys.exit('numba' in sys.modules)"
+    script = "import sys, contourlab.feed, contourlab.native; sys.exit(bool({'numba', 'llvmlite'} & set(sys.modules)))"
     assert subprocess.run([sys.executable, "-c", script], check=False).returncode == 0
 
 
