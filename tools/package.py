@@ -25,7 +25,8 @@ IMPORT = "import time; start = time.perf_counter(); import contourlab; print(tim
 
 
 def build() -> Path:
-    """Build both archives into dist; return the wheel."""
+    """Build both archives into dist, with the kernels in the language of LLVM; return the wheel."""
+    subprocess.run([sys.executable, "-m", "contourlab.app.precompile"], check=True)
     for folder in (DIST, ROOT / "build"):
         shutil.rmtree(folder, ignore_errors=True)
     subprocess.run([sys.executable, "-m", "build", ROOT], check=True)

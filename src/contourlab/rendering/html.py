@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.figures import figure, number
+from contourlab.native import store
 from contourlab.rendering.charts import Picture
 from contourlab.rendering.comparison import compare
 from contourlab.rendering.data import ReportData
@@ -160,7 +161,7 @@ def template_file(name: str) -> str:
 @cache
 def packed_viewer() -> bytes:
     """Return the viewer's script, compressed."""
-    return gzip.compress(VIEWER.read_text(encoding="utf-8").encode(), 9, mtime=0)
+    return gzip.compress(VIEWER.read_text(encoding="utf-8").encode(), 6, mtime=0)
 
 
 def script_hash(script: str) -> str:
@@ -170,11 +171,21 @@ def script_hash(script: str) -> str:
 
 @cache
 def page_template(name: str) -> Any:
-    """Return a template, which escapes all text unless marked safe."""
-    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    """Return a template, which escapes all text unless marked safe; its compiled form is kept where machine code is."""
+    from jinja2 import BytecodeCache, Environment, FileSystemLoader, StrictUndefined, __version__
 
-    loader = FileSystemLoader(TEMPLATES)
-    options: dict[str, Any] = {"undefined": StrictUndefined, "trim_blocks": True, "lstrip_blocks": True}
-    environment = Environment(loader=loader, autoescape=True, **options)
+    options: dict[str, Any] = {"undefined": StrictUndefined, "trim_blocks": True, "lstrip_blocks": True, "autoescape": True}
+
+    class Kept(BytecodeCache):
+        def get_cache_key(self, *names: str | None) -> str:
+            return hashlib.sha256(repr((names, __version__, options)).encode()).hexdigest()[:32]
+
+        def load_bytecode(self, bucket: Any) -> None:
+            bucket.bytecode_from_string((store.read(bucket.key) or [b""])[0])
+
+        def dump_bytecode(self, bucket: Any) -> None:
+            store.write(bucket.key, [bucket.bytecode_to_string()])
+
+    environment = Environment(loader=FileSystemLoader(TEMPLATES), bytecode_cache=Kept(), **options)
     environment.filters |= {"number": number, "figure": figure}
     return environment.get_template(name)

@@ -17,7 +17,6 @@ import contourlab as cl
 from contourlab.components.contract import Component
 from contourlab.components.registry import component
 from contourlab.engine.runner import CompiledGroup
-from contourlab.engine.translate import llvm_ir
 from contourlab.engine.translate.maths import LANES
 from contourlab.engine.translate.step_graph import Rows, tick_graph
 from contourlab.engine.translate.tick_loop import SIGNATURE, source_of
@@ -29,6 +28,7 @@ from contourlab.loop.batch import judged_loop
 from contourlab.loop.feeding import Feed
 from contourlab.loop.judging import all_judged
 from contourlab.loop.portable import PortableLoop, portable
+from contourlab.native import llvm
 
 Array = NDArray[np.float64]
 
@@ -42,8 +42,8 @@ def native(loop: PortableLoop, *, fused: bool = True) -> tuple[Array, Array]:
     group = CompiledGroup(loop.schedule, 1, slice(0, 1), like_lanes=True)
     if not fused:
         made = tick_graph(loop.schedule, Rows(group.places.states, group.places.parameters), loop.rows, LANES, contract=False)
-        code = llvm_ir.object_code(source_of(made, 1, 1, fused=False))
-        group.loops[loop.rows] = llvm_ir.loaded(code, "run", SIGNATURE)
+        code = llvm.object_code(source_of(made, 1, 1, fused=False))
+        group.loops[loop.rows] = llvm.loaded(code, "run", SIGNATURE)
     log = group.run(loop.fed().T, list(loop.rows))
     return group.memory[:, 0], log[:, :, 0]
 
