@@ -55,6 +55,7 @@ def try_out(wheel: Path, place: Path) -> None:
 
     run(python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-c", ROOT / "constraints.txt", wheel)
     run(command, "--version")
+    run(python, "-c", "import sys; sys.modules['numba'] = None; from contourlab.app.precompile import precompile; precompile()")
     run(command, "demo", "--out", "demo")
     if not (place / "demo" / "report.html").is_file():
         raise SystemExit("the demonstration wrote no report")

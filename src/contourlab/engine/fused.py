@@ -20,7 +20,7 @@ from contourlab.engine.translate.step_graph import Rows
 from contourlab.engine.translate.tick_loop import VECTOR
 from contourlab.native import llvm, store
 
-_SOURCES = [file for room in ("engine", "engine.translate") for file in files_of(f"contourlab.{room}").iterdir()]
+_SOURCES = [file for room in ("engine", "engine.translate", "native") for file in files_of(f"contourlab.{room}").iterdir()]
 _loops: dict[str, Any] = {}
 """By key: a compiled loop, or the reads that lead to the key of one."""
 _building = threading.RLock()
@@ -29,7 +29,7 @@ _building = threading.RLock()
 
 @cache
 def _translator() -> str:
-    """Return a digest of engine, primitives and tools: a change of any of them discards all machine code."""
+    """Return a digest of engine, compiler, primitives and tools: a change of any of them discards all machine code."""
     files = sorted((file.name, file.read_text(encoding="utf-8")) for file in _SOURCES if file.name.endswith(".py"))
     return _digest(inspect.getsource(primitives), files, store.toolchain())
 
