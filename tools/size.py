@@ -18,7 +18,7 @@ BUDGETS = {
     "contours": 1553,
     "controls": 661,
     "engine": 3379,
-    "features": 18510,
+    "features": 18513,
     "feed": 2216,
     "findings": 55,
     "geometry": 2093,
@@ -28,11 +28,11 @@ BUDGETS = {
     "native": 317,
     "papers": 3363,
     "program": 2350,
-    "rendering": 2494,
+    "rendering": 2496,
     "result": 404,
     "scenario": 2031,
     "study": 1405,
-    "without papers": 54796,
+    "without papers": 54801,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

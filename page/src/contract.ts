@@ -180,7 +180,9 @@ export interface LiveRun {
   position: number[];
   part_error: number;
   foot: number;
-  doubt: number[];
+  doubt: number;
+  place: number;
+  planning: number;
   asked: LivePath;
   judged: [number, number][];
   figures: [string, number][];

@@ -18,7 +18,6 @@ const NOW = "changed settings", BEFORE = "settings before", GREY = "#8a949e", CO
 const FIGURES: [string, string, number][] = [
   ["part_error_max", "largest part error [um]", 1e6], ["part_error_rms", "part error, rms [um]", 1e6],
   ["tracking_error_max", "largest tracking error [um]", 1e6], ["command_largest", "largest command [% of the limit]", 100],
-  ["unsure", "samples, nearest point uncertain", 1],
 ];
 
 const numbers = (values: Numbers["values"]): Numbers => ({ values, shape: [values.length] });

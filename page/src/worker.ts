@@ -1,4 +1,5 @@
 /** Runs loops of a report in a worker: the newest question counts, older ones are dropped. */
+import { indexBefore } from "./base";
 import type { LivePath, LiveRun } from "./contract";
 
 /** Run loop `run` with values in some words; `short`: around the worst place only. */
@@ -20,6 +21,10 @@ export interface Answer {
 /** A short run begins this much earlier [s]: an axis that stands before the worst place comes there with the new values. */
 const LEAD = 2;
 const CHUNK = 1 << 13, BINS = 4000;
+/** Parts of a window in which the nearest point is searched, and a length that counts as none [m]. */
+const PARTS = 12, INSIDE = 1e-12;
+/** Least window of the judge [m]. */
+const MARGIN = 1e-4;
 
 /** Return a function that writes the position of each axis at an arc length, then its first and second derivatives. */
 function along({ start, coefficients, closed }: LivePath, axes: number): (s: number, out: Float64Array) => void {
@@ -35,6 +40,47 @@ function along({ start, coefficients, closed }: LivePath, axes: number): (s: num
       out[axes + j] = c[k + 1] + x * (2 * c[k + 2] + x * (3 * c[k + 3] + x * (4 * c[k + 4] + x * 5 * c[k + 5])));
       out[2 * axes + j] = 2 * c[k + 2] + x * (6 * c[k + 3] + x * (12 * c[k + 4] + x * 20 * c[k + 5]));
     }
+  };
+}
+
+/**
+ * Return a function that finds the point of a path nearest to a tool between two arc lengths: its arc length, and the distance, in the plane
+ * positive to the left.
+ */
+function nearestOn(path: LivePath, axes: number): (tool: number[], low: number, high: number) => [number, number] {
+  const on = along(path, axes), at = path.start.values, length = at[at.length - 1], out = new Float64Array(3 * axes);
+  return (tool, low, high) => {
+    let best = Infinity, found = low, side = 1, slope = 0, bend = 0;
+    const look = (s: number): void => {
+      on(s, out);
+      let square = slope = bend = 0;
+      for (let j = 0; j < axes; j += 1) {
+        const gap = out[j] - tool[j], v = out[axes + j];
+        square += gap * gap;
+        slope += gap * v;
+        bend += v * v + gap * out[2 * axes + j];
+      }
+      if (square < best) [best, found, side] = [square, s, axes === 2 && out[3] * (tool[0] - out[0]) > out[2] * (tool[1] - out[1]) ? -1 : 1];
+    };
+    // Between two of these places the path has no corner, and the distance at most one valley.
+    const places = Array.from({ length: PARTS + 1 }, (_, i) => low + ((high - low) * i) / PARTS);
+    for (let lap = path.closed ? length * Math.floor(low / length) : 0; lap < high; lap += length) {
+      for (let i = 1 + indexBefore(at, low - lap); i < at.length && lap + at[i] < high; i += 1) if (lap + at[i] > low) places.push(lap + at[i]);
+    }
+    places.sort((a, b) => a - b).slice(1).forEach((end, i) => {
+      let a = places[i], b = Math.max(a, end - INSIDE);
+      look(a);
+      const falls = slope < 0;
+      look(b);
+      for (let s = b, step = 1; falls && slope !== 0 && (s < b || slope > 0) && Math.abs(step) > INSIDE;) {
+        if (slope < 0) a = s; else b = s;
+        const next = s - slope / bend, to = next > a && next < b ? next : (a + b) / 2;
+        step = to - s;
+        s = to;
+        look(s);
+      }
+    });
+    return [found, side * Math.sqrt(best)];
   };
 }
 
@@ -122,24 +168,41 @@ class Live {
     if (memory[failed_at] >= 0) return { ...none, failed: memory[failed_at] };
     const [first, stop] = ask.short ? short : [0, motion.n_sample];
     if (!ask.short) loop.judge();
-    const figures = ask.short ? this.around(first, stop) : Object.fromEntries(this.given.figures.map(([name, word]) => [name, memory[word]]));
+    this.decide(first, stop);
+    const whole = ask.short ? [] : this.given.figures.map(([name, word]) => [name, memory[word]]);
+    const figures = { ...Object.fromEntries(whole), ...this.around(first, stop) };
     return { ...none, figures, points: this.points(first, stop), took: performance.now() - from };
   }
 
   private logged = (k: number, column: number): number => this.memory[this.given.log + k * this.given.n_log + column];
 
+  /** Judge some ticks in doubt as the report's judge does: by the nearest point in a window around the place of the reference. */
+  private decide(first: number, stop: number): void {
+    const { memory, early, given: { asked, doubt, part_error, foot, place, planning, position, inputs, log, n_log, motion: { n_sample: n }, judged } } = this;
+    const nearest = nearestOn(asked, position.length), length = asked.start.values.at(-1)!;
+    let error = 0;
+    for (let k = first ? early : 0; k < stop; k += 1) {
+      error = Math.max(error, position.reduce((sum, column, j) => sum + (memory[inputs + n * j + k] - this.logged(k, column)) ** 2, 0));
+    }
+    const reach = 3 * Math.sqrt(error) + MARGIN, window = (asked.closed ? Math.min(reach, length / 2) : reach) + planning;
+    for (const [from, to] of judged) for (let k = Math.max(from, first); k < Math.min(to, stop); k += 1) {
+      if (!this.logged(k, doubt)) continue;
+      const at = memory[place + k], [low, high] = asked.closed ? [at - window, at + window] : [Math.max(0, at - window), Math.min(length, at + window)];
+      [memory[log + k * n_log + foot], memory[log + k * n_log + part_error]] = nearest(position.map(column => this.logged(k, column)), low, high);
+    }
+  }
+
   /** Return figures of some ticks. */
   private around(first: number, stop: number): Record<string, number> {
-    const { part_error, doubt, judged } = this.given;
-    let count = 0, square = 0, largest = 0, unsure = 0;
+    const { part_error, judged } = this.given;
+    let count = 0, square = 0, largest = 0;
     for (const [from, to] of judged) for (let k = Math.max(from, first); k < Math.min(to, stop); k += 1) {
       const size = Math.abs(this.logged(k, part_error));
       count += 1;
       square += size * size;
       largest = Math.max(largest, size);
-      for (const column of doubt) unsure += this.logged(k, column);
     }
-    return { part_error_max: largest, part_error_rms: Math.sqrt(square / (count || 1)), unsure };
+    return { part_error_max: largest, part_error_rms: Math.sqrt(square / (count || 1)) };
   }
 
   /** Return the ticks to draw, with their stretches: of each bin the first tick, and the one with the largest error. */

@@ -120,6 +120,21 @@ def test_a_gain_is_dragged(page, part):
     assert largest(page, "now") == pytest.approx(1e6 * batch.figures["part_error_max"][0], abs=BOUND)
 
 
+def test_where_the_path_turns_back_the_judge_of_the_report_decides(browsing, tmp_path):
+    """At a turn the judge of the module doubts which branch is meant; the nearest one lies beyond the window of the exact judge."""
+    (tmp_path / "part.ngc").write_text(
+        "G21 G90 G94 G17 G61\nG0 X10 Y0\nG1 X30 F4000\nX10 Y0.004\nX30 Y0.008\nX10 Y0.1\nX30 Y2\nX10 Y0.2\nM2\n"
+    )
+    runs = cl.run(tmp_path / "part.ngc", machine="xyz", controller="xyz-controller", interval=False)
+    runs.save(tmp_path / "out")
+    page = browsing.open(tmp_path / "out" / "report.html")
+    drawn(page, "live").hover()
+    page.locator("#live tbody").wait_for()
+    exact = runs.outcomes[0].metrics.part_error
+    assert largest(page, "report") == pytest.approx(1e6 * exact.max, abs=BOUND)
+    assert float(figures(page, "report")["part error, rms [um]"]) == pytest.approx(1e6 * exact.rms, abs=4e-3)
+
+
 def test_a_movement_of_the_hand_is_one_step(page):
     slider = page.get_by_role("slider", name=GAIN)
     slider.scroll_into_view_if_needed()

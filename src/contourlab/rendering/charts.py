@@ -579,14 +579,20 @@ class LiveRun(Exact):
         Columns: position of each axis [m].
     part_error, foot : int
         Columns: part error, and arc length of its foot point on `asked` [m]; meaningless where nothing is judged.
-    doubt : tuple of int
-        Columns: 1 where a judge is not sure.
+    doubt : int
+        Column: 1 where the judge of the module is not sure. There the part error is the distance to the nearest point of `asked` in a
+        window around the place of the reference: three times the largest tracking error plus 0.1 mm, at most half of a closed path,
+        plus `planning`.
+    place : int
+        First word of the place of the reference on `asked` [m], one for each tick.
+    planning : float [m]
+        The largest distance of the reference from `asked`.
     asked : LivePath
         The programmed path.
     judged : tuple of (int, int)
         Samples [start, stop) that figures cover.
     figures : tuple of (str, int)
-        Word of each figure [SI], and of ``unsure``: the ticks in doubt.
+        Word of each figure [SI]; those of the part error know nothing of ticks in doubt.
     failed_at : int
         Word of the sample at which the run failed, or -1.
     state : tuple of (int, int)
@@ -610,7 +616,9 @@ class LiveRun(Exact):
     position: tuple[int, ...]
     part_error: int
     foot: int
-    doubt: tuple[int, ...]
+    doubt: int
+    place: int
+    planning: float
     asked: LivePath
     judged: tuple[tuple[int, int], ...]
     figures: tuple[tuple[str, int], ...]

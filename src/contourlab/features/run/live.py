@@ -75,8 +75,8 @@ def _run(outcome: Outcome) -> LiveRun:
     return LiveRun(
         outcome.name, np.frombuffer(loop.code, dtype=np.uint8), loop.n_word, tuple(_words(loop)), _motion(reference),
         loop.inputs["reference"][0], loop.feed.ahead if AHEAD in loop.inputs else (), loop.log, len(loop.rows),
-        loop.signals["axis_position"], loop.signals["part_error"][0], loop.signals["foot"][0], loop.signals["doubt"],
-        _path(reference.programmed), judged.ranges, tuple(loop.figures.items()), loop.failed_at, loop.state,
+        loop.signals["axis_position"], loop.signals["part_error"][0], loop.signals["foot"][0], loop.signals["doubt"][-1],
+        *_place(outcome, loop), _path(reference.programmed), judged.ranges, tuple(loop.figures.items()), loop.failed_at, loop.state,
         tuple(_parameter(loop, name) for name in loop.parameters),
         (start, min(start + round(SHORT * per_second), reference.n_sample)), _controller_file(case.machine, case.controller, loop),
     )  # fmt: skip
@@ -96,6 +96,12 @@ def _words(loop: PortableLoop) -> list[tuple[int, Array]]:
         words.append((at, values))
     first, n = loop.inputs["reference"][0], loop.feed.reference.n_sample
     return words + [(at, loop.fed()[(at - first) // n]) for at in loop.inputs.get(SOURCE_LINE, ())]
+
+
+def _place(outcome: Outcome, loop: PortableLoop) -> tuple[int, float]:
+    """Return the word of the place of the reference on the programmed path, and how far the reference is from it."""
+    place = loop.tables.get(f"{PLACE}.place", loop.inputs["arc_length"])[0]
+    return place, float(np.abs(outcome.result["planning_deviation"]).max())
 
 
 def _motion(reference: Reference) -> LiveMotion:
