@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import shlex
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -170,6 +171,10 @@ def test_what_was_found_leaves_the_page(page, part, tmp_path):
     assert main(["run", str(part), *OPTIONS, "--controller", str(file), "--out", str(out)]) in (0, 1)
     verdict = json.loads((out / "summary.json").read_text())["schemes"]["base"]["verdict"]
     assert largest(page, "now") == pytest.approx(verdict["worst"]["value"] * 1e6, abs=BOUND)
+    slower = shlex.split(page.locator("#plan code").inner_text())
+    assert main([*slower[1:], "--out", str(out)]) in (0, 1)
+    planned = json.loads((out / "summary.json").read_text())["schemes"]["base"]["n_sample"]
+    assert planned > 1.1 * cl.run(part, machine="xyz", controller="xyz-controller", interval=False).outcomes[0].result.n_sample
     page.get_by_label(f"Axes of {GAIN}").select_option("x")
     drag(page, GAIN, 0.1)
     axes = tomllib.loads(save(page, tmp_path).read_text())["controller"]["axes"]
