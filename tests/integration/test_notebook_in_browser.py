@@ -95,7 +95,8 @@ def end_kernels(page: Any, address: str) -> None:
 
 
 def run_all(page: Any) -> None:
-    """Run the cell, and wait for its viewer."""
+    """Run the cell once its kernel is ready, and wait for its viewer."""
+    page.locator('.jp-Notebook-ExecutionIndicator[data-status="idle"]').wait_for(timeout=60_000)
     page.locator(".jp-CodeCell").first.click()
     page.keyboard.press("Control+Enter")
     page.locator(".cl-show").wait_for(timeout=60_000)

@@ -37,7 +37,7 @@ def message(pictures: Iterable[Picture]) -> bytes:
     """
     packer = _Packer()
     header = {"contract": CONTRACT, "pictures": [packer.values(picture) for picture in pictures]}
-    text = json.dumps(header, allow_nan=False, separators=(",", ":"), ensure_ascii=False).encode()
+    text = json.dumps(header, allow_nan=False, separators=(",", ":"), ensure_ascii=False).encode("utf-8", "replace")
     text += b" " * (-(len(text) + 4) % 8)
     return gzip.compress(struct.pack("<I", len(text)) + text + bytes(packer.numbers), 6, mtime=0)
 

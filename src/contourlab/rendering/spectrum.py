@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -68,8 +70,6 @@ def _spectrum(scheme: JudgedRun, values: Array) -> _Spectrum | None:
 
     A segment is as long as the stretches that hold at least half of the judged samples, up to `LONGEST`.
     """
-    from scipy.signal import welch
-
     ranges, period = scheme.metrics.judged.ranges, scheme.result.servo_period
     lengths = np.sort([stop - start for start, stop in ranges])[::-1]
     size = min(int(lengths[np.searchsorted(np.cumsum(lengths), 0.5 * lengths.sum())]), round(LONGEST / period))
@@ -77,11 +77,22 @@ def _spectrum(scheme: JudgedRun, values: Array) -> _Spectrum | None:
     if size < FEWEST or not all(np.isfinite(stretch).all() for stretch in stretches):
         return None
     counts = [1 + (len(stretch) - size) // (size - size // 2) for stretch in stretches]
-    powers = [welch(stretch, 1.0 / period, nperseg=size, scaling="spectrum", axis=0)[1].sum(axis=1) for stretch in stretches]
-    amplitude = np.sqrt(2.0 * np.average(powers, axis=0, weights=counts))[1:]
+    amplitude = np.sqrt(np.average([_squares(stretch, size) for stretch in stretches], axis=0, weights=counts))[1:]
     if not np.max(amplitude) > ROUNDING * max(float(np.abs(stretch).max()) for stretch in stretches):
         return None
     return _Spectrum(np.arange(1, amplitude.size + 1) / (size * period), amplitude, sum(counts))
+
+
+def _squares(values: Array, size: int) -> Array:
+    """Return squared amplitudes (size // 2 + 1,) of a vector (n_sample, n): mean over segments, Hann window, half overlapped (Welch)."""
+    window = 0.5 - 0.5 * np.cos(2.0 * np.pi / size * np.arange(size)[:, None])
+    total = np.zeros(size // 2 + 1)
+    starts = range(0, len(values) - size + 1, size - size // 2)
+    for start in starts:
+        part = values[start : start + size]
+        total += (np.abs(np.fft.rfft(window * (part - part.mean(axis=0)), axis=0)) ** 2).sum(axis=1)
+    total[-1] /= 1.0 if size % 2 else 4.0  # at half the sampling rate, one frequency is both
+    return np.asarray(total * (2.0 / window.sum()) ** 2 / len(starts))
 
 
 def _panel(data: ReportData, label: str, spectra: Sequence[tuple[JudgedRun, _Spectrum]], points: int) -> Panel:
@@ -107,17 +118,29 @@ def _peaks(scheme: JudgedRun, spectrum: _Spectrum, unit: str) -> Iterator[tuple[
 
     A mean of K spectra of noise is spread like chi-square with 2 K degrees of freedom: a peak must stand out by more than that.
     """
-    from scipy.signal import find_peaks
-    from scipy.special import gammaincinv
-
     hertz, amplitude, segments = spectrum
-    low, high = gammaincinv(segments, [CHANCE, 1.0 - CHANCE])
-    places, _ = find_peaks(2.0 * np.log(np.maximum(amplitude, 1e-300)), prominence=np.log(high / low))
+    low, high = _quantile(segments, CHANCE), _quantile(segments, 1.0 - CHANCE)
     known = list(_known(scheme))
-    for at in places:
+    for at in np.flatnonzero((amplitude[1:-1] > amplitude[:-2]) & (amplitude[1:-1] > amplitude[2:])) + 1:
+        higher = np.flatnonzero(amplitude > amplitude[at])
+        split = np.searchsorted(higher, at)
+        begin, end = higher[split - 1] if split else 0, higher[split] if split < higher.size else None
+        if amplitude[at] ** 2 <= high / low * max(amplitude[begin:at].min(), amplitude[at:end].min()) ** 2:
+            continue
         own = [cause for frequency, cause in known if abs(hertz[at] - frequency) <= NEAR * frequency]
         label = f"{figure(hertz[at], 'Hz')}, {number(amplitude[at])} {unit}"
         yield float(amplitude[at]), Tick(float(hertz[at]), label + (f" ({', '.join(own)})" if own else ""), "peak")
+
+
+@cache
+def _quantile(count: int, probability: float) -> float:
+    """Return half of the quantile of chi-square with ``2 count`` degrees of freedom, by halving."""
+    low, high = 0.0, 10.0 * count + 50.0
+    while high - low > 1e-12 * high:
+        middle = 0.5 * (low + high)
+        below = 1.0 - sum(math.exp(i * math.log(middle) - middle - math.lgamma(i + 1.0)) for i in range(count))
+        low, high = (middle, high) if below < probability else (low, middle)
+    return high
 
 
 def _known(scheme: JudgedRun) -> Iterator[tuple[float, str]]:

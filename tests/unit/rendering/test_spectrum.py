@@ -7,6 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import synthetic
+from scipy.signal import welch
+from scipy.special import gammaincinv
 
 from contourlab.components.plant.two_sided import TwoMass
 from contourlab.feed import uniform
@@ -15,7 +17,7 @@ from contourlab.geometry import contour
 from contourlab.loop import Axis, Machine
 from contourlab.metrics.judge import judge
 from contourlab.rendering.data import ReportData
-from contourlab.rendering.spectrum import spectrum_charts
+from contourlab.rendering.spectrum import _quantile, spectrum_charts
 from contourlab.result import Signal
 
 PERIOD, HERTZ = 1e-3, 62.5
@@ -53,8 +55,13 @@ def test_a_sine_has_its_amplitude_and_is_marked_with_its_cause():
 
 def test_noise_has_no_peaks_and_few_segments_prove_little():
     for laps in (2, 10):
-        (chart,) = spectrum_charts(shaken(noise=1e-6, laps=laps), 4000)
+        data = shaken(noise=1e-6, laps=laps)
+        (chart,) = spectrum_charts(data, 4000)
         assert chart.panels[1].ticks == ()
+        command = data.schemes[0].result["command"][:, 0]
+        start, stop = data.schemes[0].metrics.judged.ranges[0]
+        _, power = welch(command[start:stop], 1.0 / PERIOD, nperseg=2000, scaling="spectrum")
+        np.testing.assert_allclose(chart.panels[1].curves[0].y[:-1], np.sqrt(2.0 * power[1:-1]), rtol=1e-9)
         level = np.sqrt(np.mean(np.square(chart.panels[1].curves[0].y[5:-5])))
         assert level == pytest.approx(np.sqrt(2.0 * 2.0 * 1.5 * PERIOD / 2.0), rel=0.1)  # two-sided, as power of a sine, Hann
 
@@ -69,3 +76,9 @@ def test_short_stretches_and_gaps_in_a_signal_have_no_spectrum():
     holed = replace(run, result=run.result.with_signals(command=Signal(command, synthetic.BOTH, "A")))
     (chart,) = spectrum_charts(replace(data, schemes=(holed,)), 4000)
     assert [panel.y_label for panel in chart.panels] == ["part error [um]"]
+
+
+def test_quantiles_are_those_of_the_gamma_distribution():
+    for count in (1, 2, 7, 60):
+        for probability in (1e-4, 0.5, 1.0 - 1e-4):
+            assert _quantile(count, probability) == pytest.approx(gammaincinv(count, probability), rel=1e-9)
