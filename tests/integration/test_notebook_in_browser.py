@@ -97,8 +97,8 @@ def end_kernels(page: Any, address: str) -> None:
 def run_all(page: Any) -> None:
     """Run the cell once its kernel is ready, and wait for its viewer."""
     page.locator('.jp-Notebook-ExecutionIndicator[data-status="idle"]').wait_for(timeout=60_000)
-    page.locator(".jp-CodeCell").first.click()
-    page.keyboard.press("Control+Enter")
+    page.get_by_text("Run", exact=True).click()  # a key that comes before the notebook listens is lost
+    page.get_by_text("Run All Cells", exact=True).click()
     page.locator(".cl-show").wait_for(timeout=60_000)
 
 
