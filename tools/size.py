@@ -28,11 +28,11 @@ BUDGETS = {
     "native": 317,
     "papers": 3363,
     "program": 2350,
-    "rendering": 2496,
+    "rendering": 2515,
     "result": 404,
     "scenario": 2031,
     "study": 1405,
-    "without papers": 54801,
+    "without papers": 54820,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 
