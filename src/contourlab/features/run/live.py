@@ -30,7 +30,7 @@ from contourlab.scenario.toml_text import Noted, toml
 from contourlab.scenario.tree import STATED
 from contourlab.units import from_si
 
-MOST_TICKS, MOST_CURVES, MOST_RUNS, MOST_BYTES = 400_000, 2000, 4, 300_000
+MOST_TICKS, MOST_CURVES, MOST_RUNS, MOST_BYTES = 400_000, 1300, 4, 300_000
 """Samples and curves of a motion (a run of 65,000 samples takes a browser some 40 ms), runs, and compressed bytes of all runs together."""
 BEFORE, SHORT = 0.5, 1.0
 """Time from the start of a short run to the worst place, and its duration [s]."""
