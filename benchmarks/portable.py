@@ -2,12 +2,12 @@
 
     python benchmarks/portable.py [--scenarios N] [--seed N]
 
-Plants are under position control that is placed for them, controllers on the rigid axis, those of the contact and the gap zone on shafts
-with backlash, under a supervisor. Friction, sensor, coupling, contour and parameters (within 15 %) are drawn; a loop that does not follow
-its contour is drawn again. The module runs in node; it rounds each product before it is added, the lanes do not. A decision can turn on
-that last digit: a count of an encoder, an axis that sticks or slips, a contact or a switch between controllers. Rows: which of these a
-scenario has, how many scenarios, and the largest difference of a position and of the largest part error. The figures go to
-benchmarks/out/portable.json too. Takes some minutes.
+Each plant runs under position control with gains placed for it. Controllers run on the rigid axis; those of the contact and the gap zone
+run on shafts with backlash, under a supervisor. Friction, sensor, coupling, contour and parameters (within 15 %) are drawn; a loop that
+does not follow its contour is drawn again. The module runs in node; it rounds each product before it is added, the lanes do not. A
+decision can turn on that last digit: a count of an encoder, an axis that sticks or slips, a contact or a switch between controllers.
+Rows: which of these a scenario has, how many scenarios, and the largest difference of a position and of the largest part error. The
+figures go to benchmarks/out/portable.json too. Takes some minutes.
 """
 
 from __future__ import annotations
