@@ -56,12 +56,11 @@ _BEZIER = np.array([[math.comb(i, k) / math.comb(5, k) for k in range(6)] for i 
 # --- smoothing, compiled ---------------------------------------------------------------------------------------------------------------
 
 
-def _smoothed(t, p, length, first, after, band, y):
-    """Fill y with x - p of the sites [first, after); the first and last three stay. `band` is working memory for the matrix."""
+def _smoothed(t, p, length, first, after, begin, end, band, y):
+    """Fill y with x - p of the sites [first, after), 0 outside of [begin, end). `band` is working memory for the matrix."""
     n_axis = p.shape[1]
     for i in range(first, after):
-        free = first + 3 <= i < after - 3
-        band[i, 0] = 0.5 * (t[i + 1] - t[i - 1]) if free else 1.0
+        band[i, 0] = 0.5 * (t[i + 1] - t[i - 1]) if begin <= i < end else 1.0
         band[i, 1], band[i, 2], band[i, 3] = 0.0, 0.0, 0.0
         for j in range(n_axis):
             y[i, j] = 0.0
@@ -73,26 +72,25 @@ def _smoothed(t, p, length, first, after, band, y):
         energy = (d - a) / 3.0 * min(min(length[k], length[k + 1]), min(length[k + 2], length[k + 3])) ** 6
         for u in range(4):
             i = k + u
-            if not first + 3 <= i < after - 3:
+            if not begin <= i < end:
                 continue
             here = energy * (w0 if u == 0 else w1 if u == 1 else w2 if u == 2 else w3)
             for j in range(n_axis):
-                y[i, j] -= here * (
-                    w0 * (p[k, j] - p[k + 1, j]) + (w0 + w1) * (p[k + 1, j] - p[k + 2, j]) - w3 * (p[k + 2, j] - p[k + 3, j])
-                )
+                third = w0 * (p[k, j] - p[k + 1, j]) + (w0 + w1) * (p[k + 1, j] - p[k + 2, j]) - w3 * (p[k + 2, j] - p[k + 3, j])
+                y[i, j] -= here * third
             for v in range(u, 4):
-                if k + v < after - 3:
+                if k + v < end:
                     band[i, v - u] += here * (w0 if v == 0 else w1 if v == 1 else w2 if v == 2 else w3)
-    for i in range(first + 3, after - 3):
-        for q in range(1, min(4, after - 3 - i)):
+    for i in range(begin, end):
+        for q in range(1, min(4, end - i)):
             part = band[i, q] / band[i, 0]
-            for r in range(q, min(4, after - 3 - i)):
+            for r in range(q, min(4, end - i)):
                 band[i + q, r - q] -= part * band[i, r]
             for j in range(n_axis):
                 y[i + q, j] -= part * y[i, j]
-    for i in range(after - 4, first + 2, -1):
+    for i in range(end - 1, begin - 1, -1):
         for j in range(n_axis):
-            for q in range(1, min(4, after - 3 - i)):
+            for q in range(1, min(4, end - i)):
                 y[i, j] -= band[i, q] * y[i + q, j]
             y[i, j] /= band[i, 0]
 
@@ -120,14 +118,17 @@ def _lowered(y, chord, tolerance, length, first, after, patient, failed):
     return far
 
 
-def _slopes(t, p, y, i, found):
-    """Write position and two derivatives at a site, of the quartic through five sites, to `found` (site, 3, axis)."""
-    a, b, c, d = t[i - 1] - t[i], t[i + 1] - t[i], t[i - 2] - t[i], t[i + 2] - t[i]
+def _slopes(t, p, y, i, first, after, found):
+    """Write position and two derivatives at a site, of the quartic through five sites of [first, after), to `found` (site, 3, axis)."""
+    begin = min(max(i - 2, first), after - 5)
+    k, m = (begin if i > begin else begin + 4), (begin + 1 if i != begin + 1 else begin + 4)
+    n, o = (begin + 2 if i != begin + 2 else begin + 4), (begin + 3 if i != begin + 3 else begin + 4)
+    a, b, c, d = t[k] - t[i], t[m] - t[i], t[n] - t[i], t[o] - t[i]
     for j in range(p.shape[1]):
         here = p[i, j] + y[i, j]
         # Divided differences of the slopes from the site to its neighbours.
-        f1, f2 = (p[i - 1, j] - p[i, j] + y[i - 1, j] - y[i, j]) / a, (p[i + 1, j] - p[i, j] + y[i + 1, j] - y[i, j]) / b
-        f3, f4 = (p[i - 2, j] - p[i, j] + y[i - 2, j] - y[i, j]) / c, (p[i + 2, j] - p[i, j] + y[i + 2, j] - y[i, j]) / d
+        f1, f2 = (p[k, j] - p[i, j] + y[k, j] - y[i, j]) / a, (p[m, j] - p[i, j] + y[m, j] - y[i, j]) / b
+        f3, f4 = (p[n, j] - p[i, j] + y[n, j] - y[i, j]) / c, (p[o, j] - p[i, j] + y[o, j] - y[i, j]) / d
         g2, g3, g4 = (f2 - f1) / (b - a), (f3 - f2) / (c - b), (f4 - f3) / (d - c)
         h3, h4 = (g3 - g2) / (c - a), (g4 - g3) / (d - b)
         k4 = (h4 - h3) / (d - a)
@@ -197,11 +198,11 @@ def _knotted(t, found, length, fresh, first, last, knot):
 
 
 @kernel(
-    "f8[:] f8[:,:] f8[:] i8[:] i8[:] f8[:] f8[:,:] f8[:] i8[:] f8[:] f8[:,:,:,:] "  #
+    "f8[:] f8[:,:] f8[:] i8[:] i8[:] f8[:] f8[:,:] f8[:] i8[:] i8[:,:] f8[:] f8[:,:,:,:] "  #
     "f8[:,:] f8[:] f8[:,:] f8[:,:] f8[:,:,:] f8[:,:,:] f8[:,:] i8[:] i8[:]"
 )
 def fit(
-    t, p, chord, fresh, node, node_t, node_p, slack, begin, tolerance, ends, rows, length, band, y, found, powers, part, knot, failed
+    t, p, chord, fresh, node, node_t, node_p, slack, begin, fixed, tolerance, ends, rows, length, band, y, found, powers, part, knot, failed
 ):  # fmt: skip
     """Fit each run.
 
@@ -215,8 +216,8 @@ def fit(
         Whether a curve must end here.
     node (n,); node_t (m,), node_p (m, n_axis), slack (m,) [m]
         Number of each site among all nodes; those, with how far the path leaves the line to the next.
-    begin (n_run + 1,)
-        First site of each run.
+    begin (n_run + 1,), fixed (n_run, 2)
+        First site of each run; number of sites at both ends that stay: three where direction and curvature stay too, else one.
     tolerance (n_run,) [m], ends (n_run, 2, 3, n_axis)
         Tolerance; position and two derivatives by arc length at both ends.
     rows (6, 6)
@@ -232,17 +233,19 @@ def fit(
     """
     for run in range(begin.size - 1):
         first, after = begin[run], begin[run + 1]
-        start, last = first + 2, after - 3
+        free, end = first + fixed[run, 0], after - fixed[run, 1]
+        start, last = free - 1, end
         _eased(t, length, first, after)
-        for turn in range(_ROUNDS):
-            _smoothed(t, p, length, first, after, band, y)
+        for turn in range(_ROUNDS if after - first >= 5 else 0):
+            _smoothed(t, p, length, first, after, free, end, band, y)
             bad = _lowered(y, chord, tolerance[run], length, first, after, turn < _PATIENCE, failed)
             if not bad:
                 for i in range(start, last + 1):
-                    _slopes(t, p, y, i, found)
+                    _slopes(t, p, y, i, first, after, found)
                 for k in range(3):
                     for j in range(p.shape[1]):
-                        found[start, k, j], found[last, k, j] = ends[run, 0, k, j], ends[run, 1, k, j]
+                        found[start, k, j] = ends[run, 0, k, j] if fixed[run, 0] > 1 else found[start, k, j]
+                        found[last, k, j] = ends[run, 1, k, j] if fixed[run, 1] > 1 else found[last, k, j]
                 _knotted(t, found, length, fresh, start, last, knot)
                 at = start
                 for i in range(start + 1, last + 1):
@@ -288,10 +291,17 @@ def _bends(path: Path) -> tuple[Flags, Array]:
     return plain != 0.0, bend
 
 
-def _runs(route: Route, tolerance: Array, linked: Flags, bend: Array, turn: Array, kept: Flags) -> _Runs:
+def _runs(route: Route, tolerance: Array, linked: Flags, rest: Flags, bend: Array, turn: Array, kept: Flags) -> _Runs:
     """Return the runs of short curves, with the parts of their neighbours that they use; `kept` curves are not short."""
-    path = route.path
-    span, before = np.diff(path.breaks), np.append(False, linked[:-1])
+    span, before = np.diff(route.path.breaks), np.append(False, linked[:-1])
+
+    def part(number: Index, inner: Index, stops: Flags, away: Array, others: Index) -> Array:
+        """Return how much each run uses of its first or last curve, which is the neighbour of its short curve `inner`, or that itself."""
+        # A neighbour keeps room for the blend at its other end, or for another run.
+        room = np.where(away > CORNER_ANGLE, np.clip(8.0 * tolerance / np.maximum(away, CORNER_ANGLE) / span, 0.125, 0.75), 0.125)[number]
+        much = np.minimum(np.where(np.isin(number, others), 0.45, 1.0 - room) * span[number], _TAKE * tolerance[number])
+        return np.where(number == inner, np.where(stops[inner], 1.0, 0.875) * span[number], much)
+
     most = np.maximum(np.maximum(turn, np.append(0.0, turn[:-1])), bend * span)
     shortest = np.minimum(np.where(linked, np.roll(span, -1), np.inf), np.where(before, np.roll(span, 1), np.inf))
     short = (linked | before) & (span * most <= 8.0 * tolerance) & (span <= _RATIO * np.maximum(shortest, tolerance)) & ~kept
@@ -307,14 +317,8 @@ def _runs(route: Route, tolerance: Array, linked: Flags, bend: Array, turn: Arra
     curve = ranges(begin, end - begin + 1)
     low, high = np.zeros(curve.size), span[curve]
     at = np.cumsum(end - begin + 1)
-    for place, number, inner, outer in ((at - (end - begin + 1), begin, first, before), (at - 1, end, last, linked)):
-        # Without a neighbour the run starts on its own first curve. A neighbour that has another one keeps room for it and for a blend.
-        part = np.where(number == inner, 0.875, np.where(outer[number], 0.25, 0.875)) * span[number]
-        part = np.where(number == inner, part, np.minimum(part, _TAKE * tolerance[number]))
-        if outer is before:
-            low[place] = span[number] - part
-        else:
-            high[place] = part
+    low[at - (end - begin + 1)] = span[begin] - part(begin, first, np.roll(rest, 1), np.append(0.0, turn[:-1]), end)
+    high[at - 1] = part(end, last, rest, turn, begin)
     return _Runs(run, curve, low, high)
 
 
@@ -326,51 +330,54 @@ class _Sites(NamedTuple):
     along: Array
 
 
-def _sites(path: Path, runs: _Runs, bulge: Array, tolerance: Array) -> _Sites:
+def _sites(path: Path, runs: _Runs, bulge: Array, tolerance: Array, fixed: Index) -> _Sites:
     """Lay sites along runs: on each curve about as many as an arc of its `bulge` (n,) [m] needs, and similar numbers on neighbours."""
     run, curve, low, high = runs
-    span, first, last = high - low, np.diff(run, prepend=-1) > 0, np.diff(run, append=run[-1] + 1) > 0
+    span, lead, tail = high - low, np.zeros_like(run), np.zeros_like(run)
+    lead[np.diff(run, prepend=-1) > 0], tail[np.diff(run, append=-1) != 0] = fixed[:, 0] - 1, fixed[:, 1]
     spacing = span / np.maximum(np.ceil(np.sqrt(8.0 * bulge / tolerance)), 1.0)
     # The spacing rises at most `_GRADE`-fold from curve to curve; other runs are far away.
     step = math.log(_GRADE) * (np.arange(run.size) + 100.0 * run)
     size = np.log(np.maximum(spacing, 0.5 * tolerance))
     size = np.minimum(np.minimum.accumulate(size - step) + step, np.minimum.accumulate((size + step)[::-1])[::-1] - step)
     count = np.maximum(np.ceil(span / np.exp(size) - 1e-9), 1.0).astype(np.int64)
-    number = np.repeat(np.arange(run.size), count + 2 * first + 3 * last)
-    k = ranges(np.where(first, -2, 0), count + 2 * first + 3 * last)
+    number = np.repeat(np.arange(run.size), count + lead + tail)
+    k = ranges(-lead, count + lead + tail)
     step, behind = span / count, np.diff(path.breaks)[curve] - high
     before, after = np.minimum(k, 0) * np.minimum(step, low / 3.0)[number], np.minimum(step, behind / 3.0)[number]
     within = np.clip(k, 0, count[number])
     return _Sites(run[number], curve[number], low[number] + before + within * step[number] + (k - within - np.minimum(k, 0)) * after)
 
 
-@kernel("f8[:] i8[:] f8[:] i8[:]")
-def _thinned(t, begin, least, keep):
-    """Mark the places (n,) to keep: at least a distance apart, and all at the ends of runs."""
+@kernel("f8[:] i8[:] i8[:,:] f8[:] i8[:]")
+def _thinned(t, begin, fixed, least, keep):
+    """Mark the places (n,) to keep: at least a distance apart, and the `fixed` ones at the ends of runs."""
     for run in range(begin.size - 1):
-        at = begin[run] + 2
+        at, last = begin[run], begin[run + 1] - fixed[run, 1]
         for i in range(begin[run], begin[run + 1]):
-            end = i < begin[run] + 3 or i >= begin[run + 1] - 3
-            keep[i] = 1 if end or (t[i] - t[at] >= least[run] and t[begin[run + 1] - 3] - t[i] >= least[run]) else 0
+            inner = begin[run] + fixed[run, 0] <= i < last
+            keep[i] = 0 if inner and (t[i] - t[at] < least[run] or t[last] - t[i] < least[run]) else 1
             at = i if keep[i] != 0 else at
 
 
 def _fit(route: Route, runs: _Runs, bend: Array, turn: Array, tolerance: Array) -> tuple[_Sites, Array, Index, Index, Array]:
     """Fit runs; return sites, their places on the path [m], which are knots, which failed, and the quintic (n, 6, n_axis) from each."""
-    path, span = route.path, runs.high - runs.low
+    path, span, lengths = route.path, runs.high - runs.low, np.diff(route.path.breaks)
     most, of_run = np.maximum(turn, np.append(0.0, turn[:-1]))[runs.curve], tolerance[runs.curve]
-    all_sites = _sites(path, runs, span * np.maximum(most, bend[runs.curve] * span) / 8.0, of_run)
+    first, last = np.diff(runs.run, prepend=-1) > 0, np.diff(runs.run, append=-1) != 0
+    fixed = np.stack([np.where(runs.low[first] > 0.0, 3, 1), np.where((runs.high < lengths[runs.curve])[last], 3, 1)], axis=1)
+    all_sites = _sites(path, runs, span * np.maximum(most, bend[runs.curve] * span) / 8.0, of_run, fixed)
     p = np.ascontiguousarray(path.at(all_sites.curve, all_sites.along, 0)[0])
     place = path.breaks[all_sites.curve] + all_sites.along
     begin = np.append(np.flatnonzero(np.diff(all_sites.run, prepend=-1)), place.size)
     keep, within = np.empty(place.size, dtype=np.int64), of_run[np.searchsorted(runs.run, np.arange(begin.size - 1))]
     t = place - place[begin[:-1]][all_sites.run]
-    _thinned(t, begin, 0.5 * within, keep)
+    _thinned(t, begin, fixed, 0.5 * within, keep)
     node = np.flatnonzero(keep)
     slack = bend[all_sites.curve] * np.diff(t, append=0.0) ** 2 / 8.0
     sites = _Sites(*(part[node] for part in all_sites))
     begin = np.append(0, np.cumsum(keep))[begin]
-    edges = np.stack([begin[:-1] + 2, begin[1:] - 3])
+    edges = np.stack([begin[:-1] + fixed[:, 0] - 1, begin[1:] - fixed[:, 1]])
     ends = path.at(sites.curve[edges].ravel(), sites.along[edges].ravel(), 2).reshape(3, 2, begin.size - 1, -1).transpose(2, 1, 0, 3).copy()
     n, n_axis, lengths = node.size, path.n_axis, np.diff(path.breaks)
     at = t[node]
@@ -380,9 +387,9 @@ def _fit(route: Route, runs: _Runs, bend: Array, turn: Array, tolerance: Array) 
     length = np.minimum(_STIFF * np.where(gap > 0.0, gap, np.inf), (at[begin[1:] - 1] / 3.0)[sites.run])
     fresh = (route.feedrate[sites.curve] != np.roll(route.feedrate[sites.curve], 1)).astype(np.int64)
     powers, knot, failed = np.empty((n, 6, n_axis)), np.empty(n, dtype=np.int64), np.empty(n, dtype=np.int64)
-    knot[:] = failed[:] = 0
+    knot[:], failed[:] = 0, 1
     memory = np.empty((n, 4)), np.empty((n, n_axis)), np.empty((n, 3, n_axis)), powers, np.empty((2, 6))
-    fit(at, p[node], chord, fresh, node, t, p, slack, begin, within, ends, _BEZIER, length, *memory, knot, failed)
+    fit(at, p[node], chord, fresh, node, t, p, slack, begin, fixed, within, ends, _BEZIER, length, *memory, knot, failed)
     return sites, place[node], knot, failed, powers
 
 
@@ -396,12 +403,14 @@ def fitted(route: Route) -> Route:
         return route
     plain, bend = _bends(path)
     usable = plain & ~route.rapid & (tolerance > 0.0)
-    linked = usable & np.roll(usable, -1) & (route.dwell == 0.0) & ~route.exact_stop & (tolerance == np.roll(tolerance, -1))
+    rest = (route.dwell > 0.0) | route.exact_stop | (route.rapid != np.roll(route.rapid, -1))
+    rest[-1] |= not path.closed
+    linked = usable & np.roll(usable, -1) & ~rest & (tolerance == np.roll(tolerance, -1))
     linked[-1] = False
     turn = np.where(linked, angle_between(path.ends[1], np.roll(path.starts[1], -1, axis=0)), 0.0)
     kept = ~usable
     for _ in range(_AGAIN):
-        runs = _runs(route, tolerance, linked, bend, turn, kept)
+        runs = _runs(route, tolerance, linked, rest, bend, turn, kept)
         if not runs.run.size:
             return route
         sites, place, knot, failed, powers = _fit(route, runs, bend, turn, tolerance)
@@ -422,9 +431,10 @@ def fitted(route: Route) -> Route:
     low[sites.curve[tail]], start[sites.curve[tail]] = sites.along[tail], path.at(sites.curve[tail], sites.along[tail], 0)[0]
     high[np.setdiff1d(runs.curve[used], sites.curve[tail])] = 0.0
     high[sites.curve[head]], end[sites.curve[head]] = sites.along[head], p[head]
-    data = sites.curve[at[here]]
-    joint = runs.curve[np.searchsorted(runs.run, run[here])]
-    return replaced(route, Quintics(powers[at[here]], place[at[here]], place[at[here + 1]], data, joint), low, high, start, end)
+    a, b = at[here], at[here + 1]
+    ends_there = sites.along[b] >= span[sites.curve[b]]  # a whole curve, whose stop the last piece inherits
+    pieces = Quintics(powers[a], place[a], place[b], sites.curve[a], sites.curve[np.where(ends_there, b, a)])
+    return replaced(route, pieces, low, high, start, end)
 
 
 # --- quintic curves in place of parts of a route ---------------------------------------------------------------------------------------
@@ -481,7 +491,9 @@ def replaced(route: Route, quintics: Quintics, low: Array, high: Array, start: A
     planned = Path([curves[i] for i in order.tolist()], path.closed)
     places = places[order]
     between = Correspondence(planned.breaks, np.append(places, places[0] + path.length if path.closed else path.length))
-    data, joint = np.concatenate([kept, quintics.data[piece]])[order], np.concatenate([kept, quintics.joint[piece]])[order]
+    more = np.append(piece[1:] == piece[:-1], False)  # no stop within a quintic
+    joint = np.concatenate([kept, np.where(more, quintics.data[piece], quintics.joint[piece])])[order]
+    data = np.concatenate([kept, quintics.data[piece]])[order]
     return replace(
         route,
         path=planned,
