@@ -315,7 +315,9 @@ def quicker_blended(route: Route, corners: Corners, reach: Array, points: Array,
     blend, *ends = (np.concatenate(column) for column in zip(*parts, strict=True))
     stop, rest, span = np.zeros_like(reach), np.zeros_like(reach), np.diff(route.path.breaks)
     for curve, at, speed in ((before, span[before], ends[0]), (after, rest, ends[1])):
-        whole, left = _durations(route, curve, at, limits, (span[curve], rest), (np.maximum(span[curve] - 2.0 * reach, 0.0), speed))
+        # A blend that uses more than half of a curve owns what it uses.
+        owned = np.maximum(span[curve], 2.0 * reach)
+        whole, left = _durations(route, curve, at, limits, (owned, rest), (owned - 2.0 * reach, speed))
         stop += 0.5 * whole
         blend += 0.5 * left
     return np.asarray(blend < stop)
