@@ -22,7 +22,7 @@ from contourlab.feed.reference import Profile, Reference, lap_ranges, whole_samp
 from contourlab.feed.route import Route, junction_speed, junctions
 from contourlab.feed.smooth import smooth_motions
 
-N_SHORT = 24  # segments of up to this many curves are planned in closed form as well
+N_SHORT = 200  # segments of up to this many curves are planned in closed form as well
 
 
 class _Moves(NamedTuple):
