@@ -95,12 +95,19 @@ def _smoothed(t, p, length, first, after, begin, end, band, y):
             y[i, j] /= band[i, 0]
 
 
-def _eased(t, length, first, after):
-    """Lower smoothing lengths so that they change by at most half of the arc length."""
-    for i in range(first + 1, after):
-        length[i] = min(length[i], length[i - 1] + 0.5 * (t[i] - t[i - 1]))
-    for i in range(after - 2, first - 1, -1):
-        length[i] = min(length[i], length[i + 1] + 0.5 * (t[i + 1] - t[i]))
+def _eased(t, length, failed, width, first, after):
+    """Lower smoothing lengths so that they change by at most a fifth of the arc length, and not within `width` lengths of marked sites."""
+    for way in range(2):
+        least, left, before = 0.0, -1.0, -1
+        for count in range(after - first):
+            i = first + count if way == 0 else after - 1 - count
+            gap = abs(t[i] - t[before]) if count > 0 else 0.0
+            left -= gap
+            if failed[i] != 0 and (left < 0.0 or length[i] < least):
+                least, left = length[i], width * length[i]
+            length[i] = min(length[i], least) if left >= 0.0 else length[i]
+            length[i] = min(length[i], length[before] + 0.2 * gap) if count > 0 else length[i]
+            before = i
 
 
 def _lowered(y, chord, tolerance, length, first, after, patient, failed):
@@ -113,8 +120,8 @@ def _lowered(y, chord, tolerance, length, first, after, patient, failed):
         most = (0.5 if patient and length[i] > _CHORD * chord[i] else 0.9) * tolerance
         failed[i] = 1 if square > most * most else 0
         if failed[i] != 0:
-            far = True
             length[i] *= min(max(math.sqrt(most) / square**0.25, 0.4), 0.8)
+            far = True
     return far
 
 
@@ -235,11 +242,11 @@ def fit(
         first, after = begin[run], begin[run + 1]
         free, end = first + fixed[run, 0], after - fixed[run, 1]
         start, last = free - 1, end
-        _eased(t, length, first, after)
+        _eased(t, length, failed, 0.0, first, after)
         for turn in range(_ROUNDS if after - first >= 5 else 0):
             _smoothed(t, p, length, first, after, free, end, band, y)
-            bad = _lowered(y, chord, tolerance[run], length, first, after, turn < _PATIENCE, failed)
-            if not bad:
+            far = _lowered(y, chord, tolerance[run], length, first, after, turn < _PATIENCE, failed)
+            if not far:
                 for i in range(start, last + 1):
                     _slopes(t, p, y, i, first, after, found)
                 for k in range(3):
@@ -261,11 +268,12 @@ def fit(
                                 tolerance[run] - slack[row], rows, part,
                             )  # fmt: skip
                     for k in range(at, i + 1 if not good else at):
-                        failed[k], length[k], bad = 1, 0.7 * length[k], True
+                        failed[k], length[k], far = 1, 0.7 * length[k], True
                     at = i
-            if not bad:
+            if not far:
                 break
-            _eased(t, length, first, after)
+            # Where each change makes the next site fail, more and more of them change at once.
+            _eased(t, length, failed, 2.0 ** (turn - _PATIENCE), first, after)
 
 
 # --- runs and their sites --------------------------------------------------------------------------------------------------------------
