@@ -48,7 +48,7 @@ _SPACING = 1.5
 """Length of a quintic curve, in smoothing lengths."""
 _MOST_TURN = 0.35
 """Largest turn of a quintic curve [rad], about."""
-_SLOWEST = 0.3
+_SLOWEST = 0.1
 """Smallest speed of a quintic curve relative to the programmed path."""
 _BEZIER = np.array([[math.comb(i, k) / math.comb(5, k) for k in range(6)] for i in range(6)])
 
@@ -157,36 +157,40 @@ def _quintic(t, found, i, k, powers):
         powers[i, 5, j] = 6.0 * rise - 3.0 * turn + 0.5 * change
 
 
-def _within(powers, i, low, high, h, p, row, begin, end, most, rows, part):
-    """Return whether a quintic between two parameters is within a distance of the line from point `row` to the next, and fast enough.
+def _within(powers, i, low, high, p, row, begin, end, most, rows, part):
+    """Return whether a quintic between two parameters is within a distance of the line from point `row` to the next, and nowhere slow.
 
-    `begin` and `end` are the shares of the line that belong to the parameters; `part` (2, 6) is working memory.
+    `begin` and `end` are the shares of the line that belong to the parameters; `part` (4, 6) is working memory.
     """
     for c in range(6):
-        part[1, c] = 0.0
-    fast = 0.0
+        part[2, c], part[3, c] = 0.0, 0.0
+    size, chord = 0.0, 0.0
     for j in range(p.shape[1]):
         for k in range(6):
             part[0, k] = powers[i, k, j]
         for shift in range(5):  # Taylor's shift by Horner's scheme
             for k in range(4, shift - 1, -1):
                 part[0, k] += low * part[0, k + 1]
-        fast += part[0, 1] * part[0, 1]
         rise, scale = p[row + 1, j] - p[row, j], 1.0
+        step = (end - begin) * rise
         for k in range(6):
             part[0, k] *= scale
             scale *= high - low
         part[0, 0] -= p[row, j] + begin * rise
-        part[0, 1] -= (end - begin) * rise
-        for c in range(6):
-            value = 0.0
+        part[0, 1] -= step
+        for c in range(6):  # the control points of the difference
+            part[1, c] = 0.0
             for k in range(c + 1):
-                value += rows[c, k] * part[0, k]
-            part[1, c] += value * value
+                part[1, c] += rows[c, k] * part[0, k]
+            part[2, c] += part[1, c] * part[1, c]
+        along = part[1, 5] - part[1, 0] + step
+        size, chord = size + step * step, chord + along * along
+        for c in range(5):  # the control points of the rate, along the chord of the curve
+            part[3, c] += (5.0 * (part[1, c + 1] - part[1, c]) + step) * along
+    good = chord >= _SLOWEST * _SLOWEST * size
     for c in range(6):
-        if part[1, c] > most * most:
-            return False
-    return fast >= (_SLOWEST * h) ** 2
+        good = good and part[2, c] <= most * most and (c == 5 or part[3, c] >= _SLOWEST * math.sqrt(size * chord))
+    return good
 
 
 def _knotted(t, found, length, fresh, first, last, knot):
@@ -231,7 +235,7 @@ def fit(
         Bezier points by powers.
     length (n,) [m]
         Largest smoothing lengths; lowered.
-    band (n, 4), y (n, n_axis), found (n, 3, n_axis), part (2, 6)
+    band (n, 4), y (n, n_axis), found (n, 3, n_axis), part (4, 6)
         Working memory.
     powers (n, 6, n_axis)
         Output: the quintic from each knot to the next.
@@ -264,7 +268,7 @@ def fit(
                         low, wide = (node_t[row] - t[at]) / h, 0.5 * (node_t[row + 1] - node_t[row]) / h
                         for half in range(2):
                             good = good and _within(
-                                powers, at, low + half * wide, low + (half + 1) * wide, h, node_p, row, 0.5 * half, 0.5 * (half + 1),
+                                powers, at, low + half * wide, low + (half + 1) * wide, node_p, row, 0.5 * half, 0.5 * (half + 1),
                                 tolerance[run] - slack[row], rows, part,
                             )  # fmt: skip
                     for k in range(at, i + 1 if not good else at):
@@ -396,7 +400,7 @@ def _fit(route: Route, runs: _Runs, bend: Array, turn: Array, tolerance: Array) 
     fresh = (route.feedrate[sites.curve] != np.roll(route.feedrate[sites.curve], 1)).astype(np.int64)
     powers, knot, failed = np.empty((n, 6, n_axis)), np.empty(n, dtype=np.int64), np.empty(n, dtype=np.int64)
     knot[:], failed[:] = 0, 1
-    memory = np.empty((n, 4)), np.empty((n, n_axis)), np.empty((n, 3, n_axis)), powers, np.empty((2, 6))
+    memory = np.empty((n, 4)), np.empty((n, n_axis)), np.empty((n, 3, n_axis)), powers, np.empty((4, 6))
     fit(at, p[node], chord, fresh, node, t, p, slack, begin, fixed, within, ends, _BEZIER, length, *memory, knot, failed)
     return sites, place[node], knot, failed, powers
 
