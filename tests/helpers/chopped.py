@@ -1,14 +1,18 @@
-"""Random curves chopped into short lines and arcs, with corners, narrow slots and rounded coordinates; and checks that share no code."""
+"""Random curves chopped into short lines and arcs, with corners, narrow slots and rounded coordinates; and checks that share no code.
+
+python tests/helpers/chopped.py FIRST AFTER     # checks the routes of these seeds
+"""
 
 from __future__ import annotations
 
 import math
+import sys
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from contourlab.feed import Route
+from contourlab.feed import AxisLimits, Route, blended, limit_report, plan
 from contourlab.geometry import Arc, Curve, Line, Path
 
 Array = NDArray[np.float64]
@@ -125,3 +129,28 @@ def excess(planned: Path, programmed: Path, tolerance: float) -> float:
         points = here.position(_places(here, 0.1 * tolerance, dense))
         most = max(most, float(_distances(points, there, 0.1 * tolerance, 0.99 * tolerance).max()) / tolerance)
     return most if in_order(planned, programmed, tolerance) else math.inf
+
+
+def check(seed: int) -> None:
+    """Plan a random route within random limits, and check the plan: distance and order, velocity, acceleration, jerk, stops."""
+    given, rng = chopped(seed), np.random.default_rng(seed)
+    n_axis, tolerance = given.path.n_axis, float(given.corner_tolerance[0])
+    limits = AxisLimits(*(tuple(10.0 ** rng.uniform(low, high, n_axis)) for low, high in ((-1.3, -0.5), (-0.5, 1.0), (1.0, 3.0))))
+    found = blended(given, limits)
+    assert excess(found.path, given.path, tolerance) <= 1.0 + 1e-6
+    ends = [path.position([0.0, path.length]) for path in (found.path, given.path)]
+    np.testing.assert_allclose(ends[0], ends[1], rtol=0.0, atol=1e-14)
+    np.testing.assert_array_equal(found.dwell[found.dwell > 0.0], given.dwell[given.dwell > 0.0])
+    assert limit_report(plan(found, limits, 1e-3), limits).ok()
+
+
+if __name__ == "__main__":
+    failed = []
+    for number in range(*map(int, sys.argv[1:3])):
+        try:
+            check(number)
+        except Exception as error:  # the other seeds are checked too
+            failed.append(number)
+            sys.stdout.write(f"{number} {error!r}\n")
+    sys.stdout.write(f"seeds {sys.argv[1]} to {sys.argv[2]}: {len(failed)} failed\n")
+    sys.exit(bool(failed))

@@ -1,4 +1,4 @@
-"""Merge short lines (G64 Q, like LinuxCNC's naive CAM detector) and round corners (G64 P) within tolerances.
+"""Merge lines (G64 Q, like LinuxCNC's naive CAM detector) and round corners (G64 P) within tolerances.
 
 A run of lines becomes one line if all points between its ends lie within the tolerance of that line, and in order along it. Seen from the
 start of the run, each point permits a cone of directions; one cone within their intersection is stored. In the plane this cone is the
@@ -366,7 +366,7 @@ _NEARLY_HALF = 0.495
 
 
 def blended(route: Route, limits: AxisLimits | None = None) -> Route:
-    """Merge short lines and round corners, each within its tolerance.
+    """Fit curves to short lines and arcs, merge lines and round corners, each within its tolerance.
 
     Parameters
     ----------

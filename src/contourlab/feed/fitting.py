@@ -277,7 +277,7 @@ def fit(
             if not far:
                 break
             # Where each change makes the next site fail, more and more of them change at once.
-            _eased(t, length, failed, 2.0 ** (turn - _PATIENCE), first, after)
+            _eased(t, length, failed, 2.0 ** min(turn - _PATIENCE, 6), first, after)
 
 
 # --- runs and their sites --------------------------------------------------------------------------------------------------------------
@@ -387,7 +387,7 @@ def _fit(route: Route, runs: _Runs, bend: Array, turn: Array, tolerance: Array) 
     _thinned(t, begin, fixed, 0.5 * within, keep)
     node = np.flatnonzero(keep)
     slack = bend[all_sites.curve] * np.diff(t, append=0.0) ** 2 / 8.0
-    sites = _Sites(*(part[node] for part in all_sites))
+    sites = _Sites(all_sites.run[node], all_sites.curve[node], all_sites.along[node])
     begin = np.append(0, np.cumsum(keep))[begin]
     edges = np.stack([begin[:-1] + fixed[:, 0] - 1, begin[1:] - fixed[:, 1]])
     ends = path.at(sites.curve[edges].ravel(), sites.along[edges].ravel(), 2).reshape(3, 2, begin.size - 1, -1).transpose(2, 1, 0, 3).copy()
@@ -444,8 +444,9 @@ def fitted(route: Route) -> Route:
     high[np.setdiff1d(runs.curve[used], sites.curve[tail])] = 0.0
     high[sites.curve[head]], end[sites.curve[head]] = sites.along[head], p[head]
     a, b = at[here], at[here + 1]
-    ends_there = sites.along[b] >= span[sites.curve[b]]  # a whole curve, whose stop the last piece inherits
-    pieces = Quintics(powers[a], place[a], place[b], sites.curve[a], sites.curve[np.where(ends_there, b, a)])
+    # The last piece of a run without a neighbour ends in the stop of the last curve; the first curve has none.
+    stops = sites.along[b] >= span[sites.curve[b]]
+    pieces = Quintics(powers[a], place[a], place[b], sites.curve[a], sites.curve[np.where(stops, b, at[np.searchsorted(run, run[here])])])
     return replaced(route, pieces, low, high, start, end)
 
 
@@ -503,13 +504,13 @@ def replaced(route: Route, quintics: Quintics, low: Array, high: Array, start: A
     planned = Path([curves[i] for i in order.tolist()], path.closed)
     places = places[order]
     between = Correspondence(planned.breaks, np.append(places, places[0] + path.length if path.closed else path.length))
-    more = np.append(piece[1:] == piece[:-1], False)  # no stop within a quintic
-    joint = np.concatenate([kept, np.where(more, quintics.data[piece], quintics.joint[piece])])[order]
-    data = np.concatenate([kept, quintics.data[piece]])[order]
+    ends = np.concatenate([np.ones(kept.size), np.diff(piece, append=-1)])[order] != 0  # not the parts of a quintic but its last
+    data, joint = (np.concatenate([kept, of_each[piece]])[order] for of_each in quintics[3:])
     return replace(
         route,
         path=planned,
         correspondence=between if route.correspondence is None else route.correspondence.after(between),
         **{name: getattr(route, name)[data] for name in ("feedrate", "rapid", "source_line")},
-        **{name: getattr(route, name)[joint] for name in ("dwell", "corner_tolerance", "merge_tolerance", "exact_stop")},
+        **{name: getattr(route, name)[joint] for name in ("corner_tolerance", "merge_tolerance")},
+        **{name: getattr(route, name)[joint] * ends for name in ("dwell", "exact_stop")},
     )

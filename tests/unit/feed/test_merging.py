@@ -179,4 +179,4 @@ def test_merging_and_rounding_share_one_tolerance(corner: float, merge: float, m
     foot = given.path.foot_point(place, found.programmed_arc_length(s), 20.0 * merge + 1e-3)
     assert foot.distance.max() <= most * (1.0 + 1e-9)
     # The tolerance is actually used.
-    assert foot.distance.max() > 0.4 * most
+    assert foot.distance.max() > 0.4 * corner
