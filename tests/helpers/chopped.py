@@ -90,7 +90,7 @@ def _distances(points: Array, path: Path, spacing: float, enough: float) -> Arra
     place = _places(path, spacing, 10_000)
     found, nearest = cKDTree(path.position(place)).query(points)
     for i in np.flatnonzero(found > enough).tolist():
-        around = np.linspace(place[max(nearest[i] - 1, 0)], place[min(nearest[i] + 1, len(place) - 1)], 401)
+        around = np.linspace(place[max(nearest[i] - 3, 0)], place[min(nearest[i] + 3, len(place) - 1)], 2001)
         found[i] = np.linalg.norm(path.position(around) - points[i], axis=1).min()
     return np.asarray(found)
 

@@ -44,7 +44,7 @@ _ROUNDS, _PATIENCE = 40, 12
 """Most rounds of a fit, and after how many it may use the whole tolerance anywhere."""
 _AGAIN = 3
 """Most fits; after each, curves where the fit failed are kept."""
-_SPACING = 1.5
+_SPACING = 2.5
 """Length of a quintic curve, in smoothing lengths."""
 _MOST_TURN = 0.35
 """Largest turn of a quintic curve [rad], about."""
