@@ -42,7 +42,7 @@ _STIFF = 50.0
 """Largest smoothing length, in distances of sites; more would lose digits."""
 _ROUNDS, _PATIENCE = 40, 12
 """Most rounds of a fit, and after how many it may use the whole tolerance anywhere."""
-_AGAIN = 3
+_AGAIN = 5
 """Most fits; after each, curves where the fit failed are kept."""
 _SPACING = 2.5
 """Length of a quintic curve, in smoothing lengths."""
@@ -220,7 +220,7 @@ def fit(
     Parameters
     ----------
     t (n,) [m], p (n, n_axis) [m]
-        Sites: arc length and position on the programmed path. The first and last two of each run lie before and after it.
+        Sites: arc length and position on the programmed path. Where three sites stay, two lie outside of the run.
     chord (n,) [m]
         Length of the shortest curve around.
     fresh (n,)
@@ -228,7 +228,7 @@ def fit(
     node (n,); node_t (m,), node_p (m, n_axis), slack (m,) [m]
         Number of each site among all nodes; those, with how far the path leaves the line to the next.
     begin (n_run + 1,), fixed (n_run, 2)
-        First site of each run; number of sites at both ends that stay: three where direction and curvature stay too, else one.
+        First site of each run; number of sites that stay at both ends: three where direction and curvature stay too, else one.
     tolerance (n_run,) [m], ends (n_run, 2, 3, n_axis)
         Tolerance; position and two derivatives by arc length at both ends.
     rows (6, 6)
@@ -391,15 +391,12 @@ def _fit(route: Route, runs: _Runs, bend: Array, turn: Array, tolerance: Array) 
     begin = np.append(0, np.cumsum(keep))[begin]
     edges = np.stack([begin[:-1] + fixed[:, 0] - 1, begin[1:] - fixed[:, 1]])
     ends = path.at(sites.curve[edges].ravel(), sites.along[edges].ravel(), 2).reshape(3, 2, begin.size - 1, -1).transpose(2, 1, 0, 3).copy()
-    n, n_axis, lengths = node.size, path.n_axis, np.diff(path.breaks)
-    at = t[node]
-    chord = lengths[sites.curve]
+    n, n_axis, at, chord = node.size, path.n_axis, t[node], lengths[sites.curve]
     chord = np.where(sites.along == 0.0, np.minimum(chord, np.roll(chord, 1)), chord)
     gap = np.diff(at, append=0.0)
     length = np.minimum(_STIFF * np.where(gap > 0.0, gap, np.inf), (at[begin[1:] - 1] / 3.0)[sites.run])
     fresh = (route.feedrate[sites.curve] != np.roll(route.feedrate[sites.curve], 1)).astype(np.int64)
-    powers, knot, failed = np.empty((n, 6, n_axis)), np.empty(n, dtype=np.int64), np.empty(n, dtype=np.int64)
-    knot[:], failed[:] = 0, 1
+    powers, knot, failed = np.empty((n, 6, n_axis)), np.zeros(n, dtype=np.int64), np.ones(n, dtype=np.int64)
     memory = np.empty((n, 4)), np.empty((n, n_axis)), np.empty((n, 3, n_axis)), powers, np.empty((4, 6))
     fit(at, p[node], chord, fresh, node, t, p, slack, begin, fixed, within, ends, _BEZIER, length, *memory, knot, failed)
     return sites, place[node], knot, failed, powers
@@ -437,12 +434,11 @@ def fitted(route: Route) -> Route:
     run, used = sites.run[at], np.flatnonzero(good[runs.run])
     here, first, last = np.flatnonzero(run[:-1] == run[1:]), np.diff(run, prepend=-1) > 0, np.diff(run, append=-1) != 0
     # What stays of each curve: nothing of those within runs, one end of those where a run begins or ends.
-    span = np.diff(path.breaks)
+    span, head, tail = np.diff(path.breaks), at[first], at[last]
     low, high, start, end = np.zeros_like(span), span.copy(), path.starts[0].copy(), path.ends[0].copy()
-    head, tail, p = at[first], at[last], powers[:, 0]
     low[sites.curve[tail]], start[sites.curve[tail]] = sites.along[tail], path.at(sites.curve[tail], sites.along[tail], 0)[0]
     high[np.setdiff1d(runs.curve[used], sites.curve[tail])] = 0.0
-    high[sites.curve[head]], end[sites.curve[head]] = sites.along[head], p[head]
+    high[sites.curve[head]], end[sites.curve[head]] = sites.along[head], powers[head, 0]
     a, b = at[here], at[here + 1]
     # The last piece of a run without a neighbour ends in the stop of the last curve; the first curve has none.
     stops = sites.along[b] >= span[sites.curve[b]]
