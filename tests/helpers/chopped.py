@@ -88,10 +88,12 @@ def _places(path: Path, spacing: float, most: int) -> Array:
 def _distances(points: Array, path: Path, spacing: float, enough: float) -> Array:
     """Return distances (n,) of points (n, n_axis) from a path by brute force; of those nearer than `enough`, an upper bound."""
     place = _places(path, spacing, 10_000)
-    found, nearest = cKDTree(path.position(place)).query(points)
+    tree = cKDTree(path.position(place))
+    found = tree.query(points)[0]
     for i in np.flatnonzero(found > enough).tolist():
-        around = np.linspace(place[max(nearest[i] - 3, 0)], place[min(nearest[i] + 3, len(place) - 1)], 2001)
-        found[i] = np.linalg.norm(path.position(around) - points[i], axis=1).min()
+        near = np.array(tree.query_ball_point(points[i], found[i] + spacing))
+        low, high = place[np.maximum(near - 1, 0)], place[np.minimum(near + 1, len(place) - 1)]
+        found[i] = np.linalg.norm(path.position(np.linspace(low, high, 401).ravel()) - points[i], axis=1).min()
     return np.asarray(found)
 
 
