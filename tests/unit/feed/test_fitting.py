@@ -12,10 +12,10 @@ from chopped import excess
 from numpy.typing import NDArray
 
 from contourlab.feed import AxisLimits, Route, blended
-from contourlab.feed.fitting import fitted
+from contourlab.feed.fitting import Quintics, fitted, replaced
 from contourlab.feed.planner import plan_profile
 from contourlab.geometry import Arc, Line, Path
-from contourlab.geometry.blend import Blend
+from contourlab.geometry.blend import Blend, quintic_bezier
 
 Array = NDArray[np.float64]
 LIMITS = AxisLimits(0.2, 1.5, 40.0)
@@ -176,3 +176,16 @@ def test_the_map_to_the_programmed_path_rises_from_end_to_end() -> None:
     s = np.linspace(0.0, found.path.length, 4001)
     away = np.linalg.norm(found.path.position(s) - found.programmed.position(found.programmed_arc_length(s)), axis=1)
     assert away.max() < 1.5 * P
+
+
+def test_a_stop_is_at_the_end_of_a_divided_quintic() -> None:
+    given = route(np.array([(0.0, 0.0), (0.01, 0.0), (0.02, 0.001)]), dwell=[0.0, 0.5], exact_stop=[False, True])
+    # So uneven that its arc length needs several parts.
+    points = np.array([[(0.005, 0.0), (0.00501, 0.0), (0.00502, 0.0), (0.0199, 0.001), (0.01999, 0.001), (0.02, 0.001)]])
+    start, end = given.path.starts[0], given.path.ends[0].copy()
+    end[0] = points[0, 0]
+    pieces = Quintics(quintic_bezier(points), np.array([0.005]), given.path.breaks[2:], np.array([0]), np.array([1]))
+    found = replaced(given, pieces, np.zeros(2), np.array([0.005, 0.0]), start, end)
+    assert found.n_curve > 2
+    assert found.dwell.tolist() == [*[0.0] * (found.n_curve - 1), 0.5]
+    assert np.flatnonzero(found.exact_stop).tolist() == [found.n_curve - 1]
