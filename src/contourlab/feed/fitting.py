@@ -1,7 +1,8 @@
 """Fit one smooth curve to each run of short lines and arcs that chop a curve, within the tolerance of the programmed path.
 
-A curve is short if an arc that turns like its ends would lie within the tolerance of it. Successive short curves are a run. The run begins
-and ends on its neighbours, where the fitted curve has their position, direction and curvature; so real corners stay corners between lines.
+A curve is short if an arc that turns like its ends would lie within the tolerance of it. Three or more short curves in succession are a
+run. It begins and ends on its neighbours, where the fitted curve has their position, direction and curvature, or at a stop; so real corners
+stay corners between lines.
 
 Sites p along a run are smoothed (Whittaker and Henderson): x minimises the integral of |x - p|^2 + l^6 |x'''|^2 by arc length. Ripples
 shorter than l vanish; arcs of a radius of some l stay. The length l begins large. It is lowered around each site that leaves half of the
@@ -32,6 +33,8 @@ from contourlab.native.kernel import kernel
 
 _RATIO = 64.0
 """A curve more times as long as a neighbour is not short."""
+_FEWEST = 3
+"""Least number of short curves in a run."""
 _TAKE = 1000.0
 """Most of a neighbour that a run uses, in tolerances."""
 _GRADE = 3.0
@@ -321,8 +324,8 @@ def _runs(route: Route, tolerance: Array, linked: Flags, rest: Flags, bend: Arra
     first = np.flatnonzero(short & ~np.append(False, joined[:-1]))
     last = np.flatnonzero(short & ~joined)
     kinks = np.append(0, np.cumsum(turn > CORNER_ANGLE))
-    # The joints at both ends count too.
-    bent = kinks[last + 1] - kinks[first - before[first]] >= 2
+    # With fewer short curves, arcs and lines are a contour of its own. The joints at both ends count too.
+    bent = (last - first >= _FEWEST - 1) & (kinks[last + 1] - kinks[first - before[first]] >= 2)
     first, last = first[bent], last[bent]
     begin, end = first - before[first], last + linked[last]
     run = np.repeat(np.arange(first.size), end - begin + 1)
