@@ -130,7 +130,7 @@ backlash: $(STAMP)
 	$(BIN)/python benchmarks/backlash.py $(ARGS)
 
 clean:
-	rm -rf $(VENV) results benchmarks/out build dist .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis page/node_modules page/built
+	rm -rf $(VENV) src/contourlab/native/kept results benchmarks/out build dist .mypy_cache .ruff_cache .pytest_cache .import_linter_cache .hypothesis page/node_modules page/built
 	cd docs && rm -rf _build examples reference/api $(addsuffix .md,$(addprefix reference/,api commands components findings json) \
 	  $(addprefix development/,benchmarks changelog contributing))
 	find src tests benchmarks docs -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -87,7 +87,10 @@ GROUPS = {
             "lost_motion_from_pair",
         ),
     ),
-    "Results": ("Signals with units, how a run ended, and one page about runs.", ("Result", "Signal", "Status", "report")),
+    "Results": (
+        "Signals with units, how a run ended, one page about runs, and the viewer in a notebook.",
+        ("Result", "Signal", "Status", "report", "show"),
+    ),
     "Analyse": ("Margins without a run.", ("contour_margins", "internal_stability")),
     "Learn": ("Learning from trial to trial.", ("Stopping", "LearnedTable", "Learned", "learning_analysis")),
     "Components": (

@@ -20,7 +20,7 @@ generate.write()
 project = "contourlab"
 version = release = contourlab.__version__
 project_copyright = "the contourlab authors"
-extensions = ["myst_parser", "numpydoc", "sphinx.ext.autosummary", "sphinx_copybutton", "sphinx_gallery.gen_gallery"]
+extensions = ["live", "myst_parser", "numpydoc", "sphinx.ext.autosummary", "sphinx_copybutton", "sphinx_gallery.gen_gallery"]
 exclude_patterns = ["_build", "_templates"]
 templates_path = ["_templates"]
 highlight_language = "none"  # formulas are indented blocks
@@ -50,6 +50,8 @@ sphinx_gallery_conf = {
     "write_computation_times": False,  # its pages load scripts from elsewhere
     "min_reported_time": 1000,
     "show_signature": False,
+    "image_scrapers": ("matplotlib", "live.of_examples"),
+    "ignore_repr_types": "Viewer",
     "within_subsection_order": "FileNameSortKey",
 }
 

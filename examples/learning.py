@@ -30,11 +30,9 @@ first = cl.simulate(*loop)
 learned = cl.simulate(*loop, learned=run.table.learned)
 
 # %%
-# Left: the error falls to less than a tenth. Right: around the circle of the part, what is left are
-# small peaks at the reversals: friction jumps there, faster than the filter of the law passes.
+# The error falls to less than a tenth.
 
-figure = plt.figure(figsize=(10, 4.2), layout="constrained")
-by_trial, in_time = figure.subplots(1, 2)
+figure, by_trial = plt.subplots(figsize=(7, 4), layout="constrained")
 largest = [1e6 * trial.contour_max for trial in run.trials]
 rms = [1e6 * trial.contour_rms for trial in run.trials]
 by_trial.semilogy(largest, "o-", label="largest")
@@ -42,14 +40,14 @@ by_trial.semilogy(rms, "s-", label="rms")
 by_trial.set(xlabel="trial", ylabel="contour error [um]", title="Cutting moves")
 by_trial.yaxis.set_major_formatter("{x:g}")
 by_trial.legend()
-
-contour_error = {}
-for name, result in {"trial 0": first, f"trial {run.best}": learned}.items():
-    judged = cl.judge(result, reference)
-    contour_error[name] = cl.summarise(judged, reference).contour_error
-    circle = cl.circles_of(judged, reference)[0]
-    time = judged.time[circle.samples]
-    in_time.plot(time, 1e6 * circle.deviation, linewidth=1, label=name)
-in_time.set(xlabel="time [s]", ylabel="radial deviation [um]", title="Circle")
-in_time.legend()
 plt.show()
+
+# %%
+# What is left around the circle of the part are small peaks at the reversals: friction jumps there,
+# faster than the filter of the law passes.
+
+judged = {"trial 0": first, f"trial {run.best}": learned}
+judged = {name: cl.judge(result, reference) for name, result in judged.items()}
+figures = {name: cl.summarise(result, reference) for name, result in judged.items()}
+contour_error = {name: each.contour_error for name, each in figures.items()}
+cl.show(judged, "circle-0", "error-time")

@@ -25,7 +25,8 @@ IMPORT = "import time; start = time.perf_counter(); import contourlab; print(tim
 
 
 def build() -> Path:
-    """Build both archives into dist; return the wheel."""
+    """Build both archives into dist, with the kernels in the language of LLVM; return the wheel."""
+    subprocess.run([sys.executable, "-m", "contourlab.app.precompile"], check=True)
     for folder in (DIST, ROOT / "build"):
         shutil.rmtree(folder, ignore_errors=True)
     subprocess.run([sys.executable, "-m", "build", ROOT], check=True)
@@ -54,6 +55,7 @@ def try_out(wheel: Path, place: Path) -> None:
 
     run(python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-c", ROOT / "constraints.txt", wheel)
     run(command, "--version")
+    run(python, "-c", "import sys; sys.modules['numba'] = None; from contourlab.app.precompile import precompile; precompile()")
     run(command, "demo", "--out", "demo")
     if not (place / "demo" / "report.html").is_file():
         raise SystemExit("the demonstration wrote no report")

@@ -21,7 +21,7 @@ NUMBERS = {
     "type": "object",
     "description": "An array: little-endian, row by row, from byte `at` of the numbers on.",
     "properties": {
-        "dtype": {"enum": ["f4", "f8", "i4"]},
+        "dtype": {"enum": ["f4", "f8", "i4", "u1"]},
         "at": {"type": "integer", "minimum": 0},
         "shape": {"type": "array", "items": {"type": "integer", "minimum": 0}},
     },
@@ -31,7 +31,7 @@ SIMPLE = {float: "number", int: "integer", bool: "boolean", str: "string", NoneT
 HEAD = """// Written by tools/page_contract.py from the classes in contourlab.rendering.charts. Do not edit.
 
 /** An array, unpacked: its numbers row by row, and its shape. */
-export interface Numbers {{ values: Float32Array | Float64Array | Int32Array; shape: number[] }}
+export interface Numbers {{ values: Float32Array | Float64Array | Int32Array | Uint8Array; shape: number[] }}
 
 export const CONTRACT = "{contract}";
 """

@@ -1,15 +1,21 @@
 /** What all pictures share: elements, colours, texts of numbers, legend, tip, canvas. */
+import type { Picture } from "./contract";
 
 /** A picture on the page. */
 export interface Drawing {
-  /** Draw again: another width, other colours, or paper. */
+  /** Draw again: another size, other colours, or paper. */
   resize(): void;
+  /** Draw what the picture holds now. */
+  update?(): void;
   destroy(): void;
 }
 
 /** What a picture may ask of its page. */
 export interface Page {
+  readonly pictures: Picture[];
   pick(line: number): void;
+  /** Numbers of a picture have changed. */
+  changed(picture: Picture): void;
 }
 
 /** Room on paper [px]: A4 less margins and padding. */
@@ -24,12 +30,24 @@ export function widthOf(host: HTMLElement): number {
   return Math.max(host.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight), 200);
 }
 
-export function add<K extends keyof HTMLElementTagNameMap>(host: Element, tag: K, cls = "", text = ""): HTMLElementTagNameMap[K] {
-  const element = document.createElement(tag);
-  if (cls) element.className = cls;
-  if (text) element.textContent = text;
-  host.append(element);
-  return element;
+type Tags = HTMLElementTagNameMap;
+
+/** Return an element with properties, and what is inside. */
+export function element<K extends keyof Tags>(tag: K, given: object = {}, ...inside: (Node | string)[]): Tags[K] {
+  const made = Object.assign(document.createElement(tag), given);
+  made.append(...inside);
+  return made;
+}
+
+/** Return an element of a class, with what is inside, at the end of another. */
+export const add = <K extends keyof Tags>(host: Element, tag: K, className = "", ...inside: string[]): Tags[K] =>
+  host.appendChild(element(tag, { className }, ...inside));
+
+/** Return a button. */
+export function button(textContent: string, act: () => void): HTMLButtonElement {
+  const made = element("button", { type: "button", textContent });
+  made.addEventListener("click", act);
+  return made;
 }
 
 // --- colours -------------------------------------------------------------------------------------------------------------------------
@@ -55,6 +73,15 @@ function parts(colour: string): number[] {
 function luminance(rgb: number[]): number {
   const [r, g, b] = rgb.map(v => v / 255).map(v => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4));
   return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+}
+
+/** Return whether what lies behind an element is dark; paper is not. */
+export function isDark(element: Element | null): boolean {
+  for (let at = isPaper() ? null : element; at; at = at.parentElement ?? (at.getRootNode() as ShadowRoot).host ?? null) {
+    const [r, g, b, opacity = 1] = getComputedStyle(at).backgroundColor.match(/[\d.]+/g)?.map(Number) ?? [0, 0, 0, 0];
+    if (opacity > 0.5) return luminance([r, g, b]) < 0.2;
+  }
+  return false;
 }
 
 /** Return a colour (#rrggbb), on a dark ground mixed with white until its contrast is 4.5. */
@@ -83,6 +110,16 @@ export function roundDown(value: number): number {
   return ([5, 2].find(step => step <= (value / power) * (1 + 1e-12)) ?? 1) * power;
 }
 
+/** Return the i of ascending values with values[i] <= value < values[i + 1], or that of the first or last two. */
+export function indexBefore(values: ArrayLike<number>, value: number): number {
+  let from = 0, to = values.length - 1;
+  while (to - from > 1) {
+    const middle = (from + to) >> 1;
+    if (values[middle] <= value) from = middle; else to = middle;
+  }
+  return from;
+}
+
 // --- legend and tip ------------------------------------------------------------------------------------------------------------------
 
 export interface Entry { name: string; colour: string; dash: string; glyph?: string }
@@ -92,17 +129,16 @@ export function legend(host: Element, entries: Entry[], hidden: Set<string>, tog
   const row = add(host, "div", "cl-legend");
   const known = entries.filter((entry, i) => entries.findIndex(other => other.name === entry.name) === i);
   for (const entry of known) {
-    const button = add(row, "button");
-    button.type = "button";
-    const swatch = add(button, "i", entry.glyph ? "cl-glyph" : "", entry.glyph ?? "");
-    if (!entry.glyph) swatch.style.borderTop = `3px ${{ dash: "dashed", dot: "dotted" }[entry.dash] ?? "solid"} ${entry.colour}`;
-    button.append(entry.name);
-    button.setAttribute("aria-pressed", String(!hidden.has(entry.name)));
-    button.addEventListener("click", () => {
+    const made = row.appendChild(button("", () => {
       if (!hidden.delete(entry.name)) hidden.add(entry.name);
-      button.setAttribute("aria-pressed", String(!hidden.has(entry.name)));
+      press();
       toggled();
-    });
+    }));
+    const press = (): void => made.setAttribute("aria-pressed", String(!hidden.has(entry.name)));
+    const swatch = add(made, "i", entry.glyph ? "cl-glyph" : "", entry.glyph ?? "");
+    if (!entry.glyph) swatch.style.borderTop = `3px ${{ dash: "dashed", dot: "dotted" }[entry.dash] ?? "solid"} ${entry.colour}`;
+    made.append(entry.name);
+    press();
   }
   return row;
 }

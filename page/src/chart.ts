@@ -5,11 +5,11 @@ import {
   add, coloursOf, DASHES, figure, FONT, isPaper, legend, nameOf, Tip, unitOf, visible, widthOf, type Colours, type Drawing, type Entry,
 } from "./base";
 
-const GLYPHS: Record<string, string> = { reversal: "▲", corner: "◆", "first zero": "●", "curvature step": "▼" };
+const GLYPHS: Record<string, string> = { reversal: "▲", corner: "◆", "first zero": "●", "curvature step": "▼", peak: "▲" };
 const HEIGHT = { alone: 250, each: 170, paper: 120, axis: 40, gap: 8 };
 type Range = [number, number];
 
-export function drawChart(host: HTMLElement, chart: Chart): Drawing {
+export function drawChart(host: HTMLElement, chart: Chart): Drawing & { zoom(range?: Range): void } {
   return new Chartist(host, chart);
 }
 
@@ -36,7 +36,7 @@ class Chartist implements Drawing {
       name: curve.name, dash: curve.dash, colour: visible(curve.colour, colours.card), glyph: curve.half ? "●" : undefined,
     })));
     const marks = panels.flatMap(panel => panel.ticks.map(tick => ({ name: tick.mark, dash: "", colour: colours.muted, glyph: GLYPHS[tick.mark] })));
-    const row = legend(this.body, [...entries, ...marks], this.hidden, () => this.redraw());
+    const row = legend(this.body, [...entries, ...marks], this.hidden, () => this.update());
     entries.filter(entry => entry.glyph).forEach(entry => {
       const button = [...row.children].find(child => child.lastChild!.textContent === entry.name);
       (button!.firstChild as HTMLElement).style.color = entry.colour;
@@ -51,12 +51,10 @@ class Chartist implements Drawing {
     const log = this.chart.panels[0].log_x, [low, high] = range;
     const least = log ? (high / low > 1.0001) : (high - low > 1e-9 * (this.whole[1] - this.whole[0]));
     if (least) this.range = [Math.max(low, this.whole[0]), Math.min(high, this.whole[1])];
-    this.redraw();
+    this.update();
   }
 
-  redraw(): void {
-    this.views.forEach(view => view.plot.redraw());
-  }
+  update(): void { this.views.forEach(view => view.plot.redraw()); }
 
   /** Move the pointer of all panels to a value of x; null takes it away. */
   point(x: number | null, from?: View): void {
@@ -136,7 +134,7 @@ class View {
       series: [{}, ...panel.curves.map(curve => this.series(curve))],
       axes: [
         { ...axis, ...(panel.log_x ? { splits: logSplits, filter: named } : {}), size: (last ? 24 : HEIGHT.gap) * k, space: 70 * k, ...(last ? { label: panel.x_label, labelSize: 16 * k, labelGap: 0 } : { values: () => [] }) },
-        { ...axis, ...(panel.log_y ? { splits: logSplits } : {}), size: gutter * k, space: 32 * k, ...(y.length ? { splits: () => y.map(([at]) => at), values: () => y.map(([, text]) => text) } : {}) },
+        { ...axis, ...(panel.log_y ? { splits: (_plot, _i, low, high) => logSplits(_plot, _i, low, high).filter(at => high < 2e3 * low || isPower(at)) } : {}), size: gutter * k, space: 32 * k, ...(y.length ? { splits: () => y.map(([at]) => at), values: () => y.map(([, text]) => text) } : {}) },
       ],
       legend: { show: false },
       cursor: { y: false, points: { show: false }, drag: { setScale: false, x: true, y: false } },
@@ -361,6 +359,8 @@ function logSplits(_plot: uPlot, _i: number, low: number, high: number): number[
   const all = Array.from({ length: count }, (_, k) => Number(`${1 + (k % 9)}e${first + Math.floor(k / 9)}`));
   return all.filter(at => at >= low && at <= high);
 }
+
+const isPower = (at: number): boolean => at.toExponential()[0] === "1";
 
 /** Keep the powers of ten, and 2 and 5 times them where there is room. */
 function named(plot: uPlot, splits: number[]): (number | null)[] {

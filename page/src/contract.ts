@@ -1,7 +1,7 @@
 // Written by tools/page_contract.py from the classes in contourlab.rendering.charts. Do not edit.
 
 /** An array, unpacked: its numbers row by row, and its shape. */
-export interface Numbers { values: Float32Array | Float64Array | Int32Array; shape: number[] }
+export interface Numbers { values: Float32Array | Float64Array | Int32Array | Uint8Array; shape: number[] }
 
 export const CONTRACT = "contourlab-page/1";
 
@@ -155,4 +155,77 @@ export interface CircleTrace {
   curves: Numbers;
 }
 
-export type Picture = Chart | PolarChart | PathScene | Heat | CircleCauses;
+/** Runs whose parameters can be changed in the page. */
+export interface LiveLoop {
+  kind: "LiveLoop";
+  key: string;
+  title: string;
+  caption: string;
+  runs: LiveRun[];
+  command: string;
+}
+
+/** A run of the report as a WebAssembly module; places are words of 8 bytes. `contourlab.loop.PortableLoop` says how to run it. */
+export interface LiveRun {
+  kind: "LiveRun";
+  name: string;
+  code: Numbers;
+  n_word: number;
+  words: [number, Numbers][];
+  motion: LiveMotion;
+  inputs: number;
+  ahead: number[];
+  log: number;
+  n_log: number;
+  position: number[];
+  part_error: number;
+  foot: number;
+  doubt: number;
+  place: number;
+  planning: number;
+  asked: LivePath;
+  judged: [number, number][];
+  figures: [string, number][];
+  failed_at: number;
+  state: [number, number][];
+  parameters: LiveParameter[];
+  short: [number, number];
+  controller: string;
+}
+
+/** A planned motion along a path, in spans of constant jerk. */
+export interface LiveMotion {
+  kind: "LiveMotion";
+  period: number;
+  n_sample: number;
+  spans: Numbers;
+  duration: number;
+  length: number;
+  path: LivePath;
+}
+
+/** A path in quintic pieces. */
+export interface LivePath {
+  kind: "LivePath";
+  start: Numbers;
+  coefficients: Numbers;
+  closed: boolean;
+}
+
+/** A parameter that can be changed. */
+export interface LiveParameter {
+  kind: "LiveParameter";
+  name: string;
+  word: number;
+  value: number | null;
+  unit: string;
+  display: string;
+  factor: number;
+  minimum: number | null;
+  maximum: number | null;
+  exclusive: boolean;
+  whole: boolean;
+  first: boolean;
+}
+
+export type Picture = Chart | PolarChart | PathScene | Heat | CircleCauses | LiveLoop;

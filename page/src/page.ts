@@ -31,6 +31,8 @@ function mark(line: number, scroll: boolean): void {
 
 /** Bring the page to life; `picked` is called with each line that the reader picks. Return how to pick a line. */
 export function alive(picked: (line: number) => void): (line: number) => void {
+  const note = document.getElementById("picked");
+  if (note) note.textContent = "Click on a line of the program below.";
   const pick = (line: number, scroll = true): void => {
     mark(line, scroll);
     picked(line);

@@ -1,5 +1,5 @@
 /** The path in space, judged: errors magnified and coloured, worst places, playback. Nothing is drawn while nothing changes. */
-import { type Drawing, figure, type Page, roundDown, visible as seen } from "./base";
+import { button, type Drawing, element, figure, indexBefore, isPaper, type Page, roundDown, visible as seen } from "./base";
 import type { PathScene, Place, SceneRun } from "./contract";
 import LOOK from "./path.css";
 import { attribute, Canvas, drawsInSoftware, mix, pairs, type Point, rgb, RUN, scaleColours, tangents, type Values } from "./path_lines";
@@ -14,13 +14,6 @@ const ISO: [number, number] = [-60, 35.264], PAPER: [number, number] = [640, 440
 const KEY_PLACE = [20, 36, 52].flatMap(y => [12, 90].map((x): [number, number] => [x, y]));
 const SPEEDS = [0.1, 0.2, 0.5, 1, 2, 5, 10], NOTHING: Point = [0, 0, 0];
 
-/** Return an element with properties, and what is inside. */
-function element<K extends keyof HTMLElementTagNameMap>(tag: K, given: object = {}, ...inside: (Node | string)[]): HTMLElementTagNameMap[K] {
-  const made = Object.assign(document.createElement(tag), given);
-  made.append(...inside);
-  return made;
-}
-
 /** Return an element of SVG. */
 function shape(tag: string, given: Record<string, string | number>, ...inside: (Node | string)[]): SVGElement {
   const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
@@ -28,6 +21,9 @@ function shape(tag: string, given: Record<string, string | number>, ...inside: (
   made.append(...inside);
   return made;
 }
+
+/** Runs with thin lines: what there was before. */
+export const ghosts = new WeakSet<SceneRun>();
 
 /** Draw the path and its runs; a click on them picks the line of the program, and `highlight` marks the stretch that a line makes. */
 export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawing & { highlight(line: number | null): void } {
@@ -53,16 +49,22 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   const cuts = pairs(count, i => judged[i] > 0 && judged[i + 1] > 0), rests = pairs(count, i => !(judged[i] && judged[i + 1]));
   const rapids = gl.add(asked, rests, 0), outline = gl.add(asked, cuts, 2), halo = gl.add(asked, pairs(count, () => true), 3);
   const edges = tolerance === null ? [] : [1, -1].map(side => gl.add(asked, cuts, 1, side * tolerance * 1e-3));
-  const runs = scene.runs.map((run, r) => {
+  /** Return what is drawn of a run. */
+  function drawnOf(run: SceneRun) {
     const size = run.size.values, stretch = run.stretch.values, index = pairs(size.length, i => stretch[i] > 0 && stretch[i] === stretch[i + 1]);
     const places = { foot: attribute(run.foot.values, 3, centre), error: attribute(run.error.values, 3, NOTHING, 1e-3), size: attribute(size, 1) };
     let top = 0;
     size.forEach((value, i) => { if (stretch[i] > 0) top = Math.max(top, value); });
-    return { run, index, top, shown: false, lines: gl.add(places, index, RUN + r), halo: gl.add(places, index.slice(), 4) };
-  });
+    return { index, top, places, of: run.size };
+  }
+  function added(run: SceneRun, r: number) {
+    const drawn = drawnOf(run), { places, index } = drawn;
+    return { run, ...drawn, shown: false, lines: gl.add(places, index, RUN + r), halo: gl.add(places, index.slice(), 4) };
+  }
+  const runs = scene.runs.map(added);
   const visible = (): typeof runs => runs.filter(one => one.shown);
   const worstRun = runs.reduce((a, b) => (b.top > a.top ? b : a));
-  worstRun.shown = true;
+  (runs.length === 2 ? runs : [worstRun]).forEach(one => { one.shown = true; });  // before and after
 
   // --- controls ----------------------------------------------------------------------------------------------------------------------
   const copy = element("canvas", { hidden: true }), svg = shape("svg", {});
@@ -74,28 +76,28 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   const slider = element("input", { type: "range", min: "0", max: "4", step: "any", ariaLabel: "Magnification of the error" });
   const first = Math.min(...runs.map(({ run }) => run.time.values[0] ?? 0)), last = Math.max(...runs.map(({ run }) => run.time.values.at(-1) ?? 0));
   const scrubber = element("input", { type: "range", min: String(first), max: String(last), step: "any", ariaLabel: "Time", value: String(first) });
-  const play = element("button", { type: "button" });
+  const play = button("", () => toggle());
   const speed = element("select", { ariaLabel: "Speed" }, ...SPEEDS.map(s => new Option(`${s} ×`, String(s))));
-  const colourBy = element("select", { ariaLabel: "Colour" }, new Option("colour: error", "error"), new Option("colour: run", "run"));
+  const colourBy = element("select", { ariaLabel: "Colour" }, new Option("colour: error", "error"), new Option("colour: run", "run", runs.length === 2, runs.length === 2));
   const tick = (text: string, checked: boolean, act: (on: boolean) => void, colour = ""): HTMLElement => {
     const box = element("input", { type: "checkbox", checked }), swatch = element("i");
     swatch.style.background = colour;
     listen(box, "change", () => { act(box.checked); dress(); });
     return element("label", {}, box, ...(colour ? [swatch] : []), text);
   };
-  const button = (textContent: string, act: () => void): HTMLElement => {
-    const made = element("button", { type: "button", textContent });
-    listen(made, "click", act);
-    return made;
-  };
   const letters = scene.axes.map(name => name.toUpperCase()), [x, y, z] = letters, longest = Math.max(...letters.map(name => name.length));
   const plane = (a: string, b: string): string => a + (longest > 1 ? " " : "") + b;
   const views: [string, number, number][] = [[plane(x, y), -90, 90], ["ISO", ...ISO]];
   if (z) views.splice(1, 0, [plane(x, z), -90, 0], [plane(y, z), 0, 0]);
-  const switches = runs.map(one => tick(one.run.name, one.shown, on => {
+  const which = element("span", { className: "path-which" });
+  function show(one: typeof runs[0], on: boolean): void {
     one.shown = on;
     colourBy.value = visible().length > 1 ? "run" : "error";
-  }, one.run.colour));
+  }
+  const list = (): void => {
+    if (runs.length > 1) which.replaceChildren(...runs.map(one => tick(one.run.name, one.shown, on => show(one, on), one.run.colour)), colourBy);
+  };
+  list();
   // A flat path is seen from above; there, edges of the tolerance do not hide one another.
   let length = 0, climb = 0, showRapids = true;
   for (let k = 0; k < cuts.length; k += 2) {
@@ -109,9 +111,9 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   host.classList.add("cl-path");
   host.replaceChildren(
     element("div", { className: "path-row" },
-      element("span", { className: "path-views" }, 
+      element("span", { className: "path-views" },
         ...views.map(([name, a, e]) => button(name, () => { view.from(a, e); fit(); })), button("Fit", fit)),
-      ...(runs.length > 1 ? [...switches, colourBy] : []),
+      which,
       ...(rests.length ? [tick(scene.unjudged, true, on => { showRapids = on; })] : []),
       ...(edges.length ? [tick("tolerance", showEdges, on => { showEdges = on; })] : [])),
     stage,
@@ -119,8 +121,10 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
     element("div", { className: "path-row" }, play, scrubber, speed, clock), said);
 
   // --- one frame ---------------------------------------------------------------------------------------------------------------------
-  let frame = 0, settling = 0, dense = 1, moves = false;
-  function invalidate(): void { frame ||= requestAnimationFrame(render); }
+  let frame = 0, settling = 0, dense = 1, moves = false, isSeen = true;
+  const inView = new IntersectionObserver(([{ isIntersecting }]) => { isSeen = isIntersecting; invalidate(); }, { rootMargin: "200px" });
+  inView.observe(stage);
+  function invalidate(): void { if (isSeen) frame ||= requestAnimationFrame(render); }
 
   function fit(): void {
     view.fit(Math.min(1e-3 * uniforms.magnification.value * Math.max(...visible().map(one => one.top), 0), 0.3 * extent));
@@ -140,7 +144,7 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
     uniforms.view.value.set(...view.back);
     rapids.object.visible = showRapids;
     edges.forEach(edge => { edge.object.visible = showEdges && tolerance! * 1e-3 * uniforms.magnification.value < 0.3 * extent; });
-    runs.forEach(one => { one.lines.object.visible = one.shown; one.lines.width(moves ? 1 : 2 * dense); });
+    runs.forEach(one => { one.lines.object.visible = one.shown; one.lines.width(moves || ghosts.has(one.run) ? 1 : 2 * dense); });
     gl.renderer.render(gl.scene, gl.camera);
     annotate();
   }
@@ -202,13 +206,8 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   }
 
   function toolAt(run: SceneRun, when: number): Spot {
-    const values = run.time.values;
-    let from = 0, to = values.length - 1;
-    while (to - from > 1) {
-      const middle = (from + to) >> 1;
-      if (values[middle] <= when) from = middle; else to = middle;
-    }
-    return between(run, from, Math.min(Math.max((when - values[from]) / (values[to] - values[from] || 1), 0), 1));
+    const values = run.time.values, i = indexBefore(values, when);
+    return between(run, i, Math.min(Math.max((when - values[i]) / (values[i + 1] - values[i] || 1), 0), 1));
   }
 
   let time = first, playing = 0, before = 0;
@@ -246,7 +245,6 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
     Object.assign(play, { textContent: "❚❚", ariaLabel: "Pause" });
   }
 
-  listen(play, "click", toggle);
   listen(scrubber, "input", () => { time = Number(scrubber.value); showTools(); });
 
   // --- places and lines --------------------------------------------------------------------------------------------------------------
@@ -360,19 +358,18 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   // --- magnification, colours, size --------------------------------------------------------------------------------------------------
   function magnify(value: number): void {
     uniforms.magnification.value = Number(Math.min(Math.max(value, 1), MOST).toPrecision(2));
-    times.textContent = slider.ariaValueText = `error × ${uniforms.magnification.value.toLocaleString("en").replace(",", "\u2009")}`;
+    times.textContent = slider.ariaValueText = `error × ${uniforms.magnification.value.toLocaleString("en")}`;
     invalidate();
   }
   listen(slider, "input", () => { move(); magnify(10 ** Number(slider.value)); });
   listen(colourBy, "change", () => dress());
 
-  const night = matchMedia("screen and (prefers-color-scheme: dark)");
-  let isPaper = false, kept = {};
+  let onPaper = false, kept = {};
 
   /** Take the colours of the theme, and those of the runs: by error, or one each. */
   function dress(): void {
     const style = getComputedStyle(host), named = (name: string): string => style.getPropertyValue(`--p-${name}`).trim();
-    const bySize = colourBy.value === "error", stops = scaleColours(night.matches && !isPaper);
+    const bySize = colourBy.value === "error", stops = scaleColours(host.closest(".cl-dark") !== null);
     const paint = (lines: { paint(colour: Point): void }[], name: string): void => lines.forEach(one => one.paint(rgb(named(name))));
     paint([outline], "path");
     paint([rapids], "rapid");
@@ -392,8 +389,8 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
     highlight(marked);
   }
 
-  function resize(): void {
-    const isFirst = !view.width, ratio = isPaper ? 2 : devicePixelRatio || 1;
+  function size(): void {
+    const isFirst = !view.width, ratio = onPaper ? 2 : devicePixelRatio || 1;
     if (!stage.clientWidth || !stage.clientHeight) return;
     [view.width, view.height] = [stage.clientWidth, stage.clientHeight];
     gl.renderer.setPixelRatio(ratio);
@@ -409,38 +406,60 @@ export function drawPath(host: HTMLElement, scene: PathScene, page: Page): Drawi
   /** On paper the picture has its own size and the light colours; what is printed is a flat copy. */
   function paper(on: boolean): void {
     if (on) kept = { target: view.target, span: view.span };
-    isPaper = on;
+    onPaper = on;
     [stage.style.width, stage.style.height] = on ? PAPER.map(pixels => `${pixels}px`) : ["", ""];
     dress();
-    resize();
+    size();
     if (on) fit(); else Object.assign(view, kept);
     render();
     [copy.width, copy.height, copy.hidden] = [canvas.width, canvas.height, !on];
     if (on) copy.getContext("2d")!.drawImage(canvas, 0, 0);
   }
-  listen(night, "change", () => dress());
-  listen(window, "beforeprint", () => paper(true));
-  listen(window, "afterprint", () => paper(false));
+
+  function resize(): void {
+    if (onPaper !== isPaper()) return paper(isPaper());
+    dress();
+    size();
+  }
   listen(canvas, "webglcontextrestored", invalidate);
-  const watch = new ResizeObserver(resize);
-  watch.observe(stage);
   speed.value = "1";
   pause();
   slider.value = String(Math.log10(scene.magnification));
   magnify(scene.magnification);
   view.turn(0, 0);
   dress();
-  resize();
+  size();
+  if (isPaper()) paper(true);
+
+  /** Take runs that are new, or have other points; a new one shows itself. */
+  function update(): void {
+    for (const run of scene.runs.slice(runs.length)) {
+      const one = added(run, runs.length);
+      runs.push(one);
+      one.halo.width(6 * dense);
+      show(one, true);
+      list();
+    }
+    runs.filter(({ run, of }) => run.size !== of).forEach(one => {
+      const { places, index } = Object.assign(one, drawnOf(one.run));
+      if (chosen?.run === one.run) chosen = null;
+      one.lines.fill(places, index);
+      one.halo.fill(places, index.slice());
+    });
+    move();
+    dress();
+  }
 
   return {
     highlight,
     resize,
+    update,
     destroy() {
       gone.abort();
       pause();
       cancelAnimationFrame(frame);
       clearTimeout(settling);
-      watch.disconnect();
+      inView.disconnect();
       gl.destroy();
       root.adoptedStyleSheets = root.adoptedStyleSheets.filter(sheet => sheet !== look);
       host.classList.remove("cl-path");

@@ -97,19 +97,27 @@ export class Lines {
   constructor(shared: object, attributes: Record<string, BufferAttribute>, index: Uint32Array, order: number, side = 0) {
     const geometry = new InstancedBufferGeometry();
     this.own = { side: { value: side }, paint: { value: new Vector4() }, wide: { value: 1 } };
-    for (const [name, values] of Object.entries(attributes)) geometry.setAttribute(name, values);
-    geometry.setIndex(new BufferAttribute(index, 1));
     const isRun = order >= RUN, uniforms = { ...shared, ...this.own };
     const looks = { glslVersion: GLSL3, vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms };
     const material = new ShaderMaterial({ ...looks, depthTest: isRun, depthWrite: isRun });
     this.object = new LineSegments(geometry, material);
     this.object.frustumCulled = false;
+    this.fill(attributes, index);
     this.object.renderOrder = order;
     this.width(1);
   }
 
   /** Take one colour, or that of the error. */
   paint(colour: Point | null): void { this.own.paint.value.set(...(colour ?? [0, 0, 0] as Point), colour ? 0 : 1); }
+
+  /** Take other points and segments. */
+  fill(attributes: Record<string, BufferAttribute>, index: Uint32Array): void {
+    const { geometry } = this.object;
+    geometry.dispose();  // of the graphics card's copies
+    for (const [name, values] of Object.entries(attributes)) geometry.setAttribute(name, values);
+    geometry.setIndex(new BufferAttribute(index, 1));
+    geometry.setDrawRange(0, Infinity);
+  }
 
   width(pixels: number): void {
     this.own.wide.value = pixels;
@@ -153,5 +161,6 @@ export class Canvas {
   destroy(): void {
     for (const { geometry, material } of this.scene.children as Lines["object"][]) { geometry.dispose(); material.dispose(); }
     this.renderer.dispose();
+    this.renderer.forceContextLoss();  // a page has some 16
   }
 }

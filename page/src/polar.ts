@@ -1,6 +1,6 @@
 /** Radial deviation around a circle: the ring at 0 is the nominal circle. And a circle test, with a slider for each cause. */
 import type { CircleCauses, Curve, PolarChart } from "./contract";
-import { add, coloursOf, DASHES, figure, isPaper, legend, roundDown, sized, Tip, visible, widthOf, type Drawing } from "./base";
+import { add, button, coloursOf, DASHES, figure, isPaper, legend, roundDown, sized, Tip, visible, widthOf, type Drawing } from "./base";
 
 const LARGEST = 560, ROOM = 34;
 type Round = Pick<Curve, "name" | "colour" | "dash"> & { x: ArrayLike<number>; y: ArrayLike<number>; alpha?: number };
@@ -178,12 +178,10 @@ export function drawCauses(host: HTMLElement, test: CircleCauses): Drawing {
   });
   const buttons = add(right, "p", "cl-tools");
   for (const [text, value] of [["Remove all", "0"], ["As measured", "100"]]) {
-    const button = add(buttons, "button", "", text);
-    button.type = "button";
-    button.addEventListener("click", () => inputs.forEach(input => {
+    buttons.append(button(text, () => inputs.forEach(input => {
       input.value = value;
       input.dispatchEvent(new Event("input"));
-    }));
+    })));
   }
   const resize = (): void => {
     left.replaceChildren();

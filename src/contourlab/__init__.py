@@ -89,6 +89,7 @@ _HOMES = {
     "contourlab.features.tune.command": ("tune",),
     "contourlab.papers.run": ("reproduce",),
     "contourlab.features.run.report": ("report",),
+    "contourlab.features.run.show": ("show",),
     "contourlab.features.run.verdict": ("verdict",),
 }
 _WHERE = {name: home for home, names in _HOMES.items() for name in names}

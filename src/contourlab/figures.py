@@ -51,6 +51,15 @@ def number(value: float, digits: int = 3) -> str:
     return f"{float(text):.0f}" if "e" in text and 1.0 <= abs(value) < 1e7 else text
 
 
+def limit_to_propose(length: float) -> str:
+    """Write a length [m] as a tolerance to propose: with one digit, and above the rounding of exact data.
+
+    >>> limit_to_propose(2.4e-5), limit_to_propose(3e-18)
+    ('20 um', '0.001 um')
+    """
+    return f"{float(f'{max(1e6 * length, 1e-3):.1g}'):g} um"
+
+
 def shown_unit(unit: str) -> tuple[float, str]:
     """Return the factor and the display unit for values of an SI unit; an unknown unit stays as it is.
 

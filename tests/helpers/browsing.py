@@ -12,7 +12,8 @@ import pytest
 BROWSER = next((found for name in ("chromium", "chromium-browser", "google-chrome") if (found := shutil.which(name))), None)
 OPTIONS = ("--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-accelerated-2d-canvas")
 OPEN = "document.querySelectorAll('.fold').forEach(fold => { fold.open = true; })"
-PAINTED = """([key, colours]) => [...document.getElementById(key).querySelectorAll('canvas:not([hidden])')].map(canvas => {
+PLACE = ':is([id="{0}"], [data-key="{0}"])'
+PAINTED = """([place, colours]) => [...document.querySelector(place).querySelectorAll('canvas:not([hidden])')].map(canvas => {
   const copy = new OffscreenCanvas(canvas.width, canvas.height), pen = copy.getContext('2d');
   pen.drawImage(canvas, 0, 0);
   const {data} = pen.getImageData(0, 0, canvas.width, canvas.height);
@@ -33,11 +34,12 @@ class Browsing:
         self.contexts: list[Any] = []
         self.complaints: list[str] = []
 
-    def open(self, page: Path, width: int = 1280, height: int = 720, *, dark: bool = False) -> Any:
-        """Open a page in a window of a size [px], and all its folds."""
+    def open(self, page: Path, width: int = 1280, height: int = 720, *, dark: bool = False, first: str = "") -> Any:
+        """Open a page in a window of a size [px], and all its folds; before all others, run the script `first`."""
         look = {"viewport": {"width": width, "height": height}, "color_scheme": "dark" if dark else "light", "offline": True}
         context = self.browser.new_context(**look)
         self.contexts.append(context)
+        context.add_init_script(first)
         opened = context.new_page()
         opened.on("pageerror", lambda error: self.complaints.append(str(error)))
         opened.on("console", lambda said: self.complaints.append(said.text) if said.type in ("error", "warning") else None)
@@ -54,16 +56,16 @@ class Browsing:
 
 def drawn(page: Any, key: str) -> Any:
     """Bring a picture into view, wait until it is drawn, and return it."""
-    place = page.locator(f'[id="{key}"]')
+    place = page.locator(PLACE.format(key)).first
     place.scroll_into_view_if_needed()
-    page.locator(f'[id="{key}"][data-drawn]').wait_for(timeout=20_000)
+    page.locator(PLACE.format(key) + "[data-drawn]").first.wait_for(timeout=20_000)
     return place
 
 
 def painted(page: Any, key: str, *colours: str) -> list[int]:
     """Return for each canvas of a picture the number of pixels in some colours, or without these in any."""
     drawn(page, key)
-    counts: list[int] = page.evaluate(PAINTED, [key, list(colours)])
+    counts: list[int] = page.evaluate(PAINTED, [PLACE.format(key), list(colours)])
     return counts
 
 

@@ -11,8 +11,8 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.engine.gpu import THREADS
-from contourlab.engine.translate import llvm_ir
 from contourlab.engine.translate.tick_loop import SIGNATURE
+from contourlab.native import llvm
 
 
 class HostMemory:
@@ -46,10 +46,10 @@ class HostGpu:
         text = re.sub(r"call i32 @llvm.nvvm.read.ptx.sreg.(\w+).x\(\)", lambda found: f"add i32 0, {_PLACE[found[1]]}", text)
         text = text.replace("ptx_kernel void", "void").replace("double %period)", "double %period, i64 %number)")
         text = text.replace("entry:", "entry:\n  %own = trunc i64 %number to i32", 1)
-        return llvm_ir.object_code(text)
+        return llvm.object_code(text)
 
     def loaded(self, code: bytes) -> Any:
-        return llvm_ir.loaded(code, "run", SIGNATURE)
+        return llvm.loaded(code, "run", SIGNATURE)
 
     def run(self, function: Any, width: int, arguments: Sequence[Any]) -> None:
         assert width % THREADS == 0

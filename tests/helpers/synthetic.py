@@ -133,7 +133,7 @@ def around(data: ReportData, path: Path, reference: Reference, offset: float = 4
         "arc_length": Signal(block.arc_length, ("sample",), "m"),
         "tool_position": Signal(tool, BOTH, "m"),
     }
-    axes = ("x", "y", "z")[: path.n_axis]
+    axes = ("x", "y", "z", "u")[: path.n_axis]
     result = judge(Result("off by a vector", axes, reference.servo_period, signals), reference)
     only = JudgedRun("off by a vector", reference, result, summarise(result, reference))
     return replace(data, schemes=(only,), program=(), tolerance=None)

@@ -15,13 +15,14 @@ from contourlab.engine.runner import InterpretedGroup
 from contourlab.engine.step import Schedule, Step, rows
 from contourlab.engine.translate import c99, llvm_ir
 from contourlab.engine.translate.step_graph import StepGraph, graph_of, ring_row
+from contourlab.native import llvm
 
 Maker = Callable[[StepGraph], Any]
 
 
 @cache
 def in_machine_code(made: StepGraph) -> Any:
-    return llvm_ir.loaded(llvm_ir.object_code(llvm_ir.source_of(made)), "step", llvm_ir.SIGNATURE)
+    return llvm.loaded(llvm.object_code(llvm_ir.source_of(made)), "step", llvm_ir.SIGNATURE)
 
 
 def in_c(graphs: Sequence[StepGraph], folder: Path, *flags: str) -> Maker:

@@ -40,9 +40,45 @@ def in_node(loop: PortableLoop, *commands: tuple[Any, ...]) -> list[Array]:
 
     Commands are ``("write", word, numbers)``, ``("read", word, n)`` and calls such as ``("run", first, count)``.
     """
-    every = [("write", loop.first, loop.start), ("write", loop.inputs["reference"][0], loop.fed().ravel()), *commands]
+    return module_in_node(
+        loop.code, loop.n_word, ("write", loop.first, loop.start), ("write", loop.inputs["reference"][0], loop.fed()), *commands
+    )
+
+
+def live_in_node(run: dict[str, Any], *commands: tuple[Any, ...]) -> list[Array]:
+    """Return what each command reads or returns in a run of a message's `LiveLoop`; its memory is set from the message alone."""
+    begin = [("write", at, values) for at, values in run["words"]] + [("write", run["inputs"], live_inputs(run))]
+    return module_in_node(run["code"].astype(np.uint8).tobytes(), run["n_word"], *begin, *commands)
+
+
+def live_inputs(run: dict[str, Any]) -> Array:
+    """Return the inputs (n_input, n_sample) of a run, as the documentation of `LiveRun`, `LiveMotion` and `LivePath` says."""
+    motion = run["motion"]
+    starts, path, last = motion["spans"][0], motion["path"], motion["n_sample"] - 1
+    time = np.arange(motion["n_sample"]) * motion["period"]
+    span = np.searchsorted(starts, time, side="right") - 1
+    t0, s, v, a, j = motion["spans"][:, span]
+    dt = time - t0
+    s, v, a = s + dt * (v + dt * (a / 2 + dt * j / 6)), v + dt * (a + dt * j / 2), a + dt * j
+    rests = time >= motion["duration"]
+    s[rests], v[rests], a[rests] = motion["length"], 0.0, 0.0
+    along = s % path["start"][-1] if path["closed"] else s
+    piece = np.clip(np.searchsorted(path["start"], along, side="right") - 1, 0, len(path["coefficients"]) - 1)
+    h, c = (along - path["start"][piece])[:, None], np.moveaxis(path["coefficients"][piece], 2, 0)
+    r, r1, r2 = (np.polynomial.polynomial.polyval(h, part, tensor=False) for part in (c, *(_derivative(c, n) for n in (1, 2))))
+    moves = (r, r1 * v[:, None], r2 * v[:, None] ** 2 + r1 * a[:, None])
+    later = [r[np.minimum(np.arange(last + 1) + ticks, last), j] for j, ticks in enumerate(run["ahead"])]
+    return np.concatenate([*(part.T for part in moves), s[None], v[None], *(one[None] for one in later)])
+
+
+def _derivative(coefficients: Array, n: int) -> Array:
+    return np.polynomial.polynomial.polyder(coefficients, n)
+
+
+def module_in_node(code: bytes, n_word: int, *commands: tuple[Any, ...]) -> list[Array]:
+    """Return what each command reads or returns, in a module with an empty memory; commands as of `in_node`."""
     written, given, at = [], [], 0
-    for name, *rest in every:
+    for name, *rest in commands:
         if name == "write":
             given.append(np.ravel(np.asarray(rest[1], dtype=float)))
             rest = [rest[0], at, given[-1].size]
@@ -50,10 +86,10 @@ def in_node(loop: PortableLoop, *commands: tuple[Any, ...]) -> list[Array]:
         written.append([name, *rest])
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        (folder / "loop.wasm").write_bytes(loop.code)
+        (folder / "loop.wasm").write_bytes(code)
         (folder / "given").write_bytes(np.concatenate(given).tobytes())
         (folder / "commands").write_text(json.dumps(written))
-        done = subprocess.run(["node", "-e", JAVASCRIPT, name, str(loop.n_word)], check=False, capture_output=True, text=True)
+        done = subprocess.run(["node", "-e", JAVASCRIPT, name, str(n_word)], check=False, capture_output=True, text=True)
         assert done.returncode == 0, done.stderr
         found = np.frombuffer((folder / "found").read_bytes())
     return np.split(found, np.cumsum(json.loads(done.stdout))[:-1])

@@ -219,6 +219,10 @@ def test_finished_runs_are_compared_by_the_figures_of_the_run(tmp_path: Path, as
     for found, wanted in zip(both.values(), errors, strict=True):
         assert found["metrics"]["judged_time"] == wanted["judged_time"]
         assert found["metrics"]["contour_error"]["max"] == pytest.approx(wanted["contour_error"]["max"], rel=1e-3)
+    words = ["--program", tmp_path / "part.ngc", "--tolerance", f"{1.01e6 * errors[0]['contour_error']['max']:.4f} um"]
+    again = as_json("compare", tmp_path / "a", tmp_path / "b", *words, "--out", tmp_path / "both")["schemes"]
+    assert [found["verdict"]["passed"] for found in again.values()] == [True, True]
+    assert {found["verdict"]["worst"]["line"] for found in again.values()} <= {3, 4}
 
 
 def test_a_part_program_in_other_coordinates(tmp_path: Path, as_json: AsJson, refused: Refused) -> None:
@@ -343,6 +347,7 @@ def test_runs_that_cannot_be_compared(tmp_path: Path, refused: Refused) -> None:
         ([str(first), str(first)], "is given twice"),
         ([str(first), str(tmp_path)], "is a folder with 0 runs"),
         ([str(first), str(second), "--trials", "3"], "--trials"),
+        (["builtin:demo-part", "--tolerance", "25 um"], "--tolerance"),
     ):
         assert said in refused("compare", *words, *out)
     assert not (tmp_path / "out").exists()

@@ -148,11 +148,18 @@ def test_paper_is_light_and_has_every_picture(browsing, page):
     opened = browsing.open(page, height=100, dark=True)  # so low that nothing is drawn yet
     opened.wait_for_selector("#cl-style", state="attached")  # the viewer has begun
     assert opened.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(20, 25, 30)"
+    opened.evaluate(OPEN.replace("true", "false"))
     opened.evaluate("dispatchEvent(new Event('beforeprint'))")
     assert opened.evaluate("getComputedStyle(document.querySelector('.plot')).backgroundColor") == "rgb(255, 255, 255)"
+    path = "getComputedStyle(document.querySelector('.cl-path')).getPropertyValue('--p-path')"
+    assert opened.evaluate(path) == "#7d8791"
     assert opened.locator(".plot:not([data-drawn])").count() == 0
     assert "" not in opened.locator(".path-stage").evaluate_all("all => all.map(stage => stage.style.width)")  # sized for paper
     assert opened.pdf(format="A4").startswith(b"%PDF")
+    opened.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert opened.locator("details.fold[open]").count() == 0 and opened.evaluate(path) == "#8d98a4"
+    opened.evaluate(OPEN)
+    assert drawn(opened, "axis-0").locator("canvas").first.evaluate("canvas => canvas.clientWidth") > 640
 
 
 @pytest.mark.slow
@@ -187,11 +194,10 @@ def test_the_sliders_of_a_circle_take_its_causes_away(browsing, tmp_path, monkey
 
 SHOW = """async () => {
   const data = Uint8Array.from(atob(document.getElementById('message').textContent), c => c.charCodeAt(0));
-  const unpacked = new Blob([data]).stream().pipeThrough(new DecompressionStream('gzip'));
   const root = document.createElement('div');
   root.id = 'notebook';
   document.body.replaceChildren(root);
-  contourlab.show(root, await new Response(unpacked).arrayBuffer());
+  globalThis.end = contourlab.show(root, await contourlab.unpacked(data));
 }"""
 
 
@@ -201,10 +207,14 @@ def test_the_viewer_draws_a_message_in_any_element(browsing, page):
     opened.locator(".plot[data-drawn]").first.wait_for()
     opened.evaluate(SHOW)
     assert opened.locator("#notebook .plot").count() == len(in_file(page))
-    last = opened.locator("#notebook .plot").last
-    last.scroll_into_view_if_needed()
+    titles = opened.locator("#notebook summary")
+    assert titles.all_inner_texts() == [picture["title"] for picture in in_file(page).values()]
+    assert opened.locator("#notebook details[open]").count() == 2
+    titles.last.click()
+    opened.locator("#notebook .plot").last.scroll_into_view_if_needed()
     opened.locator("#notebook .plot[data-drawn] canvas").last.wait_for()
-    assert opened.locator("#notebook h3").all_inner_texts() == [picture["title"] for picture in in_file(page).values()]
+    opened.evaluate("end()")
+    assert opened.locator("#notebook *").count() == 0
 
 
 MODULES = """

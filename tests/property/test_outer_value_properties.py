@@ -16,8 +16,7 @@ from outer_values import imported, outputs
 
 from contourlab.engine import fused
 from contourlab.engine.step import Port, Step, ports
-from contourlab.engine.translate import llvm_ir
-from contourlab.native import store
+from contourlab.native import llvm, store
 
 SOURCE = """
 import enum
@@ -124,7 +123,7 @@ CHANGES: dict[str, Callable[[ModuleType, Any], None]] = {
     "named tuple": lambda m, v: setattr(m, "pair", m.Pair(v)),
 }
 NUMBERS = st.sampled_from([0.0, -0.0, 1, 1.0, True, 2.5, -3.0, np.float64(1.0), 1e-3])
-OBJECT_CODE = cache(llvm_ir.object_code)
+OBJECT_CODE = cache(llvm.object_code)
 """Compiles the same translation once, wherever it comes from."""
 DRAWN = st.lists(st.tuples(st.sampled_from(sorted(CHANGES)), NUMBERS), min_size=2, max_size=6)
 
@@ -141,7 +140,7 @@ def test_machine_code_follows_every_change(
     module = imported(file)
     step = Step("made", module.step, inputs=(Port("u"),), outputs=ports(*(f"y{n}" for n in range(STEP_LENGTH))))
     memory: dict[str, Any] = {}
-    monkeypatch.setattr(llvm_ir, "object_code", OBJECT_CODE)
+    monkeypatch.setattr(llvm, "object_code", OBJECT_CODE)
 
     def run(folder: Path, loops: dict[str, Any]) -> bytes:
         monkeypatch.setattr(store, "folder", lambda: folder)

@@ -20,10 +20,11 @@ from contourlab.arrays import Array
 from contourlab.engine.gpu import gpu_of_process
 from contourlab.engine.runner import CompiledGroup, GpuGroup, Group, InterpretedGroup
 from contourlab.engine.step import Schedule, Step
-from contourlab.engine.translate import llvm_ir, tick_loop
+from contourlab.engine.translate import tick_loop
 from contourlab.engine.translate.maths import EXACT, LANES, SINGLE
 from contourlab.engine.translate.step_graph import Rows, TickGraph, graph_of, tick_graph
 from contourlab.errors import EngineError
+from contourlab.native import llvm
 
 N_LANE, TICKS, FIRST, PROGRAMS = 32, 3, 4711, 8
 MANY = int(os.environ.get("CONTOURLAB_RANDOM_PROGRAMS", "64"))
@@ -66,8 +67,8 @@ class ExactGroup(CompiledGroup):
     def __init__(self, case: Case, width: int, lanes: slice) -> None:
         super().__init__(case.schedule, width, lanes)
         if width not in case.loops:
-            code = llvm_ir.object_code(tick_loop.source_of(case.graph(EXACT, contract=False), min(width, tick_loop.VECTOR), width))
-            case.loops[width] = llvm_ir.loaded(code, "run", tick_loop.SIGNATURE)
+            code = llvm.object_code(tick_loop.source_of(case.graph(EXACT, contract=False), min(width, tick_loop.VECTOR), width))
+            case.loops[width] = llvm.loaded(code, "run", tick_loop.SIGNATURE)
         self.loops[(self.schedule.row("s.y"),)] = case.loops[width]
 
 

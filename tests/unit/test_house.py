@@ -112,6 +112,16 @@ def test_help_loads_nothing_heavy():
     assert not loaded & set(HEAVY)
 
 
+@pytest.mark.slow
+def test_a_second_run_loads_no_compiler_and_no_optimiser(tmp_path: Path):
+    """The first one compiles; the rest of what is heavy computes, writes signals and the report."""
+    (tmp_path / "part.ngc").write_text("G21 G64 P0.01\nG1 X5 F3000\nX9 Y3 Z1\nX12 Y9\nM2\n", encoding="utf-8")
+    words = ["run", str(tmp_path / "part.ngc"), "--machine", "builtin:xyz", "--controller", "builtin:xyz-controller"]
+    code = f"from contourlab.cli.main import main\nassert main({[*words, '--out', str(tmp_path / 'out')]!r}) == 0"
+    modules_after(code)
+    assert modules_after(code) & set(HEAVY) <= {"llvmlite", "numpy", "h5py", "jinja2", "pydantic"}  # Typer takes pydantic if it is there
+
+
 def test_importing_contourlab_loads_nothing_heavy():
     assert not modules_after("import contourlab") & {*HEAVY, "typer", "rich"}
 

@@ -30,6 +30,12 @@ def chosen_options(words: Sequence[str], *names: str) -> list[str]:
     return [word for name, value in pairwise(words) if name in names for word in (name, value)]
 
 
+def without_options(options: Sequence[str], *names: str) -> list[str]:
+    """Return the options of a command without some that have a value."""
+    starts = [i for i, word in enumerate(options) if word in names]
+    return [word for i, word in enumerate(options) if i not in starts and i - 1 not in starts]
+
+
 def _quoted(word: str) -> str:
     quoted = shlex.quote(word)
     return quoted if quoted == word or _SPECIAL & set(word) else f'"{word}"'

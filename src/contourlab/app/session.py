@@ -186,6 +186,12 @@ class Answer:
     def _charts(self) -> Iterator[Any]:
         yield from getattr(self, "charts", ())
 
+    def _pictures(self) -> Iterator[Any]:
+        """Yield what the viewer draws."""
+        from contourlab.rendering.message import Drawn
+
+        yield from (chart for chart in self._charts() if isinstance(chart, Drawn))
+
     def plot(self, ax: matplotlib.axes.Axes | None = None, *, key: str = "") -> matplotlib.axes.Axes:
         """Draw a picture of the answer.
 
@@ -358,6 +364,12 @@ class Asked:
     files: Any
     words: tuple[str, ...] = ()
     inputs: tuple[Any, ...] = field(default=())
+
+    @property
+    def given(self) -> list[object]:
+        """The inputs, and the options that change what they mean: for another command about the same."""
+        parts = [(key, self.settings.PARTS[key]) for key in ("machine", "set", "plugin") if key in self.settings.PARTS]
+        return [*self.inputs, *(word for key, part in parts for word in part.words(getattr(self.settings, key)))]
 
     def again(self, *more: str, without: str = "") -> list[str]:
         """Return the command as typed, with more words or without one."""

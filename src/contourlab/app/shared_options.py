@@ -88,7 +88,18 @@ class Plugins(Options):
 
 
 @options
-class Schemes(Plugins):
+class Changed(Plugins):
+    """Changes to a scenario."""
+
+    set: tuple[str, ...] = option(
+        (),
+        'Value in place of the scenario\'s, in all schemes that have it, e.g. "axes.*.plant.mass=90 kg"; repeatable.',
+        metavar="NAME=VALUE",
+    )
+
+
+@options
+class Schemes(Changed):
     """Schemes of a scenario."""
 
     schemes: tuple[str, ...] = option(
@@ -97,7 +108,7 @@ class Schemes(Plugins):
 
 
 @options
-class Judged(Plugins):
+class Judged(Changed):
     """Moves to judge, and the machine."""
 
     machine: str | None = option(None, "Machine of a part program, or in place of the scenario's: a file, or a shipped name.")

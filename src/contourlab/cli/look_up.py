@@ -194,9 +194,10 @@ def schema(command: str, settings: Schema, session: Session) -> Entry:
 
 
 def results() -> dict[str, Any]:
-    """Return the type of the result of each command that has ``--json``."""
+    """Return the type of what each command prints with ``--json``."""
     from contourlab.cli.parse import PANEL_OF, home_of
     from contourlab.features.check.canon import Canon
+    from contourlab.features.check.program_check import Refused
     from contourlab.features.components.description import ComponentDescription
     from contourlab.features.machines.command import Shipped
     from contourlab.findings import Entry as Explained
@@ -208,7 +209,7 @@ def results() -> dict[str, Any]:
         "machines": Shipped | tuple[Shipped, ...] | tuple[Path, ...],
     }
     types = {name: of_lists.get(name) or _printed(import_module(home_of(name)).COMMANDS[name]) for name in PANEL_OF if name != "schema"}
-    return {name: kind for name, kind in sorted(types.items()) if kind is not None}
+    return {name: kind | Refused for name, kind in sorted(types.items()) if kind is not None}
 
 
 def _printed(command: Any) -> Any:

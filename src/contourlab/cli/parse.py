@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import inspect
-import json
 import sys
 from collections.abc import Callable, Mapping
 from functools import cache
@@ -130,9 +129,10 @@ def _answered(command: Command, place: str, values: dict[str, Any]) -> int:
         answer, asked = execute(command, place, values, output.TYPED, wants_progress(as_json))
     except ContourlabError as error:
         if as_json:
-            from contourlab.features.check.program_check import Message
+            from contourlab.app.json_values import json_text
+            from contourlab.features.check.program_check import Message, Refused
 
-            say(json.dumps({"problems": [vars(Message.of(error))]}, indent=2))
+            say(json_text(Refused((Message.of(error),))))
         raise
     if answer.SILENT and isinstance(answer.stopped, KeyboardInterrupt):
         raise answer.stopped

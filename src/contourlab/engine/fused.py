@@ -14,13 +14,13 @@ from typing import Any
 from contourlab import primitives
 from contourlab.engine.gpu import Gpu
 from contourlab.engine.step import Schedule, Step
-from contourlab.engine.translate import llvm_ir, maths, step_graph, tick_loop
+from contourlab.engine.translate import maths, step_graph, tick_loop
 from contourlab.engine.translate.outer import Reads
 from contourlab.engine.translate.step_graph import Rows
 from contourlab.engine.translate.tick_loop import VECTOR
-from contourlab.native import store
+from contourlab.native import llvm, store
 
-_SOURCES = [file for room in ("engine", "engine.translate") for file in files_of(f"contourlab.{room}").iterdir()]
+_SOURCES = [file for room in ("engine", "engine.translate", "native") for file in files_of(f"contourlab.{room}").iterdir()]
 _loops: dict[str, Any] = {}
 """By key: a compiled loop, or the reads that lead to the key of one."""
 _building = threading.RLock()
@@ -29,7 +29,7 @@ _building = threading.RLock()
 
 @cache
 def _translator() -> str:
-    """Return a digest of engine, primitives and tools: a change of any of them discards all machine code."""
+    """Return a digest of engine, compiler, primitives and tools: a change of any of them discards all machine code."""
     files = sorted((file.name, file.read_text(encoding="utf-8")) for file in _SOURCES if file.name.endswith(".py"))
     return _digest(inspect.getsource(primitives), files, store.toolchain())
 
@@ -83,7 +83,7 @@ def tick_loop_of(
         reads = Reads(roots)
         made = step_graph.tick_graph(schedule, places, log_rows, primitives, reads=reads)
         if gpu is None:
-            code = llvm_ir.object_code(tick_loop.source_of(made, min(width, VECTOR), width))
+            code = llvm.object_code(tick_loop.source_of(made, min(width, VECTOR), width))
         else:
             code = gpu.compiled(tick_loop.source_of(made, 1, width, gpu=True))
         other_reads = reads.trace != trace
@@ -114,4 +114,4 @@ def _from_disk(key: str, gpu: Gpu | None) -> bool:
 
 
 def _loaded(code: bytes, gpu: Gpu | None) -> Any:
-    return llvm_ir.loaded(code, "run", tick_loop.SIGNATURE) if gpu is None else gpu.loaded(code)
+    return llvm.loaded(code, "run", tick_loop.SIGNATURE) if gpu is None else gpu.loaded(code)

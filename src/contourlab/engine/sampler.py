@@ -1,49 +1,34 @@
 """Sample the reference in machine code: spans of constant jerk along lines and arcs, with consecutive samples in lanes."""
 
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-import inspect
-import sys
-from collections.abc import Callable
-from functools import cache
 from types import FunctionType
 from typing import Any
 
 import numpy as np
-from llvmlite import ir
-from numba import njit, types
-from numba.extending import intrinsic
 
 from contourlab.arrays import Array
 from contourlab.engine.translate import polynomials
-from contourlab.native.compile import INNER, compiled
+from contourlab.native.calls import instruction
+from contourlab.native.kernel import kernel
 
 # No nnan/ninf: a flag that assumes finite numbers would fold away every check for them. Of the others, `contract` and `arcp` (a sixth of
 # the jerk) change a last digit and `nsz` the sign of a zero: nothing here counts, jumps or divides by what they touch.
-OPTIONS: dict[str, Any] = {"fastmath": {"contract", "nsz", "arcp"}, "error_model": "numpy", "boundscheck": False}
-INLINE: dict[str, Any] = {**OPTIONS, **INNER, "forceinline": True}
-_DOUBLE, _INT = ir.DoubleType(), ir.IntType(64)
+FASTMATH = "contract", "nsz", "arcp"
 _REGIONS = ("parameter", "input", "scratch", "output")
-_WORD, _NUMBER = types.int64, types.float64
 
 
-def _instruction(returns: Any, *takes: Any) -> Callable[[Callable[..., Any]], Any]:
-    """Make an intrinsic of these types from ``emit(builder, *values) -> value``, which writes its LLVM instructions."""
+def _double() -> Any:
+    from llvmlite import ir
 
-    def made(emit: Callable[..., Any]) -> Any:
-        def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-            value = emit(builder, *args)
-            return context.get_dummy_value() if returns is types.void else value
+    return ir.DoubleType()
 
-        def operation(typingctx: Any, *kinds: Any) -> Any:
-            return returns(*takes), codegen
 
-        # Numba binds the arguments by this signature.
-        operation.__signature__ = inspect.signature(emit)  # type: ignore[attr-defined]
-        operation.__name__ = emit.__name__
-        return intrinsic(operation)
+def _whole(value: int | None = None) -> Any:
+    from llvmlite import ir
 
-    return made
+    return ir.IntType(64) if value is None else ir.Constant(ir.IntType(64), value)
 
 
 def _tagged(builder: Any, instruction: Any, region: str) -> Any:
@@ -56,13 +41,16 @@ def _tagged(builder: Any, instruction: Any, region: str) -> Any:
     return instruction
 
 
+def _place(builder: Any, address: Any, index: Any) -> Any:
+    return builder.gep(builder.inttoptr(address, _double().as_pointer()), [index], inbounds=True)
+
+
 def _load(region: str) -> Any:
     """Return ``load(address, index) -> float`` for one region of memory."""
 
-    @_instruction(_NUMBER, _WORD, _WORD)
+    @instruction("f8 i8 i8")
     def load_at(builder: Any, address: Any, index: Any) -> Any:
-        base = builder.inttoptr(address, _DOUBLE.as_pointer())
-        return _tagged(builder, builder.load(builder.gep(base, [index], inbounds=True)), region)
+        return _tagged(builder, builder.load(_place(builder, address, index)), region)
 
     return load_at
 
@@ -70,10 +58,9 @@ def _load(region: str) -> Any:
 def _store(region: str) -> Any:
     """Return ``store(address, index, value)`` for one region of memory."""
 
-    @_instruction(types.void, _WORD, _WORD, _NUMBER)
+    @instruction("void i8 i8 f8")
     def store_at(builder: Any, address: Any, index: Any, value: Any) -> None:
-        base = builder.inttoptr(address, _DOUBLE.as_pointer())
-        _tagged(builder, builder.store(value, builder.gep(base, [index], inbounds=True)), region)
+        _tagged(builder, builder.store(value, _place(builder, address, index)), region)
 
     return store_at
 
@@ -82,14 +69,14 @@ load_parameter, load_input, load_scratch = _load("parameter"), _load("input"), _
 store_scratch, store_output = _store("scratch"), _store("output")
 
 
-@_instruction(_WORD, _NUMBER)
+@instruction("i8 f8")
 def truncate(builder: Any, x: Any) -> Any:
     """Return the whole part of a number, as an index."""
-    return builder.fptosi(x, _INT)
+    return builder.fptosi(x, _whole())
 
 
 def _compare(predicate: str) -> Any:
-    @_instruction(_NUMBER, _NUMBER, _NUMBER)
+    @instruction("f8 f8 f8")
     def operation(builder: Any, a: Any, b: Any) -> Any:
         return builder.select(builder.fcmp_ordered(predicate, b, a), b, a)  # a NaN in a stays
 
@@ -99,26 +86,28 @@ def _compare(predicate: str) -> Any:
 minimum, maximum = _compare("<"), _compare(">")
 
 
-@_instruction(_NUMBER, _NUMBER)
+@instruction("f8 f8")
 def _rint(builder: Any, x: Any) -> Any:
-    return builder.call(builder.module.declare_intrinsic("llvm.rint", [_DOUBLE]), [x])
+    return builder.call(builder.module.declare_intrinsic("llvm.rint", [_double()]), [x])
 
 
-@_instruction(_NUMBER, _NUMBER, _NUMBER, _NUMBER)
+@instruction("f8 f8 f8 f8")
 def _fma(builder: Any, a: Any, b: Any, c: Any) -> Any:
     return builder.fma(a, b, c)
 
 
-@_instruction(_NUMBER, types.boolean, _NUMBER, _NUMBER)
+@instruction("f8 b1 f8 f8")
 def _select(builder: Any, condition: Any, a: Any, b: Any) -> Any:
+    from llvmlite import ir
+
     flag = condition if condition.type == ir.IntType(1) else builder.trunc(condition, ir.IntType(1))
     return builder.select(flag, a, b)
 
 
 def _bit(mask: int) -> Any:
-    @_instruction(types.boolean, _NUMBER)
+    @instruction("b1 f8")
     def operation(builder: Any, n: Any) -> Any:
-        return builder.icmp_signed("!=", builder.and_(builder.fptosi(n, _INT), ir.Constant(_INT, mask)), ir.Constant(_INT, 0))
+        return builder.icmp_signed("!=", builder.and_(builder.fptosi(n, _whole()), _whole(mask)), _whole(0))
 
     return operation
 
@@ -126,14 +115,14 @@ def _bit(mask: int) -> Any:
 _OPERATIONS: dict[str, Any] = {"fma": _fma, "rint": _rint, "select": _select, "odd": _bit(1), "twos": _bit(2)}
 
 
-def _compiled(function: Any) -> Any:
-    """Return a polynomial in machine code."""
+def _with_operations(function: Any) -> Any:
+    """Return a polynomial that calls instructions."""
     known = function.__globals__
-    called = {name: _compiled(known[name]) for name in function.__code__.co_names if name in known and name not in _OPERATIONS}
-    return njit(**INLINE)(FunctionType(function.__code__, _OPERATIONS | called, function.__name__))
+    called = {name: _with_operations(known[name]) for name in function.__code__.co_names if name in known and name not in _OPERATIONS}
+    return FunctionType(function.__code__, {"__name__": polynomials.__name__} | _OPERATIONS | called, function.__name__)
 
 
-poly_sin, poly_cos = _compiled(polynomials.sin), _compiled(polynomials.cos)
+poly_sin, poly_cos = _with_operations(polynomials.sin), _with_operations(polynomials.cos)
 
 SPAN_FIELDS = ("first", "last", "t0", "s0", "v0", "a0", "j", "end")
 """Samples [first, last); time, progress, speed and acceleration at the start of the span; its jerk; upper bound of progress."""
@@ -147,7 +136,8 @@ _BLOCK = 1024
 """Samples of a curve that stay in the processor's cache."""
 
 
-def _spans(spans, n_span, period, origin, progress, speed, acceleration):  # type: ignore[no-untyped-def]
+@kernel("i8 i8 f8 i8 i8 i8 i8", FASTMATH)
+def _spans(spans, n_span, period, origin, progress, speed, acceleration):
     for i in range(n_span):
         row = spans + 8 * _SPANS * i
         first, last = truncate(load_parameter(row, 0)), truncate(load_parameter(row, 1))
@@ -160,7 +150,8 @@ def _spans(spans, n_span, period, origin, progress, speed, acceleration):  # typ
             store_output(acceleration, k, a0 + dt * jerk)
 
 
-def _curves(curves, n_curve, n_axis, progress, speed, acceleration, out, stride, scratch):  # type: ignore[no-untyped-def]
+@kernel(" ".join(["i8"] * 9), FASTMATH)
+def _curves(curves, n_curve, n_axis, progress, speed, acceleration, out, stride, scratch):
     for i in range(n_curve):
         row = curves + 8 * (_CURVES + 4 * n_axis) * i
         last = truncate(load_parameter(row, 1))
@@ -172,8 +163,7 @@ def _curves(curves, n_curve, n_axis, progress, speed, acceleration, out, stride,
                 _moved(row, j, part, speed + 8 * first, acceleration + 8 * first, here, 8 * stride * n_axis, scratch)
 
 
-@njit(**INLINE)
-def _turned(row, n, progress, scratch):  # type: ignore[no-untyped-def]
+def _turned(row, n, progress, scratch):
     """Compute progress on the curve, cosine and sine, which all axes share."""
     offset, angle, rate = load_parameter(row, 2), load_parameter(row, 3), load_parameter(row, 4)
     if rate == 0.0:  # a line
@@ -189,8 +179,7 @@ def _turned(row, n, progress, scratch):  # type: ignore[no-untyped-def]
             store_scratch(scratch, 2 * _BLOCK + k, poly_sin(angle + rate * s))
 
 
-@njit(**INLINE)
-def _moved(row, j, n, speed, acceleration, here, step, scratch):  # type: ignore[no-untyped-def]
+def _moved(row, j, n, speed, acceleration, here, step, scratch):
     """Compute position, velocity and acceleration of one axis."""
     rate, at = load_parameter(row, 4), _CURVES + 4 * j
     base, d, u, v = load_parameter(row, at), load_parameter(row, at + 1), load_parameter(row, at + 2), load_parameter(row, at + 3)
@@ -202,15 +191,6 @@ def _moved(row, j, n, speed, acceleration, here, step, scratch):  # type: ignore
         store_output(here, k, moved + (base + s * d))
         store_output(here + step, k, pace * first_derivative)
         store_output(here + 2 * step, k, first_derivative * load_input(acceleration, k) - square * moved * (pace * pace))
-
-
-@cache
-def compiled_kernels() -> tuple[Any, Any]:
-    """Return the loops over spans and curves in machine code."""
-    sources = [inspect.getsource(part) for part in (sys.modules[__name__], polynomials)]
-    signatures = {_spans: "i8 i8 f8 i8 i8 i8 i8", _curves: " ".join(["i8"] * 9)}
-    spans, curves = (compiled(function, words, sources=sources, options=OPTIONS) for function, words in signatures.items())
-    return spans, curves
 
 
 def along_spans(spans: Array, period: float, origin: int, progress: Array, speed: Array, acceleration: Array) -> None:
@@ -228,7 +208,7 @@ def along_spans(spans: Array, period: float, origin: int, progress: Array, speed
         Output.
     """
     spans = np.ascontiguousarray(spans)
-    compiled_kernels()[0](spans.ctypes.data, len(spans), period, origin, progress.ctypes.data, speed.ctypes.data, acceleration.ctypes.data)
+    _spans(spans.ctypes.data, len(spans), period, origin, progress.ctypes.data, speed.ctypes.data, acceleration.ctypes.data)
 
 
 def along_curves(curves: Array, progress: Array, speed: Array, acceleration: Array, out: Array) -> None:
@@ -246,4 +226,4 @@ def along_curves(curves: Array, progress: Array, speed: Array, acceleration: Arr
     curves = np.ascontiguousarray(curves)
     scratch = np.empty((3, _BLOCK))
     addresses = (progress.ctypes.data, speed.ctypes.data, acceleration.ctypes.data, out.ctypes.data)
-    compiled_kernels()[1](curves.ctypes.data, len(curves), len(out) // 3, *addresses, out.strides[0] // out.itemsize, scratch.ctypes.data)
+    _curves(curves.ctypes.data, len(curves), len(out) // 3, *addresses, out.strides[0] // out.itemsize, scratch.ctypes.data)

@@ -179,7 +179,7 @@ def _kept(time: Array, name: str, file: Path, rows: Index | None) -> Flags:
         raise LogError(f"time goes back {where}: check for two records in one file{parts}, or a column that is not the time", file=file)
     kept = np.append(True, step > 0.0)
     n = int(np.count_nonzero(kept))
-    refuse(n < 3, LogError, f"has {n} samples of {name!r} at different times: at least three are needed", file=file)
+    refuse(n < 3, LogError, f"has too few samples of {name!r} at different times, {n}: at least three are needed", file=file)
     if repeats_too_often(time):
         count = f"{time.size - n} of {time.size} samples of {name!r}"
         raise LogError(f"{count} repeat the previous time: write the times with more digits", file=file)

@@ -32,11 +32,14 @@ from contourlab.logs.mapping import LINE, LINES, SIGNALS, TIME, USUAL, Column, C
 from contourlab.logs.reading import AXIS_LETTERS, FASTEST, Blocks, Channel, Record, join_names, name_and_unit, quoted
 from contourlab.logs.window import Window, inside, parse_window, share_rows, start_of
 from contourlab.result import Result, Signal
-from contourlab.units import from_si, same_dimension, show, si_unit, to_si
+from contourlab.units import from_si, plain, same_dimension, show, si_unit, to_si
 
+_ANGLE = re.compile(r"(deg|rad|rev|turn)\w*(/|\Z)|rpm\Z")
 FARTHEST = 50.0
 """Largest plausible position [m]; beyond, the unit is wrong."""
 
+MOST_NAMES = 30
+"""Most columns that a finding lists."""
 LONG_GAP = 10
 """Longest gap in samples across which a model may be fitted; gaps are interpolated linearly."""
 
@@ -248,6 +251,7 @@ def result_of(record: Record, given: Columns) -> Log:
     result = Result(record.file.stem, axes, clock[0], _stacked(signals, axes), attributes=attributes)
     by_name = [f"{column.target} = {column.column}" for column in guesses if column.signal in SIGNALS and column.column != column.target]
     named = [finding("CL430", columns=by_name)] if by_name else []
+    named += _not_used(record, columns, given)
     clocks = {channel.channel.name: channel.report for channel in timed.values()}
     log = Log(result, record, columns, clocks, start=clock[1], doubtful=tuple(doubtful), given=given, blocks=blocks)
     first, n = clock[1] - start_of(time for _, time in raw.values()), result.n_sample
@@ -255,6 +259,17 @@ def result_of(record: Record, given: Columns) -> Log:
     part = [] if given.window is None else [read]
     findings = (*record.findings, *named, *doubtful, *time_findings, *unit_findings, *part, *log.clock_findings(), *uneven)
     return replace(log, findings=findings)
+
+
+def _not_used(record: Record, columns: Sequence[Column], given: Columns) -> list[Finding]:
+    """Return a finding on the columns whose names mean nothing, if there are some; a result of contourlab has signals of its own."""
+    known = {channel.name for channel in record.channels_of(column.column for column in columns)}
+    known |= {name for names in guessed(record, given.unit or record.unit).values() for name in names}
+    others = [c.name for c in record.channels if c.name not in known and not c.is_timestamp and c.name.casefold() not in LINES]
+    if not others or record.format == "contourlab":
+        return []
+    more = [f"{len(others) - MOST_NAMES} more"] if len(others) > MOST_NAMES else []
+    return [finding("CL441", columns=[*others[:MOST_NAMES], *more])]
 
 
 def _guesses(record: Record, given: Columns) -> tuple[list[Column], list[Finding]]:
@@ -398,6 +413,7 @@ def _signals(
 def _units(record: Record, given: Columns, guesses: Sequence[Column]) -> tuple[dict[Column, str], list[Column], list[Finding]]:
     """Return the units of columns, the guesses that are left out, and findings.
 
+    Angles and their speeds are left out beside lengths.
     A velocity identified by name is left out if it has no unit or holds words; so is any such column if the user names columns.
     """
     columns = [column for column in (*given.columns, *guesses) if column.signal in SIGNALS]
@@ -417,6 +433,9 @@ def _units(record: Record, given: Columns, guesses: Sequence[Column]) -> tuple[d
     is_named = any(column.signal in SIGNALS for column in given.columns)
     doubted = [column for column in guesses if column.signal in SIGNALS and (is_named or SIGNALS[column.signal] != "m")]
     spare = [column for column in doubted if column in without or channels[column].fault is not None]
+    lengths = [column for column in columns if SIGNALS[column.signal] in USUAL]
+    angles = [column for column in lengths if column in guesses and _ANGLE.match(plain(units[column]))]
+    angles = [] if len(angles) == len(lengths) else angles
     if missing := [column for column in without if column not in spare]:
         names = quoted((channels[column].name for column in missing), len(missing))
         these = f"column {names} has" if len(missing) == 1 else f"columns {names} have"
@@ -424,7 +443,8 @@ def _units(record: Record, given: Columns, guesses: Sequence[Column]) -> tuple[d
         at_once = "--unit mm, or " if all(SIGNALS[column.signal] in USUAL for column in missing) else ""
         raise LogError(f"{these} no unit: write {at_once}{options}", file=record.file)
     left_out = [finding("CL436", columns=[channels[column].name for column in spare])] if spare else []
-    return units, spare, [*(one for k, one in enumerate(shared) if one not in shared[:k]), *left_out]
+    left_out += [finding("CL442", columns=[channels[column].name for column in angles])] if angles else []
+    return units, [*spare, *angles], [*(one for k, one in enumerate(shared) if one not in shared[:k]), *left_out]
 
 
 def _check_size(values: Array, column: Column, channel: Timed, unit: str, record: Record) -> None:

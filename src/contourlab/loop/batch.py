@@ -209,7 +209,7 @@ def simulate_batch(
     jit : bool, optional
         Compiled, or plain Python.
     progress : callable, optional
-        Called with the number of samples done.
+        Called with the number of samples done; after a GPU from the beginning again, if the processor runs variants in doubt.
     reuse : BatchResult, optional
         An earlier result that is no longer needed: its `log` is overwritten if it fits, which saves allocating memory.
     learned : Learned, optional
@@ -276,7 +276,7 @@ def simulate_batch(
             break
         again = groups_of(wider(loop.schedule, machine, reference) if wide else loop.schedule, chosen, compiled)
         doubts = [exactly(group, reach={name: sums[name][-1, group.lanes] for name in judged} if wide else None) for group in again]
-        _advance_all(again, feed, [], aligned((len(again), 0, 0, 0)), workers, None, doubts)
+        _advance_all(again, feed, [], aligned((len(again), 0, 0, 0)), workers, None if wide else progress, doubts)
         for name, total in sums.items():
             total[:, chosen] = sums_of(again, name, chosen.size)
         left_over[chosen] = np.concatenate([one.left_over for one in doubts])

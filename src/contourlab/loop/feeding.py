@@ -82,7 +82,7 @@ class Feed:
         self.reference, self.learned, self._fill = reference, learned, fill
         axes = [controller.axes[name] for name in machine.axis_names if name in controller.axes]
         ahead = [axis.feedforward for axis in axes]
-        self._ahead = [0 if part is None else part.ahead(machine.servo_period) for part in ahead]
+        self.ahead = tuple(0 if part is None else part.ahead(machine.servo_period) for part in ahead)
         fed = {
             LEARNED_COMMAND: learned is not None and learned.command is not None,
             LEARNED_REFERENCE: learned is not None and learned.reference is not None,
@@ -114,7 +114,7 @@ class Feed:
 
     def _coming(self, start: int, stop: int) -> Array:
         """Return the reference positions of later ticks; the last position holds beyond the end."""
-        far = min(stop + max(self._ahead), self.reference.n_sample)
+        far = min(stop + max(self.ahead), self.reference.n_sample)
         position = self.reference.block(start, far, self._fill).position
         index = np.arange(stop - start)
-        return np.column_stack([position[np.minimum(index + ticks, far - start - 1), j] for j, ticks in enumerate(self._ahead)])
+        return np.column_stack([position[np.minimum(index + ticks, far - start - 1), j] for j, ticks in enumerate(self.ahead)])

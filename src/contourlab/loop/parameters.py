@@ -70,17 +70,20 @@ def fits(name: str, wanted: str) -> bool:
     return any(re.fullmatch(pattern, written) for written in (name, name.replace(".controller.", ".")))
 
 
+def meant(wanted: str, known: Mapping[str, Any]) -> list[str]:
+    """Return the dotted names that a text means, as `fits` tells; a text that is one of them means that one."""
+    return [wanted] if wanted in known else [name for name in known if fits(name, wanted)]
+
+
 def matching(wanted: str, known: Mapping[str, Any], called: str, whose: str = "the machine or its controller") -> list[str]:
-    """Return the dotted names that a text means, as `fits` tells; a text that is one of them means that one.
+    """Return the dotted names that a text means, as `meant`.
 
     Raises
     ------
     ParameterError
         If it matches none; names the nearest.
     """
-    if wanted in known:
-        return [wanted]
-    found = [name for name in known if fits(name, wanted)]
+    found = meant(wanted, known)
     if not found:
         raise ParameterError(called, repr(wanted), f"a parameter of {whose}, such as {', '.join(_near(wanted, known))}")
     return found

@@ -22,7 +22,7 @@ from contourlab.errors import EngineError, ParameterError, refuse
 from contourlab.feed import Reference
 from contourlab.geometry.view import view_of
 from contourlab.loop.batch import blends, check_steps, check_substeps, check_together, judged_loop
-from contourlab.loop.feeding import BLOCK, Feed, Learned
+from contourlab.loop.feeding import BLOCK, Feed
 from contourlab.loop.judging import JUDGE, PART, WATCH, all_judged, traced_figures
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.parameters import declared, parameters_of
@@ -46,7 +46,7 @@ class PortableLoop:
     * ``judge()``: compute the figures of the ticks so far.
 
     To run: copy `start` to the word `first`, and the inputs to theirs. After a parameter was changed, call ``prepare``. To begin in the
-    middle, then copy what `state_at` returns.
+    middle, then copy the words of `state` of another run.
 
     Attributes
     ----------
@@ -63,7 +63,8 @@ class PortableLoop:
     rows : tuple of int
         The signal of `schedule` in each column of the log.
     signals : mapping of str to tuple of int
-        Columns of the log for each axis; also of ``contour_error``, ``part_error``, and ``doubt``: 1 where the judge is not sure.
+        Columns of the log for each axis; also of ``contour_error``, ``part_error``, ``foot``, the arc length of the foot point on the
+        programmed path [m], and ``doubt``, for each judge: 1 where it is not sure.
     figures : mapping of str to int
         Word of each figure of `contourlab.simulate_batch`, and of ``unsure``, the count of ticks in doubt.
     failed_at : int
@@ -99,12 +100,6 @@ class PortableLoop:
         """Return the inputs (n_input, n_tick), in the order of their words."""
         return np.concatenate([self.feed.block(*samples)[1] for samples in self.feed.reference.blocks(BLOCK)]).T
 
-    def state_at(self, tick: int) -> list[Array]:
-        """Return the words of each part of `state` before a tick, from a run of this machine's processor."""
-        group = CompiledGroup(self.schedule, 1, slice(0, 1), like_lanes=True)
-        group.run(self.fed()[:, :tick].T, [])
-        return [group.memory[begin - ROWS : end - ROWS, 0].copy() for begin, end in self.state]
-
 
 def portable(
     machine: Machine,
@@ -114,7 +109,6 @@ def portable(
     signals: Sequence[str] = SIGNALS,
     seed: int = 0,
     moving: bool = False,
-    learned: Learned | None = None,
 ) -> PortableLoop:
     """Return a machine under its controller along a reference as a WebAssembly module.
 
@@ -129,8 +123,6 @@ def portable(
         Of all noise.
     moving : bool
         Whether the axes start with the velocity of the reference.
-    learned : Learned, optional
-        What earlier trials have learned.
 
     Raises
     ------
@@ -145,7 +137,7 @@ def portable(
     true positions of the axes; here it decides ticks in doubt itself.
     """
     check_kinds(machine, controller, reference)
-    feed, view = Feed(machine, controller, reference, learned, sampler(True)), view_of(reference.path)
+    feed, view = Feed(machine, controller, reference, None, sampler(True)), view_of(reference.path)
 
     def judged(columns: Mapping[str, Any]) -> Loop:
         loop = judged_loop(machine, controller, feed, columns, view, seed, moving=moving)
@@ -155,8 +147,9 @@ def portable(
     schedule, n = loop.schedule, reference.n_sample
     for name in signals:
         refuse(name not in loop.signals, ParameterError, "signals", repr(name), "one of " + ", ".join(loop.signals))
-    kept = {name: loop.signals[name] for name in signals} | {name: (f"{JUDGE}.{name}",) for name in ("contour_error", "doubt")}
-    kept |= {"part_error": (f"{PART}.contour_error",)} if blends(reference) else {}
+    part = PART if blends(reference) else JUDGE
+    kept = {name: loop.signals[name] for name in signals} | {"contour_error": (f"{JUDGE}.contour_error",), "foot": (f"{part}.foot",)}
+    kept |= {"part_error": (f"{part}.contour_error",), "doubt": tuple(dict.fromkeys((f"{JUDGE}.doubt", f"{part}.doubt")))}
     columns = list(dict.fromkeys(schedule.row(signal) for wanted in kept.values() for signal in wanted))
     group = CompiledGroup(schedule, 1, slice(0, 1), like_lanes=True)
     prepare, constants, values, fixed = _prepared(machine, controller, judged, len(group.memory))
@@ -232,7 +225,8 @@ def _prepared(
 
 def _within(declared: Parameter, value: Traced) -> None:
     """Make it a condition of the trace that a parameter would take the value."""
-    conditions = [value > declared.minimum if declared.exclusive else value >= declared.minimum, value <= declared.maximum]
+    conditions = [value > declared.minimum if declared.exclusive else value >= declared.minimum]
+    conditions += [value <= declared.maximum] if declared.maximum < np.inf else []
     conditions += [np.isfinite(value)] if declared.default != np.inf else []
     conditions += [np.rint(value) == value] if declared.whole else []
     for condition in conditions:

@@ -40,14 +40,14 @@ def judge_step(view: PathView, n_axis: int, corners: bool = False) -> Step:
     A tick is in ``doubt`` unless the foot point is proved to be that of the exact judge: both searches converged, the distance is less
     than the clearance of the path, and the foot point lies in the smallest window that the exact judge may have. A tick in doubt is left
     out of the sums and counted as ``unsure``; a caller judges it exactly, unless ``doubtful`` is 1. ``reach`` is the
-    largest squared tracking error of all ticks.
+    largest squared tracking error of all ticks. ``foot`` is the arc length of the foot point, also of one in doubt.
 
     A controller's Newton estimator takes the same steps, but fewer; tests compare this judge with the exact foot point instead.
     """
     states = ports("foot", *SUMS)
     inputs = (*ports("position", "reference", size=n_axis), Port("arc_length"))
     parameters = ("error", "planning", "window", "doubtful", *view.parameters, *PARAMETERS)
-    tables, outputs = (*view.tables, "counts", *TABLES), ports("contour_error", "doubt")
+    tables, outputs = (*view.tables, "counts", *TABLES), ports("contour_error", "doubt", "foot")
     return Step("judge", _make(view.evaluate, n_axis, corners), parameters, tables, "", states, inputs, outputs)
 
 
@@ -79,7 +79,7 @@ def _make(evaluate: Any, n_axis: int, corners: bool) -> Any:
         apart = dot(behind, behind)
         reach = maximum(x.reach, apart)
         if lookup(par.counts, clock.k) < 0.5:
-            return (centre, *x[1:-1], reach), (0.0, 0.0)
+            return (centre, *x[1:-1], reach), (0.0, 0.0, centre)
         low, high, start = centre - par.window, centre + par.window, centre
         s, moved, square, gap, q1 = seek(par, x.foot, position, centre, low, high)
         number, edge, back, on, away = 0.0, 0.0, 1.0, 1.0, gap
@@ -138,7 +138,7 @@ def _make(evaluate: Any, n_axis: int, corners: bool) -> Any:
             maximum(x.largest_tracking, apart),
             x.unsure + doubt,
             reach,
-        ), (signed, doubt)
+        ), (signed, doubt, s)
 
     return step
 

@@ -21,29 +21,24 @@ import stat
 import struct
 import sys
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import llvmlite
 import llvmlite.binding as llvm
-import numba
-from numba.core.registry import cpu_target
 
-_MAGIC = b"contourlab machine code 3\n"
+_MAGIC = b"contourlab machine code 4\n"
 _DIGEST = hashlib.sha256().digest_size
 _LENGTH = struct.Struct("<Q")
 _OTHERS_WRITE = stat.S_IWGRP | stat.S_IWOTH
-_addresses: dict[str, int] = {}
-_alive: list[Any] = []  # libraries whose code is in use: dropping one would free the code
 
 
 @cache
 def toolchain() -> str:
     """Return the versions and the processor that machine code is valid for."""
     features = llvm.get_host_cpu_features().flatten() if hasattr(llvm, "get_host_cpu_features") else ""
-    versions = (_MAGIC, numba.__version__, llvmlite.__version__, sys.version, platform.machine(), platform.system())
+    versions = (_MAGIC, llvmlite.__version__, sys.version, platform.machine(), platform.system())
     return repr((*versions, llvm.get_host_cpu_name(), features))
 
 
@@ -92,41 +87,6 @@ def _foreign(state: os.stat_result) -> bool:
 @cache
 def _warn(message: str) -> None:
     logging.getLogger("contourlab").warning("contourlab: %s", message)
-
-
-def address(key: str, build: Callable[[], Any], name: str) -> int:
-    """Return the address of the code filed under `key`; build and file it first if it is not there.
-
-    Parameters
-    ----------
-    key : str
-    build : callable
-        Returns a library of Numba and the symbol of its function.
-    name : str
-        Kept with the code, for people.
-    """
-    if key not in _addresses:
-        _addresses[key] = _loaded(key, build, name)
-    return _addresses[key]
-
-
-def _loaded(key: str, build: Callable[[], Any], name: str) -> int:
-    parts = read(key)
-    if parts is not None:
-        with contextlib.suppress(RuntimeError, ValueError, UnicodeError):
-            return _restored(*parts)
-    with without_collector():
-        library, symbol = build()
-    _alive.append(library)
-    title, _, (code, shared) = library.serialize_using_object_code()
-    write(key, [symbol.encode(), name.encode(), title.encode(), code, shared])
-    return int(library.get_pointer_to_function(symbol))
-
-
-def _restored(symbol: bytes, _: bytes, title: bytes, code: bytes, shared: bytes) -> int:
-    library = cpu_target.target_context.codegen().unserialize_library((title.decode(), "object", (code, shared)))
-    _alive.append(library)
-    return int(library.get_pointer_to_function(symbol.decode()))
 
 
 @contextlib.contextmanager

@@ -13,7 +13,7 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.rendering.samples import largest_magnitude
 from contourlab.rendering.style import BAND, LIMIT, round_down, scheme_style
 
-MARKS = {"reversal": "^", "corner": "D", "first zero": "o", "curvature step": "v"}
+MARKS = {"reversal": "^", "corner": "D", "first zero": "o", "curvature step": "v", "peak": "^"}
 """Kinds of marks on the x axis, and their symbols."""
 _BEYOND = ", off scale"
 
@@ -469,3 +469,175 @@ class CircleCauses(Picture):
     causes: tuple[str, ...]
     runs: tuple[CircleTrace, ...]
     radius: float
+
+
+class Exact:
+    """Marks a class whose arrays keep every bit in a message."""
+
+
+@dataclass(frozen=True, eq=False)
+class LivePath(Exact):
+    """A path in quintic pieces.
+
+    At arc length s, ``start[i] <= s < start[i + 1]``, axis j is at the sum of ``coefficients[i, j, k] * (s - start[i]) ** k``.
+
+    Parameters
+    ----------
+    start : ndarray (n_piece + 1,) [m]
+        The last is the length of the path.
+    coefficients : ndarray (n_piece, n_axis, 6) [m, 1, 1/m ...]
+    closed : bool
+        Whether s counts laps.
+    """
+
+    start: Array
+    coefficients: Array
+    closed: bool
+
+
+@dataclass(frozen=True, eq=False)
+class LiveMotion(Exact):
+    """A planned motion along a path, in spans of constant jerk.
+
+    With dt = t - t0 of the last span that has begun, progress is ``s = s0 + dt (v0 + dt (a0 / 2 + dt j / 6))``. Sample k is at the time
+    ``k * period``; from `duration` on, the motion rests at the progress `length`. Velocity is ``r' v``, acceleration ``r'' v^2 + r' a``.
+
+    Parameters
+    ----------
+    period : float [s]
+    n_sample : int
+    spans : ndarray (5, n_span) [s, m, m/s, m/s^2, m/s^3]
+        t0, s0, v0, a0, j.
+    duration : float [s]
+    length : float [m]
+    path : LivePath
+    """
+
+    period: float
+    n_sample: int
+    spans: Array
+    duration: float
+    length: float
+    path: LivePath
+
+
+@dataclass(frozen=True)
+class LiveParameter:
+    """A parameter that can be changed.
+
+    Parameters
+    ----------
+    name : str
+        Dotted, as ``run --set`` takes it.
+    word : int
+        Place of its value.
+    value : float or None
+        In SI; None for infinity.
+    unit, display : str
+        SI unit, and the unit for people.
+    factor : float
+        From SI to `display`.
+    minimum, maximum : float or None
+        Bounds in SI; None for none. `exclusive`: the minimum itself is not allowed; `whole`: whole numbers only.
+    first : bool
+        Whether to show it without being asked: gains, bandwidths of observers, friction, backlash.
+    """
+
+    name: str
+    word: int
+    value: float | None
+    unit: str
+    display: str
+    factor: float
+    minimum: float | None
+    maximum: float | None
+    exclusive: bool
+    whole: bool
+    first: bool
+
+
+@dataclass(frozen=True, eq=False)
+class LiveRun(Exact):
+    """A run of the report as a WebAssembly module; places are words of 8 bytes. `contourlab.loop.PortableLoop` says how to run it.
+
+    Parameters
+    ----------
+    name : str
+        That of its run in `PathScene`.
+    code : ndarray (n,) of uint8
+    n_word : int
+        Size of the memory.
+    words : tuple of (int, ndarray (n,))
+        What memory holds before the first tick, besides the inputs: numbers, from a word on. The rest is 0.
+    inputs : int
+        First word of the inputs, `motion.n_sample` words each: position of every axis, velocity, acceleration, then arc length, feedrate,
+        and for each number of `ahead` the position of that axis so many ticks later; beyond the end the last one.
+    ahead : tuple of int
+    log, n_log : int
+        First word of the log, and its columns; each tick has a row.
+    position : tuple of int
+        Columns: position of each axis [m].
+    part_error, foot : int
+        Columns: part error, and arc length of its foot point on `asked` [m]; meaningless where nothing is judged.
+    doubt : int
+        Column: 1 where the judge of the module is not sure. There the part error is the distance to the nearest point of `asked` in a
+        window around the place of the reference: three times the largest tracking error plus 0.1 mm, at most half of a closed path,
+        plus `planning`.
+    place : int
+        First word of the place of the reference on `asked` [m], one for each tick.
+    planning : float [m]
+        The largest distance of the reference from `asked`.
+    asked : LivePath
+        The programmed path.
+    judged : tuple of (int, int)
+        Samples [start, stop) that figures cover.
+    figures : tuple of (str, int)
+        Word of each figure [SI]; those of the part error know nothing of ticks in doubt.
+    failed_at : int
+        Word of the sample at which the run failed, or -1.
+    state : tuple of (int, int)
+        Begin and end of the words that change while ticks run, besides the log.
+    parameters : tuple of LiveParameter
+    short : (int, int)
+        Samples [start, stop) around the worst place, for a short run. It begins there, or earlier, with the words of `state` of this run.
+    controller : str
+        The controller's file (TOML), with ``"@NAME@"`` in place of the value of each of its parameters.
+    """
+
+    name: str
+    code: Array
+    n_word: int
+    words: tuple[tuple[int, Array], ...]
+    motion: LiveMotion
+    inputs: int
+    ahead: tuple[int, ...]
+    log: int
+    n_log: int
+    position: tuple[int, ...]
+    part_error: int
+    foot: int
+    doubt: int
+    place: int
+    planning: float
+    asked: LivePath
+    judged: tuple[tuple[int, int], ...]
+    figures: tuple[tuple[str, int], ...]
+    failed_at: int
+    state: tuple[tuple[int, int], ...]
+    parameters: tuple[LiveParameter, ...]
+    short: tuple[int, int]
+    controller: str
+
+
+@dataclass(frozen=True, eq=False)
+class LiveLoop(Picture):
+    """Runs whose parameters can be changed in the page.
+
+    Parameters
+    ----------
+    command : str
+        Runs the report again; ``--set NAME=VALUE`` is appended.
+    """
+
+    runs: tuple[LiveRun, ...]
+    command: str

@@ -23,6 +23,7 @@ from contourlab.loop.switches import Switches
 from contourlab.metrics.circles import CircleFigures
 from contourlab.metrics.figures import Metrics
 from contourlab.metrics.reversals import ReversalFigures, Spike, reversal_figures
+from contourlab.rendering.charts import LiveLoop
 from contourlab.rendering.judgement import Trust, Verdict
 from contourlab.rendering.margin_words import gain_words, phase_words
 from contourlab.rendering.style import scheme_style
@@ -111,12 +112,15 @@ class TrialCourse:
         The trial that gives the scheme's figures.
     status : str
         How learning ended.
+    errors : tuple of (ndarray (n,) [s], ndarray (n,) [m])
+        Times and contour errors of each trial, thinned; empty where they were not kept.
     """
 
     contour_rms: Array
     tracking_rms: Array
     best: int
     status: str
+    errors: tuple[tuple[Array, Array], ...] = ()
 
     @property
     def whole_rms(self) -> Array:
@@ -244,6 +248,8 @@ class ReportData:
         Whether the runs are logs.
     next_steps : sequence of (str, str)
         What to do next, and the command for it.
+    live : LiveLoop or None
+        Runs that the page itself can repeat with other values.
 
     Raises
     ------
@@ -260,6 +266,7 @@ class ReportData:
     feed: FeedRun | None = None
     is_measured: bool = False
     next_steps: Sequence[tuple[str, str]] = ()
+    live: LiveLoop | None = None
 
     def __post_init__(self) -> None:
         if not self.schemes:

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from contourlab.figures import figure, number
+from contourlab.native import store
 from contourlab.rendering.charts import Picture
 from contourlab.rendering.comparison import compare
 from contourlab.rendering.data import ReportData
@@ -70,10 +71,9 @@ def write_html(data: ReportData, file: str | Path) -> Path:
 
 def render_html(data: ReportData) -> str:
     """Return the text of the report; the same data give the same text."""
-    points, scene = _points(data), path_scene(data, share(SCENE_POINTS, len(data.schemes), SCENE_POINTS))
     return page_text(
         "report.html.j2",
-        {"path": () if scene is None else (scene,)} | dict(sections(data, points)),
+        picture_groups(data),
         title=data.title,
         version=data.provenance.version,
         data=data,
@@ -86,15 +86,23 @@ def render_html(data: ReportData) -> str:
         origins=origin_tables(data),
         program=_program(data),
         scenario=_clipped(data.provenance.scenario),
-        facts=_facts(data, points),
+        facts=_facts(data, _points(data)),
     )
+
+
+def picture_groups(data: ReportData) -> dict[str, Sequence[Picture]]:
+    """Return the pictures of the report by section."""
+    scene = path_scene(data, share(SCENE_POINTS, len(data.schemes), SCENE_POINTS))
+    live = (data.live,) if data.live is not None and data.live.runs else ()
+    return {"path": () if scene is None else (scene,), "live": live} | dict(sections(data, _points(data)))
 
 
 def page_text(template: str, groups: Mapping[str, Sequence[Picture]], **values: Any) -> str:
     """Return a page that draws pictures; the template places them by group, and needs `title` and `version`."""
-    loader, (viewer, digest) = template_file("loader.js"), _viewer()
+    loader, viewer = template_file("loader.js"), base64.b64encode(packed_viewer()).decode("ascii")
     picture = base64.b64encode(message(chart for charts in groups.values() for chart in charts)).decode("ascii")
-    scripts = {"message": picture, "viewer": viewer, "loader": loader, "hashes": [digest, script_hash(loader)]}
+    hashes = [script_hash(text) for text in (VIEWER.read_text("utf-8"), loader)]
+    scripts = {"message": picture, "viewer": viewer, "loader": loader, "hashes": hashes}
     return str(page_template(template).render(groups=groups, style=template_file("report.css"), **scripts, **values))
 
 
@@ -103,7 +111,7 @@ def _points(data: ReportData) -> int:
     n_scheme, n_axis = len(data.schemes), len(data.axes)
     n_circle = sum(len(scheme.circles) for scheme in data.schemes)
     n_loop = FINER * sum(len(scheme.gaps) for scheme in data.schemes)
-    n_curve = n_scheme * (2 + 4 * n_axis) + n_circle + 4 * n_axis + n_loop
+    n_curve = n_scheme * (3 + 5 * n_axis) + n_circle + 4 * n_axis + n_loop
     return max(16, share(TOTAL_POINTS, n_curve, MOST_POINTS))
 
 
@@ -137,7 +145,7 @@ def _facts(data: ReportData, points: int) -> list[tuple[str, str]]:
         ("Seed", "" if source.seed is None else str(source.seed)),
         ("Axes", ", ".join(data.axes)),
         ("Servo period", figure(period, "ms", 6)),
-        ("Samples", f"{samples:,}".replace(",", " ") + f" in {figure(samples * period, 's', 4)}"),
+        ("Samples", f"{samples:,} in {figure(samples * period, 's', 4)}"),
         ("Path length", figure(float(data.planned.length), "mm", 6)),
         ("Curves", f"at most {points} points each; thinning keeps minima and maxima"),
     )
@@ -151,10 +159,9 @@ def template_file(name: str) -> str:
 
 
 @cache
-def _viewer() -> tuple[str, str]:
-    """Return the viewer's script, compressed and in base64, and its hash."""
-    text = VIEWER.read_text(encoding="utf-8")
-    return base64.b64encode(gzip.compress(text.encode(), 9, mtime=0)).decode("ascii"), script_hash(text)
+def packed_viewer() -> bytes:
+    """Return the viewer's script, compressed."""
+    return gzip.compress(VIEWER.read_text(encoding="utf-8").encode(), 6, mtime=0)
 
 
 def script_hash(script: str) -> str:
@@ -164,11 +171,21 @@ def script_hash(script: str) -> str:
 
 @cache
 def page_template(name: str) -> Any:
-    """Return a template, which escapes all text unless marked safe."""
-    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    """Return a template, which escapes all text unless marked safe; its compiled form is kept where machine code is."""
+    from jinja2 import BytecodeCache, Environment, FileSystemLoader, StrictUndefined, __version__
 
-    loader = FileSystemLoader(TEMPLATES)
-    options: dict[str, Any] = {"undefined": StrictUndefined, "trim_blocks": True, "lstrip_blocks": True}
-    environment = Environment(loader=loader, autoescape=True, **options)
+    options: dict[str, Any] = {"undefined": StrictUndefined, "trim_blocks": True, "lstrip_blocks": True, "autoescape": True}
+
+    class Kept(BytecodeCache):
+        def get_cache_key(self, *names: str | None) -> str:
+            return hashlib.sha256(repr((names, __version__, options)).encode()).hexdigest()[:32]
+
+        def load_bytecode(self, bucket: Any) -> None:
+            bucket.bytecode_from_string((store.read(bucket.key) or [b""])[0])
+
+        def dump_bytecode(self, bucket: Any) -> None:
+            store.write(bucket.key, [bucket.bytecode_to_string()])
+
+    environment = Environment(loader=FileSystemLoader(TEMPLATES), bytecode_cache=Kept(), **options)
     environment.filters |= {"number": number, "figure": figure}
     return environment.get_template(name)

@@ -20,8 +20,8 @@ def trial_charts(data: ReportData) -> tuple[Chart, ...]:
     counts = [len(scheme.trials.contour_rms) for scheme in data.schemes if scheme.trials is not None]
     if not counts:
         return ()
-    contour, tracking, ends = [], [], []
-    for scheme in data.schemes:
+    contour, tracking, ends, courses = [], [], [], []
+    for i, scheme in enumerate(data.schemes):
         look, course = data.looks[scheme.name], scheme.trials
         if course is None:
             level = np.full(2, scheme.metrics.contour_error.rms * 1e6)
@@ -32,13 +32,28 @@ def trial_charts(data: ReportData) -> tuple[Chart, ...]:
         tracking.append(Curve(trial, _drawn(course.whole_rms), *look))
         first, best = course.contour_rms[0], course.contour_rms[course.best]
         ends.append(f"{scheme.name}: {figure(first, 'um')} to {figure(best, 'um')}; {course.in_words}")
+        if course.errors and len(data.axes) > 1:
+            courses.append(_course_chart(f"trials-{i}", scheme.name, course))
     panels = (
         Panel("trial", "contour rms [um]", tuple(contour), log_y=True),
         Panel("trial", "tracking rms [um]", tuple(tracking), log_y=True),
     )
     caption = f"Error of each trial. Trial 0 is the first run, before any learning. {'. '.join(ends)}. Dotted: schemes that do not learn."
     foretold = {scheme.name: scheme.foretold for scheme in data.schemes if scheme.foretold is not None}
-    return (Chart("trials", "Error of each trial", caption, panels), *(learning_charts(foretold) if foretold else ()))
+    return (Chart("trials", "Error of each trial", caption, panels), *courses, *(learning_charts(foretold) if foretold else ()))
+
+
+SHOWN = (0, 1, 2, 5, 10, 20, 50, 100, 200, 500)
+"""Trials whose errors are drawn, besides the best and the last."""
+
+
+def _course_chart(key: str, name: str, course: TrialCourse) -> Chart:
+    """Return the contour error of some trials over time."""
+    last = len(course.errors) - 1
+    shown = sorted({trial for trial in SHOWN if trial < last} | {min(course.best, last), last})
+    traces = {f"trial {k}" + ", the best" * (k == course.best): (course.errors[k][0], course.errors[k][1] * 1e6) for k in shown}
+    title, caption = f"Contour error of the trials of {name}", "A click on a name hides or shows the curve of its trial."
+    return traces_chart(key, title, ("time [s]", "contour error [um]"), traces, caption=caption, level=None)
 
 
 def trial_rows(course: TrialCourse) -> list[tuple[int, float, float]]:

@@ -149,7 +149,8 @@ def draw_panel(place: Axes, panel: Panel) -> None:
         place.margins(x=0.03 if any(curve.half is not None for curve in panel.curves) else 0.0)
     if panel.log_y:
         place.set_yscale("log")
-        _plain_numbers(place.yaxis)
+        if panel.y_range is None or panel.y_range[1] < 1e3 * panel.y_range[0]:
+            _plain_numbers(place.yaxis)
     place.set_ylabel(escaped(panel.y_label))
     if panel.y_ticks:
         place.set_yticks([value for value, _ in panel.y_ticks], [escaped(text) for _, text in panel.y_ticks])

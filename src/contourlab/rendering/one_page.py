@@ -45,7 +45,7 @@ def _page(data: ReportData) -> Figure:
     heights = (1.0 + 0.16 * min(len(data.schemes), MOST_RUNS), 4.4, 1.7)
     text, picture, course = page.subplots(3, 1, height_ratios=heights)
     _words(text, data)
-    chart = next((chart for chart in path_charts(data, POINTS) if isinstance(chart, PathChart)), None)
+    chart = next(iter(path_charts(data, POINTS)), None)
     if chart is None:
         picture.set_visible(False)
     else:
@@ -114,7 +114,7 @@ def write_overview(file: str | Path, answer: str, reports: Mapping[str, ReportDa
 
 def _part(address: str, data: ReportData) -> dict[str, Any]:
     colours = [colour for _, colour, _ in data.looks.values()]
-    chart = next(chart for chart in path_charts(data, POINTS) if isinstance(chart, PathChart))
+    chart = path_charts(data, POINTS)[0]
     dotted = "; dotted: the tolerance" if chart.tolerance else ""
     caption = f"Errors drawn {chart.magnification:g} times as large. Dark: the programmed path{dotted}; rings: the largest errors."
     picture = {"picture": _picture(chart), "caption": f"{caption} Colours as above."}

@@ -10,7 +10,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.feed.reference import CUTTING, LAST_LAP
-from contourlab.figures import figure
+from contourlab.figures import figure, listing
 from contourlab.geometry import Path
 from contourlab.rendering.charts import Curve, Magnified, PathChart, PathScene, Place, SceneRun
 from contourlab.rendering.comparison import judged_words
@@ -167,6 +167,8 @@ def path_scene(data: ReportData, points: int) -> PathScene | None:
     part = first.metrics.judged
     judged = np.ones(s.size, dtype=bool) if part.basis == LAST_LAP else part.mask(first.result.n_sample)[samples_at(data, s)]
     caption = f"The path is to scale, the error is magnified and drawn from the nearest point of the path. Shown: {judged_words(first)}."
+    if len(data.axes) > len(shown):
+        caption += f" Of {listing(data.axes)} the {len(shown)} axes that move most are drawn."
     return PathScene(
         "path-space",
         "Path with magnified error",

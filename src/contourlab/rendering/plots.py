@@ -13,6 +13,7 @@ from contourlab.rendering.data import ReportData
 from contourlab.rendering.learning_pictures import trial_charts
 from contourlab.rendering.path_picture import path_charts
 from contourlab.rendering.run_pictures import axis_charts, bode_charts, error_charts, feed_charts, hysteresis_charts, polar_charts
+from contourlab.rendering.spectrum import spectrum_charts
 from contourlab.rendering.switching import strip_charts
 from contourlab.result.atomic import write_bytes_atomic
 
@@ -61,7 +62,7 @@ def charts_of(data: ReportData) -> Iterator[Picture]:
 def sections(data: ReportData, points: int) -> Iterator[tuple[str, Sequence[Picture]]]:
     """Yield each section of a report but the path, with its charts; curves have at most `points` points."""
     yield "circles", polar_charts(data, points)
-    yield "errors", error_charts(data, points)
+    yield "errors", (*error_charts(data, points), *spectrum_charts(data, points))
     yield "axes", (*feed_charts(data.feed), *axis_charts(data, points))
     yield "backlash", hysteresis_charts(data, points)
     yield "switches", strip_charts(data)

@@ -16,7 +16,6 @@ GRID = "#e4e8ec"
 REFERENCE = "#8a949e"
 LIMIT = "#a33b3b"
 BAND = "#0f7b5f"
-FONT = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', 'DejaVu Sans', Arial, sans-serif"
 
 _CYCLE = ("#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 _ALONE = "#0072b2"

@@ -373,7 +373,13 @@ def _on(content: Table, machine: str | Path | None) -> Table:
     return content.without("axes", *own).having(**from_mapping({"machine": name}, COMMAND_LINE).entries)
 
 
-def load_scenario(file: str | Path, plugins: Sequence[str | Path] = (), machine: str | Path | None = None) -> Scenario:
+def load_scenario(
+    file: str | Path,
+    plugins: Sequence[str | Path] = (),
+    machine: str | Path | None = None,
+    *,
+    changes: Mapping[str, Any] | None = None,
+) -> Scenario:
     """Read a scenario.
 
     Parameters
@@ -384,6 +390,8 @@ def load_scenario(file: str | Path, plugins: Sequence[str | Path] = (), machine:
         Python files with further components.
     machine : str or Path, optional
         In place of the machine of the scenario: a file, or the name of a shipped one. The file of a control has a controller, too.
+    changes : mapping, optional
+        Tables and keys as in a scheme, for the base and every scheme: ``{"feed": {"override": 0.8}}``.
 
     Returns
     -------
@@ -401,7 +409,7 @@ def load_scenario(file: str | Path, plugins: Sequence[str | Path] = (), machine:
     'position loop'
     """
     reader, content = _open(_in_folder(file), plugins, "a scenario")
-    return _scenario(reader, _on(content, machine), Path(content.file))
+    return _scenario(reader, _on(content, machine), Path(content.file), changes)
 
 
 def changed_case(
@@ -445,6 +453,7 @@ def scenario_from_parts(
     feed: Mapping[str, Any] | None = None,
     run: Mapping[str, Any] | None = None,
     options: Mapping[str, Any] | None = None,
+    changes: Mapping[str, Any] | None = None,
     name: str = "",
     plugins: Sequence[str | Path] = (),
 ) -> Scenario:
@@ -460,6 +469,8 @@ def scenario_from_parts(
         As the tables of a scenario file: ``feed={"override": 0.8}``, ``run={"tolerance": "20 um"}``.
     options : mapping, optional
         Further keys of the table ``program``: ``{"fit": True}``.
+    changes : mapping, optional
+        See `load_scenario`.
     name : str
         By default the name of the program.
     plugins : sequence of str or Path
@@ -478,7 +489,7 @@ def scenario_from_parts(
     values |= {key: value for key, value in given.items() if value is not None}
     if program is not None and not name:
         values["name"] = _title(Path(program))
-    return _scenario(Reader(), from_mapping(values, COMMAND_LINE), Path(COMMAND_LINE))
+    return _scenario(Reader(), from_mapping(values, COMMAND_LINE), Path(COMMAND_LINE), changes)
 
 
 def _title(file: Path) -> str:
@@ -522,7 +533,7 @@ def _name(content: Table) -> str:
     return name
 
 
-def _scenario(reader: Reader, content: Table, path: Path) -> Scenario:
+def _scenario(reader: Reader, content: Table, path: Path, changes: Mapping[str, Any] | None = None) -> Scenario:
     name = _name(content)
     if ("contour" in content.entries) == ("program" in content.entries):
         both = "contour" in content.entries
@@ -532,9 +543,13 @@ def _scenario(reader: Reader, content: Table, path: Path) -> Scenario:
     content = _under_control(content, machine, reader)
     layers = content.only("feed", "run", "learning").having(machine=machine, controller=reader.controller(content.entries["controller"]))
     motion = read_motion(content, build_machine(settle(machine), reader.controls))
-    base = _case("base", layers, motion, content, reader)
-    schemes = content.table("schemes")
-    cases = tuple(_case(name, _over(reader, layers, schemes.table(name)), motion, schemes.table(name), reader) for name in schemes.entries)
+    schemes, over = content.table("schemes"), from_mapping(changes or {}, COMMAND_LINE)
+
+    def case(called: str, tables: Table, place: Table) -> Case:
+        return _case(called, _over(reader, tables, over) if over.entries else tables, motion, place, reader)
+
+    base, own = case("base", layers, content), {name: schemes.table(name) for name in schemes.entries}
+    cases = tuple(case(name, _over(reader, layers, table), table) for name, table in own.items())
     return Scenario(name or _title(path), path, base, cases, tuple(dict.fromkeys(reader.seen)))
 
 

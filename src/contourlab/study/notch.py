@@ -20,7 +20,7 @@ from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import lane_loops, sampled_loop
 from contourlab.arrays import Array
 from contourlab.components.filter.biquad import Notch
-from contourlab.components.plant.plant import Plant
+from contourlab.components.plant.plant import resonance_of
 from contourlab.errors import ParameterError
 from contourlab.loop import AxisController, Controller, Machine
 from contourlab.loop.parameters import with_values
@@ -28,8 +28,6 @@ from contourlab.study.guards import SLACK, Bounds, in_db_and_degrees
 
 NAME = "resonance"
 """Name of the filter."""
-MOST_DAMPED = 0.5
-"""Largest damping ratio of poles that count as a resonance."""
 MOVED = 0.05
 """Share by which the resonance may move: a notch is rated by its worst margins within it."""
 RATIOS = (0.8, 0.9, 1.0, 1.1, 1.2)
@@ -78,16 +76,6 @@ class NotchDesign:
     margins_before: Margins
     margins_after: Margins
     margins_moved: tuple[Margins, ...]
-
-
-def resonance_of(plant: Plant) -> tuple[float, float] | None:
-    """Return frequency [Hz] and damping ratio of the lowest resonance of a plant; None if it has none."""
-    model = plant.linear().linearize()
-    poles = np.linalg.eigvals(model.a) if model is not None else np.zeros(0)
-    # Rounding splits the double pole of a free mass.
-    fast = [pole for pole in poles if pole.imag > 1e-4 * np.abs(poles).max()]
-    ringing = sorted((abs(pole), -pole.real / abs(pole)) for pole in fast if -pole.real < MOST_DAMPED * abs(pole))
-    return (float(ringing[0][0] / (2.0 * math.pi)), float(ringing[0][1])) if ringing else None
 
 
 def design_notch(machine: Machine, controller: Controller, name: str, bounds: Bounds | None = None) -> tuple[NotchDesign, Controller]:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import ctypes
 import re
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,7 +18,7 @@ from contourlab.app.quick import beginning
 from contourlab.engine import gpu, runner
 from contourlab.errors import EngineError
 from contourlab.loop import parameters_of
-from contourlab.scenario.load import load_scenario
+from contourlab.scenario.load import load_scenario, scenario_from_parts
 
 FRICTIONS = {
     "smooth": make("friction", "smooth-coulomb", coulomb=0.05, breakaway=0.07, stribeck_velocity=2e-3, smoothing_velocity=1e-4),
@@ -24,6 +26,22 @@ FRICTIONS = {
     "sticking": make("friction", "coulomb", coulomb=0.055, breakaway=0.066, stribeck_velocity=2e-3),
 }
 SHIPPED = ("backlash/part", "emps/circle", "gecer-ulu/contour-simulated", "ghaffari/demo-stage", "ubc/lead-lag")
+PART = """\
+G17 G21 G90 G94 G64 P0.02
+F3000
+G1 X6
+G1 X8 Y4 Z-1
+G3 X4 Y8 Z-2 I-4
+G5.2 X0 Y10 P2 L3
+X-5 Y8 P1
+X-6 Y4 P1
+X-6 Y0 P1
+G5.3
+G18 G2 X-2 Z-2 I2 K0
+G17 G0 X0 Y0 Z0
+M2
+"""
+"""Lines and a rapid, blended; a helix, a NURBS curve, an arc in another plane."""
 GAINS = {"axes.x.plant.gain": np.linspace(0.9, 1.3, 70), "controller.coupling.weight": np.linspace(0.0, 0.75, 70)}
 
 
@@ -84,6 +102,17 @@ def test_shipped_machines_give_the_same_bits(a_gpu: None, name: str) -> None:
     if isinstance(gpu.gpu_of_process(), HostGpu):  # which runs one thread after another
         reference = beginning(reference, 3000)
     same(case.machine, case.controller, reference, variants, part=True, seed=3, moving=case.moving)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("play", [0.0, 5e-6])
+def test_a_part_program_gives_the_same_bits(a_gpu: None, tmp_path: Path, play: float) -> None:
+    (tmp_path / "part.ngc").write_text(PART)
+    case = scenario_from_parts(tmp_path / "part.ngc", "xyz", "xyz-controller").base
+    machine = with_axis(case.machine, "x", substeps=2, error=replace(case.machine.axis("x").error, backlash=play))
+    mass = {"axes.x.plant.mass": case.machine.axis("x").plant.mass * np.linspace(0.9, 1.1, 40)}
+    found = same(machine, case.controller, case.reference(), mass, part=True, seed=3)
+    assert np.ptp(found.figures["part_error_max"]) > 0.0
 
 
 def test_the_driver_may_not_round_otherwise(turn: cl.Reference, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -194,7 +194,7 @@ def test_an_interpolated_channel_is_reported_with_its_clock() -> None:
     [
         (np.array([0.0, 1.0, 0.5, 2.0]), "1 s to 0.5 s at sample 2"),
         (np.array([0.0, 1.0, np.nan, 2.0]), "not finite at sample 2"),
-        (np.zeros(5), "1 samples of 'a'"),
+        (np.zeros(5), "'a' at different times, 1"),
         (np.cumsum(np.append(np.full(30, 1e-3), np.full(20, 7e-3))), "missing"),
     ],
 )
@@ -294,6 +294,21 @@ def test_columns_that_are_not_needed_may_lack_a_unit() -> None:
     needed = ["position.x=X1_ActualPosition [mm]", "velocity.x=X1_ActualVelocity"]
     with pytest.raises(LogError, match=r"'velocity\.x=X1_ActualVelocity \[mm/s\]'"):
         result_of(record(*channels, spoilt, period=0.1), Columns(parse_columns(needed)))
+
+
+def test_columns_that_are_not_used_are_named() -> None:
+    """A rotary axis is no fault of a log; nor is a temperature."""
+    time = np.arange(4.0)
+    heads = ("time [s]", "x_pos [mm]", "b_ref [deg]", "b_vel [rad/s]", "temperature [degC]", "line", "load")
+    log = load_log(dict.fromkeys(heads, time))
+    assert log.result.axes == ("x",) and set(log.result.signals) == {"position"}
+    assert finding("CL441", columns=["temperature", "load"]) in log.findings
+    assert finding("CL442", columns=["b_ref", "b_vel"]) in log.findings
+    with pytest.raises(LogError):
+        load_log({"time [s]": time, "b_pos [deg]": time})
+    many = load_log(dict.fromkeys(("time [s]", "x_pos [mm]", *(f"channel {i} value {i}" for i in range(40))), time))
+    (named,) = (one.values["columns"] for one in many.findings if one.code == "CL441")
+    assert len(named) == 31 and named[-1] == "10 more"
 
 
 def test_all_missing_columns_are_named() -> None:

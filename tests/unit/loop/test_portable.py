@@ -17,7 +17,6 @@ import contourlab as cl
 from contourlab.components.contract import Component
 from contourlab.components.registry import component
 from contourlab.engine.runner import CompiledGroup
-from contourlab.engine.translate import llvm_ir
 from contourlab.engine.translate.maths import LANES
 from contourlab.engine.translate.step_graph import Rows, tick_graph
 from contourlab.engine.translate.tick_loop import SIGNATURE, source_of
@@ -29,6 +28,7 @@ from contourlab.loop.batch import judged_loop
 from contourlab.loop.feeding import Feed
 from contourlab.loop.judging import all_judged
 from contourlab.loop.portable import PortableLoop, portable
+from contourlab.native import llvm
 
 Array = NDArray[np.float64]
 
@@ -42,8 +42,8 @@ def native(loop: PortableLoop, *, fused: bool = True) -> tuple[Array, Array]:
     group = CompiledGroup(loop.schedule, 1, slice(0, 1), like_lanes=True)
     if not fused:
         made = tick_graph(loop.schedule, Rows(group.places.states, group.places.parameters), loop.rows, LANES, contract=False)
-        code = llvm_ir.object_code(source_of(made, 1, 1, fused=False))
-        group.loops[loop.rows] = llvm_ir.loaded(code, "run", SIGNATURE)
+        code = llvm.object_code(source_of(made, 1, 1, fused=False))
+        group.loops[loop.rows] = llvm.loaded(code, "run", SIGNATURE)
     log = group.run(loop.fed().T, list(loop.rows))
     return group.memory[:, 0], log[:, :, 0]
 
@@ -106,17 +106,6 @@ def test_a_run_begins_in_the_middle() -> None:
 def smooth() -> tuple[cl.Machine, cl.Controller]:
     """Return a loop without decisions that amplify a last digit."""
     return stage(friction=make("friction", "none"), sensor=make("sensor", "ideal")), control()
-
-
-@needs_node
-def test_a_native_run_gives_the_state_in_the_middle() -> None:
-    machine, controller = smooth()
-    loop, k = portable(machine, controller, circle(machine)), 70
-    writes = [("write", begin, state) for (begin, _), state in zip(loop.state, loop.state_at(k), strict=True)]
-    _, part = in_node(loop, *writes, ("run", k, loop.feed.reference.n_sample - k), log_of(loop))
-    log = native(loop)[1]
-    scale = np.abs(log).max(axis=0)
-    assert np.all(np.abs(part.reshape(log.shape) - log)[k:] <= 1e-9 * np.where(scale > 0.0, scale, 1.0))
 
 
 @needs_node

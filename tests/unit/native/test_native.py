@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import subprocess
 import sys
+import zlib
 from functools import cache
+from pathlib import Path
 from types import FunctionType, ModuleType
 
 import numpy as np
 import pytest
 
 from contourlab.errors import EngineError
-from contourlab.native.kernel import kernel
+from contourlab.native import kernel as native_kernel
+from contourlab.native import store
+from contourlab.native.kernel import Kernel, kernel
 
 
 def _half(value):  # type: ignore[no-untyped-def]
@@ -68,16 +72,29 @@ def test_a_kernel_that_allocates_memory_is_refused() -> None:
         greedy(np.empty(5), 1.0)
 
 
+@pytest.mark.parametrize("damaged", [False, True])
+def test_what_the_package_keeps_needs_no_numba(damaged: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(native_kernel, "KEPT", tmp_path)
+    monkeypatch.setattr(store, "folder", lambda: tmp_path / "none")
+    code = zlib.compress(stepped.lowered)
+    (tmp_path / stepped.key).write_bytes(code[: len(code) // 2] if damaged else code)
+    if not damaged:
+        monkeypatch.setitem(sys.modules, "contourlab.native.compile", None)
+    out = np.full(5, 7)
+    Kernel(stepped.plain, "i8[:] i8")(out, 2)
+    assert out.tolist() == [0, 7, 2, 7, 4]
+
+
 def test_the_compiler_is_loaded_only_for_planning() -> None:
-    script = "import sys, contourlab.feed, contourlab.native; sys.exit('numba' in sys.modules)"
+    script = "import sys, contourlab.feed, contourlab.native; sys.exit(bool({'numba', 'llvmlite'} & set(sys.modules)))"
     assert subprocess.run([sys.executable, "-c", script], check=False).returncode == 0
 
 
 def test_the_key_of_a_kernel_covers_the_modules_of_all_that_it_calls() -> None:
     from contourlab.feed import bounds
-    from contourlab.native.compile import _modules
+    from contourlab.native.calls import modules
 
-    assert _modules(bounds._quickest.plain) == {"contourlab.feed.bounds"}
+    assert modules(bounds._quickest.plain) == {"contourlab.feed.bounds"}
 
 
 def test_the_constants_of_a_kernel_are_in_its_key() -> None:
@@ -86,7 +103,7 @@ def test_the_constants_of_a_kernel_are_in_its_key() -> None:
     import inspect
 
     from contourlab.feed import planner  # imports all kernels of the planner
-    from contourlab.native.compile import _called
+    from contourlab.native.calls import called as called_by
     from contourlab.native.kernel import KERNELS
 
     @cache
@@ -99,7 +116,7 @@ def test_the_constants_of_a_kernel_are_in_its_key() -> None:
         assert module is not None
         values = {name for name in function.__code__.co_names if isinstance(function.__globals__.get(name), int | float | tuple)}
         assert not values & imported(module), function
-        for called in _called(function).values():
+        for called in called_by(function).values():
             check(called)
 
     assert planner and len(KERNELS) > 10

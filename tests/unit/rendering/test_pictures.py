@@ -151,6 +151,14 @@ def test_the_scene_of_a_path_in_space_has_three_axes(single):
     assert scene.runs[0].worst[0].cause == "" and scene.runs[0].size.max() == pytest.approx(scene.runs[0].worst[0].size, rel=1e-3)
 
 
+def test_of_four_axes_the_scene_says_which_it_shows(single):
+    end = (0.02, 0.0, 0.03, 0.01)
+    path = Path([Line((0.0,) * 4, end), Line(end, (0.0,) * 4)], closed=True)
+    data = synthetic.around(single, path, uniform(path, 0.5, 1, 1e-3))
+    scene = path_scene(data, POINTS)
+    assert scene.axes == tuple(data.axes[i] for i in (0, 2, 3)) and ", ".join(data.axes[:3]) in scene.caption
+
+
 def test_a_run_without_a_finite_error_leaves_the_scene_empty(single):
     result = single.schemes[0].result
     lost = replace(result, signals=dict(result.signals) | {"part_error": Signal(np.full(result.n_sample, np.nan), ("sample",), "m")})

@@ -18,7 +18,7 @@ MAGIC = {"png": b"\x89PNG\r\n", "svg": b"<?xml", "pdf": b"%PDF-"}
 def test_every_picture_in_every_format_and_the_same_bytes_again(square, tmp_path):
     files = write_plots(square, tmp_path / "new", ("png", "svg", "pdf"))
     names = {file.stem for file in files}
-    assert names == {"path-0", "error-time", "error-arc", "axis-0", "axis-1"} and len(files) == 15
+    assert names == {"path-0", "error-time", "error-arc", "spectrum", "axis-0", "axis-1"} and len(files) == 18
     for file in files:
         assert file.read_bytes().startswith(MAGIC[file.suffix[1:]])
     again = write_plots(square, tmp_path / "again", ("png", "svg", "pdf"))

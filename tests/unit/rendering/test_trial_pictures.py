@@ -37,6 +37,16 @@ def test_the_picture_has_the_errors_of_all_trials(learned: ReportData) -> None:
     assert contour.log_y and "converged, best trial 17 of 30" in chart.caption
 
 
+def test_the_errors_of_some_trials_are_drawn_over_time(learned: ReportData) -> None:
+    time, rms = np.linspace(0.0, 1.0, 5), np.ones(13)
+    errors = tuple((time, np.full(5, 1e-6 * trial)) for trial in range(13))
+    kept = TrialCourse(rms, np.ones((13, 2)), 7, "converged", errors)
+    charts = trial_charts(replace(learned, schemes=[learned.schemes[0], replace(learned.schemes[1], trials=kept)]))
+    (panel,) = charts[-1].panels
+    assert [curve.name for curve in panel.curves] == [f"trial {trial}" + ", the best" * (trial == 7) for trial in (0, 1, 2, 5, 7, 10, 12)]
+    assert [curve.y[0] for curve in panel.curves] == pytest.approx([0.0, 1.0, 2.0, 5.0, 7.0, 10.0, 12.0])
+
+
 def test_a_report_without_learning_does_not_mention_it(circle: ReportData) -> None:
     assert trial_charts(circle) == ()
     assert trials_text(circle) == ""
@@ -74,5 +84,5 @@ def test_the_table_shows_the_end_and_the_cost(learned: ReportData) -> None:
 @pytest.mark.slow
 def test_page_and_plots_contain_the_picture(learned: ReportData, tmp_path: Path) -> None:
     page = render_html(learned)
-    assert 'id="trials"' in page and "converged, best trial 17 of 30." in page
+    assert page.count('id="trials"') == 1 and "converged, best trial 17 of 30." in page
     assert (tmp_path / "trials.png") in write_plots(learned, tmp_path)

@@ -16,8 +16,8 @@ from contourlab.components.conformance import subject
 from contourlab.components.contract import Component
 from contourlab.components.registry import component, components
 from contourlab.engine.step import Step, pack, record, rows, unpack
-from contourlab.engine.translate import llvm_ir
 from contourlab.errors import ParameterError
+from contourlab.native.llvm import module_of
 from contourlab.primitives import Clock
 from contourlab.scenario import load_scenario
 from contourlab.scenario.translation import LANGUAGES, translate
@@ -125,7 +125,7 @@ def test_wasm_computes_the_bits_of_plain_python(tmp_path: Path, named: str) -> N
     llvm.initialize_all_asmprinters()
     machine = llvm.Target.from_triple("wasm32-unknown-unknown").create_target_machine(opt=2)
     wasm, data = tmp_path / "step.wasm", tmp_path / "data.json"
-    code = machine.emit_object(llvm_ir.module_of(translate(chosen(**chosen.example), "llvm"), machine, "wasm32-unknown-unknown"))
+    code = machine.emit_object(module_of(translate(chosen(**chosen.example), "llvm"), machine, "wasm32-unknown-unknown"))
     wasm.write_bytes(exported(code))
     sizes = [rows(step.states), rows(step.outputs)]
     data.write_text(json.dumps([[*case, sizes] for case in cases]))

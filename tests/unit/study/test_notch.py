@@ -13,11 +13,11 @@ from refusals import refuses
 import contourlab as cl
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.components.controller.cascade import Cascade
-from contourlab.components.plant.plant import MassDamper
+from contourlab.components.plant.plant import MassDamper, resonance_of
 from contourlab.components.plant.two_sided import ElasticBallScrew, TwoMass
 from contourlab.errors import ParameterError
 from contourlab.study.guards import Bounds
-from contourlab.study.notch import NAME, design_notch, resonance_of, with_velocity_gain
+from contourlab.study.notch import NAME, design_notch, with_velocity_gain
 
 PERIOD = 5e-4
 PLANT = TwoMass(mass=40.0, load_share=0.7, resonance=60.0, damping_ratio=0.03, damping=80.0, force_constant=55.0)

@@ -273,3 +273,17 @@ def reflected_mass(inertia: float, lead: float) -> float:
 def _check(name: str, value: float, unit: str, within: bool) -> None:
     if not (within and math.isfinite(value)):
         raise ParameterError(name, f"{value:g}", "finite and > 0" if name == "lead" else "finite and >= 0", unit)
+
+
+MOST_DAMPED = 0.5
+"""Largest damping ratio of poles that count as a resonance."""
+
+
+def resonance_of(plant: Plant) -> tuple[float, float] | None:
+    """Return frequency [Hz] and damping ratio of the lowest resonance of a plant; None if it has none."""
+    model = plant.linear().linearize()
+    poles = np.linalg.eigvals(model.a) if model is not None else np.zeros(0)
+    # Rounding splits the double pole of a free mass.
+    fast = [pole for pole in poles if pole.imag > 1e-4 * np.abs(poles).max()]
+    ringing = sorted((abs(pole), -pole.real / abs(pole)) for pole in fast if -pole.real < MOST_DAMPED * abs(pole))
+    return (float(ringing[0][0] / (2.0 * math.pi)), float(ringing[0][1])) if ringing else None

@@ -376,54 +376,13 @@ def source_of(made: StepGraph) -> str:
     return "\n".join([*writer.declared.values(), _HEAD, *writer.lines, "  ret void", "}"]) + "\n"
 
 
-def object_code(source: str) -> bytes:
-    """Compile LLVM IR to object code for this machine."""
-    import llvmlite.binding as llvm
+def assembly(source: str, triple: str, processor: str, *, binary: bool = False, effort: int = 2) -> Any:
+    """Return the assembly of LLVM IR for another processor, or its object file in bytes; `effort` is LLVM's, from 0 to 3."""
+    import llvmlite.binding as binding
 
-    machine = _machine()
-    code: bytes = machine.emit_object(module_of(source, machine, llvm.get_process_triple()))
-    return code
+    from contourlab.native import llvm
 
-
-def module_of(source: str, machine: Any, triple: str) -> Any:
-    """Return LLVM IR as a module for a target machine.
-
-    LLVM's passes do not run: the graph has no repeated or unused operation, so they would take a third of the time and gain nothing.
-    """
-    import llvmlite.binding as llvm
-
-    module = llvm.parse_assembly(source)
-    module.triple, module.data_layout = triple, str(machine.target_data)
-    return module
-
-
-def assembly(source: str, triple: str, processor: str, *, binary: bool = False) -> Any:
-    """Return the assembly of LLVM IR for another processor, or its object file in bytes."""
-    import llvmlite.binding as llvm
-
-    llvm.initialize_all_targets()
-    llvm.initialize_all_asmprinters()
-    machine = llvm.Target.from_triple(triple).create_target_machine(cpu=processor, opt=2)
-    return (machine.emit_object if binary else machine.emit_assembly)(module_of(source, machine, triple))
-
-
-def loaded(code: bytes, name: str, signature: Any) -> Any:
-    """Return a function of object code as a C function."""
-    import llvmlite.binding as llvm
-
-    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _machine())
-    engine.add_object_file(llvm.object_file.ObjectFileRef.from_data(code))
-    engine.finalize_object()
-    function = signature(engine.get_function_address(name))
-    function.kept = engine  # dropping it would free the code
-    return function
-
-
-def _machine() -> Any:
-    import llvmlite.binding as llvm
-
-    llvm.initialize_native_target()
-    llvm.initialize_native_asmprinter()
-    features = llvm.get_host_cpu_features().flatten()
-    target = llvm.Target.from_default_triple()
-    return target.create_target_machine(cpu=llvm.get_host_cpu_name(), features=features, opt=2, jit=True, codemodel="jitdefault")
+    binding.initialize_all_targets()
+    binding.initialize_all_asmprinters()
+    machine = binding.Target.from_triple(triple).create_target_machine(cpu=processor, opt=effort)
+    return (machine.emit_object if binary else machine.emit_assembly)(llvm.module_of(source, machine, triple))

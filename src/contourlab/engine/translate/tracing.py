@@ -48,6 +48,7 @@ class Traced(np.lib.mixins.NDArrayOperatorsMixin):
         return self._made(ufunc, values, plain=method == "__call__" and not named)
 
     def __array_function__(self, function: Any, types: Any, args: Any, named: Any) -> Any:
+        # A check of the numbers of all lanes at once: a trace has one lane, whose largest and any is the number itself.
         return args[0] if function in (np.max, np.any) else self._made(function, args, plain=not named)
 
     def _made(self, function: Any, values: Any, *, plain: bool) -> Any:

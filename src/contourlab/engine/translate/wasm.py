@@ -67,7 +67,8 @@ def module_of(functions: Mapping[str, str]) -> bytes:
 
     lines = "\n".join(functions.values()).splitlines()
     declared = dict.fromkeys(line for line in lines if line.startswith("declare"))
-    code = llvm_ir.assembly("\n".join([*declared, *(line for line in lines if line not in declared)]), *TARGET, binary=True)
+    # Whatever runs the module compiles it anew: more effort takes up to fifty times as long here, and the ticks are no faster.
+    code = llvm_ir.assembly("\n".join([*declared, *(line for line in lines if line not in declared)]), *TARGET, binary=True, effort=0)
     parts = {part.name(): part.data() for part in llvm.object_file.ObjectFileRef.from_data(code).sections()}
     needs, others = parts[b"IMPORT"], {name for name in parts if name.isupper()} - {b"TYPE", b"IMPORT", b"FUNCTION", b"CODE"}
     alone = needs.startswith(b"\x01" + _text("env") + _text("__linear_memory")) and not others

@@ -162,7 +162,7 @@ class Analysis(Answer):
 
     def _next(self, asked: Asked) -> Sequence[object]:
         """Run the schemes."""
-        return ["compare", *asked.inputs, "--schemes", ",".join(asked.settings.schemes) or None]
+        return ["compare", *asked.given, "--schemes", ",".join(asked.settings.schemes) or None]
 
     @property
     def text(self) -> str:

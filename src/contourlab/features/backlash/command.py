@@ -70,7 +70,7 @@ class BacklashOutcome(Answer):
 
     def _next(self, asked: Asked) -> Sequence[object]:
         """Compare the schemes."""
-        return ["compare", *asked.inputs]
+        return ["compare", *asked.given]
 
     @property
     def text(self) -> str:

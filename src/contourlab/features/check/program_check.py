@@ -59,6 +59,18 @@ class Message:
 
 
 @dataclass(frozen=True)
+class Refused:
+    """Bad input: what any command prints with ``--json``, with exit code 2.
+
+    Attributes
+    ----------
+    problems : tuple of Message
+    """
+
+    problems: tuple[Message, ...]
+
+
+@dataclass(frozen=True)
 class Checked(Answer):
     """The result of a check; as JSON field by field.
 

@@ -26,7 +26,7 @@ from contourlab.features.circle.runs import CircleRun, find_circle, is_polar, ow
 from contourlab.features.measure.log_choice import open_log, read_again
 from contourlab.features.measure.plausibility import columns_of, known_signal
 from contourlab.features.measure.study import ACTUAL
-from contourlab.figures import figure, number
+from contourlab.figures import figure, limit_to_propose, number
 from contourlab.findings import Finding, finding
 from contourlab.logs import Log, read_record
 from contourlab.logs.load import about
@@ -211,6 +211,10 @@ class CircleTest(Answer):
         runs = {f"{run.name} {k + 1}": (np.degrees(run.angle), 1e6 * run.deviation) for k, run in enumerate(self.fit.runs)}
         yield traces_chart("circle", "Deviation from the circle", ("angle [deg]", "radial deviation [um]"), runs)
 
+    def _pictures(self) -> Iterator[CircleCauses]:
+        assert self.fit is not None
+        yield _picture(self, self.fit)
+
     def save(self, folder: str | Path = "results") -> CircleTest:
         """Write summary.json and report.html into a folder.
 
@@ -237,8 +241,7 @@ class CircleTest(Answer):
         if not self.command:
             return ""
         if self.tolerance is None:
-            wanted = float(f"{5e5 * self.circular_deviation:.1g}")
-            return f"{self.command} {as_typed(['--tolerance', f'{wanted:g} um'])}"
+            return f"{self.command} {as_typed(['--tolerance', limit_to_propose(0.5 * self.circular_deviation)])}"
         if self.lag:
             kept = read_again(shlex.split(self.command))
             return as_typed(["contourlab", "identify", str(self.inputs[0]), "--model", "position-loop", *kept])
@@ -397,6 +400,8 @@ def _picture(test: CircleTest, fit: CircleFit) -> CircleCauses:
         look = scheme_style(k, len(fit.runs))[0]
         traces.append(CircleTrace(way, look, np.degrees(run.angle[kept]), 1e6 * run.deviation[kept], 1e6 * parts))
     caption = "Pale: as measured. A slider scales the fitted curve of its cause: 100 % as measured, 0 % removed."
+    if test.bidirectional is None:
+        caption += " The verdict is on the minimum zone of a run, which is never larger than the deviation around the least-squares centre."
     return CircleCauses("causes", "Radial deviation", caption, tuple(fit.axes), tuple(curves), tuple(traces), test.radius)
 
 

@@ -90,7 +90,7 @@ def read_log(file: str | Path | Log, setup: Setup, window: Window | None = None)
         raise LogError(f"has none of the columns {wanted}: name them so, or record with the lines of sampler.hal", file=record.file)
     timed = any(channel.time is not None or channel.name.lower().startswith("time") for channel in record.channels)
     log = result_of(record, Columns(tuple(columns), None if timed or record.period else setup.period, window=window))
-    findings += [doubt for doubt in log.findings if doubt.code not in ("CL430", "CL433", "CL436")]
+    findings += [doubt for doubt in log.findings if doubt.code not in ("CL430", "CL433", "CL436", "CL441")]
     period = log.result.servo_period
     if abs(period / setup.period - 1.0) > 0.01:
         findings.append(finding("CL871", record.file.name, period=period, ini=setup.period))

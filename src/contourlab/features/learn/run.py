@@ -27,12 +27,15 @@ from contourlab.loop import Controller, Machine
 from contourlab.loop.trials import Trial, Trials, feedforward_command
 from contourlab.rendering.data import TrialCourse
 from contourlab.scenario.build import parameters_of
+from contourlab.thinning import keep_extremes
 
 Part = Literal["ends", "all", "none"]
 EXPLAINED_GAIN = 0.05
 """Largest improvement that chance can explain, even if the trials differ widely."""
 RESOLUTION = 1e-12
 """Errors [m] below this differ only by rounding."""
+DRAWN = 1000
+"""Most points of the drawn error of a trial."""
 
 
 @dataclass(frozen=True)
@@ -184,10 +187,8 @@ class LearningRun:
         Repeatable and non-repeatable parts over the last trials; None with fewer than four.
     growth : Growth or None
         Band in which the error grew; only if learning diverged.
-    first_position, best_position : ndarray (n_sample, n_axis) [m]
-        True positions of the tool in the first and in the best trial.
-    first_contour, best_contour : ndarray (n_sample,) [m]
-        Their contour errors.
+    drawn : tuple of (ndarray (n,) [s], ndarray (n,) [m])
+        Times and contour errors of each trial, thinned.
     seconds, engine_seconds, judge_seconds : float [s]
         Computing time in all, of the machine runs, and of the judge.
     """
@@ -201,10 +202,7 @@ class LearningRun:
     table: LearnedTable = field(metadata=HIDDEN)
     split: Split | None
     growth: Growth | None = field(metadata=HIDDEN)
-    first_position: Array = field(metadata=HIDDEN)
-    best_position: Array = field(metadata=HIDDEN)
-    first_contour: Array = field(metadata=HIDDEN)
-    best_contour: Array = field(metadata=HIDDEN)
+    drawn: tuple[tuple[Array, Array], ...] = field(metadata=HIDDEN)
     seconds: float = field(default=0.0, metadata=HIDDEN)
     engine_seconds: float = field(default=0.0, metadata=HIDDEN)
     judge_seconds: float = field(default=0.0, metadata=HIDDEN)
@@ -223,7 +221,7 @@ class LearningRun:
     def course(self) -> TrialCourse:
         """The errors of the trials, for tables and pictures."""
         contour, tracking = (np.array([getattr(trial, name) for trial in self.trials]) for name in ("contour_rms", "tracking_rms"))
-        return TrialCourse(contour, tracking, self.best, self.status)
+        return TrialCourse(contour, tracking, self.best, self.status, self.drawn)
 
     @property
     def gain(self) -> float:
@@ -234,14 +232,15 @@ class LearningRun:
 
 @dataclass(eq=False)
 class _Course:
-    """State of learning while the trials run; `kept` has table, tool positions and contour errors of the first and of the best trial."""
+    """State of learning while the trials run; `kept` has table and tool positions of the first and of the best trial."""
 
     runner: Trials
     law: LearningLaw
     part: Part
     memory: Memory
     figures: list[TrialFigures] = field(default_factory=list)
-    kept: dict[int, tuple[Array, Array, Array]] = field(default_factory=dict)
+    kept: dict[int, tuple[Array, Array]] = field(default_factory=dict)
+    drawn: list[tuple[Array, Array]] = field(default_factory=list)
 
     def note(self, run: Trial, i: int, table: Array) -> None:
         """Add a trial."""
@@ -249,14 +248,16 @@ class _Course:
         if run.status.ok and self.part == "all" and math.isnan(figures.part_max):
             figures = replace(figures, part_max=part_error(run.tool, self.runner))
         self.figures.append(figures)
+        at = keep_extremes(run.contour_error, DRAWN)
+        self.drawn.append((self.runner.machine.servo_period * at.astype(float), run.contour_error[at]))
         if i == 0 or (run.status.ok and best_of(self.figures) == i):
-            now = (table, run.tool, run.contour_error)
+            now = (table, run.tool)
             self.kept = {0: self.kept.get(0, now), i: now}
 
     def ended(self, stop: Stop, problem: LearningProblem, began: float) -> LearningRun:
         """Return the result."""
         runner, figures, best = self.runner, self.figures, best_of(self.figures)
-        (_, *first), (learned, *last) = self.kept[0], self.kept[best]
+        learned, _ = self.kept[best]
         if self.part == "ends":
             for i in {0, best}:
                 if not figures[i].failed and math.isnan(figures[i].part_max):
@@ -277,10 +278,9 @@ class _Course:
         names = [part.name for part in fields(TrialFigures) if part.name not in ("trial", "failed")]
         columns = {name: np.array([getattr(trial, name) for trial in figures], dtype=float) for name in names}
         table = LearnedTable.of(learned.copy(), runner.machine, runner.controller, runner.reference, self.law, columns)
-        positions, contours = zip(first, last, strict=True)
         times = (time.perf_counter() - began, runner.engine_seconds, runner.judge_seconds)
         split = self.memory.split(self.law, problem)
-        return LearningRun(status, tuple(findings), tuple(figures), best, table, split, growth, *positions, *contours, *times)
+        return LearningRun(status, tuple(findings), tuple(figures), best, table, split, growth, tuple(self.drawn), *times)
 
 
 def learn(

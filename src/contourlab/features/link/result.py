@@ -163,7 +163,7 @@ class LinkResult(Answer):
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
         """Find what the error depends on."""
-        return None if self.interrupted else ["sensitivity", *asked.inputs]
+        return None if self.interrupted else ["sensitivity", *asked.given]
 
 
 # --- text --------------------------------------------------------------------------------------------------------------------------------

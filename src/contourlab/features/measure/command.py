@@ -34,7 +34,7 @@ from contourlab.features.run.command import SCHEMA, JudgedRuns, Runs, compare_sc
 from contourlab.features.run.options import Compare
 from contourlab.feed.reference import RAPIDS
 from contourlab.feed.route import Route
-from contourlab.figures import figure
+from contourlab.figures import figure, limit_to_propose
 from contourlab.findings import finding
 from contourlab.logs.load import Log, about
 from contourlab.program import Reading
@@ -172,8 +172,8 @@ class MeasuredRuns(JudgedRuns):
             return []
         typed = shlex.split(self.command) if len(self.runs) == 1 else ["contourlab", "measure", str(worst.log.record.file)]
         if self.tolerance is None:
-            twice = 2e6 * worst.metrics.part_error.max
-            return [("Judge it against a tolerance:", as_typed([*typed, "--tolerance", f"{float(f'{twice:.1g}'):g} um"]))]
+            limit = limit_to_propose(2.0 * worst.metrics.part_error.max)
+            return [("Judge it against a tolerance:", as_typed([*typed, "--tolerance", limit]))]
         errors = [math.inf if math.isnan(one.rms) else one.rms for one in worst.metrics.tracking_error]
         axis = worst.result.axes[errors.index(max(errors))]
         known = worst.log.result
@@ -258,12 +258,13 @@ def compare(*files: Any, settings: Compare, session: Session = QUIET) -> Runs | 
     ScenarioError, LogError, ParameterError
         If a file cannot be read, the axes of the runs differ, or an option is for a scenario only.
     """
+    only = "finished runs" if len(files) == 1 else "a scenario"
+    for name, part in Compare.PARTS.items():
+        if getattr(settings, name) != part.default and (name in ("program", "tolerance")) == (len(files) == 1):
+            raise ParameterError(part.typed, "given", f"omitted: it applies to {only} only")
     if len(files) == 1:
         return compare_schemes(files, settings, session)
-    for name, part in Compare.PARTS.items():
-        if getattr(settings, name) != part.default:
-            raise ParameterError(part.typed, "given", "omitted when you compare runs from files: it applies to a scenario only")
-    judged = [_judged(_signals_of(file), Measure()) for file in files]
+    judged = [_judged(_signals_of(file), Measure(program=settings.program, tolerance=settings.tolerance)) for file in files]
     names = _names([Path(file) for file in files])
     runs = [replace(run, name=name) for name, run in zip(names, judged, strict=True)]
     axes, path = runs[0].result.axes, runs[0].reference.path
@@ -274,7 +275,7 @@ def compare(*files: Any, settings: Compare, session: Session = QUIET) -> Runs | 
         if run.reference.path.digest != path.digest:
             runs[i] = replace(run, findings=(*run.findings, finding("CL413", first=runs[0].name)))
     session.will_write([file for run in runs for file in run.inputs], *_outputs(runs))
-    return MeasuredRuns(" and ".join(names), tuple(runs), None, session.command)
+    return MeasuredRuns(" and ".join(names), tuple(runs), settings.si("tolerance"), session.command)
 
 
 def _judged(file: str | Path | Log, settings: Measure) -> MeasuredRun:

@@ -12,6 +12,7 @@ from contourlab.analysis.identification.resonance import identify_resonance
 from contourlab.app.json_values import json_values
 from contourlab.app.results import proposed
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
+from contourlab.components.plant.plant import resonance_of
 from contourlab.errors import LogError, ParameterError
 from contourlab.features.measure.log_choice import open_log
 from contourlab.features.notch.options import Notch
@@ -30,7 +31,7 @@ from contourlab.result import write_text_atomic
 from contourlab.scenario import Case, Scenario
 from contourlab.study import Setting
 from contourlab.study.guards import Bounds, Guards
-from contourlab.study.notch import MOVED, NotchDesign, design_notch, resonance_of, with_velocity_gain
+from contourlab.study.notch import MOVED, NotchDesign, design_notch, with_velocity_gain
 
 SHOWN = ("contour_error_rms", "contour_error_max", "part_error_max", "tracking_error_rms", "limited_share")
 """Figures of the runs before and after."""
@@ -120,7 +121,7 @@ class Notched(Answer):
     def _next(self, asked: Asked) -> Sequence[object]:
         """Write the controller, or analyse the scenario."""
         wanted = asked.files.write is None and self.designs
-        return asked.again("--write", "notched.toml") if wanted else ["analyse", *asked.inputs]
+        return asked.again("--write", "notched.toml") if wanted else ["analyse", *asked.given]
 
     @property
     def text(self) -> str:

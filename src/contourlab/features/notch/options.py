@@ -6,11 +6,11 @@ from pathlib import Path
 
 from contourlab.app.options import option, options
 from contourlab.app.session import Command
-from contourlab.app.shared_options import LogColumns, Margins, OfScenario, Plugins, Shown, WrittenController
+from contourlab.app.shared_options import Changed, LogColumns, Margins, OfScenario, Shown, WrittenController
 
 
 @options
-class Notch(Margins, Plugins, LogColumns):
+class Notch(Margins, Changed, LogColumns):
     """Propose a notch filter for each resonance that spoils a loop; write a controller file."""
 
     log: Path | None = option(None, "Log of an accelerometer on the axis: its resonance counts, in place of the plant's.", objects="Log")

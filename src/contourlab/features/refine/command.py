@@ -120,7 +120,7 @@ class Refinement(Answer):
 
     def _next(self, asked: Asked) -> Sequence[object]:
         """Write the machine, or find what the error depends on."""
-        return asked.again("--write", "machine.toml") if asked.files.write is None else ["sensitivity", *asked.inputs]
+        return asked.again("--write", "machine.toml") if asked.files.write is None else ["sensitivity", *asked.given]
 
     @property
     def text(self) -> str:

@@ -6,12 +6,12 @@ import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import count
+from itertools import chain, count
 from pathlib import Path
 from typing import Any, ClassVar
 
 from contourlab import __version__
-from contourlab.app.command_line import as_typed, chosen_options
+from contourlab.app.command_line import as_typed, chosen_options, without_options
 from contourlab.app.json_values import json_values, write_json
 from contourlab.app.results import proposed, staged
 from contourlab.app.session import QUIET, Answer, Session, interrupt, question
@@ -20,12 +20,13 @@ from contourlab.errors import DivergenceError, ScenarioError
 from contourlab.features.check.program_check import origin_of
 from contourlab.features.learn import LearnedTable
 from contourlab.features.learn import learn as learn_machine
+from contourlab.features.run.changes import of_machine
 from contourlab.features.run.options import Compare, Learn, Run
 from contourlab.features.run.outcome import Outcome, run_case
 from contourlab.features.run.record import switch_file
 from contourlab.features.run.source import Source, is_scenario, scenario_asked
 from contourlab.features.run.trust import NOTABLE
-from contourlab.figures import figure
+from contourlab.figures import figure, limit_to_propose
 from contourlab.findings import Finding
 from contourlab.metrics.figures import judged_part
 from contourlab.rendering.data import JudgedRun
@@ -80,6 +81,15 @@ class JudgedRuns(Answer):
         from contourlab.rendering.plots import charts_of
 
         yield from charts_of(self.data)
+
+    def _pictures(self) -> Iterator[Any]:
+        from contourlab.rendering.html import picture_groups
+
+        yield from chain.from_iterable(picture_groups(self._of_page()).values())
+
+    def _of_page(self) -> Any:
+        """Return the data of the report's page."""
+        return self.data
 
     def _write(self, stage: Path, plots: Sequence[str]) -> None:
         """Write summary.json, report.html and plots into a temporary folder."""
@@ -172,6 +182,12 @@ class Runs(JudgedRuns):
         data = report_data(self.scenario.name, self.outcomes, scenario=text, command=self.command)
         return replace(data, next_steps=self.steps)
 
+    def _of_page(self) -> Any:
+        """Return the data of the report with the loops that its page runs."""
+        from contourlab.features.run.live import live_loop
+
+        return replace(self.data, live=self.data.live or live_loop(self.outcomes, self.command))
+
     @property
     def text(self) -> str:
         """Tables, verdicts and findings; files and the next command once it is saved."""
@@ -246,6 +262,7 @@ class Runs(JudgedRuns):
             files |= {"report": "report.html"} | ({"to print": "report.pdf"} if pdf else {})
             saved = replace(self, steps=steps, files={what: str(out / file) for what, file in files.items()})
             vars(saved)["summary"] = self.summary  # computed once
+            vars(saved)["data"] = saved._of_page()
             saved._write(stage, plots)
             if pdf:
                 from contourlab.rendering.one_page import write_page
@@ -419,12 +436,12 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
 
     gains = not all(axis.plant.takes_position for outcome in outcomes for axis in outcome.case.machine.axes)
     about = [] if gains else ["--parameter", "axes.*.plant.damping_ratio"]
-    quick = ["sensitivity", "--quick", *about, *chosen_options(options, "--plugin", "--machine")]
+    quick = ["sensitivity", "--quick", *about, *chosen_options(options, "--plugin", "--machine", "--set")]
     judged = [outcome for outcome in outcomes if outcome.verdict is not None]
     if not judged:
-        limit = max(2.0 * min(outcome.metrics.part_error.max for outcome in outcomes), 1e-9)  # not the rounding of a straight line
+        limit = limit_to_propose(2.0 * min(outcome.metrics.part_error.max for outcome in outcomes))
         if part:
-            return [step("Judge it against a tolerance:", "run", *options, "--tolerance", f"{float(f'{1e6 * limit:.1g}'):g} um")]
+            return [step("Judge it against a tolerance:", "run", *options, "--tolerance", limit)]
         return [step("Find what the error depends on:", *quick)]
     for code in ("CL208", "CL209"):
         if all(any(finding.code == code for finding in outcome.findings) for outcome in judged):
@@ -433,8 +450,10 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
     if any(outcome.verdict is not None and outcome.verdict.passed for outcome in judged):
         return steps
     if proposed and (part or "--controller" in options):
+        given, values = without_options(options, "--controller", "--out", "--set"), chosen_options(options, "--set")[1::2]
+        given += [word for text in of_machine(values, judged[0].case) for word in ("--set", text)]
         changed = ["--controller", str(out / proposed[0]), "--out", f"{out}-changed"]
-        steps.append(step("Run it with the changed controller:", "run", *_without(options, "--controller", "--out"), *changed))
+        steps.append(step("Run it with the changed controller:", "run", *given, *changed))
     scheme = [] if outcomes[-1].name == "base" else ["--scheme", min(judged, key=lambda one: one.metrics.part_error.max).name]
     if not gains and part:
         return steps
@@ -442,13 +461,7 @@ def next_steps(outcomes: Sequence[Outcome], command: str, out: Path, proposed: S
         return [*steps, step("Find what the error depends on:", *quick[:2], *scheme, *quick[2:])]
     # A command may not write into the folder that it reads from.
     elsewhere = ["--out", f"{out}-tuned"] if any(Path(word).parent == out for word in options) else []
-    return [*steps, step("Search all gains:", "tune", *_without(options, "--schemes", "--trials", "--table"), *scheme, *elsewhere)]
-
-
-def _without(options: Sequence[str], *names: str) -> list[str]:
-    """Return the options of a command without some that have a value."""
-    starts = [i for i, word in enumerate(options) if word in names]
-    return [word for i, word in enumerate(options) if i not in starts and i - 1 not in starts]
+    return [*steps, step("Search all gains:", "tune", *without_options(options, "--schemes", "--trials", "--table"), *scheme, *elsewhere)]
 
 
 # --- schemes side by side, and schemes that learn ---

@@ -35,6 +35,9 @@ class Trials(Schemes, Judged, Interval):
 class Compare(Trials):
     """Run schemes of a scenario side by side; or compare finished runs from their files."""
 
+    program: Path | None = option(None, "Part program of finished runs: its path counts.")
+    tolerance: str | None = option(None, 'Largest contour error of finished runs that passes, e.g. "25 um".', unit="m")
+
 
 @options
 class Learn(Trials):

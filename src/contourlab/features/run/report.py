@@ -83,6 +83,21 @@ def report(
     -----
     Causes, margins and limits need the scenario: `contourlab run` adds them.
     """
+    data = data_of(results, reference, tolerance, program, title)
+    if Path(file).suffix.lower() == ".pdf":
+        from contourlab.rendering.one_page import write_page
+
+        return write_page(data, file)
+    return write_html(data, file)
+
+
+Results = Result | Sequence[Result] | Mapping[str, Result]
+
+
+def data_of(
+    results: Results, reference: Reference | Sequence[Reference] | None, tolerance: float | None, program: Program | None, title: str = ""
+) -> ReportData:
+    """Return the data of a report on results; parameters and errors as in `report`."""
     if tolerance is not None and not (isinstance(tolerance, float | int) and 0.0 < tolerance < 1.0):
         raise ParameterError("tolerance", repr(tolerance), "> 0 and < 1, in metres: 25e-6 for 25 um", "m")
     named = _named(results)
@@ -92,15 +107,10 @@ def report(
         if other.programmed.digest != motion.programmed.digest:
             raise ParameterError(f"path of {name!r}", "another one", f"that of {first!r}")
     schemes = [_scheme(name, result, motions[name], tolerance, program) for name, result in named.items()]
-    data = ReportData(title or ", ".join(named), schemes, Provenance(), () if program is None else program.lines, tolerance)
-    if Path(file).suffix.lower() == ".pdf":
-        from contourlab.rendering.one_page import write_page
-
-        return write_page(data, file)
-    return write_html(data, file)
+    return ReportData(title or ", ".join(named), schemes, Provenance(), () if program is None else program.lines, tolerance)
 
 
-def _named(results: Result | Sequence[Result] | Mapping[str, Result]) -> dict[str, Result]:
+def _named(results: Results) -> dict[str, Result]:
     """Return the results by name, equal names numbered."""
     members = [results] if isinstance(results, Result) else list(results.values() if isinstance(results, Mapping) else results)
     wrong = [type(one).__name__ for one in members if not isinstance(one, Result)]

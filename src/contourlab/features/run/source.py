@@ -7,9 +7,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, TypeAlias
 
+from contourlab.app.shared_options import Motion
 from contourlab.contours import ContourReading
 from contourlab.errors import ParameterError, ProgramEndError, ScenarioError
 from contourlab.features.check.reading import of_control, refuse_drawing
+from contourlab.features.run.changes import changed, changed_keys, check_changed
 from contourlab.feed import Reference
 from contourlab.file_kinds import mistaken
 from contourlab.loop import Controller, Machine
@@ -58,8 +60,11 @@ def scenario_asked(inputs: Sequence[Source], settings: Any) -> Scenario:
     ScenarioError, ProgramError, ParameterError
         If the file cannot be read, or an option does not fit it.
     """
-    if getattr(settings, "machine", None) is not None and not all(isinstance(each, str | Path) for each in inputs):
-        raise ParameterError("machine", repr(settings.machine), "left out where no file is asked about")
+    if not all(isinstance(each, str | Path) for each in inputs):
+        if getattr(settings, "machine", None) is not None:
+            raise ParameterError("machine", repr(settings.machine), "left out where no file is asked about")
+        if keys := changed_keys(getattr(settings, "set", ())):
+            raise ParameterError("set", repr(keys), "parameters of machine and controller where no file is asked about")
     match inputs:
         case [str() | Path() as file]:
             scenario = scenario_of(file, settings)
@@ -70,19 +75,21 @@ def scenario_asked(inputs: Sequence[Source], settings: Any) -> Scenario:
         case [Machine() as machine, Controller() as controller, Reference() as reference]:
             motion = Contour("reference", axes=machine.axis_names)
             vars(motion)["reading"] = ContourReading(reference.path)  # that of a name would be drawn
-            limit = settings.si("tolerance") if hasattr(settings, "program") else None
+            limit = settings.si("tolerance") if isinstance(settings, Motion) else None
             made = GivenCase("base", machine, controller, motion, FeedSettings("uniform"), RunSettings(limit), given=reference)
             scenario = _as_asked(Scenario(machine.name, Path(), made), replace(settings, tolerance=None) if limit else settings)
         case _:
             kinds = ", ".join(type(each).__name__ for each in inputs)
             raise ParameterError("inputs", kinds or "none", "a scenario or part program; or a machine, its controller and a reference")
-    return scenario.judging(getattr(settings, "judge", None))
+    return changed(scenario, getattr(settings, "set", ())).judging(getattr(settings, "judge", None))
 
 
 def case_asked(inputs: Sequence[Source], settings: Any) -> tuple[Scenario, Case]:
     """Return the scenario that a question is asked about, and its case: that of the option ``scheme``, or its base."""
     scenario = scenario_asked(inputs, settings)
-    return scenario, scenario.base if not settings.scheme else scenario.case(settings.scheme)
+    case = scenario.base if not settings.scheme else scenario.case(settings.scheme)
+    check_changed([case], getattr(settings, "set", ()))
+    return scenario, case
 
 
 def is_scenario(file: str | Path) -> bool:
@@ -107,10 +114,11 @@ def scenario_of(file: str | Path, settings: Any) -> Scenario:
     ScenarioError, ProgramError
         If the content is invalid, or an option does not fit the file.
     """
-    path, of_program = Path(file), hasattr(settings, "program")
+    path, of_program = Path(file), isinstance(settings, Motion)
+    changes = changed_keys(getattr(settings, "set", ()))
     if is_scenario(file):
         try:
-            scenario = load_scenario(file, settings.plugin, getattr(settings, "machine", None))
+            scenario = load_scenario(file, settings.plugin, getattr(settings, "machine", None), changes=changes)
         except ProgramEndError as error:
             error.add_note("To run it to its last line: write require_end = false under [program] in the scenario.")
             raise
@@ -133,7 +141,8 @@ def scenario_of(file: str | Path, settings: Any) -> Scenario:
         raise ScenarioError(f"a part program needs --machine and --controller{alone}; a scenario ends in .toml", file=path)
     run = {} if settings.tolerance is None else {"tolerance": settings.tolerance}
     try:
-        return scenario_from_parts(path, machine, controller, run=run, options=settings.program, plugins=settings.plugin)
+        given: dict[str, Any] = {"run": run, "options": settings.program, "changes": changes, "plugins": settings.plugin}
+        return scenario_from_parts(path, machine, controller, **given)
     except ProgramEndError as error:
         error.add_note("To run it to its last line: add --no-require-end.")
         raise
@@ -141,7 +150,7 @@ def scenario_of(file: str | Path, settings: Any) -> Scenario:
 
 def _as_asked(scenario: Scenario, settings: Any) -> Scenario:
     """Return the schemes that are asked for, or the scenario under another controller; refuse options of part programs."""
-    if hasattr(settings, "program"):
+    if isinstance(settings, Motion):
         _refuse_options(scenario.file, settings)
         return scenario if settings.controller is None else _under(scenario, settings)
     schemes = getattr(settings, "schemes", ())

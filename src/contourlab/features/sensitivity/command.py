@@ -302,8 +302,7 @@ class Sensitivity(Answer):
     def _next(self, asked: Asked) -> Sequence[object]:
         """Calibrate the scenario; where the machine alone was studied, which may have no gains, run it."""
         gains = any(name.startswith("controller.") for name in self.study.space.names)
-        words = ["tune" if gains else "run", *asked.inputs, *asked.settings.PARTS["machine"].words(asked.settings.machine)]
-        return [*words, "--scheme" if gains else "--schemes", self.request.scheme or None]
+        return ["tune" if gains else "run", *asked.given, "--scheme" if gains else "--schemes", self.request.scheme or None]
 
 
 @question(SensitivityOptions)

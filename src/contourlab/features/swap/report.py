@@ -161,7 +161,7 @@ class SwapResult(Answer):
 
     def _next(self, asked: Asked) -> Sequence[object]:
         """Answer in full; or divide the controllers."""
-        return asked.again(without="--quick") if asked.settings.quick else ["link", *asked.inputs]
+        return asked.again(without="--quick") if asked.settings.quick else ["link", *asked.given]
 
 
 def judged_exactly(study: SwapStudy) -> dict[str, VariantResult]:

@@ -11,12 +11,14 @@ from typing import Any
 
 import numpy as np
 
+from contourlab.app.quick import beginning
 from contourlab.arrays import Array, Flags
 from contourlab.engine.gpu import LANES as GPU_LANES
 from contourlab.errors import ContourlabError, EngineError, ParameterError
 from contourlab.features.sweep.study import Structure, Study
 from contourlab.figures import number
 from contourlab.loop.batch import LANES, checked_variants
+from contourlab.loop.feeding import BLOCK
 from contourlab.rendering.stages import asked, told
 from contourlab.study.executors import Executor, Workers
 from contourlab.study.space import chosen
@@ -169,8 +171,8 @@ def _accepted(structure: Structure, given: Mapping[str, Array], n: int) -> Flags
 
 LONGEST, LARGEST = 3600.0, 10e9
 """Time [s] and disk [B] beyond which a study asks."""
-PROBE = 0.3
-"""Time of a measurement that is long beside the start of a batch [s]."""
+PROBE, AGAIN = 0.3, 3.0
+"""Times [s] of a measurement that is long beside the start of a batch, and beside groups that run side by side."""
 
 
 @dataclass(frozen=True)
@@ -208,11 +210,12 @@ def cost_of(study: Study, chunks: range, made: Collection[int], executor: Execut
     structures = list(study.structures.values())
     samples = [one.reference.n_sample for one in structures]
     mean, longest = sum(samples) / len(samples), samples.index(max(samples))
-    probe = replace(study, choices=(), structures={(): structures[longest]}, signals=())
+    first = beginning(structures[longest].reference, BLOCK)  # a GPU tells of it once
+    probe = replace(study, choices=(), structures={(): replace(structures[longest], reference=first)}, signals=())
     threads = 1 if pool is not None else count
     each = _seconds_each(probe, GPU_LANES if executor.gpu else LANES * threads, threads, executor.gpu) if variants else 0.0
     row = len(study.columns) + len(study.figures) + len(study.signals) * mean * structures[0].reference.n_axis
-    return Cost(variants, each * variants * mean / max(samples) * threads / count, name, 8.0 * row * variants)
+    return Cost(variants, each * variants * mean / first.n_sample * threads / count, name, 8.0 * row * variants)
 
 
 def agree(cost: Cost, *, yes: bool) -> None:
@@ -235,11 +238,15 @@ def _seconds_each(study: Study, count: int, threads: int, gpu: bool) -> float:
         count = min(count, study.design.variants)
         some = replace(study, design=replace(study.design, variants=count, chunk=max(count, 1)))
         began, groups = perf_counter(), 1 if gpu else -(-count // LANES)
-        left = cycle(range(groups - 1, -1, -1))
+        left, since = cycle(range(groups - 1, -1, -1)), [began]
 
-        def stop(share: float, began: float = began, left: Iterator[int] = left) -> None:
-            if next(left) == 0 and perf_counter() - began > PROBE:  # groups run side by side: the share is true after the last one
-                raise TimeoutError((perf_counter() - began) / share)  # the time that all of it would take
+        def stop(share: float, left: Iterator[int] = left, since: list[float] = since) -> None:
+            now = perf_counter()
+            if gpu and len(since) == 1:
+                since.append(now)  # all is done, or the processor begins to run the variants in doubt
+            elif share and next(left) == 0 and now - since[-1] > (AGAIN if gpu else PROBE):
+                # Groups run side by side: the share is true after the last one.
+                raise TimeoutError(since[-1] - since[0] + (now - since[-1]) / share)
 
         try:
             run_chunks(some, [0], threads, stop, gpu=gpu)

@@ -67,6 +67,9 @@ class InStore(Answer):
 
     store: str
 
+    def _pictures(self) -> Iterator[Any]:
+        yield from self.report()._pictures()
+
     def query(self, sql: str, **options: Any) -> Rows:
         """Return the rows of a query in SQL over the view ``results``, in SI."""
         return query(self.store, sql, **options)

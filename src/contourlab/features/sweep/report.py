@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import combinations
+from itertools import chain, combinations
 from pathlib import Path
 from typing import Any
 
@@ -268,16 +268,10 @@ def write_page(answers: Answers, rows: Rows, words: dict[str, str], file: Path) 
     OutputError
         If it cannot be written.
     """
-    groups: dict[str, list[Picture]] = {
-        "distribution": [_distribution(answers, rows)],
-        "convergence": list(_convergence(answers)),
-        "front": list(_fronts(answers, rows)),
-        "modules": list(matrices(answers, rows)),
-    }
     front = answers.front[:: max(-(-len(answers.front) // TABLE_FRONT), 1)]
     text = page_text(
         "sweep.html.j2",
-        groups,
+        _picture_groups(answers, rows),
         title=answers.question or Path(answers.store).name,
         answers=answers,
         words={name: text.replace(" %", "\N{NO-BREAK SPACE}%") for name, text in words.items()},
@@ -292,6 +286,16 @@ def write_page(answers: Answers, rows: Rows, words: dict[str, str], file: Path) 
         shown=shown,
     )
     write_text_atomic(file, text)
+
+
+def _picture_groups(answers: Answers, rows: Rows) -> dict[str, list[Picture]]:
+    """Return the pictures of the page by section."""
+    return {
+        "distribution": [_distribution(answers, rows)],
+        "convergence": list(_convergence(answers)),
+        "front": list(_fronts(answers, rows)),
+        "modules": list(matrices(answers, rows)),
+    }
 
 
 def _distribution(answers: Answers, rows: Rows) -> Chart:
@@ -411,6 +415,9 @@ class SweepReport(Answer):
     def _charts(self) -> Iterator[Chart]:
         yield _distribution(self.answers, self.judged)
         yield from _convergence(self.answers)
+
+    def _pictures(self) -> Iterator[Picture]:
+        yield from chain.from_iterable(_picture_groups(self.answers, self.judged).values())
 
     def _next(self, asked: Asked) -> Sequence[object]:
         """List the worst variants."""

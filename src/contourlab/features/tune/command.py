@@ -17,6 +17,7 @@ from contourlab.app.session import QUIET, Answer, Asked, Session, interrupt, que
 from contourlab.app.shared_options import Motion
 from contourlab.arrays import Array
 from contourlab.errors import ScenarioError
+from contourlab.features.run.changes import of_machine
 from contourlab.features.run.source import Source, case_asked
 from contourlab.features.tune.objective import Goal
 from contourlab.features.tune.options import Tune
@@ -146,7 +147,7 @@ class Calibration(Answer):
     def _next(self, asked: Asked) -> Sequence[object] | None:
         """Run the motion with the new controller; or start elsewhere."""
         if self.controller_file is not None:
-            given = replace(asked.settings, controller=str(self.controller_file))
+            given = replace(asked.settings, controller=str(self.controller_file), set=of_machine(asked.settings.set, self.case))
             return ["run", *asked.inputs, *given.words_of(Motion)]
         return None if self.result.interrupted else asked.again("--start", "placed")
 

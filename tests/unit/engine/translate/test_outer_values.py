@@ -22,10 +22,10 @@ from contourlab.components.conformance import check_component
 from contourlab.engine import fused
 from contourlab.engine.runner import make_group
 from contourlab.engine.step import Node, Port, Schedule, Step
-from contourlab.engine.translate import llvm_ir, step_graph
+from contourlab.engine.translate import step_graph
 from contourlab.engine.translate.outer import Reads
 from contourlab.errors import ComponentError, EngineError
-from contourlab.native import store
+from contourlab.native import llvm, store
 
 SCRIPT = Path(__file__).parents[3] / "helpers" / "outer_values.py"
 
@@ -164,15 +164,15 @@ def test_a_run_from_a_snapshot_sees_a_change(tmp_path: Path, translations: list[
 def test_a_value_that_changes_during_a_translation(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, translations: list[int]) -> None:
     """The machine code belongs to the value that was folded, not to the one that is there when it is filed."""
     module, step = step_of(BRANCHES, tmp_path)
-    compile_it = llvm_ir.object_code
+    compile_it = llvm.object_code
 
     def late(source: str) -> bytes:
         module.K[0] = 9.0
         return compile_it(source)
 
-    monkeypatch.setattr(llvm_ir, "object_code", late)
+    monkeypatch.setattr(llvm, "object_code", late)
     assert outputs(step, True).tolist() == [2.0]
-    monkeypatch.setattr(llvm_ir, "object_code", compile_it)
+    monkeypatch.setattr(llvm, "object_code", compile_it)
     for module.K[0] in (9.0, 2.0):
         assert outputs(step, True).tolist() == [module.K[0]]
     assert len(translations) == 2

@@ -212,6 +212,8 @@ def test_progress_is_reported_during_a_run(reference: cl.Reference) -> None:
     assert [t.trial for t in seen] == [0, 1, 2]
     assert "CL300" in {one.code for one in run.findings}
     assert len(run.trials) == 3
+    for figures, (at, error) in zip(run.trials, run.course.errors, strict=True):
+        assert np.abs(error).max() >= figures.contour_max and 0.0 <= at[0] < at[-1] <= (reference.n_sample - 1) * PERIOD
     with pytest.raises(ParameterError, match="trials"):
         learn(stage(), control(), reference, make("learning", "zero-phase"), trials=-1)
 

@@ -13,6 +13,7 @@ from made_controls import made_control
 import contourlab as cl
 from contourlab.analysis.linear.sampled_loop import sampled_loop
 from contourlab.app.results import SAFETY
+from contourlab.components.plant.plant import resonance_of
 from contourlab.controls import control_file
 from contourlab.errors import OutputError, ScenarioError
 from contourlab.features.check.program_check import origin_of
@@ -20,7 +21,6 @@ from contourlab.features.machines.answers import BLANK, PRESETS, answers_text, i
 from contourlab.features.machines.new_machine import new_machine, write_machine
 from contourlab.rendering.origins import numbers_of_machine
 from contourlab.scenario import load_controller, load_machine
-from contourlab.study.notch import resonance_of
 from contourlab.units import to_si
 
 ROUTER = """

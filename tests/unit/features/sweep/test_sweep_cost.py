@@ -9,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from made_studies import STUDY, made_study
 
@@ -59,6 +60,24 @@ def test_the_time_is_measured_on_a_few_variants(study: Path, clock: list[tuple[i
     before = len(clock)
     cost_of(slow, range(2), (), Executor("threads", 1), None)
     assert max(n for n, _ in clock[before:]) <= 512
+
+
+@pytest.mark.parametrize(("in_doubt", "each"), [(False, 0.3 / 65536), (True, 1e-3)])
+def test_variants_left_to_the_processor_count(study: Path, monkeypatch: pytest.MonkeyPatch, in_doubt: bool, each: float) -> None:
+    now = [0.0]
+
+    def run(study: Study, numbers: list[int], threads: int, progress: Callable[[float], None], *, gpu: bool) -> None:
+        now[0] += 0.3
+        progress(1.0)
+        for share in np.linspace(0.0, 1.0, 4097) if in_doubt else ():
+            now[0] += 1e-3 * len(study.design.places(numbers[0])) / 4097
+            progress(share)
+
+    monkeypatch.setattr(cost, "run_chunks", run)
+    monkeypatch.setattr(cost, "perf_counter", lambda: now[0])
+    many = load_study(made_study(study.parent, STUDY.replace("variants = 100", "variants = 100000").replace("chunk = 32\n", "")))
+    assert cost_of(many, range(49), (), Executor("gpu"), None).seconds == pytest.approx(1e5 * each, rel=0.02)
+    assert now[0] < 10.0
 
 
 def test_motions_count_by_their_length_and_the_disk_by_its_columns(study: Path, clock: list[tuple[int, int]]) -> None:
