@@ -56,7 +56,7 @@ def merged(route: Route) -> Route:
     """Merge successive feed lines within their `merge_tolerance`; return the route itself where nothing is merged.
 
     Lines are merged where feedrate, tolerances and mode are equal, none is rapid, and there is no dwell or exact stop between them. A
-    merged line has exactly the ends of its run, and the program line of the first line.
+    merged line has exactly the ends of its run.
     """
     linked = _linked(route)
     if not linked.any():
@@ -89,7 +89,7 @@ def merged(route: Route) -> Route:
         dwell=route.dwell[last],
         exact_stop=route.exact_stop[last],
         corner_tolerance=unused,
-        **{name: getattr(route, name)[first] for name in ("feedrate", "rapid", "source_line", "merge_tolerance")},
+        **{name: getattr(route, name)[first] for name in ("feedrate", "rapid", "merge_tolerance")},
     )
 
 

@@ -408,7 +408,7 @@ def _fit(route: Route, runs: _Runs, bend: Array, turn: Array, tolerance: Array) 
 def fitted(route: Route) -> Route:
     """Fit curves to the runs of short lines and arcs of a route; return the route itself where there are none.
 
-    The tolerance is that of corners, or of merging if this is less. A fitted piece has the program line at its start.
+    The tolerance is that of corners, or of merging if this is less.
     """
     path, tolerance = route.path, np.minimum(route.corner_tolerance, route.merge_tolerance)
     if not tolerance.any():
@@ -460,7 +460,7 @@ class Quintics(NamedTuple):
     begin, end : ndarray (n,) [m]
         The stretch.
     data, joint : ndarray (n,) of int
-        The curve whose feedrate and program line it has, and the one whose tolerances and stops.
+        The curve whose feedrate it has, and the one whose tolerances and stops.
     """
 
     coefficients: Array
@@ -509,7 +509,7 @@ def replaced(route: Route, quintics: Quintics, low: Array, high: Array, start: A
         route,
         path=planned,
         correspondence=between if route.correspondence is None else route.correspondence.after(between),
-        **{name: getattr(route, name)[data] for name in ("feedrate", "rapid", "source_line")},
+        **{name: getattr(route, name)[data] for name in ("feedrate", "rapid")},
         **{name: getattr(route, name)[joint] for name in ("corner_tolerance", "merge_tolerance")},
         **{name: getattr(route, name)[joint] * ends for name in ("dwell", "exact_stop")},
     )

@@ -170,6 +170,7 @@ def plan(route: Route, limits: AxisLimits, servo_period: float, *, laps: int = 1
         programmed=route.programmed,
         correspondence=route.correspondence,
         profile=profile,
+        line_breaks=route.line_breaks,
         source_lines=route.source_line,
         rapid=route.rapid,
         laps=lap_ranges(profile, float(route.path.length), laps, servo_period) if laps > 1 else (),

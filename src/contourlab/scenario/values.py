@@ -358,11 +358,12 @@ class Case:
         named = JUDGED_LINES.fullmatch(choice)
         assert named is not None  # checked by the reader
         first, last = int(named[1]), int(named[2] or named[1])
-        curves = (reference.source_lines >= first) & (reference.source_lines <= last)
+        breaks, lines = reference.line_breaks, reference.source_lines
+        chosen = (lines >= first) & (lines <= last)
         if reference.rapid is not None:
-            curves &= ~reference.rapid
-        refuse(not curves.any(), self._fault, f'judge = "{choice}": no cutting move is on these lines; write other lines, or "all"', 0)
-        return Judged(reference.of_curves(curves), f"cutting moves of {choice}")
+            chosen &= ~reference.rapid[reference.path.curve_index(0.5 * (breaks[1:] + breaks[:-1]))]
+        refuse(not chosen.any(), self._fault, f'judge = "{choice}": no cutting move is on these lines; write other lines, or "all"', 0)
+        return Judged(reference.between(breaks, chosen), f"cutting moves of {choice}")
 
     @property
     def _cure(self) -> str:

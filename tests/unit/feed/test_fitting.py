@@ -11,7 +11,7 @@ import pytest
 from chopped import excess
 from numpy.typing import NDArray
 
-from contourlab.feed import AxisLimits, Route, blended
+from contourlab.feed import AxisLimits, Route, blended, plan
 from contourlab.feed.fitting import Quintics, fitted, replaced
 from contourlab.feed.planner import plan_profile
 from contourlab.geometry import Arc, Line, Path
@@ -189,3 +189,26 @@ def test_a_stop_is_at_the_end_of_a_divided_quintic() -> None:
     assert found.n_curve > 2
     assert found.dwell.tolist() == [*[0.0] * (found.n_curve - 1), 0.5]
     assert np.flatnonzero(found.exact_stop).tolist() == [found.n_curve - 1]
+
+
+def test_samples_have_the_line_of_their_place_on_the_programmed_path() -> None:
+    # A wave with a dwell, a corner, short lines that merge, a rapid, and a wave again.
+    first, jog = wave(), np.column_stack([np.linspace(0.0, -0.02, 41), np.linspace(0.0, 0.001, 41)])
+    points = np.concatenate([first, first[-1] + jog[1:], first[-1] + jog[-1] + [[-0.01, 0.02]], first + np.array([0.0, 0.03])])
+    n = len(points) - 1
+    rapid, dwell = (np.arange(n) == k for k in (340, 120))
+    lines = 10 + 3 * np.arange(n)
+    given = route(points, rapid=rapid, feedrate=np.where(rapid, math.inf, 0.15), dwell=0.1 * dwell, source_line=lines)
+    found = blended(given, LIMITS)
+    assert {type(curve) for curve in found.path.curves} == {Blend, Line}
+    reference = plan(found, LIMITS, 1e-3)
+    block = reference.block(0, reference.n_sample)
+    at = reference.programmed_arc_length(block.arc_length)
+    got = np.searchsorted(lines, reference.source_line(block.arc_length))
+    # Every programmed curve, from its start to its end by arc length, rounding aside.
+    begin, end = given.path.breaks[got], given.path.breaks[got + 1]
+    assert ((begin - 1e-12 <= at) & (at <= end + 1e-12)).all()
+    assert set(got.tolist()) >= set(range(0, 300, 10)) | {339, 340, 641}
+    # At rest, the line that comes next.
+    resting = np.flatnonzero(block.feedrate == 0.0)[1:-1]
+    assert resting.size >= 99 and (got[resting] == 121).all()
