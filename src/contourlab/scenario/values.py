@@ -179,7 +179,7 @@ class FeedSettings:
     corner_tolerance : float [m], > 0, or None
         Corner tolerance for G64 without P and ``path_control = "blend"``; by default 10 um.
     merge_tolerance : float [m], >= 0, or None
-        Deviation of merged lines with ``path_control = "blend"``; by default `corner_tolerance`.
+        Deviation of merged lines and fitted curves with ``path_control = "blend"``; by default `corner_tolerance`.
     curvature_step : float, 0 to 1
         Allowed step of an axis acceleration, as a share of its limit, where the curvature jumps; 0 stops there.
     path_velocity : float [m/s], > 0, or None
