@@ -160,10 +160,10 @@ def _quintic(t, found, i, k, powers):
         powers[i, 5, j] = 6.0 * rise - 3.0 * turn + 0.5 * change
 
 
-def _within(powers, i, low, high, p, row, begin, end, most, rows, part):
+def _within(powers, i, low, high, p, row, most, rows, part):
     """Return whether a quintic between two parameters is within a distance of the line from point `row` to the next, and nowhere slow.
 
-    `begin` and `end` are the shares of the line that belong to the parameters; `part` (4, 6) is working memory.
+    `part` (4, 6) is working memory.
     """
     for c in range(6):
         part[2, c], part[3, c] = 0.0, 0.0
@@ -175,21 +175,20 @@ def _within(powers, i, low, high, p, row, begin, end, most, rows, part):
             for k in range(4, shift - 1, -1):
                 part[0, k] += low * part[0, k + 1]
         rise, scale = p[row + 1, j] - p[row, j], 1.0
-        step = (end - begin) * rise
         for k in range(6):
             part[0, k] *= scale
             scale *= high - low
-        part[0, 0] -= p[row, j] + begin * rise
-        part[0, 1] -= step
+        part[0, 0] -= p[row, j]
+        part[0, 1] -= rise
         for c in range(6):  # the control points of the difference
             part[1, c] = 0.0
             for k in range(c + 1):
                 part[1, c] += rows[c, k] * part[0, k]
             part[2, c] += part[1, c] * part[1, c]
-        along = part[1, 5] - part[1, 0] + step
-        size, chord = size + step * step, chord + along * along
+        along = part[1, 5] - part[1, 0] + rise
+        size, chord = size + rise * rise, chord + along * along
         for c in range(5):  # the control points of the rate, along the chord of the curve
-            part[3, c] += (5.0 * (part[1, c + 1] - part[1, c]) + step) * along
+            part[3, c] += (5.0 * (part[1, c + 1] - part[1, c]) + rise) * along
     good = chord >= _SLOWEST * _SLOWEST * size
     for c in range(6):
         good = good and part[2, c] <= most * most and (c == 5 or part[3, c] >= _SLOWEST * math.sqrt(size * chord))
@@ -268,12 +267,8 @@ def fit(
                     _quintic(t, found, at, i, powers)
                     h, good = t[i] - t[at], True
                     for row in range(node[at], node[i]):
-                        low, wide = (node_t[row] - t[at]) / h, 0.5 * (node_t[row + 1] - node_t[row]) / h
-                        for half in range(2):
-                            good = good and _within(
-                                powers, at, low + half * wide, low + (half + 1) * wide, node_p, row, 0.5 * half, 0.5 * (half + 1),
-                                tolerance[run] - slack[row], rows, part,
-                            )  # fmt: skip
+                        low, high = (node_t[row] - t[at]) / h, (node_t[row + 1] - t[at]) / h
+                        good = good and _within(powers, at, low, high, node_p, row, tolerance[run] - slack[row], rows, part)
                     for k in range(at, i + 1 if not good else at):
                         failed[k], length[k], far = 1, 0.7 * length[k], True
                     at = i
