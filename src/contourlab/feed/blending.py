@@ -43,7 +43,7 @@ from contourlab.feed.bounds import AxisLimits, Samples, Share, peak_speed, ramps
 from contourlab.feed.fitting import Quintics, fitted, replaced
 from contourlab.feed.route import Correspondence, Route
 from contourlab.geometry import Arc, Line, Path
-from contourlab.geometry.blend import halves, quintic_bezier, shapes
+from contourlab.geometry.blend import Blend, halves, quintic_bezier, shapes
 from contourlab.geometry.curve import angle_between
 from contourlab.geometry.path import CORNER_ANGLE
 from contourlab.native.kernel import kernel
@@ -96,6 +96,9 @@ def merged(route: Route) -> Route:
 def _linked(route: Route) -> Flags:
     """Return which curves may be merged with the next."""
     usable = np.array([type(curve) is Line for curve in route.path.curves], dtype=bool) & ~route.rapid & (route.merge_tolerance > 0.0)
+    # A line keeps the direction of the fitted curve before or after it, as no corner between them could be rounded.
+    fitted_curve = np.array([type(curve) is Blend for curve in route.path.curves], dtype=bool)
+    usable &= ~np.roll(fitted_curve, 1) & ~np.roll(fitted_curve, -1)
     linked = usable & np.roll(usable, -1) & (route.dwell == 0.0) & ~route.exact_stop
     for name in ("feedrate", "merge_tolerance", "corner_tolerance"):
         values = getattr(route, name)
