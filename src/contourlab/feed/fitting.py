@@ -49,8 +49,6 @@ _AGAIN = 5
 """Most fits; after each, curves where the fit failed are kept."""
 _SPACING = 2.5
 """Length of a quintic curve, in smoothing lengths."""
-_MOST_TURN = 0.35
-"""Largest turn of a quintic curve [rad], about."""
 _SLOWEST = 0.1
 """Smallest speed of a quintic curve relative to the programmed path."""
 _BEZIER = np.array([[math.comb(i, k) / math.comb(5, k) for k in range(6)] for i in range(6)])
@@ -195,19 +193,16 @@ def _within(powers, i, low, high, p, row, most, rows, part):
     return good
 
 
-def _knotted(t, found, length, fresh, first, last, knot):
+def _knotted(t, length, fresh, first, last, knot):
     """Mark the sites at which the quintic curves of a run meet, ends included."""
-    at, least, turned = first, length[first], 0.0
+    at, least = first, length[first]
     for i in range(first, last + 1):
         knot[i] = 1 if i in (first, last) else 0
     for i in range(first + 1, last):
-        least, square = min(least, length[i]), 0.0
-        for j in range(found.shape[2]):
-            square += (found[i, 1, j] - found[i - 1, 1, j]) ** 2
-        turned += math.sqrt(square)
-        long = (t[i] - t[at] >= _SPACING * least or turned > _MOST_TURN) and t[last] - t[i] > 0.5 * (t[i] - t[at])
+        least = min(least, length[i])
+        long = t[i] - t[at] >= _SPACING * least and t[last] - t[i] > 0.5 * (t[i] - t[at])
         if fresh[i] != 0 or long:
-            knot[i], at, least, turned = 1, i, length[i], 0.0
+            knot[i], at, least = 1, i, length[i]
 
 
 @kernel(
@@ -259,7 +254,7 @@ def fit(
                     for j in range(p.shape[1]):
                         found[start, k, j] = ends[run, 0, k, j] if fixed[run, 0] > 1 else found[start, k, j]
                         found[last, k, j] = ends[run, 1, k, j] if fixed[run, 1] > 1 else found[last, k, j]
-                _knotted(t, found, length, fresh, start, last, knot)
+                _knotted(t, length, fresh, start, last, knot)
                 at = start
                 for i in range(start + 1, last + 1):
                     if knot[i] == 0:
