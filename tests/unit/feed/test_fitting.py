@@ -102,6 +102,15 @@ def test_real_corners_are_blended_between_lines() -> None:
     assert excess(found.path, route(points).path, P) <= 1.0 + 1e-6
 
 
+def test_merging_leaves_no_corner_beside_a_fitted_curve() -> None:
+    first = wave()
+    along = (first[-1] - first[-2]) / np.linalg.norm(first[-1] - first[-2])
+    line = first[-1] + 7e-3 * np.arange(1, 5)[:, None] * along
+    aside = line[-1] + 3e-4 * (along + 0.1 * np.array([-along[1], along[0]]))
+    found = blended(route(np.vstack([first, line, aside]), 1e-4))
+    assert not found.path.corners.size
+
+
 @pytest.mark.parametrize("width", [5e-6, 1.5e-5, 6e-5])
 def test_a_narrow_slot_is_cut_to_its_end(width: float) -> None:
     x = np.linspace(0.0, 1e-3, 51)
