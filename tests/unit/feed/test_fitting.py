@@ -105,7 +105,7 @@ def test_real_corners_are_blended_between_lines() -> None:
 def test_merging_leaves_no_corner_beside_a_fitted_curve() -> None:
     first = wave()
     along = (first[-1] - first[-2]) / np.linalg.norm(first[-1] - first[-2])
-    line = first[-1] + 7e-3 * np.arange(1, 5)[:, None] * along
+    line = first[-1] + 1.2e-2 * np.arange(1, 5)[:, None] * along
     aside = line[-1] + 3e-4 * (along + 0.1 * np.array([-along[1], along[0]]))
     found = blended(route(np.vstack([first, line, aside]), 1e-4))
     assert not found.path.corners.size
