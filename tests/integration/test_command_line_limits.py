@@ -169,3 +169,22 @@ def test_bad_input_is_one_line(words: tuple[str, ...], said: str, capsys: pytest
     assert main(["limits", *words]) == 2
     error = capsys.readouterr().err.strip()
     assert said in error and len(error.splitlines()) == 1
+
+
+def test_each_chord_of_a_fitted_circle_keeps_its_line(capsys: pytest.CaptureFixture[str]) -> None:
+    angle = np.linspace(0.0, 2.0 * math.pi, 73)
+    chords = [f"X{10.0 * math.cos(a):.4f} Y{10.0 * math.sin(a):.4f}" for a in angle[1:]]
+    Path("dense.ngc").write_text("\n".join(["G21 G90 G17 G64 P0.05", "G0 X10 Y0", "G1 F3000", *chords, "M2", ""]), encoding="ascii")
+    found = printed(capsys, "limits", "dense.ngc")
+    assert [row["line"] for row in found["lines"]] == [2, *range(4, 76)]
+    durations = [row["duration"] for row in found["lines"][10:60]]
+    assert max(durations) - min(durations) < 2.5 * found["servo_period"]
+    rows = {row["line"]: row for row in found["lines"]}
+    for peak in found["peaks"]:
+        row = rows[peak["line"]]
+        assert -1e-9 <= peak["time"] - row["start"] <= row["duration"]
+    run = printed(capsys, "run", "dense.ngc", "--machine", "xyz", "--controller", "xyz-controller", "--tolerance", "1 mm")
+    ((scheme,),) = (run["schemes"].values(),)
+    worst, of_chord = scheme["verdict"]["worst"], 2e-2 * math.sin(math.pi / 72)
+    assert worst["line"] == 4 + math.floor((worst["arc_length"] - 0.01) / of_chord)
+    assert worst["text"] == chords[worst["line"] - 4]

@@ -1,7 +1,8 @@
 """Feed planning: turn a path with feedrates, and the axis limits, into a sampled reference.
 
-`route` and the limits in `bounds` are the inputs. `blending` joins short lines and rounds corners. `pieces` divides the route, at its stops
-too. `bounds` plans straight segments, `smooth` with `kernels` the others; `planner` combines both, and finds what limits the speed.
+`route` and the limits in `bounds` are the inputs. `fitting` finds the curves behind short lines and arcs, `blending` joins other lines and
+rounds corners. `pieces` divides the route, at its stops too. `bounds` plans straight segments, `smooth` with `kernels` the others;
+`planner` combines both, and finds what limits the speed.
 `profile` and `reference` are the outputs; `profile` holds the samples that count. `verify` is an independent check.
 """
 

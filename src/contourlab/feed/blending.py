@@ -1,4 +1,4 @@
-"""Merge short lines (G64 Q, like LinuxCNC's naive CAM detector) and round corners (G64 P) within tolerances.
+"""Merge lines (G64 Q, like LinuxCNC's naive CAM detector) and round corners (G64 P) within tolerances.
 
 A run of lines becomes one line if all points between its ends lie within the tolerance of that line, and in order along it. Seen from the
 start of the run, each point permits a cone of directions; one cone within their intersection is stored. In the plane this cone is the
@@ -34,15 +34,16 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
 from contourlab.feed.bounds import AxisLimits, Samples, Share, peak_speed, ramps, speed_limit
+from contourlab.feed.fitting import Quintics, fitted, replaced
 from contourlab.feed.route import Correspondence, Route
-from contourlab.geometry import Arc, Curve, Line, Path
-from contourlab.geometry.blend import blends, halves, quintic_bezier, shapes
+from contourlab.geometry import Arc, Line, Path
+from contourlab.geometry.blend import Blend, halves, quintic_bezier, shapes
 from contourlab.geometry.curve import angle_between
 from contourlab.geometry.path import CORNER_ANGLE
 from contourlab.native.kernel import kernel
@@ -55,7 +56,7 @@ def merged(route: Route) -> Route:
     """Merge successive feed lines within their `merge_tolerance`; return the route itself where nothing is merged.
 
     Lines are merged where feedrate, tolerances and mode are equal, none is rapid, and there is no dwell or exact stop between them. A
-    merged line has exactly the ends of its run, and the program line of the first line.
+    merged line has exactly the ends of its run.
     """
     linked = _linked(route)
     if not linked.any():
@@ -88,13 +89,16 @@ def merged(route: Route) -> Route:
         dwell=route.dwell[last],
         exact_stop=route.exact_stop[last],
         corner_tolerance=unused,
-        **{name: getattr(route, name)[first] for name in ("feedrate", "rapid", "source_line", "merge_tolerance")},
+        **{name: getattr(route, name)[first] for name in ("feedrate", "rapid", "merge_tolerance")},
     )
 
 
 def _linked(route: Route) -> Flags:
     """Return which curves may be merged with the next."""
     usable = np.array([type(curve) is Line for curve in route.path.curves], dtype=bool) & ~route.rapid & (route.merge_tolerance > 0.0)
+    # A line keeps the direction of the fitted curve before or after it, as no corner between them could be rounded.
+    fitted_curve = np.array([type(curve) is Blend for curve in route.path.curves], dtype=bool)
+    usable &= ~np.roll(fitted_curve, 1) & ~np.roll(fitted_curve, -1)
     linked = usable & np.roll(usable, -1) & (route.dwell == 0.0) & ~route.exact_stop
     for name in ("feedrate", "merge_tolerance", "corner_tolerance"):
         values = getattr(route, name)
@@ -314,7 +318,9 @@ def quicker_blended(route: Route, corners: Corners, reach: Array, points: Array,
     blend, *ends = (np.concatenate(column) for column in zip(*parts, strict=True))
     stop, rest, span = np.zeros_like(reach), np.zeros_like(reach), np.diff(route.path.breaks)
     for curve, at, speed in ((before, span[before], ends[0]), (after, rest, ends[1])):
-        whole, left = _durations(route, curve, at, limits, (span[curve], rest), (np.maximum(span[curve] - 2.0 * reach, 0.0), speed))
+        # A blend that uses more than half of a curve owns what it uses.
+        owned = np.maximum(span[curve], 2.0 * reach)
+        whole, left = _durations(route, curve, at, limits, (owned, rest), (owned - 2.0 * reach, speed))
         stop += 0.5 * whole
         blend += 0.5 * left
     return np.asarray(blend < stop)
@@ -363,7 +369,7 @@ _NEARLY_HALF = 0.495
 
 
 def blended(route: Route, limits: AxisLimits | None = None) -> Route:
-    """Merge short lines and round corners, each within its tolerance.
+    """Fit curves to short lines and arcs, merge lines and round corners, each within its tolerance.
 
     Parameters
     ----------
@@ -386,7 +392,7 @@ def blended(route: Route, limits: AxisLimits | None = None) -> Route:
     feed moves, reversals (more than 175 degrees), and at other curves. Where the feedrate changes at a corner, it changes in the middle
     of the blend.
     """
-    route = merged(route if limits is None else route.within(limits.path_velocity))
+    route = merged(fitted(route if limits is None else route.within(limits.path_velocity)))
     corners = _corners(route)
     if not corners.before.size:
         return route
@@ -430,33 +436,16 @@ def _reach(route: Route, corners: Corners) -> Array:
 
 def _assembled(route: Route, corners: Corners, reach: Array, points: Array) -> Route:
     """Return the route with the blends (n, 6, n_axis) in place of the corners."""
-    path = route.path
+    before, after, _ = corners
     # Where the feedrate changes at a corner, each half of the blend gets the feedrate of its side.
-    coefficients, corner, second = _halved(quintic_bezier(points), route.feedrate[corners.before] != route.feedrate[corners.after])
-    rounds, piece = blends(coefficients)
-    corner, second = corner[piece], second[piece]
-    # The parts of a divided blend start in proportion to their lengths.
-    length = np.array([blend.length for blend in rounds])
-    done = np.concatenate([[0.0], np.cumsum(length)])[:-1]
-    share = (done - done[np.searchsorted(corner, corner)]) / np.bincount(corner, weights=length)[corner]
-    begin = (path.breaks[corners.before + 1] - reach)[corner] + 2.0 * reach[corner] * share
-    before = corners.before[corner]
-    kept, kept_begin, kept_curves = _trimmed(path, corners, reach, points)
-    order = np.argsort(np.concatenate([2 * kept, 2 * before + 1]), kind="stable")
-    curves = [*kept_curves, *rounds]
-    planned = Path([curves[i] for i in order.tolist()], path.closed)
-    places = np.concatenate([kept_begin, begin])[order]
-    places = np.append(places, places[0] + path.length if path.closed else path.length)
-    between = Correspondence(planned.breaks, places)
-    owner = np.concatenate([kept, before])[order]
-    side = np.concatenate([kept, np.where(second, corners.after[corner], before)])[order]
-    return replace(
-        route,
-        path=planned,
-        correspondence=between if route.correspondence is None else route.correspondence.after(between),
-        **{name: getattr(route, name)[side] for name in ("feedrate", "rapid", "source_line")},
-        **{name: getattr(route, name)[owner] for name in ("dwell", "corner_tolerance", "merge_tolerance", "exact_stop")},
-    )
+    coefficients, corner, second = _halved(quintic_bezier(points), route.feedrate[before] != route.feedrate[after])
+    path, span, size = route.path, np.diff(route.path.breaks), reach[corner]
+    whole, middle = np.bincount(corner)[corner] == 1, path.breaks[before + 1][corner]
+    stretch = np.where(second, middle, middle - size), np.where(whole | second, middle + size, middle)
+    low, high, start, end = np.zeros_like(span), span.copy(), path.starts[0].copy(), path.ends[0].copy()
+    low[after], high[before], start[after], end[before] = reach, span[before] - reach, points[:, 5], points[:, 0]
+    rounds = Quintics(coefficients, *stretch, np.where(second, after[corner], before[corner]), before[corner])
+    return replaced(route, rounds, low, high, start, end)
 
 
 def _halved(coefficients: Array, wanted: Flags) -> tuple[Array, Index, Flags]:
@@ -466,25 +455,3 @@ def _halved(coefficients: Array, wanted: Flags) -> tuple[Array, Index, Flags]:
     pieces = coefficients[corner]
     pieces[wanted[corner]] = halves(coefficients[wanted])
     return pieces, corner, second
-
-
-def _trimmed(path: Path, corners: Corners, reach: Array, points: Array) -> tuple[Index, Array, list[Curve]]:
-    """Trim the curves by their blends; return the number, the start on the path, and the rest of each remaining curve."""
-    span = np.diff(path.breaks)
-    low, high = np.zeros_like(span), span.copy()
-    low[corners.after], high[corners.before] = reach, span[corners.before] - reach
-    stays = high - low > 1e-9 * span
-    cut = stays & ((low > 0.0) | (high < span))
-    straight = np.array([type(curve) is Line for curve in path.curves], dtype=bool)
-    lines = np.flatnonzero(straight & cut)
-    start, end = path.starts[0].copy(), path.ends[0].copy()
-    uncut: list[Any] = [path.curves[i] for i in lines.tolist()]
-    end[lines] = np.reshape([line.end for line in uncut], (-1, path.n_axis))
-    # Use the ends of the blends themselves, so that rounding opens no gap.
-    start[corners.after], end[corners.before] = points[:, 5], points[:, 0]
-    new: dict[int, Curve] = dict(zip(lines.tolist(), Line.many(start[lines], end[lines]), strict=True))
-    for i in np.flatnonzero(~straight & cut).tolist():
-        arc: Any = path.curves[i]
-        new[i] = arc.part(low[i], high[i])
-    kept = np.flatnonzero(stays)
-    return kept, path.breaks[kept] + low[kept], [new.get(i, path.curves[i]) for i in kept.tolist()]

@@ -22,7 +22,7 @@ from contourlab.feed.reference import Profile, Reference, lap_ranges, whole_samp
 from contourlab.feed.route import Route, junction_speed, junctions
 from contourlab.feed.smooth import smooth_motions
 
-N_SHORT = 24  # segments of up to this many curves are planned in closed form as well
+N_SHORT = 200  # segments of up to this many curves are planned in closed form as well
 
 
 class _Moves(NamedTuple):
@@ -170,6 +170,7 @@ def plan(route: Route, limits: AxisLimits, servo_period: float, *, laps: int = 1
         programmed=route.programmed,
         correspondence=route.correspondence,
         profile=profile,
+        line_breaks=route.line_breaks,
         source_lines=route.source_line,
         rapid=route.rapid,
         laps=lap_ranges(profile, float(route.path.length), laps, servo_period) if laps > 1 else (),

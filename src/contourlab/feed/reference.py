@@ -276,8 +276,10 @@ class Reference:
         The planned and the programmed path.
     profile : Profile or None
         The motion along the path; None for recorded positions.
-    source_lines : ndarray (n_curve,) of int
-        Program line of each curve; 0 for none.
+    line_breaks : ndarray (n + 1,) [m]
+        Where on `path` program lines begin, and the last one ends.
+    source_lines : ndarray (n,) of int
+        These program lines; 0 for none.
     laps : tuple of (start, stop)
         Sample ranges [start, stop) of whole laps.
     recorded : Recorded or None
@@ -294,6 +296,7 @@ class Reference:
     path: Path
     programmed: Path
     profile: Profile | None
+    line_breaks: Array
     source_lines: Index
     laps: tuple[tuple[int, int], ...] = ()
     recorded: Recorded | None = None
@@ -320,17 +323,17 @@ class Reference:
         if self.laps:
             return Judged(self.laps[-1:], LAST_LAP)
         if self.rapid is not None and 0 < np.count_nonzero(self.rapid) < len(self.rapid):
-            return Judged(self.of_curves(~self.rapid), CUTTING)
+            return Judged(self.between(self.path.breaks, ~self.rapid), CUTTING)
         return Judged(((0, self.n_sample),), WHOLE)
 
     def blocks(self, size: int) -> Iterator[tuple[int, int]]:
         """Yield the samples [start, stop) of all blocks of at most `size` samples."""
         return pairwise([*range(0, self.n_sample, size), self.n_sample])
 
-    def of_curves(self, curves: Flags) -> tuple[tuple[int, int], ...]:
-        """Return the sample ranges of some curves (n_curve,) of a planned motion of one lap; a rest belongs to the curve before it."""
+    def between(self, breaks: Array, chosen: Flags) -> tuple[tuple[int, int], ...]:
+        """Return the sample ranges of chosen stretches (n,) between breaks [m] of a planned lap; a rest belongs to the stretch before."""
         assert self.profile is not None
-        return ranges_of_curves(self.profile, self.path.breaks, curves, self.servo_period, self.n_sample)
+        return ranges_of_curves(self.profile, breaks, chosen, self.servo_period, self.n_sample)
 
     def block(self, start: int, stop: int, fill: Filler | None = None) -> ReferenceBlock:
         """Return the samples [start, stop).
@@ -389,7 +392,9 @@ class Reference:
 
     def source_line(self, arc_length: ArrayLike) -> Index:
         """Return the program line (n,), from 1, at some progress (n,) [m]; 0 where there is no program."""
-        return np.asarray(self.source_lines[self.path.curve_index(arc_length)], dtype=np.int64)
+        curve, along = self.path.local(arc_length)
+        number = np.searchsorted(self.line_breaks, self.path.breaks[curve] + along, side="right") - 1
+        return np.take(self.source_lines, number, mode="wrap" if self.path.closed else "clip")
 
     def programmed_arc_length(self, arc_length: ArrayLike) -> Array:
         """Return the progress (n,) [m] along `programmed` for a progress (n,) [m] along `path`; both may count laps."""
@@ -535,6 +540,7 @@ class Reference:
             path=path,
             programmed=programmed or path,
             profile=None,
+            line_breaks=path.breaks,
             source_lines=lines,
             recorded=Recorded(points, progress),
             correspondence=correspondence,
@@ -595,6 +601,7 @@ def uniform(path: Path, frequency: float, laps: int, servo_period: float) -> Ref
         path=path,
         programmed=path,
         profile=profile,
+        line_breaks=path.breaks,
         source_lines=np.zeros(len(path.curves), dtype=np.int64),
         laps=ranges,
     )

@@ -137,8 +137,8 @@ class Route:
     rapid : array_like (n_curve,) of bool
     dwell : array_like (n_curve,) [s], >= 0
         Time at rest after each curve.
-    source_line : array_like (n_curve,) of int
-        Program line, from 1; 0 for none.
+    source_line : array_like (n,) of int
+        Program line of each curve of `programmed`, from 1; 0 for none.
     programmed : Path, optional
         The programmed path, where `path` deviates from it (blended corners).
     dwell_before : float [s], >= 0
@@ -174,13 +174,14 @@ class Route:
         n_curve = len(self.path.curves)
         if not self.path.length <= LONGEST:
             raise FeedError(f"the path is {self.path.length:.4g} m long: give at most {LONGEST:g} m; is its unit right?")
-        for name, dtype in _PER_CURVE.items():
-            object.__setattr__(self, name, _per_curve(name, getattr(self, name), n_curve, dtype))
         object.__setattr__(self, "programmed", self.programmed or self.path)
+        for name, dtype in _PER_CURVE.items():
+            n = len(self.programmed.curves) if name == "source_line" else n_curve
+            object.__setattr__(self, name, _per_curve(name, getattr(self, name), n, dtype))
         good = (self.feedrate > 0.0) & (np.isfinite(self.feedrate) | self.rapid)
         if not np.all(good):
             worst = int(np.argmin(good))
-            line = f" (line {self.source_line[worst]})" if self.source_line[worst] else ""
+            line = f" (line {self.source_line[worst]})" if self.programmed is self.path and self.source_line[worst] else ""
             raise FeedError(
                 f"feedrate of curve {worst}{line} is {self.feedrate[worst]:g} m/s: it must be finite and > 0 (inf on rapid curves only)"
             )
@@ -202,6 +203,13 @@ class Route:
     def programmed_arc_length(self, s: ArrayLike) -> Array:
         """Return the arc lengths (n,) [m] on `programmed` for arc lengths (n,) [m] on `path`."""
         return place_on_programmed(self.correspondence, self.path, self.programmed, s)
+
+    @property
+    def line_breaks(self) -> Array:
+        """Where on `path` the curves of `programmed` begin, and the last one ends (n + 1,) [m]."""
+        if self.correspondence is None:
+            return self.programmed.breaks * (self.path.length / self.programmed.length)
+        return Correspondence(self.correspondence.programmed, self.correspondence.planned)(self.programmed.breaks)
 
 
 def route_from_path(path: Path, feedrate: float, *, dwell: float = 0.0, programmed: Path | None = None) -> Route:

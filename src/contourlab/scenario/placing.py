@@ -262,10 +262,10 @@ class TravelCheck:
 def _check_travel(reference: Reference, machine: Machine, fault: Fault, cure: str) -> None:
     """Refuse the first sample outside the travel, with the full range of that axis."""
     check = TravelCheck(machine)
-    rapid = np.zeros(len(reference.source_lines), dtype=bool) if reference.rapid is None else reference.rapid
+    rapid = np.zeros(len(reference.path.curves), dtype=bool) if reference.rapid is None else reference.rapid
     for block in _blocks(reference, reference.n_sample):
         curve = reference.path.curve_index(block.arc_length)
-        check.add(block.position, block.position, ~rapid[curve], reference.source_lines[curve])
+        check.add(block.position, block.position, ~rapid[curve], reference.source_line(block.arc_length))
     for name, line in check.left.items():
         j, limits = machine.axis_names.index(name), machine.axis(name).limits
         if math.isfinite(limits.extent):

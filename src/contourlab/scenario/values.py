@@ -179,7 +179,7 @@ class FeedSettings:
     corner_tolerance : float [m], > 0, or None
         Corner tolerance for G64 without P and ``path_control = "blend"``; by default 10 um.
     merge_tolerance : float [m], >= 0, or None
-        Deviation of merged lines with ``path_control = "blend"``; by default `corner_tolerance`.
+        Deviation of merged lines and fitted curves with ``path_control = "blend"``; by default `corner_tolerance`.
     curvature_step : float, 0 to 1
         Allowed step of an axis acceleration, as a share of its limit, where the curvature jumps; 0 stops there.
     path_velocity : float [m/s], > 0, or None
@@ -358,11 +358,12 @@ class Case:
         named = JUDGED_LINES.fullmatch(choice)
         assert named is not None  # checked by the reader
         first, last = int(named[1]), int(named[2] or named[1])
-        curves = (reference.source_lines >= first) & (reference.source_lines <= last)
+        breaks, lines = reference.line_breaks, reference.source_lines
+        chosen = (lines >= first) & (lines <= last)
         if reference.rapid is not None:
-            curves &= ~reference.rapid
-        refuse(not curves.any(), self._fault, f'judge = "{choice}": no cutting move is on these lines; write other lines, or "all"', 0)
-        return Judged(reference.of_curves(curves), f"cutting moves of {choice}")
+            chosen &= ~reference.rapid[reference.path.curve_index(0.5 * (breaks[1:] + breaks[:-1]))]
+        refuse(not chosen.any(), self._fault, f'judge = "{choice}": no cutting move is on these lines; write other lines, or "all"', 0)
+        return Judged(reference.between(breaks, chosen), f"cutting moves of {choice}")
 
     @property
     def _cure(self) -> str:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 from contourlab.errors import FeedError
-from contourlab.feed import Reference, Route, blended
+from contourlab.feed import AxisLimits, Reference, Route, blended, plan
 from contourlab.feed.blending import shape
 from contourlab.feed.route import Correspondence
 from contourlab.geometry import Arc, Curve, Line, Path, contour
@@ -195,7 +195,8 @@ def test_feedrates_rapids_and_lines_of_the_program() -> None:
     # Between a rapid and a feed move the corner is kept.
     np.testing.assert_array_equal(found.feedrate, [0.1, 0.1, 0.05, 0.05, np.inf, np.inf, np.inf, 0.2])
     np.testing.assert_array_equal(found.rapid, [False] * 4 + [True] * 3 + [False])
-    np.testing.assert_array_equal(found.source_line, [3, 3, 4, 4, 6, 6, 7, 9])
+    np.testing.assert_array_equal(found.source_line, [3, 4, 6, 7, 9])
+    np.testing.assert_allclose(found.programmed_arc_length(found.line_breaks[1:-1]), found.programmed.breaks[1:-1], rtol=1e-15)
     np.testing.assert_allclose(found.programmed_arc_length(found.path.corners), [0.02, 0.04], rtol=1e-12)
     assert (found.corner_tolerance == P).all()
     assert not found.dwell.any()
@@ -312,3 +313,15 @@ def test_a_divided_blend_is_mapped_by_the_length_of_its_parts(monkeypatch: pytes
     np.testing.assert_allclose((places - places[0]) / (places[-1] - places[0]), done / done[-1], rtol=1e-12, atol=1e-15)
     assert 0.5 * (places[0] + places[-1]) == pytest.approx(corner, rel=1e-12)
     assert found.path.corners.size == 0
+
+
+def test_lines_of_a_closed_path_repeat_lap_by_lap() -> None:
+    square = np.array([(0.0, 0.0), (0.02, 0.0), (0.02, 0.02), (0.0, 0.02), (0.0, 0.0)])
+    path = Path(Line.many(square[:-1], square[1:]), closed=True)
+    limits = AxisLimits(0.5, 5.0, 500.0)
+    found = blended(Route(path, 0.05, False, 0.0, [3, 4, 6, 7], corner_tolerance=1e-3), limits)
+    assert found.n_curve == 8
+    reference = plan(found, limits, 1e-3, laps=2)
+    along = reference.block(0, reference.n_sample).arc_length
+    side = np.floor(reference.programmed_arc_length(along) / 0.02 + 1e-9).astype(int)
+    np.testing.assert_array_equal(reference.source_line(along), np.array([3, 4, 6, 7])[side % 4])

@@ -55,6 +55,17 @@ def test_lines_are_chosen(scenario: Scenario, choice: str, wanted: set[int]) -> 
     assert lines(reference, reference.judged) == wanted
 
 
+def test_lines_of_one_fitted_curve_are_chosen(tmp_path: Path) -> None:
+    angle = np.linspace(0.0, np.pi, 61)
+    points = "".join(f"X{20.0 - 10.0 * np.cos(a):.4f} Y{10.0 * np.sin(a):.4f}\n" for a in angle)
+    (tmp_path / "dense.ngc").write_text(f"G21 G64 P0.05\nG0 X10 Y0\nG1 F1200\n{points}M2\n", encoding="ascii")
+    scenario = scenario_from_parts(tmp_path / "dense.ngc", "xyz", "xyz-controller").judging("lines 20-39")
+    reference = scenario.base.reference()
+    assert lines(reference, reference.judged) == set(range(20, 40))
+    ((start, stop),) = reference.judged.ranges
+    assert reference.source_line(reference.block(start - 1, stop + 1).arc_length)[[0, 1, -2, -1]].tolist() == [19, 20, 39, 40]
+
+
 def test_the_rest_is_reported_by_kind(scenario: Scenario) -> None:
     reference = scenario.base.reference()
     judged = cl.judge(cl.simulate(scenario.machine, scenario.controller, reference), reference)
