@@ -31,7 +31,7 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 
 EXAMPLES = 30
 """Examples of a property test that names no number of its own, before the share below; with --slow it tries 100."""
-QUICK_SHARE = 0.4
+QUICK_SHARE = 0.3
 """Share of its examples that a property test tries without --slow."""
 
 

@@ -50,8 +50,15 @@ SILENT = {"analyse", "canon", "compare", "explain", "measure", "notch", "run"}
 
 
 @pytest.fixture
-def folder(tmp_path: Path) -> Path:
+def folder(tmp_path: Path, files: Path) -> Path:
     """Return a folder with a part, machines of controls and a log."""
+    return Path(shutil.copytree(files, tmp_path, dirs_exist_ok=True))
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The files of that folder; nobody changes them."""
+    tmp_path = tmp_path_factory.mktemp("files")
     shutil.copy(builtin_file("programs/circle_diamond_square.ngc"), tmp_path / "part.ngc")
     (tmp_path / "inch.ngc").write_text("G20 G90\nG0 X1 Y1\nG1 X2 F30\nG1 Y2\nG1 X1\n")
     for reader in ("linuxcnc", "grbl"):

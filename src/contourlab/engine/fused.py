@@ -14,7 +14,7 @@ from typing import Any
 from contourlab import primitives
 from contourlab.engine.gpu import Gpu
 from contourlab.engine.step import Schedule, Step
-from contourlab.engine.translate import maths, step_graph, tick_loop
+from contourlab.engine.translate import maths, step_graph, tick_loop, wasm
 from contourlab.engine.translate.outer import Reads
 from contourlab.engine.translate.step_graph import Rows
 from contourlab.engine.translate.tick_loop import VECTOR
@@ -44,9 +44,14 @@ def _layout(step: Step) -> str:
 
 
 def tick_loop_of(
-    schedule: Schedule, places: Rows, log_rows: tuple[int, ...], width: int, primitives: Mapping[Any, Any], gpu: Gpu | None = None
+    schedule: Schedule,
+    places: Rows,
+    log_rows: tuple[int, ...],
+    width: int,
+    primitives: Mapping[Any, Any],
+    target: Gpu | wasm.Target | None = None,
 ) -> Any:
-    """Return the tick loop of a schedule as a C function of `tick_loop.SIGNATURE`, or as a function of a GPU.
+    """Return the tick loop of a schedule as a C function of `tick_loop.SIGNATURE`, as a function of a GPU, or as an object of WebAssembly.
 
     Parameters
     ----------
@@ -59,7 +64,8 @@ def tick_loop_of(
         Lanes of the memory: 1, or a multiple of `VECTOR`, which run together.
     primitives : mapping
         `maths.SINGLE`, or `maths.LANES`: functions of lanes are polynomials.
-    gpu : Gpu, optional
+    target : Gpu or wasm.Target, optional
+        The loop of WebAssembly rounds each product before it is added.
 
     Raises
     ------
@@ -69,23 +75,24 @@ def tick_loop_of(
     roots = [function for node in schedule.nodes for function in node.step.functions]
     places = Rows(places.states, places.parameters)
     layout = [(_layout(node.step), node.repeat) for node in schedule.nodes]
-    of_lanes, device = primitives is maths.LANES, "" if gpu is None else gpu.code
+    of_lanes, device = primitives is maths.LANES, "" if target is None else target.code
     wiring = (schedule.sources, schedule.record_point, places, log_rows, width, of_lanes, VECTOR, device)
     key = before = _digest(layout, wiring, Reads(roots).words, _translator())
     trace: list[Any] | None = None
     with _building, store.without_collector():
-        while key in _loops or _from_disk(key, gpu):
+        while key in _loops or _from_disk(key, target):
             if not isinstance(_loops[key], list):
                 return _loops[key]
             reads, before, trace = Reads(roots), key, _loops[key]
             reads.again(trace)
             key = _digest(key, reads.words)
         reads = Reads(roots)
-        made = step_graph.tick_graph(schedule, places, log_rows, primitives, reads=reads)
-        if gpu is None:
-            code = llvm.object_code(tick_loop.source_of(made, min(width, VECTOR), width))
+        made = step_graph.tick_graph(schedule, places, log_rows, primitives, contract=not isinstance(target, wasm.Target), reads=reads)
+        if isinstance(target, wasm.Target):
+            source = wasm.loop_source(made, target)
         else:
-            code = gpu.compiled(tick_loop.source_of(made, 1, width, gpu=True))
+            source = tick_loop.source_of(made, min(width, VECTOR) if target is None else 1, width, gpu=target is not None)
+        code = llvm.object_code(source) if target is None else target.compiled(source)
         other_reads = reads.trace != trace
         if other_reads:
             before, _loops[key] = key, reads.trace
@@ -95,11 +102,11 @@ def tick_loop_of(
             store.write(before, [marshal.dumps(reads.trace), key.encode(), code])
         else:
             store.write(key, [code])
-        _loops[key] = _loaded(code, gpu)
+        _loops[key] = _loaded(code, target)
         return _loops[key]
 
 
-def _from_disk(key: str, gpu: Gpu | None) -> bool:
+def _from_disk(key: str, target: Gpu | wasm.Target | None) -> bool:
     """Bring what is filed under a key into memory; return whether there is anything.
 
     A file has a loop, or reads with the loop that they led to first.
@@ -109,9 +116,9 @@ def _from_disk(key: str, gpu: Gpu | None) -> bool:
         _loops[key] = marshal.loads(reads[0])
         key = reads[1].decode()
     if code and key not in _loops:
-        _loops[key] = _loaded(code, gpu)
+        _loops[key] = _loaded(code, target)
     return bool(code)
 
 
-def _loaded(code: bytes, gpu: Gpu | None) -> Any:
-    return llvm.loaded(code, "run", tick_loop.SIGNATURE) if gpu is None else gpu.loaded(code)
+def _loaded(code: bytes, target: Gpu | wasm.Target | None) -> Any:
+    return llvm.loaded(code, "run", tick_loop.SIGNATURE) if target is None else target.loaded(code)

@@ -11,13 +11,13 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.components.contract import Parameter
+from contourlab.engine.fused import tick_loop_of
 from contourlab.engine.runner import CompiledGroup, memory_rows
 from contourlab.engine.step import Schedule, rows
 from contourlab.engine.translate.graph import Op
 from contourlab.engine.translate.maths import LANES
-from contourlab.engine.translate.step_graph import Rows, tick_graph
 from contourlab.engine.translate.tracing import KnownError, Trace, Traced
-from contourlab.engine.translate.wasm import ROWS, function_source, loop_source, module_of
+from contourlab.engine.translate.wasm import ROWS, Target, function_source, module_of
 from contourlab.errors import EngineError, ParameterError, refuse
 from contourlab.feed import Reference
 from contourlab.geometry.view import view_of
@@ -156,7 +156,7 @@ def portable(
     states = {node.name: row for node, row in zip(schedule.nodes, group.places.states, strict=True)}
     judge, figures = traced_figures(states, machine.servo_period)
     # What lies one after another: rows, parameters, figures, words that say where tables are, tables, inputs, log.
-    sizes, words = [table.size for table in group.tables], group.tables_at.copy()
+    sizes, words = [table.size for table in group.tables], np.vstack([group.tables_at, np.zeros((2, 2), dtype=np.int64)])
     n_row, of_figures = len(group.memory), len(group.memory) + len(values)
     of_words = ROWS + of_figures + len(figures)
     *of_tables, of_inputs = accumulate(sizes, initial=of_words + words.size)
@@ -164,18 +164,19 @@ def portable(
     n_word = of_log + len(columns) * n
     refuse(8 * n_word >= MOST, EngineError, f"the motion has {n} samples: too many for the memory of a module")
     words[: len(sizes), 0] = 8 * np.array(of_tables, dtype=np.int64)
+    words[-2:] = (8 * of_inputs, n), (8 * of_log, 0)
     start = [group.memory, np.array([*values.values()]), np.zeros(len(figures)), words.view(float), *group.tables]
-    made = tick_graph(schedule, Rows(group.places.states, group.places.parameters), columns, LANES, contract=False)
-    sources = {
-        "run": loop_source(made, of_words, of_inputs, of_log, n, machine.servo_period),
-        "prepare": function_source("prepare", prepare, constants),
-        "judge": function_source("judge", judge, dict(enumerate(figures.values(), of_figures))),
+    target = Target(of_words, len(words) - 2, machine.servo_period)
+    functions = {
+        "run": tick_loop_of(schedule, group.places, tuple(columns), 1, LANES, target),
+        "prepare": target.compiled(function_source("prepare", prepare, constants)),
+        "judge": target.compiled(function_source("judge", judge, dict(enumerate(figures.values(), of_figures)))),
     }
     known, edges = parameters_of(machine, controller), list(accumulate(memory_rows(schedule), initial=ROWS))
     named = (f"{node.name}.{name}" for node in schedule.nodes for name in node.step.tables)
     fed = {port.name: range(schedule.row(f"in.{port.name}"), schedule.row(f"in.{port.name}") + port.rows) for port in schedule.externals}
     return PortableLoop(
-        code=module_of(sources),
+        code=module_of(functions),
         start=np.concatenate([part.ravel() for part in start]),
         n_word=n_word,
         inputs={name: tuple(of_inputs + n * row for row in range_) for name, range_ in fed.items()},
@@ -212,14 +213,14 @@ def _prepared(
         trace = Trace()
         columns: dict[str, Any] = {name: trace.leaf(first + i, value, name) for i, (name, value) in enumerate(values.items())}
         try:
-            for name, column in columns.items():
-                _within(known[name][0].parameters[known[name][1]], column)
             check_together(known, columns)
             check_substeps(machine, columns)
             begin: dict[int, Any] = judged(columns).schedule.begin[1]
         except KnownError as error:
             fixed |= dict.fromkeys(error.args[1], f"a constant, a check or a length needs {error.args[0]}")
         else:
+            for name, column in columns.items():
+                _within(known[name][0].parameters[known[name][1]], column)
             return trace, {row: value.op for row, value in begin.items() if isinstance(value, Traced)}, values, fixed
 
 

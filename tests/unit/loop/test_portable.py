@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import suppress
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,7 +17,9 @@ from wasm_host import in_node, log_of, needs_node
 import contourlab as cl
 from contourlab.components.contract import Component
 from contourlab.components.registry import component
+from contourlab.engine import fused
 from contourlab.engine.runner import CompiledGroup
+from contourlab.engine.translate import step_graph
 from contourlab.engine.translate.maths import LANES
 from contourlab.engine.translate.step_graph import Rows, tick_graph
 from contourlab.engine.translate.tick_loop import SIGNATURE, source_of
@@ -28,7 +31,7 @@ from contourlab.loop.batch import judged_loop
 from contourlab.loop.feeding import Feed
 from contourlab.loop.judging import all_judged
 from contourlab.loop.portable import PortableLoop, portable
-from contourlab.native import llvm
+from contourlab.native import llvm, store
 
 Array = NDArray[np.float64]
 
@@ -89,6 +92,17 @@ def assert_prepared(machine: cl.Machine, controller: cl.Controller, reference: c
 def test_the_module_computes_the_bits_of_its_loop() -> None:
     machine, controller = stage(), control()
     assert_same_bits(portable(machine, controller, circle(machine), seed=3))
+
+
+@needs_node
+def test_the_loop_of_another_motion_is_found_in_the_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    machine, controller = stage(), control()
+    monkeypatch.setattr(store, "folder", lambda: tmp_path)
+    for duration in (0.2, 0.25):
+        monkeypatch.setattr(fused, "_loops", {})
+        loop = portable(machine, controller, circle(machine, duration))
+        monkeypatch.setattr(step_graph, "tick_graph", None)
+    assert_same_bits(loop)
 
 
 @needs_node

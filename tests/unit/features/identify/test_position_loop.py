@@ -105,7 +105,7 @@ def test_friction_is_seen_at_reversals() -> None:
         assert abs(value - true[name]) < 3.0 * deviation < 0.3 * true[name]
 
 
-@pytest.mark.parametrize("delay", [PERIOD, 0.0033])
+@pytest.mark.parametrize("delay", [pytest.param(PERIOD, marks=pytest.mark.slow), 0.0033])
 def test_full_feedforward_is_seen(delay: float) -> None:
     """It is at the bound of the search, where it has no deviation."""
     true = {"Kv": 30.0, "delay": delay, "velocity_feedforward": 1.0, "lag": 0.002}
