@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import groupby
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from contourlab.feed import Reference
 from contourlab.geometry import Arc, Curve
 from contourlab.metrics.judge import furthest, reach
 from contourlab.result import Result
+from contourlab.result.result import BLOCK
 
 _BEFORE = 5
 
@@ -122,22 +124,30 @@ def reversal_spikes(
     return tuple(_spike(result, error, velocity[k], k, j, angle) for (k, _, j), error, angle in zip(searches, errors, angles, strict=True))
 
 
-def _errors(result: Result, reference: Reference | None, ranges: Sequence[tuple[int, int]]) -> list[Array]:
-    """Return the signed contour error (n, 1) in some ranges of samples; in space the vector (n, n_axis) from the path to the tool."""
-    if reference is None or reference.path.is_planar or not ranges:
-        return [result["contour_error"][start:stop, None] for start, stop in ranges]
-    marked = np.zeros(result.n_sample, dtype=bool)
-    for start, stop in ranges:
-        marked[start:stop] = True
-    here = np.flatnonzero(marked)
-    path, tool = reference.path, result["tool_position"][here]
-    if reference.programmed is path:
-        foot = path.position(result["foot_arc_length"][here])
-    else:
-        window = reach(path, furthest(result["reference"] - result["tool_position"]))
-        foot = path.foot_point(tool, result["arc_length"][here], window).position
-    error, firsts = tool - foot, np.searchsorted(here, [start for start, _ in ranges])
-    return [error[first : first + stop - start] for first, (start, stop) in zip(firsts, ranges, strict=True)]
+def _errors(result: Result, reference: Reference | None, ranges: Sequence[tuple[int, int]]) -> Iterator[Array]:
+    """Yield the signed contour error (n, 1) in ranges of samples in order; in space the vector (n, n_axis) from the path to the tool."""
+    if reference is None or reference.path.is_planar:
+        yield from (result["contour_error"][start:stop, None] for start, stop in ranges)
+        return
+    path, window = reference.path, math.inf
+    if reference.programmed is not path:
+        window = reach(path, max(furthest(part["reference"] - part["tool_position"]) for part in result.blocks()))
+    for _, group in groupby(ranges, key=lambda span: span[0] // BLOCK):
+        spans = list(group)
+        first, last = spans[0][0], max(stop for _, stop in spans)
+        marked = np.zeros(last - first, dtype=bool)
+        for start, stop in spans:
+            marked[start - first : stop - first] = True
+        here = first + np.flatnonzero(marked)
+        tool = result["tool_position"][here]
+        if reference.programmed is path:
+            foot = path.position(result["foot_arc_length"][here])
+        else:
+            foot = path.foot_point(tool, result["arc_length"][here], window).position
+        error = tool - foot
+        for start, stop in spans:
+            at = np.searchsorted(here, start)
+            yield error[at : at + stop - start]
 
 
 def reversal_figures(spikes: Sequence[Spike], *, places: bool = True) -> tuple[ReversalFigures, ...]:
@@ -187,9 +197,15 @@ def _common_plane(one: Curve, other: Curve) -> tuple[int, ...]:
 
 def _turns(velocity: Array) -> list[int]:
     """Return the samples at which a velocity has changed its sign, ignoring standstill."""
-    moving = np.flatnonzero(velocity != 0.0)
-    sign = np.sign(velocity[moving])
-    return [int(k) for k in moving[1:][sign[1:] != sign[:-1]]]
+    turns, last = list[int](), 0.0
+    for first in range(0, velocity.size, BLOCK):
+        part = velocity[first : first + BLOCK]
+        moving = np.flatnonzero(part)
+        sign = np.sign(part[moving])
+        before = np.append(last, sign)[:-1]
+        turns += (first + moving[(sign != before) & (before != 0.0)]).tolist()
+        last = sign[-1] if sign.size else last
+    return turns
 
 
 def _spike(result: Result, error: Array, velocity: Array, k: int, j: int, angle: float) -> Spike:
