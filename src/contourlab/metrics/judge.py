@@ -145,14 +145,16 @@ def stands_still(reference: Reference, error: ArrayLike) -> Flags:
     return np.asarray(error) >= _STILL * _extent(reference)
 
 
-def check_follows(judged: Result, reference: Reference) -> None:
+def check_follows(judged: Result) -> None:
     """Raise DivergenceError if the tool stands still while its reference moves; see `stands_still`."""
-    behind = judged["reference"] - judged["tool_position"]
-    off = np.linalg.norm(behind, axis=1)
-    sample = int(np.argmax(off))
-    if stands_still(reference, off[sample]):
-        axis = judged.axes[int(np.argmax(np.abs(behind[sample])))]
-        reason = f"{judged.scheme}: the tool hardly leaves its start: it is {1e3 * off[sample]:.4g} mm from its reference"
+    largest, extent, sample, start = -1.0, 0.0, 0, judged["reference"][:1]
+    for part in judged.blocks():
+        extent, behind = max(extent, furthest(part["reference"] - start)), _squares(part["reference"] - part["tool_position"])
+        if behind.max() > largest:
+            largest, sample = behind.max(), int(behind.argmax()) + part.start - judged.start
+    if math.sqrt(largest) >= _STILL * (extent or math.inf):
+        axis = judged.axes[int(np.argmax(np.abs(judged["reference"][sample] - judged["tool_position"][sample])))]
+        reason = f"{judged.scheme}: the tool hardly leaves its start: it is {1e3 * math.sqrt(largest):.4g} mm from its reference"
         raise DivergenceError(reason, sample=sample, time=sample * judged.servo_period, axis=axis)
 
 

@@ -70,7 +70,7 @@ def samples_at(data: ReportData, along: Array) -> Index:
             away = np.abs(foot[found] - along[there])
             closer = (away < nearest[side, there]) if side else (away <= nearest[side, there])
             nearest[side, there[closer]], samples[side, there[closer]] = away[closer], found[closer] + part.start - result.start
-    return np.where(nearest[0] < nearest[1], samples[0], samples[1])
+    return np.asarray(np.where(nearest[0] < nearest[1], samples[0], samples[1]))
 
 
 def lines_at(data: ReportData, along: Array) -> Index:

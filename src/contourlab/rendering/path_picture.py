@@ -18,7 +18,7 @@ from contourlab.rendering.data import JudgedRun, ReportData
 from contourlab.rendering.lead import lines_at, samples_at
 from contourlab.rendering.samples import keep_changes, largest_magnitude, signal, times
 from contourlab.rendering.style import BAND, INK, REFERENCE, magnification
-from contourlab.thinning import keep_extremes
+from contourlab.thinning import extremes_of, keep_extremes
 
 MM, UM = 1e3, 1e6
 DRAWN = "The path is to scale. The error of each run is magnified and drawn from the nearest point of the path."
@@ -188,29 +188,34 @@ def _scene_run(data: ReportData, scheme: JudgedRun, column: Callable[[Array], Ar
     """Return a run from its first to its last judged sample."""
     result, ranges = scheme.result, scheme.metrics.judged.ranges
     start, stop = ranges[0][0], ranges[-1][1]
-    along, size = signal(result, "foot_arc_length")[start:stop], np.abs(signal(result, "part_error")[start:stop])
-    samples = start + np.flatnonzero(np.isfinite(along) & np.isfinite(size))
-    along, size = along[samples - start], size[samples - start]
-    stretch = np.zeros(result.n_sample, dtype=np.int64)
-    for number, part in enumerate(ranges, 1):
-        stretch[slice(*part)] = number
-    foot = column(data.asked.position(along))
-    error = column(signal(result, "tool_position")[samples]) - foot
-    kept = np.union1d(keep_extremes(np.column_stack([size, foot]), points // 2), keep_changes(size, points // 4))
+    along, tool, size = signal(result, "foot_arc_length"), signal(result, "tool_position"), np.abs(signal(result, "part_error")[start:stop])
+    samples = start + np.flatnonzero(np.isfinite(along[start:stop]) & np.isfinite(size))
+    size = size[samples - start]
+
+    def seen(first: int, last: int) -> Array:
+        """Return what must keep its extremes: the error, and the tool, which looks as if it were on the path."""
+        return np.column_stack([size[first:last], column(tool[samples[first:last]])])
+
+    kept = np.union1d(extremes_of(seen, size.size, 4, points // 2), keep_changes(size, points // 4))
     ends = np.searchsorted(samples, np.ravel([(first, last - 1) for first, last in ranges])).clip(max=len(samples) - 1)
     kept = np.union1d(kept, ends) if samples.size and ends.size <= points else kept
-    lines = np.zeros(result.n_sample, dtype=np.int64) if scheme.lines is None else np.asarray(scheme.lines, dtype=np.int64)
-    speed = signal(result, "feedrate")[samples] if "feedrate" in result else np.diff(along, append=along[-1:]) / float(result.servo_period)
-    time = times(result, samples)
+    peaks = _peaks(np.where(scheme.metrics.judged.mask(result.n_sample)[samples], size, 0.0))
+    shown, n = samples[np.append(kept, peaks).astype(np.int64)], len(kept)
+    foot = column(data.asked.position(along[shown]))
+    error, off, time = column(tool[shown]) - foot, np.abs(signal(result, "part_error")[shown]), times(result, shown)
+    lines = np.zeros(shown.size, dtype=np.int64) if scheme.lines is None else np.asarray(scheme.lines[shown], dtype=np.int64)
+    begins, stops = np.array(ranges).T
+    stretch = np.searchsorted(begins, shown[:n], side="right")
+    stretch[shown[:n] >= stops[stretch - 1]] = 0
+    following = samples[np.minimum(kept + 1, samples.size - 1)]
+    speed = signal(result, "feedrate")[shown[:n]] if "feedrate" in result else (along[following] - along[shown[:n]]) / result.servo_period
     worst = tuple(
-        Place(tuple((foot[i] * MM).tolist()), tuple((error[i] * UM).tolist()), float(size[i]) * UM, float(time[i]),
-              int(lines[samples[i]]), _cause(scheme, int(samples[i])))
-        for i in _peaks(np.where(stretch[samples] > 0, size, 0.0))
+        Place(tuple((foot[i] * MM).tolist()), tuple((error[i] * UM).tolist()), float(off[i]) * UM, float(time[i]),
+              int(lines[i]), _cause(scheme, int(shown[i])))
+        for i in range(n, shown.size)
     )  # fmt: skip
-    drawn = (_rounded(foot[kept] * MM, 17), _rounded(error[kept] * UM, 14), _rounded(size[kept] * UM, 14), time[kept])
-    return SceneRun(
-        *data.looks[scheme.name][:2], *drawn, _rounded(np.abs(speed[kept]) * 6e4, 12), lines[samples[kept]], stretch[samples[kept]], worst
-    )
+    drawn = (_rounded(foot[:n] * MM, 17), _rounded(error[:n] * UM, 14), _rounded(off[:n] * UM, 14), time[:n])
+    return SceneRun(*data.looks[scheme.name][:2], *drawn, _rounded(np.abs(speed) * 6e4, 12), lines[:n], stretch, worst)
 
 
 def _peaks(size: Array) -> list[int]:

@@ -318,7 +318,7 @@ def run_case(
         raise diverged(result, [lost.text for lost in lost_steps(machine, reference, result)])
     begin(f"judging {case.name}")
     judged = judge(result, reference)
-    check_follows(judged, reference)
+    check_follows(judged)
     figures = summarise(judged, reference)
     answer = sampled = None
     if case.tolerance is not None:

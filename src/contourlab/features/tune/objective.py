@@ -218,7 +218,7 @@ def evaluate(setting: Setting, bounds: Bounds) -> Evaluation:
     margins = exact.exact({})
     try:
         run = judge(setting.single(), setting.reference)
-        check_follows(run, setting.reference)
+        check_follows(run)
     except DivergenceError as error:
         return Evaluation(dict.fromkeys(FIGURES, math.nan), margins, (f"diverges: {error}",), None)
     part = judged_part(run, setting.reference)
