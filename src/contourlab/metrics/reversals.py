@@ -109,8 +109,7 @@ def reversal_spikes(
     before the reversal to the mean of the last five samples of the search.
     """
     start, stop = window or (0, result.n_sample)
-    velocity = result["reference_velocity"]
-    turns = sorted((k, j) for j in range(len(result.axes)) for k in _turns(velocity[:, j]) if start <= k < stop)
+    turns = sorted((k, j) for j in range(len(result.axes)) for k in _turns(result, j) if start <= k < stop)
     samples = [k for k, _ in turns]
     distinct = np.unique(samples)
     following = np.append(distinct, stop)[np.searchsorted(distinct, samples, side="right")].tolist()
@@ -118,10 +117,11 @@ def reversal_spikes(
     ends = [min(k + max((next_ - k) // 2, 4 * _BEFORE), k + most, result.n_sample) for k, next_ in zip(samples, following, strict=True)]
     searches = [(k, end, j) for (k, j), end in zip(turns, ends, strict=True) if k >= _BEFORE and end - k > 2 * _BEFORE]
     errors = _errors(result, reference, [(k - _BEFORE, end) for k, end, _ in searches])
-    angles = [math.nan] * len(searches)
+    angles, velocity = [math.nan] * len(searches), result["reference_velocity"][[k for k, _, _ in searches]]
     if reference is not None:
-        angles = _angles(result, reference, [(k, j, float(velocity[k, j])) for k, _, j in searches])
-    return tuple(_spike(result, error, velocity[k], k, j, angle) for (k, _, j), error, angle in zip(searches, errors, angles, strict=True))
+        angles = _angles(result, reference, [(k, j, float(after[j])) for (k, _, j), after in zip(searches, velocity, strict=True)])
+    found = zip(searches, errors, velocity, angles, strict=True)
+    return tuple(_spike(result, error, after, k, j, angle) for (k, _, j), error, after, angle in found)
 
 
 def _errors(result: Result, reference: Reference | None, ranges: Sequence[tuple[int, int]]) -> Iterator[Array]:
@@ -195,15 +195,15 @@ def _common_plane(one: Curve, other: Curve) -> tuple[int, ...]:
     return next((plane for plane in ((0, 1), (1, 2), (2, 0)) if sorted(plane) == moved), ())
 
 
-def _turns(velocity: Array) -> list[int]:
-    """Return the samples at which a velocity has changed its sign, ignoring standstill."""
+def _turns(result: Result, j: int) -> list[int]:
+    """Return the samples at which the reference of axis j has changed its direction, ignoring standstill."""
     turns, last = list[int](), 0.0
-    for first in range(0, velocity.size, BLOCK):
-        part = velocity[first : first + BLOCK]
-        moving = np.flatnonzero(part)
-        sign = np.sign(part[moving])
+    for part in result.blocks():
+        velocity = part["reference_velocity"][:, j]
+        moving = np.flatnonzero(velocity)
+        sign = np.sign(velocity[moving])
         before = np.append(last, sign)[:-1]
-        turns += (first + moving[(sign != before) & (before != 0.0)]).tolist()
+        turns += (part.start - result.start + moving[(sign != before) & (before != 0.0)]).tolist()
         last = sign[-1] if sign.size else last
     return turns
 

@@ -107,7 +107,10 @@ def _largest(scheme: JudgedRun) -> dict[int, float]:
     """Return the largest part error [m] of each line with judged samples."""
     if scheme.lines is None:
         return {}
-    largest = np.full(int(scheme.lines.max(initial=0)) + 1, -1.0)
+    largest: dict[int, float] = {}
     for cut in blocks_of(scheme.metrics.judged):
-        np.maximum.at(largest, scheme.lines[cut], np.abs(signal(scheme.result, "part_error")[cut]))
-    return {line: float(largest[line]) for line in (np.flatnonzero(largest[1:] >= 0.0) + 1).tolist()}
+        lines, where = np.unique(scheme.lines[cut], return_inverse=True)
+        size = np.zeros(lines.size)
+        np.maximum.at(size, where, np.abs(signal(scheme.result, "part_error")[cut]))
+        largest |= {line: max(most, largest.get(line, 0.0)) for line, most in zip(lines.tolist(), size.tolist(), strict=True)}
+    return {line: most for line, most in largest.items() if line > 0}

@@ -12,6 +12,7 @@ from contourlab.arrays import Array
 from contourlab.feed.reference import CUTTING, LAST_LAP
 from contourlab.figures import figure, listing
 from contourlab.geometry import Path
+from contourlab.metrics.figures import blocks_of
 from contourlab.rendering.charts import Curve, Magnified, PathChart, PathScene, Place, SceneRun
 from contourlab.rendering.comparison import judged_words
 from contourlab.rendering.data import JudgedRun, ReportData
@@ -188,42 +189,53 @@ def _scene_run(data: ReportData, scheme: JudgedRun, column: Callable[[Array], Ar
     """Return a run from its first to its last judged sample."""
     result, ranges = scheme.result, scheme.metrics.judged.ranges
     start, stop = ranges[0][0], ranges[-1][1]
-    along, tool, size = signal(result, "foot_arc_length"), signal(result, "tool_position"), np.abs(signal(result, "part_error")[start:stop])
-    samples = start + np.flatnonzero(np.isfinite(along[start:stop]) & np.isfinite(size))
-    size = size[samples - start]
 
     def seen(first: int, last: int) -> Array:
         """Return what must keep its extremes: the error, and the tool, which looks as if it were on the path."""
-        return np.column_stack([size[first:last], column(tool[samples[first:last]])])
+        part = result.window(start + first, start + last)
+        return np.column_stack([np.abs(signal(part, "part_error")), column(signal(part, "tool_position"))])
 
-    kept = np.union1d(extremes_of(seen, size.size, 4, points // 2), keep_changes(size, points // 4))
-    ends = np.searchsorted(samples, np.ravel([(first, last - 1) for first, last in ranges])).clip(max=len(samples) - 1)
-    kept = np.union1d(kept, ends) if samples.size and ends.size <= points else kept
-    peaks = _peaks(np.where(scheme.metrics.judged.mask(result.n_sample)[samples], size, 0.0))
-    shown, n = samples[np.append(kept, peaks).astype(np.int64)], len(kept)
-    foot = column(data.asked.position(along[shown]))
-    error, off, time = column(tool[shown]) - foot, np.abs(signal(result, "part_error")[shown]), times(result, shown)
+    step = max((stop - start) // (2 * points), 1)
+    changes = keep_changes(np.nan_to_num(np.abs(signal(result, "part_error")[start:stop:step])), points // 4)
+    kept = np.union1d(extremes_of(seen, stop - start, 4, points // 2), step * changes) + start
+    ends = np.ravel([(first, last - 1) for first, last in ranges])
+    kept = np.union1d(kept, ends) if ends.size <= points else kept
+    along, error = signal(result, "foot_arc_length"), signal(result, "part_error")
+    kept = kept[np.isfinite(along[kept]) & np.isfinite(error[kept])]
+    shown, n = np.append(kept, _peaks(scheme)).astype(np.int64), len(kept)
+    foot, size, time = column(data.asked.position(along[shown])), np.abs(error[shown]), times(result, shown)
+    off = column(signal(result, "tool_position")[shown]) - foot
     lines = np.zeros(shown.size, dtype=np.int64) if scheme.lines is None else np.asarray(scheme.lines[shown], dtype=np.int64)
     begins, stops = np.array(ranges).T
-    stretch = np.searchsorted(begins, shown[:n], side="right")
-    stretch[shown[:n] >= stops[stretch - 1]] = 0
-    following = samples[np.minimum(kept + 1, samples.size - 1)]
-    speed = signal(result, "feedrate")[shown[:n]] if "feedrate" in result else (along[following] - along[shown[:n]]) / result.servo_period
+    stretch = np.searchsorted(begins, kept, side="right")
+    stretch[kept >= stops[stretch - 1]] = 0
+    following = along[np.minimum(kept + 1, result.n_sample - 1)]
+    speed = signal(result, "feedrate")[kept] if "feedrate" in result else (following - along[kept]) / result.servo_period
     worst = tuple(
-        Place(tuple((foot[i] * MM).tolist()), tuple((error[i] * UM).tolist()), float(off[i]) * UM, float(time[i]),
+        Place(tuple((foot[i] * MM).tolist()), tuple((off[i] * UM).tolist()), float(size[i]) * UM, float(time[i]),
               int(lines[i]), _cause(scheme, int(shown[i])))
         for i in range(n, shown.size)
     )  # fmt: skip
-    drawn = (_rounded(foot[:n] * MM, 17), _rounded(error[:n] * UM, 14), _rounded(off[:n] * UM, 14), time[:n])
+    drawn = (_rounded(foot[:n] * MM, 17), _rounded(off[:n] * UM, 14), _rounded(size[:n] * UM, 14), time[:n])
     return SceneRun(*data.looks[scheme.name][:2], *drawn, _rounded(np.abs(speed) * 6e4, 12), lines[:n], stretch, worst)
 
 
-def _peaks(size: Array) -> list[int]:
+def _peaks(scheme: JudgedRun) -> list[int]:
     """Return the samples of the largest errors, apart from one another and none below half of the largest."""
-    left, near, peaks = size.copy(), size.size // APART + 1, list[int]()
-    while size.size and len(peaks) < PEAKS and left.max() > 0.5 * size.max():
-        peaks.append(int(np.argmax(left)))
-        left[max(peaks[-1] - near, 0) : peaks[-1] + near] = 0.0
+    judged, peaks, most = scheme.metrics.judged, list[int](), 0.0
+    near = (judged.ranges[-1][1] - judged.ranges[0][0]) // APART + 1
+    while len(peaks) < PEAKS:
+        size, at = 0.0, 0
+        for cut in blocks_of(judged):
+            left = np.nan_to_num(np.abs(signal(scheme.result, "part_error")[cut]))
+            for peak in peaks:
+                left[(cut >= peak - near) & (cut < peak + near)] = 0.0
+            if left.max() > size:
+                size, at = float(left.max()), int(cut[left.argmax()])
+        most = max(most, size)
+        if not size > 0.5 * most:
+            break
+        peaks.append(at)
     return peaks
 
 

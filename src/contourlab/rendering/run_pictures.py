@@ -12,7 +12,7 @@ from contourlab.figures import figure, number, shown_unit
 from contourlab.metrics.circles import CircleFigures
 from contourlab.rendering.charts import Chart, Curve, Level, Panel, PolarChart, Tick
 from contourlab.rendering.data import FeedRun, JudgedRun, ReportData
-from contourlab.rendering.samples import axis_column, largest_magnitude, signal, times
+from contourlab.rendering.samples import axis_column, extremes, largest_magnitude, signal, times
 from contourlab.rendering.style import LIMIT, REFERENCE
 from contourlab.result import Result
 from contourlab.thinning import keep_extremes
@@ -31,9 +31,8 @@ def error_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
     over_time, over_arc = [], []
     signed = False
     for scheme in data.schemes:
-        error = signal(scheme.result, name)
-        kept = keep_extremes(error, points)
-        height = error[kept] * UM
+        kept = extremes(scheme.result, name, points)
+        height = signal(scheme.result, name)[kept] * UM
         signed = signed or bool(np.any(height < 0.0))
         over_time.append(Curve(times(scheme.result, kept), height, *data.looks[scheme.name]))
         if "arc_length" in scheme.result:
@@ -193,18 +192,17 @@ def _axis_chart(data: ReportData, axis: int, name: str, points: int) -> Chart:
     return Chart(f"axis-{axis}", f"Axis {name}", caption, drawn)
 
 
-def _curve(result: Result, values: Array, points: int, factor: float, look: tuple[str, str, str]) -> Curve:
-    """Return a thinned curve over time; `look` is name, colour and dash."""
-    kept = keep_extremes(values, points)
-    return Curve(times(result, kept), values[kept] * factor, *look)
+def _curve(result: Result, name: str, axis: int, points: int, factor: float, look: tuple[str, str, str], order: int = 0) -> Curve:
+    """Return a thinned curve over time of one axis of a signal, or of its differences of an order; `look` is name, colour and dash."""
+    kept, values = extremes(result, name, points, axis, order), signal(result, name)
+    height = values[kept + 1, axis] - values[kept, axis] if order else values[kept, axis]
+    return Curve(times(result, kept), height * factor, *look)
 
 
 def _runs(data: ReportData, axis: int, points: int, signal: str, factor: float) -> tuple[Curve, ...]:
     """Return one signal of every scheme that has it."""
     return tuple(
-        _curve(scheme.result, axis_column(scheme.result, signal, axis), points, factor, data.looks[scheme.name])
-        for scheme in data.schemes
-        if signal in scheme.result
+        _curve(scheme.result, signal, axis, points, factor, data.looks[scheme.name]) for scheme in data.schemes if signal in scheme.result
     )
 
 
@@ -218,10 +216,9 @@ def _limited_panel(data: ReportData, axis: int, points: int, name: str) -> Panel
     curves: tuple[Curve, ...] = ()
     factor, unit = shown_unit(UNITS.get(name) or ("" if source is None else str(source.signals[wanted].unit)))
     if source is not None and name != "command":
-        values = axis_column(source, wanted, axis)
-        values = np.diff(values) / float(source.servo_period) if name == "jerk" else values
-        look = ("reference", REFERENCE, "dot" if name == "velocity" else "solid")
-        curves = (_curve(source, values, points, factor, look),) if values.size else ()
+        look, order = ("reference", REFERENCE, "dot" if name == "velocity" else "solid"), int(name == "jerk")
+        scale = factor / float(source.servo_period) if order else factor
+        curves = (_curve(source, wanted, axis, points, scale, look, order),) if source.n_sample > order else ()
     if name in ("velocity", "command"):
         curves += _runs(data, axis, points, name, factor)
     if not curves:

@@ -129,9 +129,9 @@ class Result:
         cut = {name: replace(signal, data=signal.data[start:stop]) for name, signal in self.signals.items()}
         return replace(self, signals=cut, start=self.start + start)
 
-    def blocks(self, size: int = BLOCK) -> Iterator[Result]:
-        """Yield windows of at most `size` samples, one after another; a result without samples has one."""
-        yield from (self.window(*edges) for edges in pairwise([*range(0, max(self.n_sample, 1), size), self.n_sample]))
+    def blocks(self) -> Iterator[Result]:
+        """Yield windows of `BLOCK` samples, one after another; a result without samples has one."""
+        yield from (self.window(*edges) for edges in pairwise([*range(0, max(self.n_sample, 1), BLOCK), self.n_sample]))
 
     def to_xarray(self) -> xarray.Dataset:
         """Return the signals as a labelled data set, time and axis names as coordinates."""

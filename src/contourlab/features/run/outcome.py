@@ -16,7 +16,7 @@ from contourlab.analysis.learning.learning_analysis import LearningAnalysis, lea
 from contourlab.analysis.linear.contour_transfer import internal_stability
 from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import sampled_loop
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Index
 from contourlab.components.supervisor.switching import PreRouted
 from contourlab.engine.runner import make_group
 from contourlab.errors import ComponentError, OutputError, ResultError
@@ -353,8 +353,19 @@ def run_case(
         switches=switches_of(judged, controller, reference, case.changes),
         gaps=_gaps(machine, judged),
         trust=Trust(stated(numbers), tuple(number.name for number in numbers if not number.is_stated), sampled),
-        lines=reference.source_line(judged["arc_length"]) if case.lines else None,
+        lines=_Lines(judged, reference) if case.lines else None,
     )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Lines:
+    """The program line at each sample, found where it is used."""
+
+    run: Result
+    reference: Reference
+
+    def __getitem__(self, samples: Index | slice) -> Index:
+        return self.reference.source_line(self.run["arc_length"][samples])
 
 
 def _gaps(machine: Machine, result: Result) -> dict[str, tuple[Array, Array]]:
@@ -363,8 +374,8 @@ def _gaps(machine: Machine, result: Result) -> dict[str, tuple[Array, Array]]:
     for i, axis in enumerate(machine.axes):
         free_travel = getattr(axis.plant, "gap_at", None)
         if axis.plant.two_sided and free_travel is not None and "axis_position" in result:
-            used = result["axis_position"][:, i]
-            places = np.linspace(float(used.min()), float(used.max()), GAP_POINTS)
+            ends = [(used.min(), used.max()) for used in (part["axis_position"][:, i] for part in result.blocks())]
+            places = np.linspace(float(np.min(ends)), float(np.max(ends)), GAP_POINTS)
             gaps[axis.name] = places, np.array([free_travel(float(place)) for place in places])
     return gaps
 

@@ -17,7 +17,6 @@ from contourlab.loop.switches import RECORDED, Switches, SwitchLog
 from contourlab.metrics.judge import judge
 from contourlab.result import Result, Status
 from contourlab.result.atomic import replacing
-from contourlab.result.result import BLOCK
 from contourlab.result.stored import Store
 
 SWITCH_COLUMNS = ("time_s", "sample", "axis", "from", "to", "reason", "arc_length_m", "line")
@@ -98,7 +97,6 @@ def simulate_stored(
     reference: Reference,
     *,
     scheme: str = "base",
-    block: int = BLOCK,
     progress: Callable[[int], None] | None = None,
     **given: Any,
 ) -> Result:
@@ -107,7 +105,7 @@ def simulate_stored(
     `given` are options of `contourlab.loop.simulate_blocks`.
     """
     store, done = Store(reference.n_sample), 0
-    for signals, status in simulate_blocks(machine, controller, reference, block=block, **given):
+    for signals, status in simulate_blocks(machine, controller, reference, **given):
         part = result_of(machine, reference, signals, status, scheme=scheme, seed=given.get("seed", 0))
         store.append(part.signals)
         done += part.n_sample
