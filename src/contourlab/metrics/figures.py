@@ -286,6 +286,13 @@ def blocks_of(judged: Judged) -> Iterator[Index]:
     yield from (_part_of(judged, first, min(first + BLOCK, n)) for first in range(0, n, BLOCK))
 
 
+def range_of(judged: Judged, samples: Index) -> Index:
+    """Return the number of the range, from 1, that each sample (n,) is in; 0 for none."""
+    begins, stops = np.array(judged.ranges, dtype=np.int64).T
+    number = np.searchsorted(begins, samples, side="right")
+    return np.where(samples < stops[number - 1], number, 0)
+
+
 def largest(result: Result, name: str, judged: Judged) -> tuple[float, int]:
     """Return the largest magnitude of a signal over judged samples, and the first sample that has it."""
     sizes = ((np.abs(result[name][cut]), cut) for cut in blocks_of(judged))

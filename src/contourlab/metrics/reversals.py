@@ -117,7 +117,7 @@ def reversal_spikes(
     ends = [min(k + max((next_ - k) // 2, 4 * _BEFORE), k + most, result.n_sample) for k, next_ in zip(samples, following, strict=True)]
     searches = [(k, end, j) for (k, j), end in zip(turns, ends, strict=True) if k >= _BEFORE and end - k > 2 * _BEFORE]
     errors = _errors(result, reference, [(k - _BEFORE, end) for k, end, _ in searches])
-    angles, velocity = [math.nan] * len(searches), result["reference_velocity"][[k for k, _, _ in searches]]
+    angles, velocity = [math.nan] * len(searches), result.at("reference_velocity", np.array([k for k, _, _ in searches], dtype=np.int64))
     if reference is not None:
         angles = _angles(result, reference, [(k, j, float(after[j])) for (k, _, j), after in zip(searches, velocity, strict=True)])
     found = zip(searches, errors, velocity, angles, strict=True)
@@ -173,7 +173,7 @@ def _angles(result: Result, reference: Reference, turns: Sequence[tuple[int, int
     """Return the place on an arc of each turn (sample, axis, velocity afterwards), NaN for a turn that is not on an arc."""
     path = reference.programmed
     samples = np.array([k for k, _, _ in turns], dtype=np.int64)
-    ends = (reference.programmed_arc_length(result["arc_length"][np.maximum(samples - back, 0)]) for back in (1, 0))
+    ends = (reference.programmed_arc_length(result.at("arc_length", np.maximum(samples - back, 0))) for back in (1, 0))
     pairs = list(zip(*(path.curve_index(along).tolist() for along in ends), strict=True))
     planes = {pair: _common_plane(path.curves[pair[0]], path.curves[pair[1]]) for pair in set(pairs)}
     # An axis turns back where it is farthest out.

@@ -138,7 +138,7 @@ class TrialCourse:
 class Lines(Protocol):
     """An array of program lines (n_sample,), or what returns those of some samples."""
 
-    def __getitem__(self, samples: Index | slice, /) -> Index: ...
+    def __getitem__(self, samples: Index, /) -> Index: ...
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,7 +12,7 @@ from contourlab.arrays import Array
 from contourlab.feed.reference import CUTTING, LAST_LAP
 from contourlab.figures import figure, listing
 from contourlab.geometry import Path
-from contourlab.metrics.figures import blocks_of
+from contourlab.metrics.figures import blocks_of, range_of
 from contourlab.rendering.charts import Curve, Magnified, PathChart, PathScene, Place, SceneRun
 from contourlab.rendering.comparison import judged_words
 from contourlab.rendering.data import JudgedRun, ReportData
@@ -166,7 +166,7 @@ def path_scene(data: ReportData, points: int) -> PathScene | None:
     runs = tuple(_scene_run(data, scheme, column, points) for scheme in data.schemes)
     calm = [largest_magnitude(run.error) / UM for run, scheme in zip(runs, data.schemes, strict=True) if scheme.result.status.ok]
     part = first.metrics.judged
-    judged = np.ones(s.size, dtype=bool) if part.basis == LAST_LAP else part.mask(first.result.n_sample)[samples_at(data, s)]
+    judged = np.ones(s.size, dtype=bool) if part.basis == LAST_LAP else range_of(part, samples_at(data, s)) > 0
     caption = f"The path is to scale, the error is magnified and drawn from the nearest point of the path. Shown: {judged_words(first)}."
     if len(data.axes) > len(shown):
         caption += f" Of {listing(data.axes)} the {len(shown)} axes that move most are drawn."
@@ -196,21 +196,19 @@ def _scene_run(data: ReportData, scheme: JudgedRun, column: Callable[[Array], Ar
         return np.column_stack([np.abs(signal(part, "part_error")), column(signal(part, "tool_position"))])
 
     step = max((stop - start) // (2 * points), 1)
-    changes = keep_changes(np.nan_to_num(np.abs(signal(result, "part_error")[start:stop:step])), points // 4)
+    changes = keep_changes(np.nan_to_num(np.abs(result.at("part_error", np.arange(start, stop, step)))), points // 4)
     kept = np.union1d(extremes_of(seen, stop - start, 4, points // 2), step * changes) + start
     ends = np.ravel([(first, last - 1) for first, last in ranges])
     kept = np.union1d(kept, ends) if ends.size <= points else kept
-    along, error = signal(result, "foot_arc_length"), signal(result, "part_error")
-    kept = kept[np.isfinite(along[kept]) & np.isfinite(error[kept])]
+    kept = kept[np.isfinite(result.at("foot_arc_length", kept)) & np.isfinite(result.at("part_error", kept))]
     shown, n = np.append(kept, _peaks(scheme)).astype(np.int64), len(kept)
-    foot, size, time = column(data.asked.position(along[shown])), np.abs(error[shown]), times(result, shown)
-    off = column(signal(result, "tool_position")[shown]) - foot
+    along, size, time = result.at("foot_arc_length", shown), np.abs(result.at("part_error", shown)), times(result, shown)
+    foot = column(data.asked.position(along))
+    off = column(result.at("tool_position", shown)) - foot
     lines = np.zeros(shown.size, dtype=np.int64) if scheme.lines is None else np.asarray(scheme.lines[shown], dtype=np.int64)
-    begins, stops = np.array(ranges).T
-    stretch = np.searchsorted(begins, kept, side="right")
-    stretch[kept >= stops[stretch - 1]] = 0
-    following = along[np.minimum(kept + 1, result.n_sample - 1)]
-    speed = signal(result, "feedrate")[kept] if "feedrate" in result else (following - along[kept]) / result.servo_period
+    stretch = range_of(scheme.metrics.judged, kept)
+    following = result.at("foot_arc_length", np.minimum(kept + 1, result.n_sample - 1))
+    speed = result.at("feedrate", kept) if "feedrate" in result else (following - along[:n]) / result.servo_period
     worst = tuple(
         Place(tuple((foot[i] * MM).tolist()), tuple((off[i] * UM).tolist()), float(size[i]) * UM, float(time[i]),
               int(lines[i]), _cause(scheme, int(shown[i])))

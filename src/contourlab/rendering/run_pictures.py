@@ -32,11 +32,11 @@ def error_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
     signed = False
     for scheme in data.schemes:
         kept = extremes(scheme.result, name, points)
-        height = signal(scheme.result, name)[kept] * UM
+        height = scheme.result.at(name, kept) * UM
         signed = signed or bool(np.any(height < 0.0))
         over_time.append(Curve(times(scheme.result, kept), height, *data.looks[scheme.name]))
         if "arc_length" in scheme.result:
-            over_arc.append(Curve(signal(scheme.result, "arc_length")[kept] * 1e3, height, *data.looks[scheme.name]))
+            over_arc.append(Curve(scheme.result.at("arc_length", kept) * 1e3, height, *data.looks[scheme.name]))
     label = f"{name.replace('_', ' ')} [um]"
     moments = _moments(data)
     caption = _caption(name, signed, {tick.mark for tick in moments})
@@ -57,9 +57,10 @@ def _moments(data: ReportData) -> tuple[Tick, ...]:
     highest = sorted(scheme.spikes, key=lambda spike: -abs(spike.height))[:MARKS]
     ticks = [Tick(s.time, f"{s.axis} reverses, spike {figure(abs(s.height), 'um')}", "reversal") for s in highest]
     if "arc_length" in scheme.result:
-        along = signal(scheme.result, "arc_length")
-        passed = np.searchsorted(along, _corners(data, float(along[-1])))
-        ticks += [Tick(float(t), "corner", "corner") for t in times(scheme.result, passed[passed < along.size])]
+        n = scheme.result.n_sample
+        corners = _corners(data, float(scheme.result["arc_length"][-1]))
+        passed = np.sum([np.searchsorted(signal(part, "arc_length"), corners) for part in scheme.result.blocks()], axis=0)
+        ticks += [Tick(float(t), "corner", "corner") for t in times(scheme.result, passed[passed < n])]
     return tuple(sorted(ticks, key=lambda tick: tick.x))
 
 
@@ -194,8 +195,10 @@ def _axis_chart(data: ReportData, axis: int, name: str, points: int) -> Chart:
 
 def _curve(result: Result, name: str, axis: int, points: int, factor: float, look: tuple[str, str, str], order: int = 0) -> Curve:
     """Return a thinned curve over time of one axis of a signal, or of its differences of an order; `look` is name, colour and dash."""
-    kept, values = extremes(result, name, points, axis, order), signal(result, name)
-    height = values[kept + 1, axis] - values[kept, axis] if order else values[kept, axis]
+    kept = extremes(result, name, points, axis, order)
+    height = result.at(name, kept)[:, axis]
+    if order:
+        height = result.at(name, kept + 1)[:, axis] - height
     return Curve(times(result, kept), height * factor, *look)
 
 

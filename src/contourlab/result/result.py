@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Index
 from contourlab.errors import ResultError, hint, refuse
 from contourlab.feed import Reference
 from contourlab.notebook import Figure, Frame, Panel, curves, facts_line, facts_table, frame, svg
@@ -128,6 +128,14 @@ class Result:
             return replace(self, signals=self.signals.window(start, stop), start=self.start + start)
         cut = {name: replace(signal, data=signal.data[start:stop]) for name, signal in self.signals.items()}
         return replace(self, signals=cut, start=self.start + start)
+
+    def at(self, name: str, samples: Index) -> Array:
+        """Return a signal at some samples; of one in a file, only what is near them is in memory at a time."""
+        found = np.empty((len(samples), *self[name].shape[1:]))
+        for block in np.unique(samples // BLOCK).tolist():
+            here = samples // BLOCK == block
+            found[here] = self.window(block * BLOCK, (block + 1) * BLOCK)[name][samples[here] - block * BLOCK]
+        return found
 
     def blocks(self) -> Iterator[Result]:
         """Yield windows of `BLOCK` samples, one after another; a result without samples has one."""

@@ -37,7 +37,7 @@ from contourlab.loop.simulate import diverged, sampler
 from contourlab.loop.switches import Switch, switches_of
 from contourlab.loop.template import build
 from contourlab.metrics.circles import Bidirectional, circles_of, pairs
-from contourlab.metrics.figures import judged_part, summarise
+from contourlab.metrics.figures import judged_part, range_of, summarise
 from contourlab.metrics.judge import check_follows, judge
 from contourlab.metrics.reversals import Spike, reversal_spikes
 from contourlab.rendering.data import ClosedLoop, JudgedRun
@@ -364,8 +364,8 @@ class _Lines:
     run: Result
     reference: Reference
 
-    def __getitem__(self, samples: Index | slice) -> Index:
-        return self.reference.source_line(self.run["arc_length"][samples])
+    def __getitem__(self, samples: Index) -> Index:
+        return self.reference.source_line(self.run.at("arc_length", samples))
 
 
 def _gaps(machine: Machine, result: Result) -> dict[str, tuple[Array, Array]]:
@@ -383,9 +383,9 @@ def _gaps(machine: Machine, result: Result) -> dict[str, tuple[Array, Array]]:
 def judged_spikes(judged: Result, reference: Reference) -> tuple[Spike, ...]:
     """Return the reversal spikes on the judged moves."""
     part = judged_part(judged, reference)
-    counts = part.mask(judged.n_sample)
     spikes = reversal_spikes(judged, (max(part.ranges[0][0] - 5, 0), part.ranges[-1][1]), reference=reference)
-    return tuple(spike for spike in spikes if counts[spike.sample])
+    inside = range_of(part, np.array([spike.sample - judged.start for spike in spikes], dtype=np.int64))
+    return tuple(spike for spike, number in zip(spikes, inside, strict=True) if number)
 
 
 def _remarks(case: Case, reference: Reference, foretold: LearningAnalysis | None, coupling: bool) -> Iterator[Finding]:
