@@ -314,6 +314,34 @@ def judging(folder: Path) -> list[Contender]:
     ]
 
 
+def bench_run(bench: Bench, folder: Path) -> None:
+    """Time `run` of a relief of 40,000 lines with its report, against its kernels called by hand; once, after one untimed run."""
+    (folder / "relief.ngc").write_text(relief(40_000), encoding="utf-8")
+    (folder / "relief.toml").write_text('machine = "builtin:xyz"\ncontroller = "builtin:xyz-controller"\nprogram = "relief.ngc"\n')
+
+    def by_hand() -> np.ndarray:
+        reference = case.reference()
+        return cl.judge(cl.simulate(case.machine, case.controller, reference), reference)["part_error"]
+
+    def run() -> np.ndarray:
+        return cl.run(folder / "relief.toml").save(folder / "results").outcomes[0].result["part_error"]
+
+    run()
+    case, name = cl.load_scenario(folder / "relief.toml").base, "plan, loop, judge of 40k lines"
+    for row, work, against, note in (
+        (name, by_hand, None, "called by hand, in memory; the program was read before"),
+        (
+            "contourlab run 40k",
+            run,
+            name,
+            "reads, plans, runs, judges, sums up, writes; per sample, with all of planning",
+        ),
+    ):
+        start = time.process_time()
+        error = 1e3 * work()
+        bench.add(row, time.process_time() - start, rms(error), len(error), against, note)
+
+
 def timed(repeat: int, n: int, **given: object) -> tuple[float, float]:
     """Return the shortest wall time of n variants judged during the run, and the contour error of the first [mm]."""
     machine, controller = machine_and_controller()
@@ -375,6 +403,8 @@ def main() -> int:
     print(f"{'':35s}{'ns':>9s}{'to C':>9s}{'ratio':>9s}  {'rms':17s}ratio to")
     with tempfile.TemporaryDirectory() as folder:
         bench.rounds([*on_circle(), *with_backlash(), *with_five_axes(), *judging(Path(folder))], options.repeat)
+        if not options.quick:
+            bench_run(bench, Path(folder))
     bench_judged(bench, min(options.repeat, 7))
     if not options.quick:
         bench_plain(bench)

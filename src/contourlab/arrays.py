@@ -7,7 +7,6 @@ from collections.abc import Callable
 from dataclasses import fields
 from functools import reduce
 from itertools import pairwise
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,15 +45,6 @@ def ranges(first: Index, count: Index) -> Index:
     [10, 11, 20, 21, 22]
     """
     return np.repeat(first - (np.cumsum(count) - count), count) + np.arange(int(count.sum()))
-
-
-def free_memory() -> float:
-    """Return the memory that is available [bytes]; inf where the system does not tell."""
-    try:
-        lines = Path("/proc/meminfo").read_text(encoding="ascii").splitlines()
-        return 1024.0 * next(float(line.split()[1]) for line in lines if line.startswith("MemAvailable:"))
-    except (OSError, StopIteration, ValueError):
-        return math.inf
 
 
 def aligned(shape: tuple[int, ...]) -> Array:

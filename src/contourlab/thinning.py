@@ -24,6 +24,10 @@ KEPT = 4
 """Samples kept of an interval: first, lowest, highest, last."""
 
 
+AT_ONCE = 1 << 17
+"""Samples in memory at a time."""
+
+
 def keep_extremes(values: ArrayLike, budget: int) -> Index:
     """Choose the samples that a drawing of `values` needs; linear in their number.
 
@@ -49,24 +53,25 @@ def keep_extremes(values: ArrayLike, budget: int) -> Index:
     """
     columns = np.asarray(values, dtype=np.float64)
     columns = columns[:, np.newaxis] if columns.ndim == 1 else columns
-    n_sample, n_column = columns.shape
+    return extremes_of(lambda start, stop: columns[start:stop], columns.shape[0], columns.shape[1], budget)
+
+
+def extremes_of(read: Callable[[int, int], Array], n_sample: int, n_column: int, budget: int) -> Index:
+    """Choose samples as `keep_extremes` does; `read` returns the values (n, n_column) of samples [start, stop)."""
     refuse(budget < KEPT * n_column, ParameterError, "budget", budget, f"at least {KEPT} per column, {KEPT * n_column} here", "points")
     if n_sample <= budget:
         return np.arange(n_sample, dtype=np.int64)
-    # All columns share the first and last sample; each has its own lowest and highest.
-    n_interval = budget // (2 + 2 * n_column)
-    return np.unique(np.concatenate([_of_column(columns[:, i], n_interval) for i in range(n_column)]))
-
-
-def _of_column(column: Array, n_interval: int) -> Index:
-    """Return first, last, lowest and highest of each interval, unsorted."""
-    column = np.ascontiguousarray(column)
-    width = -(-column.size // n_interval)
-    n_full = column.size // width
-    kept = [_of_rows(column[: n_full * width].reshape(n_full, width), 0)]
-    if n_full * width < column.size:  # the last interval is shorter than the others
-        kept.append(_of_rows(column[np.newaxis, n_full * width :], n_full * width))
-    return np.concatenate(kept)
+    # All columns share the first and last sample of an interval; each has its own lowest and highest.
+    width = -(-n_sample // (budget // (2 + 2 * n_column)))
+    kept, most = list[Index](), width * max(AT_ONCE // width, 1)
+    for first in range(0, n_sample, most):
+        values = read(first, min(first + most, n_sample))
+        whole = len(values) // width * width
+        for column in np.ascontiguousarray(values.T):
+            kept.append(_of_rows(column[:whole].reshape(-1, width), first))
+            if whole < len(values):  # the last interval is shorter than the others
+                kept.append(_of_rows(column[np.newaxis, whole:], first + whole))
+    return np.unique(np.concatenate(kept))
 
 
 def _of_rows(rows: Array, offset: int) -> Index:

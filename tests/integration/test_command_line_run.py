@@ -252,11 +252,11 @@ def test_a_feed_that_is_never_reached_is_told(contourlab: Run, tmp_path: Path, f
     assert ("CL105" in said.out) is told
 
 
-def test_a_run_that_does_not_fit_into_memory_is_refused_beforehand(
+def test_a_run_that_does_not_fit_on_the_disk_is_refused_beforehand(
     contourlab: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "circle.toml").write_text(CIRCLE, encoding="utf-8")
-    monkeypatch.setattr("contourlab.features.run.outcome.free_memory", lambda: 1e6)
+    monkeypatch.setattr("contourlab.features.run.outcome.free_scratch", lambda: 1e6)
     said = contourlab("run", "circle.toml", "--out", "results")
     assert (said.code, said.err.count("\n")) == (2, 1)
     assert not (tmp_path / "results").exists()

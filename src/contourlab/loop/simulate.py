@@ -142,11 +142,18 @@ def simulate(
                 kept[name][before:done] = part
         if progress is not None:
             progress(done)
-    if not status.ok and on_failure == "raise":
-        reason = status.reason if scheme == "base" else f"{scheme}: {status.reason}"
-        raise DivergenceError(reason, sample=status.sample, time=status.sample * machine.servo_period, axis=status.axis)
     kept = {name: values[:done] for name, values in kept.items()}
-    return result_of(machine, reference, kept, status, scheme=scheme, seed=seed)
+    result = result_of(machine, reference, kept, status, scheme=scheme, seed=seed)
+    if not status.ok and on_failure == "raise":
+        raise diverged(result)
+    return result
+
+
+def diverged(result: Result, also: Sequence[str] = ()) -> DivergenceError:
+    """Return the error of a run that failed; `also` are further reasons."""
+    status, scheme = result.status, "" if result.scheme == "base" else f"{result.scheme}: "
+    reason = scheme + "; ".join((status.reason, *also))
+    return DivergenceError(reason, sample=status.sample, time=status.sample * result.servo_period, axis=status.axis)
 
 
 def check_kinds(machine: Machine, controller: Controller, reference: Reference) -> None:
@@ -244,11 +251,12 @@ def simulate_blocks(
     trial: int = 0,
     moving: bool = False,
     changes: Sequence[Change] = (),
+    stop: int | None = None,
 ) -> Iterator[tuple[dict[str, Array], Status]]:
     """Run block by block, so that memory does not grow with the run; yield signals and the status so far.
 
     After a failure the last block ends with the failing sample; a block also ends where a controller takes over. Arguments as in
-    `simulate`; `block` is the number of samples of a block.
+    `simulate`; `block` is the number of samples of a block, `stop` the number of samples to run, all by default.
     """
     check_view(view, reference.path)
     compiled = jit_enabled(jit)
@@ -259,11 +267,12 @@ def simulate_blocks(
     due = prepared(changes, machine, controller, reference, given, compiled)
     tool = ToolPosition(machine, seed, trial)
     wanted = _wanted([loop, *(change.loop for change in due)], signals)
-    edges = sorted({*range(0, reference.n_sample, block), *(change.sample for change in due), reference.n_sample})
-    for start, stop in pairwise(edges):
+    last = reference.n_sample if stop is None else min(stop, reference.n_sample)
+    edges = sorted({*range(0, last, block), *(change.sample for change in due if change.sample < last), last})
+    for start, end in pairwise(edges):
         if due and due[0].sample == start:
             loop, group = taken_over(due.pop(0), machine, reference, given, group, compiled)
-        asked, fed = feed.block(start, stop)
+        asked, fed = feed.block(start, end)
         saved = group.snapshot()
         recorded = _run(group, loop, asked, fed, wanted)
         status = watched(group, machine)

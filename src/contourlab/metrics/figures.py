@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import ClassVar
 
 import numpy as np
 
-from contourlab.arrays import Index
+from contourlab.arrays import Array, Index, ranges
 from contourlab.errors import ResultError
 from contourlab.feed import Reference
 from contourlab.feed.reference import CUTTING, LAST_LAP, Judged
@@ -18,6 +18,7 @@ from contourlab.figures import figure
 from contourlab.metrics.judge import check_reference
 from contourlab.notebook import Figure, Frame, bars, facts_line, facts_table, frame, grid, svg
 from contourlab.result import Result
+from contourlab.result.result import BLOCK
 
 
 @dataclass(frozen=True, slots=True)
@@ -225,19 +226,22 @@ def summarise(result: Result, reference: Reference, window: tuple[int, int] | Ju
     first, last = judged.ranges[0][0], judged.ranges[-1][1]
     if not 0 <= first < last <= result.n_sample:
         raise ResultError(f"window {first} .. {last} of a result of {result.n_sample} samples: give a non-empty part of it")
-    cut = judged.samples
-    tracking = result["tracking_error"][cut]
-    axes = tuple(AxisFigures(float(np.sqrt(np.mean(e**2))), float(np.abs(e).max())) for e in tracking.T)
-    saturation = (0.0,) * len(result.axes)
-    if "applied_command" in result:
-        limits = np.array([float(result.attributes.get(f"command_limit_{axis}", math.inf)) for axis in result.axes])
-        saturation = tuple(np.mean(np.abs(result["applied_command"][cut]) >= limits * (1.0 - 1e-12), axis=0).tolist())
+    n, (squares, most, limited) = count_of(judged), np.zeros((3, len(result.axes)))
+    limits = np.array([float(result.attributes.get(f"command_limit_{axis}", math.inf)) for axis in result.axes]) * (1.0 - 1e-12)
+    for cut in blocks_of(judged):
+        tracking = result["tracking_error"][cut]
+        squares += [np.sum(column**2) for column in tracking.T]
+        most = np.maximum(most, [np.abs(column).max() for column in tracking.T])
+        if "applied_command" in result:
+            limited += np.count_nonzero(np.abs(result["applied_command"][cut]) >= limits, axis=0)
+    axes = tuple(map(AxisFigures, np.sqrt(squares / n).tolist(), most.tolist()))
+    saturation = tuple((limited / n).tolist())
     mean, ripple = _feedrate(result, judged)
     cycle = (result.n_sample - 1) * result.servo_period
     names = ("part_error", "contour_error", "planning_deviation")
-    part, contour, planning = (_error_figures(result, reference, name, cut) for name in names)
+    part, contour, planning = (_error_figures(result, reference, name, judged) for name in names)
     missed, others = left_out(result, reference, judged)[0], tuple(_others(result, reference, judged))
-    time = cut.size * result.servo_period
+    time = n * result.servo_period
     return Metrics(judged, result.axes, time, part, contour, planning, axes, saturation, missed, mean, ripple, cycle, others)
 
 
@@ -256,12 +260,44 @@ def _others(result: Result, reference: Reference, judged: Judged) -> Iterator[Mo
         return
     first, last = judged.ranges[0][0], judged.ranges[-1][1]
     between = [(before[1], after[0]) for before, after in pairwise(judged.ranges)]
-    for name, ranges in (("approach", [(0, first)]), ("rapids", between), ("retract", [(last, result.n_sample)])):
-        if moved := tuple((start, stop) for start, stop in ranges if start < stop):
-            samples = Judged(moved, name).samples
-            size = np.abs(result["part_error"][samples])
-            worst = _place(result, reference, samples[size.argmax()])
-            yield MoveFigures(name, samples.size * result.servo_period, float(size.max()), worst)
+    for name, spans in (("approach", [(0, first)]), ("rapids", between), ("retract", [(last, result.n_sample)])):
+        if moved := tuple((start, stop) for start, stop in spans if start < stop):
+            part = Judged(moved, name)
+            size, sample = largest(result, "part_error", part)
+            yield MoveFigures(name, count_of(part) * result.servo_period, size, _place(result, reference, sample))
+
+
+def count_of(judged: Judged) -> int:
+    """Return the number of judged samples."""
+    return sum(stop - start for start, stop in judged.ranges)
+
+
+def _part_of(judged: Judged, first: int, last: int) -> Index:
+    """Return the numbers of the judged samples [first, last), counted from the first one judged."""
+    start, stop = np.array(judged.ranges, dtype=np.int64).T
+    ends = np.cumsum(stop - start)
+    low, high = (np.clip(edge, ends - (stop - start), ends) for edge in (first, last))
+    return ranges(stop - ends + low, high - low)
+
+
+def blocks_of(judged: Judged) -> Iterator[Index]:
+    """Yield the numbers of the judged samples in blocks, so that memory does not grow with them."""
+    n = count_of(judged)
+    yield from (_part_of(judged, first, min(first + BLOCK, n)) for first in range(0, n, BLOCK))
+
+
+def range_of(judged: Judged, samples: Index) -> Index:
+    """Return the number of the range, from 1, that each sample (n,) is in; 0 for none."""
+    begins, stops = np.array(judged.ranges, dtype=np.int64).T
+    number = np.searchsorted(begins, samples, side="right")
+    return np.where(samples < stops[number - 1], number, 0)
+
+
+def largest(result: Result, name: str, judged: Judged) -> tuple[float, int]:
+    """Return the largest magnitude of a signal over judged samples, and the first sample that has it."""
+    sizes = ((np.abs(result[name][cut]), cut) for cut in blocks_of(judged))
+    peaks = [(float(size.max()), int(cut[size.argmax()])) for size, cut in sizes]
+    return peaks[int(np.argmax([size for size, _ in peaks]))]
 
 
 def _place(result: Result, reference: Reference, sample: int) -> Place:
@@ -271,32 +307,51 @@ def _place(result: Result, reference: Reference, sample: int) -> Place:
     return Place(number, number * result.servo_period, along, position, int(reference.source_line(np.array([along]))[0]))
 
 
-def _error_figures(result: Result, reference: Reference, name: str, cut: Index) -> ErrorFigures:
-    signed = result[name][cut]
-    size = np.abs(signed)
-    mean = float(signed.mean())
+def _error_figures(result: Result, reference: Reference, name: str, judged: Judged) -> ErrorFigures:
+    n, sums, highest = count_of(judged), np.zeros(3), np.empty(0)
+    rank = 0.95 * (n - 1)
+    above = n - int(rank)  # samples from the one below the quantile on
+    for cut in blocks_of(judged):
+        signed = result[name][cut]
+        size = np.abs(signed)
+        sums += size.sum(), np.sum(size**2), signed.sum()
+        highest = np.concatenate([highest, size])
+        highest = np.partition(highest, -above)[-above:] if highest.size > above else highest
+    mean = sums[2] / n
+    off = sum(np.abs(result[name][cut] - mean).sum() for cut in blocks_of(judged))
+    most, sample = largest(result, name, judged)
     return ErrorFigures(
-        rms=float(np.sqrt(np.mean(size**2))),
-        max=float(size.max()),
-        mean=float(size.mean()),
-        p95=float(np.quantile(size, 0.95)),
-        integral=float(size.sum() * result.servo_period),
-        signed_mean=mean,
-        integral_without_mean=float(np.abs(signed - mean).sum() * result.servo_period),
-        worst=_place(result, reference, cut[size.argmax()]),
+        rms=math.sqrt(sums[1] / n),
+        max=most,
+        mean=float(sums[0] / n),
+        p95=float(np.quantile(np.sort(highest)[:2], rank - int(rank))),
+        integral=float(sums[0] * result.servo_period),
+        signed_mean=float(mean),
+        integral_without_mean=float(off * result.servo_period),
+        worst=_place(result, reference, sample),
     )
 
 
 def _feedrate(result: Result, judged: Judged) -> tuple[float, float]:
-    before = np.concatenate([np.arange(start, stop - 1) for start, stop in judged.ranges])
-    if before.size < 2:
+    moves = Judged(tuple((start, stop - 1) for start, stop in judged.ranges if start < stop - 1), judged.basis)
+    n = count_of(moves)
+    if n < 2:
         return math.nan, math.nan
-    tool = result["tool_position"]
-    speed = np.linalg.norm(tool[before + 1] - tool[before], axis=1) / result.servo_period
-    wanted = result["feedrate"][before] if "feedrate" in result else speed
-    steady = (np.abs(np.gradient(wanted)) <= 1e-9 * wanted) & (wanted > 0.0)
-    ripple = float(np.std(speed[steady] / wanted[steady])) if np.count_nonzero(steady) > 2 else math.nan
-    return float(speed.mean()), ripple
+
+    def speeds() -> Iterator[tuple[Array, Array]]:
+        """Yield the speeds of the next samples, and speed over reference speed where the latter is constant."""
+        for first in range(0, n, BLOCK):
+            low = max(first - 1, 0)
+            here = _part_of(moves, low, min(first + BLOCK + 1, n))
+            inside = slice(first - low, first - low + BLOCK)
+            speed = np.linalg.norm(result["tool_position"][here + 1] - result["tool_position"][here], axis=1) / result.servo_period
+            wanted = result["feedrate"][here] if "feedrate" in result else speed
+            steady = np.flatnonzero(((np.abs(np.gradient(wanted)) <= 1e-9 * wanted) & (wanted > 0.0))[inside]) + inside.start
+            yield speed[inside], speed[steady] / wanted[steady]
+
+    total, share, count = (sum(parts) for parts in zip(*((speed.sum(), of.sum(), of.size) for speed, of in speeds()), strict=True))
+    ripple = math.sqrt(sum(np.sum((of - share / count) ** 2) for _, of in speeds()) / count) if count > 2 else math.nan
+    return float(total / n), ripple
 
 
 def left_out(result: Result, reference: Reference, judged: Judged) -> tuple[float, float]:
@@ -318,17 +373,45 @@ def left_out(result: Result, reference: Reference, judged: Judged) -> tuple[floa
     -----
     A tool that follows misses only the path between two samples, what it cuts off at a corner, and its lag at the ends of the motion.
     """
-    path, cut = reference.programmed, judged.samples
-    foot = result["foot_arc_length"][cut]
-    commanded = reference.programmed_arc_length(result["arc_length"][cut])
-    if path.closed and np.ptp(commanded) > (1.0 - 2.0 / len(commanded)) * path.length:
-        foot = np.sort(np.mod(foot, path.length))
-        return float(max(np.diff(foot).max(initial=0.0), foot[0] + path.length - foot[-1])), 0.0
-    sizes = np.diff(judged.ranges, axis=1)[:, 0]
-    begins = np.cumsum(sizes) - sizes
-    low, high = (edge.reduceat(commanded, begins) for edge in (np.minimum, np.maximum))
+    path, n = reference.programmed, count_of(judged)
+    ends = np.cumsum(np.diff(judged.ranges, axis=1)[:, 0])
+    low, high = np.full(ends.size, np.inf), np.full(ends.size, -np.inf)
+
+    def blocks(signal: str) -> Iterator[tuple[Array, Index]]:
+        """Yield the next judged samples of a signal, and the range of each."""
+        for i, cut in enumerate(blocks_of(judged)):
+            yield result[signal][cut], np.searchsorted(ends, np.arange(i * BLOCK, i * BLOCK + cut.size), side="right")
+
+    for along, of in blocks("arc_length"):
+        commanded = reference.programmed_arc_length(along)
+        np.minimum.at(low, of, commanded)
+        np.maximum.at(high, of, commanded)
+    if path.closed and high.max() - low.min() > (1.0 - 2.0 / n) * path.length:
+        first, last, longest, _ = _gaps(lambda: (np.mod(foot, path.length) for foot, _ in blocks("foot_arc_length")))
+        return max(longest, first + path.length - last), 0.0
     # Lay the pieces of the path end to end.
     total = np.cumsum(high - low)
-    behind = np.repeat(low - (total - (high - low)), sizes)
-    seen = np.sort(np.concatenate([[0.0], np.clip(foot, np.repeat(low, sizes), np.repeat(high, sizes)) - behind, total]))
-    return float(np.diff(seen).max()), float(seen[-1] - seen[-2])
+    behind = low - (total - (high - low))
+
+    def laid() -> Iterator[Array]:
+        """Yield the ends of the pieces, and the foot points."""
+        yield np.append(0.0, total)
+        yield from (np.clip(foot, low[of], high[of]) - behind[of] for foot, of in blocks("foot_arc_length"))
+
+    _, _, longest, at_end = _gaps(laid)
+    return longest, at_end
+
+
+def _gaps(blocks: Callable[[], Iterator[Array]]) -> tuple[float, float, float, float]:
+    """Return the lowest and highest of all values in blocks, the largest gap between neighbours, and the last one.
+
+    What lies below all later blocks is final: of values that come nearly in order, few are held.
+    """
+    least = [float(block.min()) for block in blocks()]
+    longest, held = 0.0, np.empty(0)
+    for block, coming in zip(blocks(), np.minimum.accumulate([np.inf, *least[:0:-1]])[::-1], strict=True):
+        held = np.sort(np.concatenate([held, block]))
+        final = int(np.searchsorted(held, coming))
+        longest = max(longest, float(np.diff(held[:final]).max(initial=0.0)))
+        held = held[max(final - 2, 0) :]
+    return min(least), float(held[-1]), longest, float(np.diff(held[-2:]).sum())

@@ -26,6 +26,8 @@ from contourlab.result import Result, Signal
 from contourlab.threads import in_threads
 
 MARGIN = 1e-4
+PLACE = "programmed_place"
+"""While a run is judged: the arc length on the programmed path that the reference is nearest to."""
 _STILL = 0.9
 _BLOCK = 1 << 16
 
@@ -49,7 +51,7 @@ def reach(path: Path, error: float) -> float:
     return min(window, 0.5 * path.length) if path.closed else window
 
 
-def judge(result: Result, reference: Reference, *, error: float = 0.0, planning: float = 0.0) -> Result:
+def judge(result: Result, reference: Reference) -> Result:
     """Add the errors [m], the arc length of the foot point [m] and the tracking error of each axis [m] to a result.
 
     Parameters
@@ -57,9 +59,6 @@ def judge(result: Result, reference: Reference, *, error: float = 0.0, planning:
     result : Result
         With ``tool_position``, ``reference`` and ``arc_length``.
     reference : Reference
-    error, planning : float [m], >= 0
-        For a block of a run: the largest distance of the tool from the reference, and of the reference from the programmed path, in the
-        whole run. They widen the search for the nearest point as in the whole run.
 
     Returns
     -------
@@ -74,33 +73,46 @@ def judge(result: Result, reference: Reference, *, error: float = 0.0, planning:
     Notes
     -----
     Signals ``contour_error``, ``part_error``, ``planning_deviation``, ``foot_arc_length`` (on the programmed path) and ``tracking_error``:
-    the reference less the true axis positions, or less the tool position if those were not recorded.
+    the reference less the true axis positions, or less the tool position if those were not recorded. The search for the nearest point is
+    as wide as the largest tracking error and planning deviation of all samples need.
     """
     check_reference(result, reference)
-    tool, wanted, along = (_positions(result, name) for name in ("tool_position", "reference", "arc_length"))
-    if tool.shape[1] != reference.n_axis:
-        raise ResultError(f"a result of axes {', '.join(result.axes)} for a path of {reference.n_axis} coordinates")
-    off = wanted - tool
-    error = max(error, furthest(off))
     planned, programmed = reference.path, reference.programmed
-    contour, foot = _errors(planned, tool, along, reach(planned, error))
-    if programmed is planned:
-        part, deviation, part_foot = contour, np.zeros_like(contour), foot
-    else:
-        deviation, at = planning_deviation(reference, wanted, along)
-        planning = max(planning, float(np.abs(deviation).max(initial=0.0)))
-        part, part_foot = _errors(programmed, tool, at, reach(programmed, error) + planning)
-    # The tracking error is that of the axes; the machine's error map moves the tool only.
-    tracking = off
-    if "axis_position" in result.signals:
-        tracking = wanted - _positions(result, "axis_position")
-    return replace(result, motion=reference).with_signals(
-        contour_error=Signal(contour, ("sample",), "m"),
-        part_error=Signal(part, ("sample",), "m"),
-        planning_deviation=Signal(deviation, ("sample",), "m"),
-        foot_arc_length=Signal(part_foot, ("sample",), "m"),
-        tracking_error=Signal(tracking, ("sample", "axis"), "m"),
-    )
+    error = planning = 0.0
+
+    def plan(part: Result) -> dict[str, Signal]:
+        """Return planning deviation and place on the programmed path; note the largest errors."""
+        nonlocal error, planning
+        tool, wanted, along = _positions(part)
+        if tool.shape[1] != reference.n_axis:
+            raise ResultError(f"a result of axes {', '.join(result.axes)} for a path of {reference.n_axis} coordinates")
+        error = max(error, furthest(wanted - tool))
+        if programmed is planned:
+            deviation = at = np.zeros_like(along)
+        else:
+            deviation, at = planning_deviation(reference, wanted, along)
+            planning = max(planning, float(np.abs(deviation).max(initial=0.0)))
+        return _along_path(planning_deviation=deviation, **{PLACE: at})
+
+    def errors(part: Result) -> dict[str, Signal]:
+        """Return the errors of the tool."""
+        tool, wanted, along = _positions(part)
+        found, foot = _errors(planned, tool, along, reach(planned, error))
+        off, part_foot = found, foot
+        if programmed is not planned:
+            off, part_foot = _errors(programmed, tool, part[PLACE], reach(programmed, error) + planning)
+        # The tracking error is that of the axes; the machine's error map moves the tool only.
+        tracking = wanted - (_position(part, "axis_position") if "axis_position" in part else tool)
+        made = _along_path(contour_error=found, part_error=off, foot_arc_length=part_foot)
+        return {**made, "tracking_error": Signal(tracking, ("sample", "axis"), "m")}
+
+    judged = replace(result, motion=reference).with_blocks(plan).with_blocks(errors)
+    return judged.only([name for name in judged.signals if name != PLACE])
+
+
+def _along_path(**values: Array) -> dict[str, Signal]:
+    """Return values (n,) [m] as signals."""
+    return {name: Signal(data, ("sample",), "m") for name, data in values.items()}
 
 
 def planning_deviation(reference: Reference, wanted: Array, along: Array) -> tuple[Array, Array]:
@@ -133,14 +145,16 @@ def stands_still(reference: Reference, error: ArrayLike) -> Flags:
     return np.asarray(error) >= _STILL * _extent(reference)
 
 
-def check_follows(judged: Result, reference: Reference) -> None:
+def check_follows(judged: Result) -> None:
     """Raise DivergenceError if the tool stands still while its reference moves; see `stands_still`."""
-    behind = judged["reference"] - judged["tool_position"]
-    off = np.linalg.norm(behind, axis=1)
-    sample = int(np.argmax(off))
-    if stands_still(reference, off[sample]):
-        axis = judged.axes[int(np.argmax(np.abs(behind[sample])))]
-        reason = f"{judged.scheme}: the tool hardly leaves its start: it is {1e3 * off[sample]:.4g} mm from its reference"
+    largest, extent, sample, start = -1.0, 0.0, 0, judged["reference"][:1]
+    for part in judged.blocks():
+        extent, behind = max(extent, furthest(part["reference"] - start)), _squares(part["reference"] - part["tool_position"])
+        if behind.max() > largest:
+            largest, sample = behind.max(), int(behind.argmax()) + part.start - judged.start
+    if math.sqrt(largest) >= _STILL * (extent or math.inf):
+        axis = judged.axes[int(np.argmax(np.abs(judged["reference"][sample] - judged["tool_position"][sample])))]
+        reason = f"{judged.scheme}: the tool hardly leaves its start: it is {1e3 * math.sqrt(largest):.4g} mm from its reference"
         raise DivergenceError(reason, sample=sample, time=sample * judged.servo_period, axis=axis)
 
 
@@ -158,7 +172,12 @@ def check_reference(result: Result, reference: Reference) -> None:
         raise ResultError(f"{result.scheme} is the result of another reference: judge it with the one it was simulated along")
 
 
-def _positions(result: Result, name: str) -> Array:
+def _positions(result: Result) -> tuple[Array, Array, Array]:
+    """Return tool position, reference and arc length."""
+    return _position(result, "tool_position"), _position(result, "reference"), _position(result, "arc_length")
+
+
+def _position(result: Result, name: str) -> Array:
     """Return a signal in metres, row after row: rows of a log lie far apart in memory, and each search would copy them."""
     values, unit = result[name], result.signals[name].unit
     if unit != "m":

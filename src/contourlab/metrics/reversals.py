@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import groupby
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from contourlab.feed import Reference
 from contourlab.geometry import Arc, Curve
 from contourlab.metrics.judge import furthest, reach
 from contourlab.result import Result
+from contourlab.result.result import BLOCK
 
 _BEFORE = 5
 
@@ -107,8 +109,7 @@ def reversal_spikes(
     before the reversal to the mean of the last five samples of the search.
     """
     start, stop = window or (0, result.n_sample)
-    velocity = result["reference_velocity"]
-    turns = sorted((k, j) for j in range(len(result.axes)) for k in _turns(velocity[:, j]) if start <= k < stop)
+    turns = sorted((k, j) for j in range(len(result.axes)) for k in _turns(result, j) if start <= k < stop)
     samples = [k for k, _ in turns]
     distinct = np.unique(samples)
     following = np.append(distinct, stop)[np.searchsorted(distinct, samples, side="right")].tolist()
@@ -116,28 +117,37 @@ def reversal_spikes(
     ends = [min(k + max((next_ - k) // 2, 4 * _BEFORE), k + most, result.n_sample) for k, next_ in zip(samples, following, strict=True)]
     searches = [(k, end, j) for (k, j), end in zip(turns, ends, strict=True) if k >= _BEFORE and end - k > 2 * _BEFORE]
     errors = _errors(result, reference, [(k - _BEFORE, end) for k, end, _ in searches])
-    angles = [math.nan] * len(searches)
+    angles, velocity = [math.nan] * len(searches), result.at("reference_velocity", np.array([k for k, _, _ in searches], dtype=np.int64))
     if reference is not None:
-        angles = _angles(result, reference, [(k, j, float(velocity[k, j])) for k, _, j in searches])
-    return tuple(_spike(result, error, velocity[k], k, j, angle) for (k, _, j), error, angle in zip(searches, errors, angles, strict=True))
+        angles = _angles(result, reference, [(k, j, float(after[j])) for (k, _, j), after in zip(searches, velocity, strict=True)])
+    found = zip(searches, errors, velocity, angles, strict=True)
+    return tuple(_spike(result, error, after, k, j, angle) for (k, _, j), error, after, angle in found)
 
 
-def _errors(result: Result, reference: Reference | None, ranges: Sequence[tuple[int, int]]) -> list[Array]:
-    """Return the signed contour error (n, 1) in some ranges of samples; in space the vector (n, n_axis) from the path to the tool."""
-    if reference is None or reference.path.is_planar or not ranges:
-        return [result["contour_error"][start:stop, None] for start, stop in ranges]
-    marked = np.zeros(result.n_sample, dtype=bool)
-    for start, stop in ranges:
-        marked[start:stop] = True
-    here = np.flatnonzero(marked)
-    path, tool = reference.path, result["tool_position"][here]
-    if reference.programmed is path:
-        foot = path.position(result["foot_arc_length"][here])
-    else:
-        window = reach(path, furthest(result["reference"] - result["tool_position"]))
-        foot = path.foot_point(tool, result["arc_length"][here], window).position
-    error, firsts = tool - foot, np.searchsorted(here, [start for start, _ in ranges])
-    return [error[first : first + stop - start] for first, (start, stop) in zip(firsts, ranges, strict=True)]
+def _errors(result: Result, reference: Reference | None, ranges: Sequence[tuple[int, int]]) -> Iterator[Array]:
+    """Yield the signed contour error (n, 1) in ranges of samples in order; in space the vector (n, n_axis) from the path to the tool."""
+    if reference is None or reference.path.is_planar:
+        yield from (result["contour_error"][start:stop, None] for start, stop in ranges)
+        return
+    path, window = reference.path, math.inf
+    if reference.programmed is not path:
+        window = reach(path, max(furthest(part["reference"] - part["tool_position"]) for part in result.blocks()))
+    for _, group in groupby(ranges, key=lambda span: span[0] // BLOCK):
+        spans = list(group)
+        first, last = spans[0][0], max(stop for _, stop in spans)
+        marked = np.zeros(last - first, dtype=bool)
+        for start, stop in spans:
+            marked[start - first : stop - first] = True
+        here = first + np.flatnonzero(marked)
+        tool = result["tool_position"][here]
+        if reference.programmed is path:
+            foot = path.position(result["foot_arc_length"][here])
+        else:
+            foot = path.foot_point(tool, result["arc_length"][here], window).position
+        error = tool - foot
+        for start, stop in spans:
+            at = np.searchsorted(here, start)
+            yield error[at : at + stop - start]
 
 
 def reversal_figures(spikes: Sequence[Spike], *, places: bool = True) -> tuple[ReversalFigures, ...]:
@@ -163,7 +173,7 @@ def _angles(result: Result, reference: Reference, turns: Sequence[tuple[int, int
     """Return the place on an arc of each turn (sample, axis, velocity afterwards), NaN for a turn that is not on an arc."""
     path = reference.programmed
     samples = np.array([k for k, _, _ in turns], dtype=np.int64)
-    ends = (reference.programmed_arc_length(result["arc_length"][np.maximum(samples - back, 0)]) for back in (1, 0))
+    ends = (reference.programmed_arc_length(result.at("arc_length", np.maximum(samples - back, 0))) for back in (1, 0))
     pairs = list(zip(*(path.curve_index(along).tolist() for along in ends), strict=True))
     planes = {pair: _common_plane(path.curves[pair[0]], path.curves[pair[1]]) for pair in set(pairs)}
     # An axis turns back where it is farthest out.
@@ -185,11 +195,17 @@ def _common_plane(one: Curve, other: Curve) -> tuple[int, ...]:
     return next((plane for plane in ((0, 1), (1, 2), (2, 0)) if sorted(plane) == moved), ())
 
 
-def _turns(velocity: Array) -> list[int]:
-    """Return the samples at which a velocity has changed its sign, ignoring standstill."""
-    moving = np.flatnonzero(velocity != 0.0)
-    sign = np.sign(velocity[moving])
-    return [int(k) for k in moving[1:][sign[1:] != sign[:-1]]]
+def _turns(result: Result, j: int) -> list[int]:
+    """Return the samples at which the reference of axis j has changed its direction, ignoring standstill."""
+    turns, last = list[int](), 0.0
+    for part in result.blocks():
+        velocity = part["reference_velocity"][:, j]
+        moving = np.flatnonzero(velocity)
+        sign = np.sign(velocity[moving])
+        before = np.append(last, sign)[:-1]
+        turns += (part.start - result.start + moving[(sign != before) & (before != 0.0)]).tolist()
+        last = sign[-1] if sign.size else last
+    return turns
 
 
 def _spike(result: Result, error: Array, velocity: Array, k: int, j: int, angle: float) -> Spike:

@@ -15,7 +15,9 @@ import numpy as np
 
 from contourlab.arrays import Array, Index
 from contourlab.errors import ParameterError
+from contourlab.feed.reference import Judged
 from contourlab.figures import FACTORS
+from contourlab.metrics.figures import blocks_of
 from contourlab.metrics.streaming import SUMS
 from contourlab.result import Result
 
@@ -154,12 +156,17 @@ def figures_from(source: str, sums: Mapping[str, Any], period: float) -> dict[st
     return {name: figure.of(total) for name, figure in FIGURES.items() if figure.source == source}
 
 
-def figures_of_run(run: Result, samples: Index) -> dict[str, float]:
+def figures_of_run(run: Result, judged: Judged) -> dict[str, float]:
     """Return the figures of contour error and part error of a judged run over some of its samples."""
-    tracking = np.linalg.norm(run["tracking_error"][samples], axis=1)
     figures: dict[str, float] = {}
     for source in (CONTOUR, PART):
-        sums = _sums(run[f"{source}_error"][samples], samples + run.start, tracking)
+        blocks = [
+            _sums(run[f"{source}_error"][cut], cut + run.start, np.linalg.norm(run["tracking_error"][cut], axis=1))
+            for cut in blocks_of(judged)
+        ]
+        sums = {name: sum(block[name] for block in blocks) for name in blocks[0]}
+        sums |= {name: max(blocks, key=lambda block: block["largest"])[name] for name in ("largest", "largest_at")}
+        sums["largest_tracking"] = max(block["largest_tracking"] for block in blocks)
         figures |= {name: float(value) for name, value in figures_from(source, sums, run.servo_period).items()}
     return figures
 

@@ -207,7 +207,7 @@ def _figures(data: ReportData, scheme: JudgedRun) -> Iterator[Figure]:
     # In space the error has no side.
     shown = [name for name in ERRORS if name != "signed_mean" or len(data.axes) == 2]
     yield from _errors("contour error", metrics.contour_error, shown, strong=not blended)
-    for name, value in figures_of_run(scheme.result, metrics.judged.samples).items():
+    for name, value in figures_of_run(scheme.result, metrics.judged).items():
         row = FIGURES[name]
         if row.is_row and (blended or row.source != PART):
             yield Figure(row.label, value, row.factor, row.display)

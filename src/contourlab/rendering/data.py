@@ -6,6 +6,7 @@ import math
 import platform
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -134,6 +135,12 @@ class TrialCourse:
         return self.status if self.status.startswith("diverged") else f"{self.status}, best trial {self.best} of {trials}"
 
 
+class Lines(Protocol):
+    """An array of program lines (n_sample,), or what returns those of some samples."""
+
+    def __getitem__(self, samples: Index, /) -> Index: ...
+
+
 @dataclass(frozen=True, eq=False)
 class JudgedRun:
     """One simulated or measured run, judged. Tables, pictures, pages and JSON are made from it.
@@ -172,7 +179,7 @@ class JudgedRun:
         Load positions and the free travel there, for each axis with motor and load.
     trust : Trust or None
         Sources of the parameters, and the interval of the part error.
-    lines : ndarray (n_sample,) of int, or None
+    lines : Lines or None
         Line of the program at each sample, 0 for none.
     """
 
@@ -193,7 +200,7 @@ class JudgedRun:
     switches: Switches | None = None
     gaps: Mapping[str, tuple[Array, Array]] = field(default_factory=dict)
     trust: Trust | None = None
-    lines: Index | None = None
+    lines: Lines | None = None
 
     @property
     def path_digest(self) -> str:

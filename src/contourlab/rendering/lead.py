@@ -8,6 +8,7 @@ import numpy as np
 
 from contourlab.arrays import Array, Index
 from contourlab.figures import NONE, figure, number
+from contourlab.metrics.figures import blocks_of
 from contourlab.rendering.data import JudgedRun, ReportData
 from contourlab.rendering.judgement import FEED
 from contourlab.rendering.samples import signal
@@ -56,13 +57,20 @@ def answer(scheme: JudgedRun) -> str:
 
 def samples_at(data: ReportData, along: Array) -> Index:
     """Return the sample of the first run that is nearest to arc lengths (n,) [m] of the programmed path."""
-    foot = signal(data.schemes[0].result, "foot_arc_length")
-    foot = np.mod(foot, data.asked.length) if data.asked.closed else foot
-    order = np.argsort(foot, kind="stable")
-    foot = foot[order]
-    after = np.clip(np.searchsorted(foot, along), 1, foot.size - 1) if foot.size > 1 else np.zeros(along.size, dtype=int)
-    nearer = after - (along - foot[after - 1] < foot[after] - along)
-    return np.asarray(order[nearer], dtype=np.int64)
+    result, closed = data.schemes[0].result, data.asked.closed
+    nearest, samples = np.full((2, along.size), np.inf), np.zeros((2, along.size), dtype=np.int64)  # before and after each
+    for part in result.blocks():
+        foot = signal(part, "foot_arc_length")
+        foot = np.mod(foot, data.asked.length) if closed else foot
+        order = np.argsort(foot, kind="stable")
+        after = np.searchsorted(foot[order], along)
+        for side, at in enumerate((after - 1, after)):
+            there = np.flatnonzero((at >= 0) & (at < foot.size))
+            found = order[at[there]]
+            away = np.abs(foot[found] - along[there])
+            closer = (away < nearest[side, there]) if side else (away <= nearest[side, there])
+            nearest[side, there[closer]], samples[side, there[closer]] = away[closer], found[closer] + part.start - result.start
+    return np.asarray(np.where(nearest[0] < nearest[1], samples[0], samples[1]))
 
 
 def lines_at(data: ReportData, along: Array) -> Index:
@@ -99,8 +107,10 @@ def _largest(scheme: JudgedRun) -> dict[int, float]:
     """Return the largest part error [m] of each line with judged samples."""
     if scheme.lines is None:
         return {}
-    judged = scheme.metrics.judged.samples
-    lines, where = np.unique(scheme.lines[judged], return_inverse=True)
-    largest = np.zeros(lines.size)
-    np.maximum.at(largest, where, np.abs(signal(scheme.result, "part_error")[judged]))
-    return {int(line): float(size) for line, size in zip(lines, largest, strict=True) if line > 0}
+    largest: dict[int, float] = {}
+    for cut in blocks_of(scheme.metrics.judged):
+        lines, where = np.unique(scheme.lines[cut], return_inverse=True)
+        size = np.zeros(lines.size)
+        np.maximum.at(size, where, np.abs(signal(scheme.result, "part_error")[cut]))
+        largest |= {line: max(most, largest.get(line, 0.0)) for line, most in zip(lines.tolist(), size.tolist(), strict=True)}
+    return {line: most for line, most in largest.items() if line > 0}

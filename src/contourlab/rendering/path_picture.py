@@ -12,13 +12,14 @@ from contourlab.arrays import Array
 from contourlab.feed.reference import CUTTING, LAST_LAP
 from contourlab.figures import figure, listing
 from contourlab.geometry import Path
+from contourlab.metrics.figures import blocks_of, range_of
 from contourlab.rendering.charts import Curve, Magnified, PathChart, PathScene, Place, SceneRun
 from contourlab.rendering.comparison import judged_words
 from contourlab.rendering.data import JudgedRun, ReportData
 from contourlab.rendering.lead import lines_at, samples_at
 from contourlab.rendering.samples import keep_changes, largest_magnitude, signal, times
 from contourlab.rendering.style import BAND, INK, REFERENCE, magnification
-from contourlab.thinning import keep_extremes
+from contourlab.thinning import extremes_of, keep_extremes
 
 MM, UM = 1e3, 1e6
 DRAWN = "The path is to scale. The error of each run is magnified and drawn from the nearest point of the path."
@@ -165,7 +166,7 @@ def path_scene(data: ReportData, points: int) -> PathScene | None:
     runs = tuple(_scene_run(data, scheme, column, points) for scheme in data.schemes)
     calm = [largest_magnitude(run.error) / UM for run, scheme in zip(runs, data.schemes, strict=True) if scheme.result.status.ok]
     part = first.metrics.judged
-    judged = np.ones(s.size, dtype=bool) if part.basis == LAST_LAP else part.mask(first.result.n_sample)[samples_at(data, s)]
+    judged = np.ones(s.size, dtype=bool) if part.basis == LAST_LAP else range_of(part, samples_at(data, s)) > 0
     caption = f"The path is to scale, the error is magnified and drawn from the nearest point of the path. Shown: {judged_words(first)}."
     if len(data.axes) > len(shown):
         caption += f" Of {listing(data.axes)} the {len(shown)} axes that move most are drawn."
@@ -188,37 +189,51 @@ def _scene_run(data: ReportData, scheme: JudgedRun, column: Callable[[Array], Ar
     """Return a run from its first to its last judged sample."""
     result, ranges = scheme.result, scheme.metrics.judged.ranges
     start, stop = ranges[0][0], ranges[-1][1]
-    along, size = signal(result, "foot_arc_length")[start:stop], np.abs(signal(result, "part_error")[start:stop])
-    samples = start + np.flatnonzero(np.isfinite(along) & np.isfinite(size))
-    along, size = along[samples - start], size[samples - start]
-    stretch = np.zeros(result.n_sample, dtype=np.int64)
-    for number, part in enumerate(ranges, 1):
-        stretch[slice(*part)] = number
+
+    def seen(first: int, last: int) -> Array:
+        """Return what must keep its extremes: the error, and the tool, which looks as if it were on the path."""
+        part = result.window(start + first, start + last)
+        return np.column_stack([np.abs(signal(part, "part_error")), column(signal(part, "tool_position"))])
+
+    step = max((stop - start) // (2 * points), 1)
+    changes = keep_changes(np.nan_to_num(np.abs(result.at("part_error", np.arange(start, stop, step)))), points // 4)
+    kept = np.union1d(extremes_of(seen, stop - start, 4, points // 2), step * changes) + start
+    ends = np.ravel([(first, last - 1) for first, last in ranges])
+    kept = np.union1d(kept, ends) if ends.size <= points else kept
+    kept = kept[np.isfinite(result.at("foot_arc_length", kept)) & np.isfinite(result.at("part_error", kept))]
+    shown, n = np.append(kept, _peaks(scheme)).astype(np.int64), len(kept)
+    along, size, time = result.at("foot_arc_length", shown), np.abs(result.at("part_error", shown)), times(result, shown)
     foot = column(data.asked.position(along))
-    error = column(signal(result, "tool_position")[samples]) - foot
-    kept = np.union1d(keep_extremes(np.column_stack([size, foot]), points // 2), keep_changes(size, points // 4))
-    ends = np.searchsorted(samples, np.ravel([(first, last - 1) for first, last in ranges])).clip(max=len(samples) - 1)
-    kept = np.union1d(kept, ends) if samples.size and ends.size <= points else kept
-    lines = np.zeros(result.n_sample, dtype=np.int64) if scheme.lines is None else np.asarray(scheme.lines, dtype=np.int64)
-    speed = signal(result, "feedrate")[samples] if "feedrate" in result else np.diff(along, append=along[-1:]) / float(result.servo_period)
-    time = times(result, samples)
+    off = column(result.at("tool_position", shown)) - foot
+    lines = np.zeros(shown.size, dtype=np.int64) if scheme.lines is None else np.asarray(scheme.lines[shown], dtype=np.int64)
+    stretch = range_of(scheme.metrics.judged, kept)
+    following = result.at("foot_arc_length", np.minimum(kept + 1, result.n_sample - 1))
+    speed = result.at("feedrate", kept) if "feedrate" in result else (following - along[:n]) / result.servo_period
     worst = tuple(
-        Place(tuple((foot[i] * MM).tolist()), tuple((error[i] * UM).tolist()), float(size[i]) * UM, float(time[i]),
-              int(lines[samples[i]]), _cause(scheme, int(samples[i])))
-        for i in _peaks(np.where(stretch[samples] > 0, size, 0.0))
+        Place(tuple((foot[i] * MM).tolist()), tuple((off[i] * UM).tolist()), float(size[i]) * UM, float(time[i]),
+              int(lines[i]), _cause(scheme, int(shown[i])))
+        for i in range(n, shown.size)
     )  # fmt: skip
-    drawn = (_rounded(foot[kept] * MM, 17), _rounded(error[kept] * UM, 14), _rounded(size[kept] * UM, 14), time[kept])
-    return SceneRun(
-        *data.looks[scheme.name][:2], *drawn, _rounded(np.abs(speed[kept]) * 6e4, 12), lines[samples[kept]], stretch[samples[kept]], worst
-    )
+    drawn = (_rounded(foot[:n] * MM, 17), _rounded(off[:n] * UM, 14), _rounded(size[:n] * UM, 14), time[:n])
+    return SceneRun(*data.looks[scheme.name][:2], *drawn, _rounded(np.abs(speed) * 6e4, 12), lines[:n], stretch, worst)
 
 
-def _peaks(size: Array) -> list[int]:
+def _peaks(scheme: JudgedRun) -> list[int]:
     """Return the samples of the largest errors, apart from one another and none below half of the largest."""
-    left, near, peaks = size.copy(), size.size // APART + 1, list[int]()
-    while size.size and len(peaks) < PEAKS and left.max() > 0.5 * size.max():
-        peaks.append(int(np.argmax(left)))
-        left[max(peaks[-1] - near, 0) : peaks[-1] + near] = 0.0
+    judged, peaks, most = scheme.metrics.judged, list[int](), 0.0
+    near = (judged.ranges[-1][1] - judged.ranges[0][0]) // APART + 1
+    while len(peaks) < PEAKS:
+        size, at = 0.0, 0
+        for cut in blocks_of(judged):
+            left = np.nan_to_num(np.abs(signal(scheme.result, "part_error")[cut]))
+            for peak in peaks:
+                left[(cut >= peak - near) & (cut < peak + near)] = 0.0
+            if left.max() > size:
+                size, at = float(left.max()), int(cut[left.argmax()])
+        most = max(most, size)
+        if not size > 0.5 * most:
+            break
+        peaks.append(at)
     return peaks
 
 

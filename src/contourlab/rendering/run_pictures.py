@@ -12,7 +12,7 @@ from contourlab.figures import figure, number, shown_unit
 from contourlab.metrics.circles import CircleFigures
 from contourlab.rendering.charts import Chart, Curve, Level, Panel, PolarChart, Tick
 from contourlab.rendering.data import FeedRun, JudgedRun, ReportData
-from contourlab.rendering.samples import axis_column, largest_magnitude, signal, times
+from contourlab.rendering.samples import axis_column, extremes, largest_magnitude, signal, times
 from contourlab.rendering.style import LIMIT, REFERENCE
 from contourlab.result import Result
 from contourlab.thinning import keep_extremes
@@ -31,13 +31,12 @@ def error_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
     over_time, over_arc = [], []
     signed = False
     for scheme in data.schemes:
-        error = signal(scheme.result, name)
-        kept = keep_extremes(error, points)
-        height = error[kept] * UM
+        kept = extremes(scheme.result, name, points)
+        height = scheme.result.at(name, kept) * UM
         signed = signed or bool(np.any(height < 0.0))
         over_time.append(Curve(times(scheme.result, kept), height, *data.looks[scheme.name]))
         if "arc_length" in scheme.result:
-            over_arc.append(Curve(signal(scheme.result, "arc_length")[kept] * 1e3, height, *data.looks[scheme.name]))
+            over_arc.append(Curve(scheme.result.at("arc_length", kept) * 1e3, height, *data.looks[scheme.name]))
     label = f"{name.replace('_', ' ')} [um]"
     moments = _moments(data)
     caption = _caption(name, signed, {tick.mark for tick in moments})
@@ -58,9 +57,10 @@ def _moments(data: ReportData) -> tuple[Tick, ...]:
     highest = sorted(scheme.spikes, key=lambda spike: -abs(spike.height))[:MARKS]
     ticks = [Tick(s.time, f"{s.axis} reverses, spike {figure(abs(s.height), 'um')}", "reversal") for s in highest]
     if "arc_length" in scheme.result:
-        along = signal(scheme.result, "arc_length")
-        passed = np.searchsorted(along, _corners(data, float(along[-1])))
-        ticks += [Tick(float(t), "corner", "corner") for t in times(scheme.result, passed[passed < along.size])]
+        n = scheme.result.n_sample
+        corners = _corners(data, float(scheme.result["arc_length"][-1]))
+        passed = np.sum([np.searchsorted(signal(part, "arc_length"), corners) for part in scheme.result.blocks()], axis=0)
+        ticks += [Tick(float(t), "corner", "corner") for t in times(scheme.result, passed[passed < n])]
     return tuple(sorted(ticks, key=lambda tick: tick.x))
 
 
@@ -193,18 +193,19 @@ def _axis_chart(data: ReportData, axis: int, name: str, points: int) -> Chart:
     return Chart(f"axis-{axis}", f"Axis {name}", caption, drawn)
 
 
-def _curve(result: Result, values: Array, points: int, factor: float, look: tuple[str, str, str]) -> Curve:
-    """Return a thinned curve over time; `look` is name, colour and dash."""
-    kept = keep_extremes(values, points)
-    return Curve(times(result, kept), values[kept] * factor, *look)
+def _curve(result: Result, name: str, axis: int, points: int, factor: float, look: tuple[str, str, str], order: int = 0) -> Curve:
+    """Return a thinned curve over time of one axis of a signal, or of its differences of an order; `look` is name, colour and dash."""
+    kept = extremes(result, name, points, axis, order)
+    height = result.at(name, kept)[:, axis]
+    if order:
+        height = result.at(name, kept + 1)[:, axis] - height
+    return Curve(times(result, kept), height * factor, *look)
 
 
 def _runs(data: ReportData, axis: int, points: int, signal: str, factor: float) -> tuple[Curve, ...]:
     """Return one signal of every scheme that has it."""
     return tuple(
-        _curve(scheme.result, axis_column(scheme.result, signal, axis), points, factor, data.looks[scheme.name])
-        for scheme in data.schemes
-        if signal in scheme.result
+        _curve(scheme.result, signal, axis, points, factor, data.looks[scheme.name]) for scheme in data.schemes if signal in scheme.result
     )
 
 
@@ -218,10 +219,9 @@ def _limited_panel(data: ReportData, axis: int, points: int, name: str) -> Panel
     curves: tuple[Curve, ...] = ()
     factor, unit = shown_unit(UNITS.get(name) or ("" if source is None else str(source.signals[wanted].unit)))
     if source is not None and name != "command":
-        values = axis_column(source, wanted, axis)
-        values = np.diff(values) / float(source.servo_period) if name == "jerk" else values
-        look = ("reference", REFERENCE, "dot" if name == "velocity" else "solid")
-        curves = (_curve(source, values, points, factor, look),) if values.size else ()
+        look, order = ("reference", REFERENCE, "dot" if name == "velocity" else "solid"), int(name == "jerk")
+        scale = factor / float(source.servo_period) if order else factor
+        curves = (_curve(source, wanted, axis, points, scale, look, order),) if source.n_sample > order else ()
     if name in ("velocity", "command"):
         curves += _runs(data, axis, points, name, factor)
     if not curves:

@@ -7,7 +7,7 @@ import numpy as np
 from contourlab.arrays import Array, Index
 from contourlab.errors import ResultError
 from contourlab.result import Result
-from contourlab.thinning import KEPT
+from contourlab.thinning import KEPT, extremes_of
 
 
 def signal(result: Result, name: str) -> Array:
@@ -38,6 +38,16 @@ def largest_magnitude(values: Array) -> float:
     """Return the largest finite magnitude, 0 if there is none."""
     finite = values[np.isfinite(values)]
     return float(np.max(np.abs(finite))) if finite.size else 0.0
+
+
+def extremes(result: Result, name: str, budget: int, axis: int | None = None, order: int = 0) -> Index:
+    """Return the samples that a drawing of a signal, of one axis, or of its differences of an order, needs: see `keep_extremes`."""
+
+    def values(start: int, stop: int) -> Array:
+        part = signal(result.window(start, stop + order), name)
+        return np.diff(part if axis is None else part[:, axis], order)[:, np.newaxis]
+
+    return extremes_of(values, max(result.n_sample - order, 0), 1, budget)
 
 
 def keep_changes(values: Array, budget: int) -> Index:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from functools import cache
+from collections.abc import Callable, Iterator, Sequence
+from functools import cache, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -15,10 +15,11 @@ from contourlab.figures import figure, number, shown_unit
 from contourlab.rendering.charts import Chart, Curve, Panel, Tick
 from contourlab.rendering.data import JudgedRun, ReportData
 from contourlab.rendering.samples import signal
+from contourlab.result import Result
 from contourlab.thinning import keep_extremes
 
-LONGEST, FEWEST = 2.0, 256
-"""Longest segment [s], and its fewest samples."""
+LONGEST, FEWEST, AT_ONCE = 2.0, 256, 64
+"""Longest segment [s], its fewest samples, and segments in memory."""
 DEPTH = 1e-4
 """Smallest amplitude drawn, as a share of the largest."""
 PEAKS, NEAR, RINGS = 3, 0.05, 1.25
@@ -44,13 +45,11 @@ def spectrum_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
     """
     found: dict[str, list[tuple[JudgedRun, _Spectrum]]] = {}
     for scheme in data.schemes:
-        result = scheme.result
-        error = signal(result, "tool_position") - scheme.reference.programmed.position(signal(result, "foot_arc_length"))
-        columns = {"part error [um]": error * 1e6}
-        if "command" in result:
-            factor, unit = shown_unit(str(result.signals["command"].unit))
-            command = signal(result, "command") * factor
-            columns |= {f"command {axis} [{unit or '1'}]": command[:, [i]] for i, axis in enumerate(data.axes)}
+        columns: dict[str, Callable[[int, int], Array]] = {"part error [um]": partial(_error, scheme)}
+        if "command" in scheme.result:
+            factor, unit = shown_unit(str(scheme.result.signals["command"].unit))
+            labels = (f"command {axis} [{unit or '1'}]" for axis in data.axes)
+            columns |= {label: partial(_command, scheme.result, i, factor) for i, label in enumerate(labels)}
         for label, values in columns.items():
             if spectrum := _spectrum(scheme, values):
                 found.setdefault(label, []).append((scheme, spectrum))
@@ -65,34 +64,50 @@ def spectrum_charts(data: ReportData, points: int) -> tuple[Chart, ...]:
     return (Chart("spectrum", "Spectrum of error and commands", caption.strip(), tuple(panels)),)
 
 
-def _spectrum(scheme: JudgedRun, values: Array) -> _Spectrum | None:
-    """Return the spectrum of a vector (n_sample, n); None without enough finite samples in a row, or if it is constant.
+def _error(scheme: JudgedRun, start: int, stop: int) -> Array:
+    """Return the vector from the path to the tool (n, n_axis) [um] at samples [start, stop)."""
+    tool, foot = (signal(scheme.result, name)[start:stop] for name in ("tool_position", "foot_arc_length"))
+    return np.asarray(1e6 * (tool - scheme.reference.programmed.position(foot)))
+
+
+def _command(result: Result, axis: int, factor: float, start: int, stop: int) -> Array:
+    """Return the command of an axis (n, 1) at samples [start, stop)."""
+    return np.asarray(factor * signal(result, "command")[start:stop, [axis]])
+
+
+def _spectrum(scheme: JudgedRun, values: Callable[[int, int], Array]) -> _Spectrum | None:
+    """Return the spectrum of a vector (n, n_column) at samples [start, stop); None without enough finite samples, or if it is constant.
 
     A segment is as long as the stretches that hold at least half of the judged samples, up to `LONGEST`.
     """
     ranges, period = scheme.metrics.judged.ranges, scheme.result.servo_period
     lengths = np.sort([stop - start for start, stop in ranges])[::-1]
     size = min(int(lengths[np.searchsorted(np.cumsum(lengths), 0.5 * lengths.sum())]), round(LONGEST / period))
-    stretches = [values[start:stop] for start, stop in ranges if stop - start >= size]
-    if size < FEWEST or not all(np.isfinite(stretch).all() for stretch in stretches):
+    if size < FEWEST:
         return None
-    counts = [1 + (len(stretch) - size) // (size - size // 2) for stretch in stretches]
-    amplitude = np.sqrt(np.average([_squares(stretch, size) for stretch in stretches], axis=0, weights=counts))[1:]
-    if not np.max(amplitude) > ROUNDING * max(float(np.abs(stretch).max()) for stretch in stretches):
+    stretches = [(start, stop) for start, stop in ranges if stop - start >= size]
+    counts = [1 + (stop - start - size) // (size - size // 2) for start, stop in stretches]
+    squares, largest = zip(*(_squares(values, start, stop, size) for start, stop in stretches), strict=True)
+    amplitude = np.sqrt(np.average(squares, axis=0, weights=counts))[1:]
+    if not np.max(amplitude) > ROUNDING * max(largest):  # not a number, if a sample is none
         return None
     return _Spectrum(np.arange(1, amplitude.size + 1) / (size * period), amplitude, sum(counts))
 
 
-def _squares(values: Array, size: int) -> Array:
-    """Return squared amplitudes (size // 2 + 1,) of a vector (n_sample, n): mean over segments, Hann window, half overlapped (Welch)."""
+def _squares(values: Callable[[int, int], Array], start: int, stop: int, size: int) -> tuple[Array, float]:
+    """Return squared amplitudes (size // 2 + 1,), and the largest value: mean over segments, Hann window, half overlapped (Welch)."""
     window = 0.5 - 0.5 * np.cos(2.0 * np.pi / size * np.arange(size)[:, None])
-    total = np.zeros(size // 2 + 1)
-    starts = range(0, len(values) - size + 1, size - size // 2)
-    for start in starts:
-        part = values[start : start + size]
-        total += (np.abs(np.fft.rfft(window * (part - part.mean(axis=0)), axis=0)) ** 2).sum(axis=1)
+    total, largest = np.zeros(size // 2 + 1), 0.0
+    starts = range(start, stop - size + 1, size - size // 2)
+    for first in range(0, len(starts), AT_ONCE):
+        some = starts[first : first + AT_ONCE]
+        block = values(some[0], some[-1] + size)
+        largest = max(largest, float(np.abs(block).max()))
+        for at in some:
+            part = block[at - some[0] :][:size]
+            total += (np.abs(np.fft.rfft(window * (part - part.mean(axis=0)), axis=0)) ** 2).sum(axis=1)
     total[-1] /= 1.0 if size % 2 else 4.0  # at half the sampling rate, one frequency is both
-    return np.asarray(total * (2.0 / window.sum()) ** 2 / len(starts))
+    return np.asarray(total * (2.0 / window.sum()) ** 2 / len(starts)), largest
 
 
 def _panel(data: ReportData, label: str, spectra: Sequence[tuple[JudgedRun, _Spectrum]], points: int) -> Panel:

@@ -10,8 +10,11 @@ import contextlib
 import hashlib
 import io
 import os
-from collections.abc import Mapping
+import threading
+from collections.abc import Iterator, Mapping
 from pathlib import Path
+from signal import SIG_DFL, SIGINT
+from signal import signal as on_signal
 from types import TracebackType
 from typing import Any, BinaryIO
 
@@ -71,6 +74,22 @@ class Spool(io.FileIO):
             raise self.failure
 
 
+@contextlib.contextmanager
+def _undisturbed() -> Iterator[None]:
+    """Hold Ctrl-C back: raised while HDF5 writes through a `Spool`, it is lost, or ends the process."""
+    held: list[int] = []
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = on_signal(SIGINT, lambda number, _: held.append(number))
+    try:
+        yield
+    finally:
+        on_signal(SIGINT, before or SIG_DFL)
+    if held:
+        raise KeyboardInterrupt
+
+
 _CHUNK = 1 << 14
 FORMAT = "contourlab-result/2"
 _FIXED = ("format", "scheme", "axes", "servo_period", "start", "status_ok", "status_sample", "status_axis", "status_reason")
@@ -116,10 +135,11 @@ class ResultWriter:
 
         with contextlib.ExitStack() as stack:
             self._spool = stack.enter_context(Spool(stack.enter_context(replacing(self.file)), "w+"))
-            self._data = stack.enter_context(h5netcdf.File(self._spool, "w"))
-            self._data.dimensions = {"sample": self.n_sample or None, "axis": len(self.axes)}
-            names = self._data.create_variable("axis", ("axis",), dtype=h5py.string_dtype("utf-8"))
-            names[:] = np.array(self.axes, dtype=object)
+            with _undisturbed():
+                self._data = stack.enter_context(h5netcdf.File(self._spool, "w"))
+                self._data.dimensions = {"sample": self.n_sample or None, "axis": len(self.axes)}
+                names = self._data.create_variable("axis", ("axis",), dtype=h5py.string_dtype("utf-8"))
+                names[:] = np.array(self.axes, dtype=object)
             # From here on `__exit__` closes what was opened.
             self._stack = stack.pop_all()
         return self
@@ -135,7 +155,8 @@ class ResultWriter:
             If the signals are not those of the first call.
         """
         try:
-            self._append(signals)
+            with _undisturbed():
+                self._append(signals)
             self._spool.check()
         except OSError as error:
             first = self._spool.failure or error
@@ -168,9 +189,10 @@ class ResultWriter:
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
         if kind is not None:
-            self._stack.__exit__(kind, error, trace)
+            with _undisturbed():
+                self._stack.__exit__(kind, error, trace)
             return
-        with self._stack:
+        with self._stack, _undisturbed():
             refuse(self.n_sample and self._length < self.n_sample, ResultError, f"{self._length} samples for a file of {self.n_sample}")
             for name, value in self.header.items():
                 self._note(name, value)

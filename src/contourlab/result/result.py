@@ -2,22 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Index
 from contourlab.errors import ResultError, hint, refuse
 from contourlab.feed import Reference
 from contourlab.notebook import Figure, Frame, Panel, curves, facts_line, facts_table, frame, svg
 from contourlab.result.netcdf import FORMAT, ResultWriter, read_netcdf
 from contourlab.result.signals import Signal, Status
+from contourlab.result.stored import Store, Stored
 
 if TYPE_CHECKING:
     import xarray
+
+
+BLOCK = 1 << 17
+"""Samples of a block: a multiple of the chunks in which foot points are searched, so that blocks and whole runs give the same bits."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -98,10 +104,42 @@ class Result:
         """Return the result with signals added or replaced."""
         return replace(self, signals={**self.signals, **signals})
 
+    def with_blocks(self, compute: Callable[[Result], Mapping[str, Signal]]) -> Result:
+        """Return the result with signals added that are computed block by block, and stored as the others are."""
+        if isinstance(self.signals, Stored) and self.signals.start == 0:
+            store = Store(self.n_sample)
+            for part in self.blocks():
+                store.append(compute(part))
+            return replace(self, signals=self.signals.beside(store.signals))
+        first, *others = map(compute, self.blocks())
+        joined = {name: replace(one, data=np.concatenate([one.data, *(o[name].data for o in others)])) for name, one in first.items()}
+        return self.with_signals(**(joined if others else first))
+
+    def only(self, names: Sequence[str]) -> Result:
+        """Return the result with some of its signals; ResultError if it lacks one."""
+        if lacking := next((name for name in names if name not in self), None):
+            self[lacking]
+        cut = self.signals.only(names) if isinstance(self.signals, Stored) else {name: self.signals[name] for name in names}
+        return replace(self, signals=cut)
+
     def window(self, start: int, stop: int) -> Result:
         """Return samples [start, stop) of this result."""
+        if isinstance(self.signals, Stored):
+            return replace(self, signals=self.signals.window(start, stop), start=self.start + start)
         cut = {name: replace(signal, data=signal.data[start:stop]) for name, signal in self.signals.items()}
         return replace(self, signals=cut, start=self.start + start)
+
+    def at(self, name: str, samples: Index) -> Array:
+        """Return a signal at some samples; of one in a file, only what is near them is in memory at a time."""
+        found = np.empty((len(samples), *self[name].shape[1:]))
+        for block in np.unique(samples // BLOCK).tolist():
+            here = samples // BLOCK == block
+            found[here] = self.window(block * BLOCK, (block + 1) * BLOCK)[name][samples[here] - block * BLOCK]
+        return found
+
+    def blocks(self) -> Iterator[Result]:
+        """Yield windows of `BLOCK` samples, one after another; a result without samples has one."""
+        yield from (self.window(*edges) for edges in pairwise([*range(0, max(self.n_sample, 1), BLOCK), self.n_sample]))
 
     def to_xarray(self) -> xarray.Dataset:
         """Return the signals as a labelled data set, time and axis names as coordinates."""
@@ -180,7 +218,8 @@ class Result:
             If it cannot be written.
         """
         with ResultWriter(file, self.header(), self.axes, self.n_sample) as writer:
-            writer.append(self.signals)
+            for part in self.blocks():
+                writer.append(part.signals)
 
     @staticmethod
     def load(file: str | Path) -> Result:

@@ -60,7 +60,7 @@ def test_one_new_entry_is_an_objective_of_every_study(setting: Setting) -> None:
     judged = cl.judge(setting.single(), setting.reference)
     behind = np.linalg.norm(judged["tracking_error"][setting.reference.judged.samples], axis=1)
     expected = behind.max() / np.sqrt(np.mean(behind**2))
-    assert figures_of_run(judged, setting.reference.judged.samples)[CREST.name] == pytest.approx(expected)
+    assert figures_of_run(judged, setting.reference.judged)[CREST.name] == pytest.approx(expected)
     batch = setting.batch(setting.as_it_is())
     assert batch.figures[CREST.name][0] == pytest.approx(expected, rel=1e-5) and batch.units[CREST.name] == ""
     name, own = next((name, values) for name, values in setting.as_it_is().items())

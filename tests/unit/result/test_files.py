@@ -5,6 +5,8 @@ from __future__ import annotations
 import tempfile
 from itertools import pairwise
 from pathlib import Path
+from signal import SIGINT, default_int_handler, getsignal, raise_signal
+from typing import Any
 
 import h5py
 import numpy as np
@@ -16,6 +18,7 @@ from hypothesis.extra.numpy import arrays
 
 from contourlab.errors import ResultError
 from contourlab.result import Result, ResultWriter, Signal, Status
+from contourlab.result.netcdf import Spool
 
 # No control characters or surrogates: HDF5 stores text as zero-terminated UTF-8.
 TEXT = st.text(st.characters(min_codepoint=32, exclude_categories=["Cs"]), max_size=12)
@@ -245,3 +248,21 @@ def test_a_file_of_fixed_length_needs_exactly_that_many_samples(tmp_path: Path, 
         writer.append(result.signals)
         writer.append(result.signals)
     assert Result.load(tmp_path / "r.nc")["position"][:, 0].tolist() == [0.0, 1.0, 2.0, 3.0] * 2
+
+
+@pytest.mark.parametrize("number", [1, 3, 6])
+def test_ctrl_c_while_hdf5_writes_ends_the_writing_and_leaves_no_file(number: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """HDF5 calls back into Python to write; an interrupt raised there would be lost."""
+    write, result = Spool.write, Result("base", ("x",), 1e-3, {"position": Signal(np.zeros((4, 1)), ("sample", "axis"), "m")})
+    done: list[int] = []
+
+    def interrupted(spool: Spool, data: Any) -> int:
+        done.append(1)
+        if len(done) == number:
+            raise_signal(SIGINT)
+        return write(spool, data)
+
+    monkeypatch.setattr(Spool, "write", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        result.save(tmp_path / "run.nc")
+    assert len(done) >= number and not list(tmp_path.iterdir()) and getsignal(SIGINT) is default_int_handler

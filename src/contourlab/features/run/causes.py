@@ -34,12 +34,14 @@ from contourlab.components.filter.biquad import Notch
 from contourlab.components.friction.laws import NoFriction
 from contourlab.components.ideal import IdealSensor
 from contourlab.components.plant.two_sided import TwoSided
+from contourlab.features.run.record import simulate_stored
 from contourlab.feed import Reference
-from contourlab.loop import Controller, Machine, simulate
+from contourlab.loop import Controller, Machine
 from contourlab.loop.machine import Axis, AxisController, AxisError
 from contourlab.metrics.judge import judge
 from contourlab.rendering.judgement import Cause
 from contourlab.result import Result, Signal
+from contourlab.result.result import BLOCK
 
 Rerun: TypeAlias = Callable[..., Result]
 Step: TypeAlias = Callable[[Machine, Controller], tuple[Machine, Controller]]
@@ -199,7 +201,7 @@ class Place:
     reference: Reference
     judged: Result
     sample: int
-    rerun: Rerun = simulate
+    rerun: Rerun = simulate_stored
 
     @cached_property
     def off(self) -> Array:
@@ -214,7 +216,7 @@ class Place:
     def after(self, machine: Machine, controller: Controller) -> float:
         """Return the error of another machine's run along this direction; NaN if the run ends before."""
         signals = ("tool_position", "reference", "arc_length")
-        run = self.rerun(machine, controller, self.reference, on_failure="return", signals=signals)
+        run = self.rerun(machine, controller, self.reference, signals=signals, stop=self.sample + 1)
         return self.of(run.window(self.sample, self.sample + 1)) if run.n_sample > self.sample else float("nan")
 
     def at(self, position: Array) -> float:
@@ -236,7 +238,10 @@ def at_start(judged: Result, sample: int) -> str:
         return FRICTION
     latest, name = -1, FRICTION
     for velocity in judged["reference_velocity"].T:
-        moving = np.flatnonzero(velocity[: sample + 1])
+        begin = first  # from the last motion before
+        while begin and not velocity[begin:first].any():
+            begin = max(begin - BLOCK, 0)
+        moving = begin + np.flatnonzero(velocity[begin : sample + 1])
         sign = np.sign(velocity[moving])
         fresh = np.flatnonzero(np.concatenate([[True], (sign[1:] != sign[:-1]) | (np.diff(moving) > 1)])[: moving.size])
         if fresh.size and moving[fresh[-1]] > max(latest, first - 1):
@@ -246,11 +251,11 @@ def at_start(judged: Result, sample: int) -> str:
 
 
 def causes(
-    machine: Machine, controller: Controller, reference: Reference, judged: Result, sample: int, rerun: Rerun = simulate
+    machine: Machine, controller: Controller, reference: Reference, judged: Result, sample: int, rerun: Rerun = simulate_stored
 ) -> tuple[tuple[Cause, ...], tuple[str, ...]]:
     """Return the causes of the part error at a sample, largest first, and the names of those after which the loop diverges.
 
-    `judged` is the run with the judge's signals, `rerun` is `simulate` with its options. The contributions add up to the error.
+    `judged` is the run with the judge's signals, `rerun` is `simulate_stored` with its options. The contributions add up to the error.
     """
     place = Place(reference, judged, sample, rerun)
     contributions: list[tuple[str, float]] = []

@@ -245,8 +245,7 @@ class Runs(JudgedRuns):
                 judged = judged_part(outcome.result, outcome.reference).text  # for a comparison of finished runs
                 result = replace(outcome.result, attributes={**outcome.result.attributes, "judged": judged})
                 if wanted := signals or outcome.case.run.signals:
-                    # Asking for the data says clearly which signals there are, if one is not.
-                    result = replace(result, signals={key: result.signals[key] for key in wanted if result[key] is not None})
+                    result = result.only(wanted)
                 result.save(stage / "signals" / f"{name}.nc")
                 if outcome.learning is not None:
                     outcome.learning.table.save(stage / "learned" / f"{name}.nc")

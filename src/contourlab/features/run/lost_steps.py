@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
 from contourlab.components.plant.stepper import Stepper
-from contourlab.errors import DivergenceError
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.loop import Machine
 from contourlab.result import Result
+from contourlab.result.result import BLOCK
 
 
 def lost_steps(machine: Machine, reference: Reference, result: Result) -> tuple[Finding, ...]:
@@ -24,22 +22,17 @@ def lost_steps(machine: Machine, reference: Reference, result: Result) -> tuple[
         if not isinstance(axis.plant, Stepper):
             continue
         # A command is reached at the next sample; behind a play the table is off without a step lost.
-        off = result["applied_command"][:-1, i] - result["position" if axis.error.backlash else "axis_position"][1:, i]
-        beyond = np.flatnonzero(np.abs(off) > 2.0 * axis.plant.full_step)
-        if beyond.size:
-            sample = int(beyond[0]) + 1
+        reached, last, most, sample = "position" if axis.error.backlash else "axis_position", result.n_sample - 1, 0.0, 0
+        for first in range(0, last, BLOCK):
+            stop = min(first + BLOCK, last)
+            off = result["applied_command"][first:stop, i] - result[reached][first + 1 : stop + 1, i]
+            beyond = np.flatnonzero(np.abs(off) > 2.0 * axis.plant.full_step)
+            sample = sample or (first + int(beyond[0]) + 1 if beyond.size else 0)
+            most = max(most, float(np.abs(off).max()))
+        if sample:
             line = int(reference.source_line(result["arc_length"][sample : sample + 1])[0])
             steps = 4 * abs(round(float(off[-1]) / (4.0 * axis.plant.full_step)))
             place = f"axis {axis.name}, line {line}" if line else f"axis {axis.name}"
             where = {"time": sample * result.servo_period, "line": line}
-            findings.append(finding("CL209", place=place, **where, most=float(np.abs(off).max()), steps=steps))
+            findings.append(finding("CL209", place=place, **where, most=most, steps=steps))
     return tuple(findings)
-
-
-def with_lost_steps(error: DivergenceError, machine: Machine, reference: Reference, again: Callable[..., Result]) -> DivergenceError:
-    """Return the error of a run, with what `lost_steps` finds before; `again` repeats the run, with options of `simulate`."""
-    if not any(isinstance(axis.plant, Stepper) for axis in machine.axes):
-        return error
-    cut = again(on_failure="return")
-    reason = "; ".join((cut.status.reason, *(each.text for each in lost_steps(machine, reference, cut))))
-    return DivergenceError(reason, sample=error.sample, time=error.time, axis=error.axis)

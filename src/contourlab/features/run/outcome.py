@@ -16,27 +16,28 @@ from contourlab.analysis.learning.learning_analysis import LearningAnalysis, lea
 from contourlab.analysis.linear.contour_transfer import internal_stability
 from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import sampled_loop
-from contourlab.arrays import Array, free_memory
+from contourlab.arrays import Array, Index
 from contourlab.components.supervisor.switching import PreRouted
 from contourlab.engine.runner import make_group
-from contourlab.errors import ComponentError, DivergenceError, ResultError
+from contourlab.errors import ComponentError, OutputError, ResultError
 from contourlab.features.check.program_check import PathModes, about_machine
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
 from contourlab.features.run.causes import Place
-from contourlab.features.run.lost_steps import lost_steps, with_lost_steps
+from contourlab.features.run.lost_steps import lost_steps
+from contourlab.features.run.record import simulate_stored
 from contourlab.features.run.trust import about_guesses, part_interval
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import LimitReport, Reference, limit_report
 from contourlab.feed.planner import NEAR_FEED
 from contourlab.feed.verify import Worst
 from contourlab.findings import Finding, finding
-from contourlab.loop import Controller, Machine, simulate
+from contourlab.loop import Controller, Machine
 from contourlab.loop.feeding import Feed
-from contourlab.loop.simulate import sampler
+from contourlab.loop.simulate import diverged, sampler
 from contourlab.loop.switches import Switch, switches_of
 from contourlab.loop.template import build
 from contourlab.metrics.circles import Bidirectional, circles_of, pairs
-from contourlab.metrics.figures import judged_part, summarise
+from contourlab.metrics.figures import judged_part, range_of, summarise
 from contourlab.metrics.judge import check_follows, judge
 from contourlab.metrics.reversals import Spike, reversal_spikes
 from contourlab.rendering.data import ClosedLoop, JudgedRun
@@ -45,14 +46,15 @@ from contourlab.rendering.origins import numbers_of, stated
 from contourlab.rendering.page_tables import nearest
 from contourlab.rendering.stages import Stages
 from contourlab.result import Result
+from contourlab.result.stored import free_scratch, scratch
 from contourlab.scenario import Case, PartProgram
 from contourlab.study import Setting
 
 KEPT_REPORTS = 16
 _REPORTS: dict[tuple[str, bytes, bytes, bytes], LimitReport] = {}
 """The latest reports by motion and limits: schemes of a file mostly share both, and a report reads the whole motion."""
-BYTES, BYTES_PER_AXIS = 80, 110
-"""Memory of a sample, measured at its peak (while it is judged): in all, and for each axis."""
+BYTES, BYTES_PER_AXIS = 64, 120
+"""Size of a sample in temporary files: in all, and for each axis."""
 TICKS, SECONDS, FEWEST = 20_000, 0.3, 7
 """For the cost of a tick: most ticks of a run, total time of the runs, fewest runs."""
 GAP_POINTS = 201
@@ -284,17 +286,17 @@ def run_case(
     ------
     DivergenceError
         If the loop diverges.
-    MemoryError
-        Before the run, if its signals do not fit into the memory that is free.
+    OutputError
+        Before the run, if its signals do not fit into the space that is free for temporary files.
     """
     shown, machine, controller = stages or Stages(), case.machine, case.controller
     begin, numbers = shown.begin, numbers_of(machine, controller)
     begin(f"planning {case.name}")
     reference = case.reference()
-    free, needed = free_memory(), reference.n_sample * (BYTES + BYTES_PER_AXIS * reference.n_axis)
-    if needed > free:  # the system would end the run
+    free, needed = free_scratch(), reference.n_sample * (BYTES + BYTES_PER_AXIS * reference.n_axis)
+    if needed > free:
         need, have = f"{needed / 1e9:.3g} GB", f"{free / 1e9:.3g} GB"
-        raise MemoryError(f"{reference.n_sample} samples of {reference.n_axis} axes need about {need}, {have} are free")
+        raise OutputError(f"{scratch()}: {reference.n_sample} samples need {need}, {have} are free: set TMPDIR to a folder with more room")
 
     def report_progress(done: int) -> None:
         shown.advance(done, reference.n_sample * (1 if case.learning is None else case.learning.trials + 1))
@@ -311,21 +313,19 @@ def run_case(
     noise: dict[str, Any] = {"seed": case.run.seed, "moving": case.moving}
     given: dict[str, Any] = {"learned": None if learned is None else learned.table.learned, "changes": case.changes}
     given |= {"progress": report_progress} if learned is None else {"trial": learned.best}
-    once = partial(simulate, machine, controller, reference, scheme=case.name, **noise, **given)
-    try:
-        result = once()
-    except DivergenceError as error:
-        raise with_lost_steps(error, machine, reference, once) from None
+    result = simulate_stored(machine, controller, reference, scheme=case.name, **noise, **given)
+    if not result.status.ok:
+        raise diverged(result, [lost.text for lost in lost_steps(machine, reference, result)])
     begin(f"judging {case.name}")
     judged = judge(result, reference)
-    check_follows(judged, reference)
+    check_follows(judged)
     figures = summarise(judged, reference)
     answer = sampled = None
     if case.tolerance is not None:
         explain = explain and learned is None and not case.changes
         if explain:
             begin(f"looking for the causes of the error of {case.name}")
-        ways: dict[str, Any] = {"slower": case.reference, "closer": case.closer, "rerun": partial(simulate, **noise)}
+        ways: dict[str, Any] = {"slower": case.reference, "closer": case.closer, "rerun": partial(simulate_stored, **noise)}
         answer = verdict(machine, controller, reference, judged, case.tolerance, lines=case.lines, explain=explain, **ways)
     if interval is not False:
         if any(number.drawn for number in numbers):
@@ -353,8 +353,19 @@ def run_case(
         switches=switches_of(judged, controller, reference, case.changes),
         gaps=_gaps(machine, judged),
         trust=Trust(stated(numbers), tuple(number.name for number in numbers if not number.is_stated), sampled),
-        lines=reference.source_line(judged["arc_length"]) if case.lines else None,
+        lines=_Lines(judged, reference) if case.lines else None,
     )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Lines:
+    """The program line at each sample, found where it is used."""
+
+    run: Result
+    reference: Reference
+
+    def __getitem__(self, samples: Index) -> Index:
+        return self.reference.source_line(self.run.at("arc_length", samples))
 
 
 def _gaps(machine: Machine, result: Result) -> dict[str, tuple[Array, Array]]:
@@ -363,8 +374,8 @@ def _gaps(machine: Machine, result: Result) -> dict[str, tuple[Array, Array]]:
     for i, axis in enumerate(machine.axes):
         free_travel = getattr(axis.plant, "gap_at", None)
         if axis.plant.two_sided and free_travel is not None and "axis_position" in result:
-            used = result["axis_position"][:, i]
-            places = np.linspace(float(used.min()), float(used.max()), GAP_POINTS)
+            ends = [(used.min(), used.max()) for used in (part["axis_position"][:, i] for part in result.blocks())]
+            places = np.linspace(float(np.min(ends)), float(np.max(ends)), GAP_POINTS)
             gaps[axis.name] = places, np.array([free_travel(float(place)) for place in places])
     return gaps
 
@@ -372,9 +383,9 @@ def _gaps(machine: Machine, result: Result) -> dict[str, tuple[Array, Array]]:
 def judged_spikes(judged: Result, reference: Reference) -> tuple[Spike, ...]:
     """Return the reversal spikes on the judged moves."""
     part = judged_part(judged, reference)
-    counts = part.mask(judged.n_sample)
     spikes = reversal_spikes(judged, (max(part.ranges[0][0] - 5, 0), part.ranges[-1][1]), reference=reference)
-    return tuple(spike for spike in spikes if counts[spike.sample])
+    inside = range_of(part, np.array([spike.sample - judged.start for spike in spikes], dtype=np.int64))
+    return tuple(spike for spike, number in zip(spikes, inside, strict=True) if number)
 
 
 def _remarks(case: Case, reference: Reference, foretold: LearningAnalysis | None, coupling: bool) -> Iterator[Finding]:

@@ -6,18 +6,18 @@ import csv
 import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
-from contourlab.errors import DivergenceError
 from contourlab.feed import Reference
 from contourlab.loop import Change, Controller, Machine, result_of, simulate_blocks
+from contourlab.loop.simulate import diverged
 from contourlab.loop.switches import RECORDED, Switches, SwitchLog
-from contourlab.metrics.judge import furthest, judge, planning_deviation
-from contourlab.result import ResultWriter, Status
+from contourlab.metrics.judge import judge
+from contourlab.result import Result, Status
 from contourlab.result.atomic import replacing
+from contourlab.result.stored import Store
 
 SWITCH_COLUMNS = ("time_s", "sample", "axis", "from", "to", "reason", "arc_length_m", "line")
 _JUDGED = ("tool_position", "reference", "arc_length")
@@ -76,36 +76,42 @@ def simulate_to_file(
     log = SwitchLog(controller, machine.servo_period, reference, changes)
     kept = tuple(name for name in RECORDED if log.led) if switches is not None else ()
     wanted = tuple(dict.fromkeys((*_JUDGED, *kept, *signals))) if signals else None
-    empty = result_of(machine, reference, {}, Status(), scheme=scheme, seed=seed)
-    start = 0
+    result = simulate_stored(
+        machine, controller, reference, scheme=scheme, seed=seed, signals=wanted, block=block, progress=progress, changes=changes
+    )
+    if not result.status.ok:
+        raise diverged(result)
+    judged = judge(result, reference)
     with ExitStack() as stack:
-        listed = stack.enter_context(switch_file(switches)) if switches is not None else None
-        writer = stack.enter_context(ResultWriter(file, empty.header(), empty.axes, reference.n_sample))
-        given: dict[str, Any] = {"seed": seed, "block": block, "changes": changes}
-        errors = _largest(machine, controller, reference, given)
-        for signals_of_block, status in simulate_blocks(machine, controller, reference, signals=wanted, **given):
-            made = result_of(machine, reference, signals_of_block, status, scheme=scheme, seed=seed, start=start)
-            part = judge(made, reference, **errors)
-            writer.append(part.signals)
-            if listed is not None:
+        if switches is not None:
+            listed = stack.enter_context(switch_file(switches))
+            for part in judged.blocks():
                 listed(log.add(part))
-            start += part.n_sample
-            if progress is not None:
-                progress(start)
+        judged.save(file)
     return Status()
 
 
-def _largest(machine: Machine, controller: Controller, reference: Reference, given: dict[str, Any]) -> dict[str, float]:
-    """Run once without a file; return the largest tracking error and planning deviation [m], on which the judge's search depends."""
-    error = planning = 0.0
-    for block, status in simulate_blocks(machine, controller, reference, signals=_JUDGED, **given):
-        if not status.ok:
-            raise DivergenceError(status.reason, sample=status.sample, time=status.sample * machine.servo_period, axis=status.axis)
-        error = max(error, furthest(block["reference"] - block["tool_position"]))
-        if reference.programmed is not reference.path:
-            deviation, _ = planning_deviation(reference, block["reference"], block["arc_length"])
-            planning = max(planning, float(np.abs(deviation).max()))
-    return {"error": error, "planning": planning}
+def simulate_stored(
+    machine: Machine,
+    controller: Controller,
+    reference: Reference,
+    *,
+    scheme: str = "base",
+    progress: Callable[[int], None] | None = None,
+    **given: Any,
+) -> Result:
+    """Run block by block, and keep the signals in a temporary file: up to the failure, if the run fails.
+
+    `given` are options of `contourlab.loop.simulate_blocks`.
+    """
+    store, done = Store(reference.n_sample), 0
+    for signals, status in simulate_blocks(machine, controller, reference, **given):
+        part = result_of(machine, reference, signals, status, scheme=scheme, seed=given.get("seed", 0))
+        store.append(part.signals)
+        done += part.n_sample
+        if progress is not None:
+            progress(done)
+    return replace(part, signals=store.signals)
 
 
 @contextmanager

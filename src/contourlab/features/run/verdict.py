@@ -14,11 +14,14 @@ import numpy as np
 from contourlab.errors import ContourlabError
 from contourlab.features.run.causes import WOULD_HELP, Rerun, causes
 from contourlab.features.run.lost_steps import lost_steps
+from contourlab.features.run.record import simulate_stored
 from contourlab.features.run.remedies import remedies
 from contourlab.feed import Reference
+from contourlab.feed.reference import Judged
 from contourlab.findings import finding
-from contourlab.loop import Controller, Machine, simulate
-from contourlab.metrics.figures import judged_part, left_out
+from contourlab.loop import Controller, Machine
+from contourlab.loop.simulate import diverged
+from contourlab.metrics.figures import blocks_of, judged_part, largest, left_out
 from contourlab.metrics.judge import judge
 from contourlab.rendering.judgement import FEED, Change, Verdict, Worst
 from contourlab.result import Result
@@ -45,7 +48,7 @@ def verdict(
     slower: Callable[[float], Reference] | None = None,
     closer: Callable[[float], Mapping[str, Callable[[], Reference]]] | None = None,
     explain: bool = True,
-    rerun: Rerun = simulate,
+    rerun: Rerun = simulate_stored,
 ) -> Verdict:
     """Return the verdict on a judged run.
 
@@ -67,7 +70,7 @@ def verdict(
     explain : bool
         Whether to find the causes (about ten more runs), and advice where the verdict fails (about twenty).
     rerun : callable, optional
-        `contourlab.loop.simulate` with the options of the run.
+        `simulate_stored` with the options of the run.
 
     Returns
     -------
@@ -112,10 +115,13 @@ def unexplained(reference: Reference, judged: Result, tolerance: float, lines: t
     Only a whole run tells what the tool skips: one that lags has not arrived where a log, or a cut of it, ends.
     """
     part = judged_part(judged, reference)
-    worst = _place(judged, reference, int(part.samples[np.argmax(np.abs(judged["part_error"][part.samples]))]), lines)
+    worst = _place(judged, reference, largest(judged, "part_error", part)[1], lines)
     longest, at_end = left_out(judged, reference, part)
-    asked = np.abs(np.diff(reference.programmed_arc_length(judged["arc_length"])))
-    step = 3.0 * float(asked[part.samples[:-1]].max(initial=0.0))
+    *others, (start, stop) = part.ranges
+    step = 0.0
+    for cut in blocks_of(Judged((*others, (start, stop - 1)), part.basis)):
+        asked = reference.programmed_arc_length(judged["arc_length"][cut[0] : cut[-1] + 2])
+        step = max(step, 3.0 * float(np.abs(np.diff(asked))[cut - cut[0]].max()))
     # At a sharp corner a tool within the tolerance may skip several times as much, but not at the end.
     skipped = longest if longest > max(10.0 * tolerance, step) else at_end if at_end > max(2.0 * tolerance, step) else 0.0
     planned, line = _planned(reference, judged)
@@ -128,10 +134,8 @@ def unexplained(reference: Reference, judged: Result, tolerance: float, lines: t
 
 def _planned(reference: Reference, judged: Result) -> tuple[float, int]:
     """Return the largest planning deviation [m] of the judged samples, and its program line."""
-    samples = judged_part(judged, reference).samples
-    off = np.abs(judged["planning_deviation"][samples])
-    line = reference.source_line(judged["arc_length"][samples[off.argmax()]][None])[0]
-    return float(off.max()), int(line)
+    off, sample = largest(judged, "planning_deviation", judged_part(judged, reference))
+    return off, int(reference.source_line(judged["arc_length"][sample][None])[0])
 
 
 def _place(judged: Result, reference: Reference, sample: int, lines: tuple[str, ...]) -> Worst:
@@ -152,12 +156,13 @@ class Trial:
     worst: float
 
 
-def judged_run(machine: Machine, controller: Controller, reference: Reference, rerun: Rerun = simulate) -> tuple[Result, int]:
+def judged_run(machine: Machine, controller: Controller, reference: Reference, rerun: Rerun = simulate_stored) -> tuple[Result, int]:
     """Run and judge, keeping few signals; return the result and the sample of the largest part error."""
     run = rerun(machine, controller, reference, signals=("tool_position", "reference", "arc_length", "reference_velocity"))
+    if not run.status.ok:
+        raise diverged(run)
     judged = judge(run, reference)
-    samples = judged_part(judged, reference).samples
-    return judged, int(samples[np.abs(judged["part_error"][samples]).argmax()])
+    return judged, largest(judged, "part_error", judged_part(judged, reference))[1]
 
 
 def advice(
@@ -165,7 +170,7 @@ def advice(
     start: Trial,
     tolerance: float,
     plans: Mapping[str, Callable[[], Reference]] | None = None,
-    rerun: Rerun = simulate,
+    rerun: Rerun = simulate_stored,
     closer: Mapping[str, Callable[[], Reference]] | None = None,
 ) -> tuple[Trial, list[Trial]]:
     """Return the run after the changes that help most, at most three besides a closer plan, and the runs after one change that help.
@@ -182,7 +187,7 @@ def advice(
     plans : mapping, optional
         Other ways to plan, by name.
     rerun : callable, optional
-        `contourlab.loop.simulate` with the options of the run.
+        `simulate_stored` with the options of the run.
     closer : mapping, optional
         Ways to plan of which one comes first, because the present plan takes much of the tolerance.
     """

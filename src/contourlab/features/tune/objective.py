@@ -218,10 +218,11 @@ def evaluate(setting: Setting, bounds: Bounds) -> Evaluation:
     margins = exact.exact({})
     try:
         run = judge(setting.single(), setting.reference)
-        check_follows(run, setting.reference)
+        check_follows(run)
     except DivergenceError as error:
         return Evaluation(dict.fromkeys(FIGURES, math.nan), margins, (f"diverges: {error}",), None)
-    judged = judged_part(run, setting.reference).samples
+    part = judged_part(run, setting.reference)
+    judged = part.samples
     # Relative to the drive's limit, if any, as in `contourlab.loop.BatchResult`.
     limits = np.array([getattr(axis.drive, "limit", math.inf) for axis in setting.machine.axes], dtype=float)
     scales = np.where(np.isfinite(limits), limits, 1.0)
@@ -232,6 +233,6 @@ def evaluate(setting: Setting, bounds: Bounds) -> Evaluation:
         "largest": (np.abs(asked) / scales).max(),
         "limited": (np.abs(asked) > limits).any(axis=1).sum(),
     }
-    values = figures_of_run(run, judged) | figures_from(EFFORT, effort, run.servo_period)
+    values = figures_of_run(run, part) | figures_from(EFFORT, effort, run.servo_period)
     figures = {name: float(value) for name, value in values.items()}
     return Evaluation(figures, margins, exact.broken({}, figures["limited_share"], figures["command_largest"], margins), run)

@@ -13,6 +13,7 @@ from component_rig import make
 
 import contourlab as cl
 from contourlab.features.run.causes import causes
+from contourlab.features.run.record import simulate_stored
 from contourlab.features.run.verdict import verdict
 from contourlab.feed import AxisLimits, Reference, plan, route_from_path
 from contourlab.geometry import Line, Path
@@ -141,7 +142,7 @@ def test_a_run_that_starts_in_motion_is_repeated_in_motion() -> None:
     machine = cl.Machine("made", (axis("x"), axis("y")), PERIOD)
     controller = cl.Controller(dict.fromkeys("xy", loop()))
     reference = cl.uniform(cl.contour("circle", radius=0.02), 0.5, 2, PERIOD)
-    rerun = partial(cl.simulate, moving=True)
+    rerun = partial(simulate_stored, moving=True)
     found, _ = causes(machine, controller, reference, cl.judge(rerun(machine, controller, reference), reference), 20, rerun)
     assert {cause.name: cause.contribution for cause in found}["servo mismatch"] == pytest.approx(0.0, abs=1e-12)
 

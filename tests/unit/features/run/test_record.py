@@ -3,21 +3,40 @@
 from __future__ import annotations
 
 import csv
-import tracemalloc
-from dataclasses import replace
+import errno
+import subprocess
+import sys
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass, replace
 from itertools import pairwise, starmap
 from pathlib import Path
+from typing import Any
 
+import h5py
 import numpy as np
 import pytest
 
 import contourlab as cl
+from contourlab import thinning
 from contourlab.components.registry import component
-from contourlab.features.run.record import switch_file
+from contourlab.errors import OutputError, ResultError
+from contourlab.features.run.outcome import judged_spikes
+from contourlab.features.run.record import simulate_stored, switch_file
+from contourlab.features.run.verdict import unexplained
 from contourlab.feed import route_from_path
+from contourlab.feed.reference import Judged
 from contourlab.geometry.line_and_arc import Line
 from contourlab.loop import Change
 from contourlab.loop.switches import Switches, SwitchKind
+from contourlab.metrics import figures, reversals
+from contourlab.metrics.run_figures import figures_of_run
+from contourlab.rendering.data import JudgedRun, Provenance, ReportData
+from contourlab.rendering.lead import program_lines
+from contourlab.rendering.path_picture import path_scene
+from contourlab.rendering.run_pictures import axis_charts, error_charts
+from contourlab.rendering.spectrum import spectrum_charts
+from contourlab.result import result as result_module
+from contourlab.result.stored import Stored
 
 PERIOD = 1e-3
 
@@ -76,17 +95,94 @@ def test_a_failed_run_leaves_no_file(tmp_path: Path) -> None:
     assert (tmp_path / "run.nc").read_bytes() == b"older" and len(list(tmp_path.iterdir())) == 1
 
 
-@pytest.mark.slow
-def test_memory_does_not_grow_with_the_run(tmp_path: Path) -> None:
+@pytest.mark.parametrize("block", [pytest.param(1, marks=pytest.mark.slow), 97, 1 << 20])
+def test_a_run_in_blocks_gives_the_same_as_one_in_memory(block: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Signals, figures, spikes, verdict, lines and pictures; also where parts of the run are not judged."""
+    machine, controller = rig(velocity_gain=20.0, position_gain=300.0)
+    limits = cl.Limits(velocity=0.2, acceleration=5.0, jerk=200.0, following_error=20e-3)
+    machine = replace(machine, axes=tuple(replace(axis, limits=limits) for axis in machine.axes))
+    corners = [(0.0, 0.0), (9e-3, 1e-3), (8e-3, 7e-3), (1e-3, 8e-3), (2e-3, 2e-3)]
+    route = route_from_path(cl.Path(list(starmap(Line, pairwise(corners)))), 0.05)
+    asked = cl.plan(route, machine.planner_limits(), PERIOD)
+    parts = Judged(((3, 201), (203, 204), (230, asked.n_sample - 2)), "lines")
+    whole = cl.judge(cl.simulate(machine, controller, asked), asked)
+    for module in (result_module, figures, reversals):
+        monkeypatch.setattr(module, "BLOCK", block)
+    monkeypatch.setattr(thinning, "AT_ONCE", block)
+    run = cl.judge(simulate_stored(machine, controller, asked, block=block), asked)
+    assert isinstance(run.signals, Stored) and run.signals.keys() == whole.signals.keys() and run.n_sample == whole.n_sample > 600
+    for name in whole.signals:
+        np.testing.assert_allclose(run[name], whole[name], rtol=0.0, atol=1e-15)
+        np.testing.assert_array_equal(run.at(name, np.array([5, 299, 0])), run[name][[5, 299, 0]])
+
+    def seen(result: cl.Result) -> list[Any]:
+        """Return what the command says of a run, and the pictures of its page."""
+        metrics = cl.summarise(result, asked, parts)
+        outcome = JudgedRun(
+            "base", asked, result, metrics, spikes=judged_spikes(result, asked), lines=asked.source_line(result["arc_length"]) + 1
+        )
+        data = ReportData("run", [outcome], Provenance())
+        pictures = [*error_charts(data, 100), *axis_charts(data, 100), *spectrum_charts(data, 100), path_scene(data, 64)]
+        left = [unexplained(asked, result, 1e-3), figures_of_run(result, parts), program_lines(replace(data, program=["a", "b"]))]
+        return [metrics, outcome.spikes, *left, *pictures]
+
+    in_blocks = seen(run)
+    monkeypatch.undo()
+    assert numbers(in_blocks) == pytest.approx(numbers(seen(whole)), rel=1e-9, abs=1e-12)
+
+
+def numbers(value: Any) -> list[float]:
+    """Return all numbers in a value, in order."""
+    if isinstance(value, bool | int | float | np.number):
+        return [float(np.nan_to_num(value))]
+    if isinstance(value, np.ndarray):
+        return list(np.nan_to_num(value.astype(float)).ravel())
+    if is_dataclass(value):
+        value = [getattr(value, part.name) for part in fields(value)]
+    members = value.values() if isinstance(value, Mapping) else value if isinstance(value, list | tuple) else ()
+    return [number for member in members for number in numbers(member)]
+
+
+def test_signals_in_a_file_can_be_cut_and_outlive_their_run() -> None:
     machine, controller = rig()
-    cl.simulate_to_file(machine, controller, reference(1), tmp_path / "run.nc")
+    run = simulate_stored(machine, controller, reference(1), block=300)
+    part = run.window(250, 900).window(100, 10_000).only(["position", "arc_length"])
+    assert (part.start, part.n_sample, set(part.signals)) == (350, 550, {"position", "arc_length"})
+    whole = cl.simulate(machine, controller, reference(1))["position"]
+    with pytest.raises(ResultError):
+        run.only(["position", "contour_error"])
+    kept = part["position"]
+    del run, part
+    np.testing.assert_array_equal(kept, whole[350:900])
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a full disk")
+def test_a_full_disk_is_one_clear_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    def opened(**_: Any) -> Any:
+        return Path("/dev/full").open("w+b", buffering=0)
+
+    monkeypatch.setattr("tempfile.TemporaryFile", opened)
+    with pytest.raises(OutputError) as refused:
+        simulate_stored(*rig(), reference(1))
+    assert isinstance(refused.value.__cause__, OSError) and refused.value.__cause__.errno == errno.ENOSPC
+
+
+@pytest.mark.slow
+def test_memory_does_not_grow_with_the_motion(tmp_path: Path) -> None:
+    """The same lines at a tenth of the feed: ten times the samples, simulated, judged, written and drawn."""
+    lines = [f"G1 X{0.2 * (i + 1):.4f} Y{5.0 + 3.0 * np.sin(0.05 * i):.4f} Z{-0.5 + 0.3 * np.cos(0.09 * i):.4f}" for i in range(150)]
     peaks = []
-    for laps in (40, 200):  # the first is long enough to fill the buffer of the reference
-        tracemalloc.start()
-        cl.simulate_to_file(machine, controller, reference(laps), tmp_path / "run.nc", block=4096)
-        peaks.append(tracemalloc.get_traced_memory()[1])
-        tracemalloc.stop()
-    assert peaks[1] < 1.3 * peaks[0]
+    for feed in (15.0, 1.5):
+        text = "\n".join(["G21 G90 G64 P0.005", f"F{feed}", *lines, "M2", ""])
+        (tmp_path / "part.ngc").write_text(text, encoding="utf-8")
+        words = ["run", "part.ngc", "--machine", "xyz", "--controller", "builtin:xyz-controller", "--out", "out"]
+        used = "resource.getrusage(resource.RUSAGE_SELF).ru_maxrss"
+        code = f"import resource; from contourlab.cli.main import main; main({words!r}); print({used})"
+        said = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True, cwd=tmp_path)
+        peaks.append(int(said.stdout.split()[-1]))
+    with h5py.File(tmp_path / "out" / "signals" / "base.nc") as written:
+        n_sample = len(written["time"])
+    assert n_sample > 2_500_000 and peaks[1] < 1.2 * peaks[0]
 
 
 def supervised() -> cl.Controller:
