@@ -242,18 +242,22 @@ class _Planner:
         return np.stack([np.full_like(v0, h), s0, v0, a0, j], axis=-1), begin
 
 
-def _check_on_path(planner: _Planner, spans: Array, begin: Index) -> tuple[Array, Array]:
+def _check_on_path(planner: _Planner, spans: Array, begin: Index, watched: Index) -> tuple[Array, Array]:
     """Check like `_Planner.check`, with the derivatives of the path instead of those of the samples."""
     samples, segment = planner.samples, np.repeat(np.arange(begin.size - 1), np.diff(begin))
     per_span = min(PER_SPAN + 2 * samples.arc_length.size // len(spans), PER_SPAN_MOST) if planner.period > 0.0 else 2 * PER_SPAN
-    rows = max(CHUNK // per_span, 1)
-    found = np.concatenate(in_threads(lambda i: _needed(planner, spans[i : i + rows], per_span), range(0, len(spans), rows)))
-    worst, peak = across(np.maximum, found[:, 2:5]), np.zeros(begin.size - 1)
+
+    def before(place: Array, segment: Index) -> Index:
+        at = np.searchsorted(samples.arc_length, place, side="right") - 1
+        return np.clip(at, samples.begin[segment], samples.begin[segment + 1] - 2)
+
+    some, rows, peak = np.flatnonzero(watched[before(spans[:, 1], segment)]), max(CHUNK // per_span, 1), np.zeros(begin.size - 1)
+    parts = in_threads(lambda i: _needed(planner, spans[some[i : i + rows]], per_span), range(0, some.size, rows))
+    found, segment = np.concatenate([np.empty((0, 6)), *parts]), segment[some]
+    worst = across(np.maximum, found[:, 2:5])
     np.maximum.at(peak, segment, worst)
     bad = np.flatnonzero(worst > 1.0 + CLOSE)
-    i = np.searchsorted(samples.arc_length, found[bad, 0], side="right") - 1
-    i = np.clip(i, samples.begin[segment[bad]], samples.begin[segment[bad] + 1] - 2)
-    return peak, np.column_stack([i, found[bad]])
+    return peak, np.column_stack([before(found[bad, 0], segment[bad]), found[bad]])
 
 
 def _needed(planner: _Planner, spans: Array, per_span: int) -> Array:
@@ -273,17 +277,20 @@ def _needed(planner: _Planner, spans: Array, per_span: int) -> Array:
 
 def _corrected(planner: _Planner) -> SmoothMotion:
     """Lower the limits around violations until none is left, in at most `ROUNDS` rounds."""
-    faults = np.empty((0, 7))
+    faults, stale = np.empty((0, 7)), np.zeros_like(planner.flags)
     for round_ in range(ROUNDS):
         spans, begin = planner.spans(planner.square())
-        peak, faults = planner.check(spans, begin, planner.changed(faults))
+        changed = planner.changed(faults)
+        stale |= changed
+        peak, faults = planner.check(spans, begin, changed)
         if len(faults) == 0 or round_ == ROUNDS - 1:
-            # The check at the samples is cheap; the check on the path itself decides.
-            peak, faults = planner.check(spans, begin, np.ones_like(planner.flags))
-            by_path, more = _check_on_path(planner, spans, begin)
+            # The check at the samples is cheap; the check on the path itself decides. What has not changed has passed it before.
+            peak, faults = planner.check(spans, begin, stale)
+            by_path, more = _check_on_path(planner, spans, begin, stale)
             peak, faults = np.maximum(peak, by_path), np.concatenate([faults, more])
             if len(faults) == 0:
                 break
+            stale[:] = 0
         planner.lower(faults, 1.0 + round_ / HASTE)
     return SmoothMotion(spans, begin, peak <= 1.0 + CLOSE)
 
