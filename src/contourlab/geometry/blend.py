@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import GeometryError, refuse
-from contourlab.geometry.curve import Curve, CurveBatch, by_arc_length, clenshaw
+from contourlab.geometry.curve import Curve, CurveBatch, by_arc_length
 from contourlab.native.kernel import kernel
 
 ACCURACY = 1e-12
@@ -19,9 +19,10 @@ DEPTH = 12
 """Most halvings of a blend; a blend that is still inaccurate has a cusp."""
 # Each quarter of the parameter has its own series: several short series are more accurate than a long one.
 _SPEED_TERMS, _TERMS = 20, 16
-_CHUNK = 1 << 14
 _GAUSS, _GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(20)
 _PROBES = np.array([-0.985, -0.91, -0.57, -0.23, 0.11, 0.42, 0.78, 0.96])
+_STEP = 1e-8
+"""Last Newton step of a place in its quarter, -1 to 1: what is left is about its square."""
 
 
 def _chebyshev(n: int) -> tuple[Array, Array]:
@@ -34,8 +35,17 @@ def _chebyshev(n: int) -> tuple[Array, Array]:
     return np.cos(angle), matrix
 
 
+def _to_arc(matrix: Array) -> Array:
+    """Return the matrix from speeds to the series of the arc length, from that to the series of the speed."""
+    # The integral of T_k is T_{k+1}/(2k + 2) - T_{k-1}/(2k - 2); the parameter runs over half the interval of x.
+    padded, k = np.concatenate([2.0 * matrix[:1], matrix[1:], np.zeros((2, len(matrix)))]), np.arange(1, len(matrix) + 1)[:, None]
+    arc = 0.25 * (padded[:-2] - padded[2:]) / k
+    return np.concatenate([-(arc * np.where(k % 2, -1.0, 1.0)).sum(axis=0, keepdims=True), arc])
+
+
 _SPEED_NODES, _SPEED_MATRIX = _chebyshev(_SPEED_TERMS)
 _NODES, _MATRIX = _chebyshev(_TERMS)
+_TO_ARC, _TO_INVERSE = _to_arc(_SPEED_MATRIX).T.copy(), _MATRIX.T.copy()
 
 
 def quintic_bezier(points: ArrayLike) -> Array:
@@ -80,46 +90,86 @@ def shapes(coefficients: Array, u: Array) -> tuple[Array, Array]:
     return by_arc_length(derivatives, 3).reshape(4, n, m, n_axis), np.linalg.norm(derivatives[1], axis=1).reshape(n, m)
 
 
-def _speeds(c: Array, u: Array) -> Array:
-    """Return |dr/du| (m, n) of quintics c (6, n_axis, n) at common parameters u (m,), or at u (m, n)."""
-    at = u[:, None] if u.ndim == 1 else u
-    square = np.zeros(np.broadcast_shapes(at.shape, c.shape[-1:]))
-    for axis in range(c.shape[1]):
-        _, c1, c2, c3, c4, c5 = c[:, axis]
-        square += (c1 + at * (2.0 * c2 + at * (3.0 * c3 + at * (4.0 * c4 + at * (5.0 * c5))))) ** 2
-    return np.asarray(np.sqrt(square))
+def _speeds(c, x, speed):  # type: ignore[no-untyped-def]
+    """Fill |dr/du| of a quintic c (6, n_axis) at the places x (m,), -1 to 1."""
+    for i in range(x.size):
+        speed[i] = 0.0
+    for j in range(c.shape[1]):
+        c1, c2, c3, c4, c5 = c[1, j], 2.0 * c[2, j], 3.0 * c[3, j], 4.0 * c[4, j], 5.0 * c[5, j]
+        for i in range(x.size):
+            u = 0.5 * (1.0 + x[i])
+            first = c1 + u * (c2 + u * (c3 + u * (c4 + u * c5)))
+            speed[i] += first * first
+    for i in range(x.size):
+        speed[i] = math.sqrt(speed[i])
 
 
-def _measured(c: Array) -> tuple[Array, Array, Array, Flags]:
-    """Return lengths (n,) of quarters c (6, n_axis, n), the series (terms, n) of arc length over u and its inverse, which are accurate.
+def _product(columns, factors, found):  # type: ignore[no-untyped-def]
+    """Fill the product of a matrix, given by its columns (m, n), with a vector."""
+    for i in range(found.size):
+        found[i] = 0.0
+    for k in range(columns.shape[0]):
+        for i in range(found.size):
+            found[i] += columns[k, i] * factors[k]
+
+
+def _clenshaw(terms, x, b1, b2, found):  # type: ignore[no-untyped-def]
+    """Fill a Chebyshev series at places x (m,); b1 and b2 are working memory."""
+    for i in range(x.size):
+        b1[i], b2[i] = 0.0, 0.0
+    for k in range(terms.size - 1, 0, -1):
+        for i in range(x.size):
+            b1[i], b2[i] = 2.0 * x[i] * b1[i] - b2[i] + terms[k], b1[i]
+    for i in range(x.size):
+        found[i] = x[i] * b1[i] - b2[i] + terms[0]
+
+
+@kernel("f8[:,:,:] f8[:] f8[:] f8[:] f8[:] f8[:] f8[:,:] f8[:,:] f8[:,:] f8[:,:] f8[:,:] f8[:,:,:] f8[:,:,:] i8[:]")
+def _invert(c, speed_nodes, gauss, weights, nodes, probes, to_arc, to_inverse, part, memory, borders, arc, inverse, good):  # type: ignore[no-untyped-def]
+    """Measure and invert the quarters of quintics, for `_inverted`.
 
     The Chebyshev series of the speed is integrated term by term; Newton steps find the parameters of the Chebyshev points of arc length. A
     Gauss rule checks the length; points in between check the inverse.
     """
-    speed = _SPEED_MATRIX @ _speeds(c, 0.5 * (1.0 + _SPEED_NODES))
-    # The integral of T_k is T_{k+1}/(2k + 2) - T_{k-1}/(2k - 2); the parameter runs over half the interval of x.
-    padded = np.concatenate([speed, np.zeros((2, speed.shape[1]))])
-    k = np.arange(1, _SPEED_TERMS + 1)[:, None]
-    arc = np.empty((_SPEED_TERMS + 1, speed.shape[1]))
-    arc[1:] = 0.25 * (np.concatenate([2.0 * padded[:1], padded[1:-2]]) - padded[2:]) / k
-    arc[0] = -(arc[1:] * np.where(k % 2, -1.0, 1.0)).sum(axis=0)
-    length = arc.sum(axis=0)
-    gauss = 0.5 * (_GAUSS_WEIGHTS @ _speeds(c, 0.5 * (1.0 + _GAUSS)))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        good = np.isfinite(length) & (length > 0.0) & (np.abs(gauss - length) <= 0.1 * ACCURACY * length)
-        wanted = 0.5 * (1.0 + _NODES)[1:-1, None] * length
-        x = np.repeat(_NODES[1:-1, None], c.shape[2], axis=1)
-        for _ in range(7):
-            step = (clenshaw(arc, x) - wanted) / np.maximum(0.5 * _speeds(c, 0.5 * (1.0 + x)), 1e-3 * length)
-            x = np.clip(x - step, -1.0, 1.0)
-            if not np.any(np.abs(step[:, good]) > 1e-9):
-                break
-        x = np.concatenate([np.ones((1, c.shape[2])), x, -np.ones((1, c.shape[2]))])
-        inverse = _MATRIX @ x
-        probe = np.broadcast_to(_PROBES[:, None], (_PROBES.size, c.shape[2]))
-        off = np.abs(clenshaw(arc, np.clip(clenshaw(inverse, probe), -1.0, 1.0)) - 0.5 * (1.0 + probe) * length)
-        good &= (off <= ACCURACY * length).all(axis=0)
-    return length, arc, inverse, good
+    speed, b1, b2, found, x, probed = memory[0], memory[1], memory[2], memory[3], memory[4, : nodes.size], memory[5, : probes.size]
+    for n in range(c.shape[0]):
+        good[n], borders[n, 0] = 1, 0.0
+        for quarter in range(4):
+            terms, back, check = arc[n, quarter], inverse[n, quarter], 0.0
+            for j in range(c.shape[2]):
+                scale = 1.0
+                for k in range(6 if quarter == 0 else 0):
+                    part[k, j], scale = scale * c[n, k, j], 0.25 * scale
+                for shift in range(5 if quarter > 0 else 0):  # Taylor's, by one quarter
+                    for k in range(4, shift - 1, -1):
+                        part[k, j] += part[k + 1, j]
+            _speeds(part, speed_nodes, speed)
+            _product(to_arc, speed, terms)
+            length = terms.sum()
+            _speeds(part, gauss, speed)
+            for k in range(gauss.size):
+                check += 0.5 * weights[k] * speed[k]
+            sound = 0.0 < length < math.inf and abs(check - length) <= 0.1 * ACCURACY * length
+            for i in range(nodes.size):
+                x[i] = nodes[i]
+            for _ in range(7 if sound else 0):
+                _clenshaw(terms, x, b1, b2, found)
+                _speeds(part, x, speed)
+                most = 0.0
+                for i in range(1, nodes.size - 1):
+                    step = (found[i] - 0.5 * (1.0 + nodes[i]) * length) / max(0.5 * speed[i], 1e-3 * length)
+                    x[i], most = min(max(x[i] - step, -1.0), 1.0), max(most, abs(step))
+                if most <= _STEP:
+                    break
+            _product(to_inverse, x, back)
+            _clenshaw(back, probes, b1, b2, probed)
+            for i in range(probes.size):
+                probed[i] = min(max(probed[i], -1.0), 1.0)
+            _clenshaw(terms, probed, b1, b2, found)
+            for i in range(probes.size):
+                sound = sound and abs(found[i] - 0.5 * (1.0 + probes[i]) * length) <= ACCURACY * length
+            borders[n, quarter + 1] = borders[n, quarter] + length
+            good[n] = good[n] if sound else 0
 
 
 def halves(c: Array) -> Array:
@@ -132,14 +182,14 @@ def halves(c: Array) -> Array:
 
 
 def _inverted(c: Array) -> tuple[Array, Array, Array, Flags]:
-    """Return of quintics c (n, 6, n_axis) the borders (n, 5) [m] of the quarters, both series (n, 4, terms), and which are accurate."""
-    n = len(c)
-    quarters = np.moveaxis(halves(halves(c)), 0, 2)
-    parts = [_measured(quarters[:, :, i : i + _CHUNK].copy()) for i in range(0, 4 * n, _CHUNK)]
-    length, *series, good = (np.concatenate(column, axis=-1) for column in zip(*parts, strict=True))
-    borders = np.concatenate([np.zeros((n, 1)), np.cumsum(length.reshape(n, 4), axis=1)], axis=1)
-    arc, inverse = (np.ascontiguousarray(one.T).reshape(n, 4, len(one)) for one in series)
-    return borders, arc, inverse, np.asarray(good.reshape(n, 4).all(axis=1))
+    """Return of quintics c (n, 6, n_axis) the borders (n, 5) [m] of the quarters, the series (n, 4, terms) of arc length over the parameter
+    and its inverse, and which are accurate.
+    """
+    borders, *series = (np.empty((len(c), *shape)) for shape in ((5,), (4, _SPEED_TERMS + 1), (4, _TERMS)))
+    good, memory = np.empty(len(c), dtype=np.int64), (np.empty((6, c.shape[2])), np.empty((6, _SPEED_TERMS)))
+    constants = _SPEED_NODES, _GAUSS, _GAUSS_WEIGHTS, _NODES, _PROBES, _TO_ARC, _TO_INVERSE
+    _invert(np.ascontiguousarray(c), *constants, *memory, borders, *series, good)
+    return borders, *series, good != 0
 
 
 def series(terms: Array, quarter: int, x: float) -> float:
