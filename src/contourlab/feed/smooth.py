@@ -128,17 +128,19 @@ class _Planner:
         return peak, faults[: int(count[0])]
 
     def changed(self, faults: Array) -> Index:
-        """Return 1 for the samples to check: blocks that have changed or had violations, and their neighbours; else 0."""
-        different = self.flags & MOVED != 0
+        """Return 1 for the samples to check: blocks that have changed or had violations, and what is averaged with them; else 0."""
+        different, arc_length = self.flags & MOVED != 0, self.place[0]
         different[faults[:, 0].astype(np.intp)] = True
         # The last sample of a block is the first of the next.
         edges = np.append(self.blocks.first, different.size)
-        blocks = np.add.reduceat(different, edges[:-1]) > 0
-        blocks |= different[self.blocks.last]
-        near = blocks.astype(np.int64)
-        near[1:] |= blocks[:-1]
-        near[:-1] |= blocks[1:]
-        return np.repeat(near, np.diff(edges))
+        blocks = np.flatnonzero((np.add.reduceat(different, edges[:-1]) > 0) | different[self.blocks.last])
+        around = 4.0 * self.half * math.sqrt(float(self.second[-1].max()))
+        first = np.searchsorted(arc_length, arc_length[edges[blocks]] - around)
+        after = np.searchsorted(arc_length, arc_length[edges[blocks + 1] - 1] + around)
+        change = np.zeros(different.size + 1, dtype=np.int64)
+        np.add.at(change, first, 1)
+        np.add.at(change, after, -1)
+        return np.minimum(np.cumsum(change[:-1]), 1)
 
     def lower(self, faults: Array, haste: float) -> None:
         """Lower the limits of the samples within the averaging window around each violation."""
