@@ -264,17 +264,11 @@ def _check_on_path(planner: _Planner, spans: Array, begin: Index, watched: Index
 
 def _needed(planner: _Planner, spans: Array, per_span: int) -> Array:
     """Return rows of a fault, as in `kernels.demand` without the sample, for the worst place of each span."""
-    dt = (spans[:, :1] * np.linspace(1e-9, 1.0 - 1e-9, per_span)).ravel()
-    s0, v0, a0, j = (np.repeat(column, per_span) for column in spans[:, 1:].T)
-    place = s0 + dt * (v0 + dt * (a0 / 2.0 + dt * j / 6.0))
-    v, a = v0 + dt * (a0 + dt * j / 2.0), a0 + dt * j
-    _, t, k, c = planner.path.derivatives(place, 3)
-    turn = c * v[:, None] ** 3
-    needed = t * v[:, None], t * a[:, None] + k * v[:, None] ** 2, t * j[:, None] + 3.0 * k * (v * a)[:, None] + turn, turn
-    limits = planner.velocity, planner.acceleration, planner.jerk, planner.jerk
-    ratio = np.array([across(np.maximum, np.abs(value) / limit) for value, limit in zip(needed, limits, strict=True)])
-    worst = np.argmax(ratio[:3].max(axis=0).reshape(-1, per_span), axis=1) + per_span * np.arange(len(spans))
-    return np.column_stack([place[worst], v[worst], ratio.reshape(4, -1, per_span).max(axis=2).T])
+    place, found = np.empty(len(spans) * per_span), np.empty((len(spans), 6))
+    kernels.places(spans, per_span, place)
+    derivatives = planner.path.derivatives(place, 3).transpose(0, 2, 1)
+    kernels.needed(spans, per_span, place, np.ascontiguousarray(derivatives), *planner.inverse, np.empty(4), found)
+    return found
 
 
 def _corrected(planner: _Planner) -> SmoothMotion:

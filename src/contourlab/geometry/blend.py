@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -251,11 +252,16 @@ class Blends(CurveBatch):
 
     def __init__(self, curves: Sequence[Blend]) -> None:
         super().__init__(curves)
-        self.shape = tuple(np.array([getattr(curve, name) for curve in curves]) for name in ("coefficients", "borders", "inverse", "arc"))
+        self.shape = tuple(np.array([getattr(curve, name) for curve in curves]) for name in ("coefficients", "borders", "inverse"))
+
+    @cached_property
+    def arc(self) -> Array:
+        """Series (n, 4, terms) of the arc length over the parameter, for the search of foot points only."""
+        return _inverted(self.shape[0])[1]
 
     def derivatives(self, slot: Index, along: Array, order: int) -> Array:
         found = np.empty((order + 1, self.n_axis, along.size))
-        evaluate(np.ascontiguousarray(slot), np.ascontiguousarray(along), order, *self.shape[:3], found)
+        evaluate(np.ascontiguousarray(slot), np.ascontiguousarray(along), order, *self.shape, found)
         return found
 
     def smallest_radii(self) -> Array:
@@ -296,12 +302,12 @@ class Blend(Curve):
         c = np.array(coefficients, dtype=float)
         if c.ndim != 2 or c.shape[0] != 6 or c.shape[1] < 1 or not np.isfinite(c).all():
             raise GeometryError(f"coefficients of shape {c.shape}: must be finite, (6, n_axis)")
-        borders, arc, inverse, good = _inverted(c[None])
+        borders, _, inverse, good = _inverted(c[None])
         refuse(not good[0], GeometryError, "a blend without length, or too uneven for its series: use blends(), which divides it")
-        self._fill(c, borders[0], arc[0], inverse[0], float(borders[0, -1]))
+        self._fill(c, borders[0], inverse[0], float(borders[0, -1]))
 
-    def _fill(self, coefficients: Array, borders: Array, arc: Array, inverse: Array, length: float) -> None:
-        self.coefficients, self.borders, self.arc, self.inverse, self.length = coefficients, borders, arc, inverse, length
+    def _fill(self, coefficients: Array, borders: Array, inverse: Array, length: float) -> None:
+        self.coefficients, self.borders, self.inverse, self.length = coefficients, borders, inverse, length
         self.n_axis = coefficients.shape[1]
 
 
@@ -331,22 +337,22 @@ def blends(coefficients: ArrayLike) -> tuple[list[Blend], Index]:
     if not usable.all():
         raise GeometryError(f"blend {int(np.argmin(usable))} has no length, or coordinates that are not finite")
     owner, begin = np.arange(len(c), dtype=np.int64), np.zeros(len(c))
-    made: list[tuple[Index, Array, Array, Array, Array, Array]] = []
+    made: list[tuple[Index, Array, Array, Array, Array]] = []
     for depth in range(DEPTH + 1):
         if not len(c):
             break
-        borders, arc, inverse, good = _inverted(c)
-        made.append((owner[good], begin[good], c[good], borders[good], arc[good], inverse[good]))
+        borders, _, inverse, good = _inverted(c)
+        made.append((owner[good], begin[good], c[good], borders[good], inverse[good]))
         c, owner, begin = halves(c[~good]), np.repeat(owner[~good], 2), np.repeat(begin[~good], 2)
         begin[1::2] += 0.5 ** (depth + 1)
     if len(c):
         raise GeometryError(f"blend {int(owner[0])} has a cusp, where arc length is undefined")
     if not made:
         return [], owner
-    owner, begin, c, borders, arc, inverse = (np.concatenate(column) for column in zip(*made, strict=True))
+    owner, begin, c, borders, inverse = (np.concatenate(column) for column in zip(*made, strict=True))
     created: list[Blend] = []
     order = np.lexsort([begin, owner])
-    for row in zip(c[order], borders[order], arc[order], inverse[order], borders[order, -1].tolist(), strict=True):
+    for row in zip(c[order], borders[order], inverse[order], borders[order, -1].tolist(), strict=True):
         blend = Blend.__new__(Blend)
         blend._fill(*row)
         created.append(blend)
