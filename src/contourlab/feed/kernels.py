@@ -16,32 +16,35 @@ TINY = 1e-9  # smallest tangent component that limits the acceleration
 N_NEWTON = 60
 
 
-def _tightest(x, i, double, sign, tangent, second, third, turning, speeding, reference, acceleration, jerk, period):
-    """Return the upper limit of sign * a between the samples i and i + 1, for a given x at i, and its derivative by x.
+def _interval(x, i, double, tangent, second, third, turning, speeding, reference, acceleration, jerk, period):
+    """Return the upper limits of a and of -a between the samples i and i + 1, for a given x at i, each with its derivative by x.
 
     The axis accelerations are limited at both ends of the interval; at the second end, v^2 is x + 2 a ds.
     """
-    best, slope = math.inf, 0.0
+    high, high_slope, low, low_slope = math.inf, 0.0, math.inf, 0.0
     for axis in range(acceleration.size):
         for at in range(i, i + 2):
             p, q = tangent[at, axis], second[at, axis]
             if at > i:
                 p += double * q
-            p *= sign
             if p < 0.0:
                 p, q = -p, -q
             if p > TINY:
-                value = (acceleration[axis] * turning[at] - q * x) / p
-                if value < best:
-                    best, slope = value, -q / p
+                limit, turn = acceleration[axis] * turning[at], q * x
+                if limit - turn < high * p:
+                    high, high_slope = (limit - turn) / p, -q / p
+                if limit + turn < low * p:
+                    low, low_slope = (limit + turn) / p, q / p
         if period > 0.0:
             p = abs(tangent[i, axis]) / (period * speeding[i]) + 3.0 * abs(second[i, axis]) * reference[i]
+            q = abs(third[i, axis]) * reference[i]
             if p > 0.0:
-                q = abs(third[i, axis]) * reference[i]
-                value = (jerk[axis] - q * x) / p
-                if value < best:
-                    best, slope = value, -q / p
-    return best, slope
+                left = jerk[axis] - q * x
+                if left < high * p:
+                    high, high_slope = left / p, -q / p
+                if left < low * p:
+                    low, low_slope = left / p, -q / p
+    return high, high_slope, low, low_slope
 
 
 def _note(reference, ceiling, known_reference, known_ceiling, flags):
@@ -63,8 +66,9 @@ def _controllable(i, double, following, x, tangent, second, third, turning, spee
     The width of the interval of accelerations is concave in v^2, so Newton steps from above end at its last root.
     """
     for _ in range(N_NEWTON):
-        high, high_slope = _tightest(x, i, double, 1.0, tangent, second, third, turning, speeding, reference, acceleration, jerk, period)
-        low, low_slope = _tightest(x, i, double, -1.0, tangent, second, third, turning, speeding, reference, acceleration, jerk, period)
+        high, high_slope, low, low_slope = _interval(
+            x, i, double, tangent, second, third, turning, speeding, reference, acceleration, jerk, period
+        )
         if (following - x) / double < high:
             high, high_slope = (following - x) / double, -1.0 / double
         if x / double < low:
@@ -133,8 +137,8 @@ def reach(
         if i > 0:
             double, start = 2.0 * (arc_length[i] - arc_length[i - 1]), square[i - 1]
             if double > 0.0:
-                high, _ = _tightest(
-                    start, i - 1, double, 1.0, tangent, second, third, turning, speeding, reference, acceleration, jerk, period
+                high, _, _, _ = _interval(
+                    start, i - 1, double, tangent, second, third, turning, speeding, reference, acceleration, jerk, period
                 )
                 start = max(start + double * high, 0.0)
             x = min(x, start)

@@ -77,13 +77,13 @@ class _Planner:
     the speed ceiling. Each line of a program has tens of samples, so intermediate arrays are freed early.
     """
 
-    def __init__(self, path: Path, samples: SegmentSamples, limits: AxisLimits, period: float) -> None:
+    def __init__(self, path: Path, samples: SegmentSamples, base: Array, limits: AxisLimits, period: float) -> None:
         n = samples.arc_length.size
         self.path, self.samples, self.period = path, samples, period
         self.velocity, self.acceleration, self.jerk = (np.array(part) for part in (limits.velocity, limits.acceleration, limits.jerk))
         self.inverse = tuple(1.0 / part for part in (self.velocity, self.acceleration, self.jerk))
         self.place = tuple(np.ascontiguousarray(part) for part in samples[:4])
-        self.base = samples.speed_ceiling(limits, steady=period > 0.0)
+        self.base = base
         self.begin = samples.begin.astype(np.int64)
         self.flags = np.zeros(n, dtype=np.int64)
         self.half = 0.5 * period * (STEPS + 2) / STEPS  # of the averaging window
@@ -280,8 +280,7 @@ def _corrected(planner: _Planner) -> SmoothMotion:
         stale |= changed
         peak, faults = planner.check(spans, begin, changed)
         if len(faults) == 0 or round_ == ROUNDS - 1:
-            # The check at the samples is cheap; the check on the path itself decides. What has not changed has passed it before.
-            peak, faults = planner.check(spans, begin, stale)
+            # The check at the samples is cheap; the check on the path itself decides. What has not changed has passed both before.
             by_path, more = _check_on_path(planner, spans, begin, stale)
             peak, faults = np.maximum(peak, by_path), np.concatenate([faults, more])
             if len(faults) == 0:
@@ -310,8 +309,13 @@ def smooth_motions(path: Path, samples: SegmentSamples, limits: AxisLimits) -> l
     # Each thread needs memory of its own.
     threads = None if FEW < samples.arc_length.size < MANY[1] else 1
     n_tried = 3 - int(np.searchsorted(MANY, samples.arc_length.size))
+    base = {steady: samples.speed_ceiling(limits, steady=steady) for steady in {period > 0.0 for period in periods}}
+
+    def planner(period: float) -> _Planner:
+        return _Planner(path, samples, base[period > 0.0], limits, period)
+
     if n_tried < 3 and len(periods) > n_tried:
         # The duration before corrections shows which periods are worth correcting.
-        trials = in_threads(lambda period: _Planner(path, samples, limits, period).duration(), periods, threads)
+        trials = in_threads(lambda period: planner(period).duration(), periods, threads)
         periods = [periods[k] for k in np.argsort(trials)[:n_tried]]
-    return in_threads(lambda period: _corrected(_Planner(path, samples, limits, period)), periods, threads)
+    return in_threads(lambda period: _corrected(planner(period)), periods, threads)
