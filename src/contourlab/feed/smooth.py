@@ -18,7 +18,9 @@ Only segments that pass step 3 are used. Every step is linear in the number of s
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from collections.abc import Callable
+from itertools import pairwise
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -44,6 +46,7 @@ MOST_SPANS = (8, 10_000)  # per sample, and in addition; this bounds T from belo
 FEW = 2_000  # with fewer samples, starting threads takes longer than they save
 MANY = (5_000, 200_000)  # with more samples, only the two most promising periods, or only the best one, are tried
 CHUNK = 32_768  # places per pass
+GROUP = 16_384  # samples of segments planned together, at least
 
 
 class SmoothMotion(NamedTuple):
@@ -77,13 +80,13 @@ class _Planner:
     the speed ceiling. Each line of a program has tens of samples, so intermediate arrays are freed early.
     """
 
-    def __init__(self, path: Path, samples: SegmentSamples, base: Array, limits: AxisLimits, period: float) -> None:
+    def __init__(self, path: Path, samples: SegmentSamples, limits: AxisLimits, period: float) -> None:
         n = samples.arc_length.size
         self.path, self.samples, self.period = path, samples, period
         self.velocity, self.acceleration, self.jerk = (np.array(part) for part in (limits.velocity, limits.acceleration, limits.jerk))
         self.inverse = tuple(1.0 / part for part in (self.velocity, self.acceleration, self.jerk))
         self.place = tuple(np.ascontiguousarray(part) for part in samples[:4])
-        self.base = base
+        self.base = samples.speed_ceiling(limits, steady=period > 0.0)
         self.begin = samples.begin.astype(np.int64)
         self.flags = np.zeros(n, dtype=np.int64)
         self.half = 0.5 * period * (STEPS + 2) / STEPS  # of the averaging window
@@ -254,7 +257,7 @@ def _check_on_path(planner: _Planner, spans: Array, begin: Index, watched: Index
         return np.clip(at, samples.begin[segment], samples.begin[segment + 1] - 2)
 
     some, rows, peak = np.flatnonzero(watched[before(spans[:, 1], segment)]), max(CHUNK // per_span, 1), np.zeros(begin.size - 1)
-    parts = in_threads(lambda i: _needed(planner, spans[some[i : i + rows]], per_span), range(0, some.size, rows))
+    parts = [_needed(planner, spans[some[i : i + rows]], per_span) for i in range(0, some.size, rows)]
     found, segment = np.concatenate([np.empty((0, 6)), *parts]), segment[some]
     worst = across(np.maximum, found[:, 2:5])
     np.maximum.at(peak, segment, worst)
@@ -306,16 +309,33 @@ def smooth_motions(path: Path, samples: SegmentSamples, limits: AxisLimits) -> l
     shortest = STEPS * least_time / (MOST_SPANS[0] * samples.arc_length.size + MOST_SPANS[1])
     # Without a jerk limit, a short average is still better where the plain motion needs corrections.
     periods = sorted({max(part * unit, shortest) for part in PERIODS}) if unit > 0.0 else [0.0, shortest]
-    # Each thread needs memory of its own.
-    threads = None if FEW < samples.arc_length.size < MANY[1] else 1
+    groups = _groups(samples)
+
+    def tried(work: Callable[[_Planner], Any]) -> list[list[Any]]:
+        """Return what becomes of the groups with each of the periods."""
+        tasks = [(period, group) for period in periods for group in groups]
+        found = in_threads(lambda task: work(_Planner(path, task[1], limits, task[0])), tasks, None if samples.arc_length.size > FEW else 1)
+        return [found[i : i + len(groups)] for i in range(0, len(found), len(groups))]
+
     n_tried = 3 - int(np.searchsorted(MANY, samples.arc_length.size))
-    base = {steady: samples.speed_ceiling(limits, steady=steady) for steady in {period > 0.0 for period in periods}}
-
-    def planner(period: float) -> _Planner:
-        return _Planner(path, samples, base[period > 0.0], limits, period)
-
     if n_tried < 3 and len(periods) > n_tried:
         # The duration before corrections shows which periods are worth correcting.
-        trials = in_threads(lambda period: planner(period).duration(), periods, threads)
-        periods = [periods[k] for k in np.argsort(trials)[:n_tried]]
-    return in_threads(lambda period: _corrected(planner(period)), periods, threads)
+        periods = [periods[k] for k in np.argsort([sum(trial) for trial in tried(_Planner.duration)])[:n_tried]]
+    return [_joined(motions) for motions in tried(_corrected)]
+
+
+def _groups(samples: SegmentSamples) -> list[SegmentSamples]:
+    """Divide samples between segments into groups that are planned one by one: their arrays stay in the processor's cache."""
+    begin = samples.begin
+    edges = np.unique(np.append(np.searchsorted(begin, np.arange(0, begin[-1], GROUP)), begin.size - 1))
+    return [
+        SegmentSamples(*(part[begin[a] : begin[b]] for part in samples[:5]), begin[a : b + 1] - begin[a]) for a, b in pairwise(edges.tolist())
+    ]
+
+
+def _joined(motions: list[SmoothMotion]) -> SmoothMotion:
+    """Return the motions of successive groups of segments as one."""
+    spans, begin, good = zip(*motions, strict=True)
+    shift = np.cumsum([0, *map(len, spans)])
+    starts = [part[:-1] + offset for part, offset in zip(begin, shift, strict=False)]
+    return SmoothMotion(np.concatenate(spans), np.append(np.concatenate(starts), shift[-1]), np.concatenate(good))
