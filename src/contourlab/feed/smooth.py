@@ -18,9 +18,8 @@ Only segments that pass step 3 are used. Every step is linear in the number of s
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -80,13 +79,13 @@ class _Planner:
     the speed ceiling. Each line of a program has tens of samples, so intermediate arrays are freed early.
     """
 
-    def __init__(self, path: Path, samples: SegmentSamples, limits: AxisLimits, period: float) -> None:
+    def __init__(self, path: Path, samples: SegmentSamples, base: Array, limits: AxisLimits, period: float) -> None:
         n = samples.arc_length.size
         self.path, self.samples, self.period = path, samples, period
         self.velocity, self.acceleration, self.jerk = (np.array(part) for part in (limits.velocity, limits.acceleration, limits.jerk))
         self.inverse = tuple(1.0 / part for part in (self.velocity, self.acceleration, self.jerk))
         self.place = tuple(np.ascontiguousarray(part) for part in samples[:4])
-        self.base = samples.speed_ceiling(limits, steady=period > 0.0)
+        self.base = base
         self.begin = samples.begin.astype(np.int64)
         self.flags = np.zeros(n, dtype=np.int64)
         self.half = 0.5 * period * (STEPS + 2) / STEPS  # of the averaging window
@@ -279,7 +278,7 @@ def _corrected(planner: _Planner) -> SmoothMotion:
     faults, stale = np.empty((0, 7)), np.zeros_like(planner.flags)
     for round_ in range(ROUNDS):
         spans, begin = planner.spans(planner.square())
-        changed = planner.changed(faults)
+        changed = planner.changed(faults) if round_ else np.ones_like(stale)
         stale |= changed
         peak, faults = planner.check(spans, begin, changed)
         if len(faults) == 0 or round_ == ROUNDS - 1:
@@ -309,28 +308,36 @@ def smooth_motions(path: Path, samples: SegmentSamples, limits: AxisLimits) -> l
     shortest = STEPS * least_time / (MOST_SPANS[0] * samples.arc_length.size + MOST_SPANS[1])
     # Without a jerk limit, a short average is still better where the plain motion needs corrections.
     periods = sorted({max(part * unit, shortest) for part in PERIODS}) if unit > 0.0 else [0.0, shortest]
-    groups = _groups(samples)
+    groups, n_tried = _groups(samples), 3 - int(np.searchsorted(MANY, samples.arc_length.size))
+    threads = None if samples.arc_length.size > FEW else 1
 
-    def tried(work: Callable[[_Planner], Any]) -> list[list[Any]]:
-        """Return what becomes of the groups with each of the periods."""
-        tasks = [(period, group) for period in periods for group in groups]
-        found = in_threads(lambda task: work(_Planner(path, task[1], limits, task[0])), tasks, None if samples.arc_length.size > FEW else 1)
-        return [found[i : i + len(groups)] for i in range(0, len(found), len(groups))]
+    def planned(group: SegmentSamples) -> list[SmoothMotion]:
+        ceiling = {steady: group.speed_ceiling(limits, steady=steady) for steady in {period > 0.0 for period in periods}}
+        planners = [_Planner(path, group, ceiling[period > 0.0], limits, period) for period in periods]
+        chosen = _promising(planners)[:n_tried] if n_tried < 3 else planners
+        return in_threads(_corrected, chosen, threads if len(groups) == 1 else 1)
 
-    n_tried = 3 - int(np.searchsorted(MANY, samples.arc_length.size))
-    if n_tried < 3 and len(periods) > n_tried:
-        # The duration before corrections shows which periods are worth correcting.
-        periods = [periods[k] for k in np.argsort([sum(trial) for trial in tried(_Planner.duration)])[:n_tried]]
-    return [_joined(motions) for motions in tried(_corrected)]
+    return [_joined(motions) for motions in zip(*in_threads(planned, groups, threads), strict=True)]
+
+
+def _promising(planners: list[_Planner]) -> list[_Planner]:
+    """Return planners of rising periods by the duration before corrections, which has one minimum; those far from it are left out."""
+    middle = (len(planners) - 1) // 3
+    duration = {middle: planners[middle].duration()}
+    for way in (-1, 1):
+        k = middle + way
+        while 0 <= k < len(planners):
+            duration[k] = planners[k].duration()
+            k = k + way if duration[k] < duration[k - way] else -1
+    return [planners[k] for k in sorted(duration, key=duration.__getitem__)]
 
 
 def _groups(samples: SegmentSamples) -> list[SegmentSamples]:
     """Divide samples between segments into groups that are planned one by one: their arrays stay in the processor's cache."""
     begin = samples.begin
     edges = np.unique(np.append(np.searchsorted(begin, np.arange(0, begin[-1], GROUP)), begin.size - 1))
-    return [
-        SegmentSamples(*(part[begin[a] : begin[b]] for part in samples[:5]), begin[a : b + 1] - begin[a]) for a, b in pairwise(edges.tolist())
-    ]
+    pairs = pairwise(edges.tolist())
+    return [SegmentSamples(*(part[begin[a] : begin[b]] for part in samples[:5]), begin[a : b + 1] - begin[a]) for a, b in pairs]
 
 
 def _joined(motions: list[SmoothMotion]) -> SmoothMotion:
