@@ -142,7 +142,7 @@ class _Planner:
         change = np.zeros(different.size + 1, dtype=np.int64)
         np.add.at(change, first, 1)
         np.add.at(change, after, -1)
-        return np.minimum(np.cumsum(change[:-1]), 1)
+        return np.asarray(np.minimum(np.cumsum(change[:-1]), 1))
 
     def lower(self, faults: Array, haste: float) -> None:
         """Lower the limits of the samples within the averaging window around each violation."""
@@ -317,7 +317,7 @@ def smooth_motions(path: Path, samples: SegmentSamples, limits: AxisLimits) -> l
         chosen = _promising(planners)[:n_tried] if n_tried < 3 else planners
         return in_threads(_corrected, chosen, threads if len(groups) == 1 else 1)
 
-    return [_joined(motions) for motions in zip(*in_threads(planned, groups, threads), strict=True)]
+    return [_joined(list(motions)) for motions in zip(*in_threads(planned, groups, threads), strict=True)]
 
 
 def _promising(planners: list[_Planner]) -> list[_Planner]:
@@ -337,7 +337,7 @@ def _groups(samples: SegmentSamples) -> list[SegmentSamples]:
     begin = samples.begin
     edges = np.unique(np.append(np.searchsorted(begin, np.arange(0, begin[-1], GROUP)), begin.size - 1))
     pairs = pairwise(edges.tolist())
-    return [SegmentSamples(*(part[begin[a] : begin[b]] for part in samples[:5]), begin[a : b + 1] - begin[a]) for a, b in pairs]
+    return [SegmentSamples._make([*(part[begin[a] : begin[b]] for part in samples[:5]), begin[a : b + 1] - begin[a]]) for a, b in pairs]
 
 
 def _joined(motions: list[SmoothMotion]) -> SmoothMotion:

@@ -1,17 +1,19 @@
 """Quintic curves by arc length that round the corners of a path, created and evaluated in bulk."""
 
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import GeometryError, refuse
-from contourlab.geometry.curve import Curve, CurveBatch, by_arc_length
+from contourlab.geometry.curve import ArrayBatch, Curve, Curves, by_arc_length
 from contourlab.native.kernel import kernel
 
 ACCURACY = 1e-12
@@ -91,7 +93,7 @@ def shapes(coefficients: Array, u: Array) -> tuple[Array, Array]:
     return by_arc_length(derivatives, 3).reshape(4, n, m, n_axis), np.linalg.norm(derivatives[1], axis=1).reshape(n, m)
 
 
-def _speeds(c, x, speed):  # type: ignore[no-untyped-def]
+def _speeds(c, x, speed):
     """Fill |dr/du| of a quintic c (6, n_axis) at the places x (m,), -1 to 1."""
     for i in range(x.size):
         speed[i] = 0.0
@@ -105,7 +107,7 @@ def _speeds(c, x, speed):  # type: ignore[no-untyped-def]
         speed[i] = math.sqrt(speed[i])
 
 
-def _product(columns, factors, found):  # type: ignore[no-untyped-def]
+def _product(columns, factors, found):
     """Fill the product of a matrix, given by its columns (m, n), with a vector."""
     for i in range(found.size):
         found[i] = 0.0
@@ -114,7 +116,7 @@ def _product(columns, factors, found):  # type: ignore[no-untyped-def]
             found[i] += columns[k, i] * factors[k]
 
 
-def _clenshaw(terms, x, b1, b2, found):  # type: ignore[no-untyped-def]
+def _clenshaw(terms, x, b1, b2, found):
     """Fill a Chebyshev series at places x (m,); b1 and b2 are working memory."""
     for i in range(x.size):
         b1[i], b2[i] = 0.0, 0.0
@@ -126,7 +128,7 @@ def _clenshaw(terms, x, b1, b2, found):  # type: ignore[no-untyped-def]
 
 
 @kernel("f8[:,:,:] f8[:] f8[:] f8[:] f8[:] f8[:] f8[:,:] f8[:,:] f8[:,:] f8[:,:] f8[:,:] f8[:,:,:] f8[:,:,:] i8[:]")
-def _invert(c, speed_nodes, gauss, weights, nodes, probes, to_arc, to_inverse, part, memory, borders, arc, inverse, good):  # type: ignore[no-untyped-def]
+def _invert(c, speed_nodes, gauss, weights, nodes, probes, to_arc, to_inverse, part, memory, borders, arc, inverse, good):
     """Measure and invert the quarters of quintics, for `_inverted`.
 
     The Chebyshev series of the speed is integrated term by term; Newton steps find the parameters of the Chebyshev points of arc length. A
@@ -209,7 +211,7 @@ def parameter(s: float, borders: Array, inverse: Array) -> float:
     return float(0.25 * (quarter + min(max(0.5 * (1.0 + series(inverse, quarter, x)), 0.0), 1.0)))
 
 
-def by_length(k, s, order, coefficients, borders, inverse, found, i):  # type: ignore[no-untyped-def]
+def by_length(k, s, order, coefficients, borders, inverse, found, i):
     """Write position and derivatives by arc length of blend `k` at the arc length s into column i of `found` (order + 1, n_axis, n)."""
     u = parameter(s, borders[k], inverse[k])
     square, turn, change = 0.0, 0.0, 0.0  # products of the derivatives by u, for the chain rule
@@ -241,18 +243,28 @@ def by_length(k, s, order, coefficients, borders, inverse, found, i):  # type: i
 
 
 @kernel("i8[:] f8[:] i8 f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:,:]")
-def evaluate(slot, along, order, coefficients, borders, inverse, found):  # type: ignore[no-untyped-def]
+def evaluate(slot, along, order, coefficients, borders, inverse, found):
     """Evaluate blends `slot` (n,) at arc lengths `along` (n,): derivatives by arc length into `found` (order + 1, n_axis, n)."""
     for i in range(slot.size):
-        by_length(slot[i], along[i], order, coefficients, borders, inverse, found, i)  # type: ignore[no-untyped-call]
+        by_length(slot[i], along[i], order, coefficients, borders, inverse, found, i)
 
 
-class Blends(CurveBatch):
+class Blends(ArrayBatch):
     """Many blends at once."""
 
+    columns, axis = ("coefficients", "borders", "inverse"), 0
+
     def __init__(self, curves: Sequence[Blend]) -> None:
-        super().__init__(curves)
-        self.shape = tuple(np.array([getattr(curve, name) for curve in curves]) for name in ("coefficients", "borders", "inverse"))
+        self._fill(*(np.array([getattr(curve, name) for curve in curves]) for name in self.columns))
+
+    def _fill(self, *arrays: Array) -> None:
+        self.coefficients, self.borders, self.inverse = self.shape = arrays
+        self.n_axis, self.length = self.coefficients.shape[2], self.borders[:, -1]
+
+    def curve(self, slot: int) -> Blend:
+        blend = Blend.__new__(Blend)
+        blend._fill(self.coefficients[slot], self.borders[slot], self.inverse[slot], float(self.length[slot]))
+        return blend
 
     @cached_property
     def arc(self) -> Array:
@@ -311,7 +323,7 @@ class Blend(Curve):
         self.n_axis = coefficients.shape[1]
 
 
-def blends(coefficients: ArrayLike) -> tuple[list[Blend], Index]:
+def blends(coefficients: ArrayLike) -> tuple[Sequence[Any], Index]:
     """Create blends from many quintic curves at once.
 
     Parameters
@@ -321,7 +333,7 @@ def blends(coefficients: ArrayLike) -> tuple[list[Blend], Index]:
 
     Returns
     -------
-    list of Blend
+    sequence of Blend
         In order. A curve too uneven for its series is halved until each part is accurate to 1e-12 of its length.
     ndarray of int
         Number of the curve that each blend belongs to.
@@ -350,10 +362,5 @@ def blends(coefficients: ArrayLike) -> tuple[list[Blend], Index]:
     if not made:
         return [], owner
     owner, begin, c, borders, inverse = (np.concatenate(column) for column in zip(*made, strict=True))
-    created: list[Blend] = []
     order = np.lexsort([begin, owner])
-    for row in zip(c[order], borders[order], inverse[order], borders[order, -1].tolist(), strict=True):
-        blend = Blend.__new__(Blend)
-        blend._fill(*row)
-        created.append(blend)
-    return created, owner[order]
+    return Curves([(Blends.made(c[order], borders[order], inverse[order]), np.arange(order.size))]), owner[order]
