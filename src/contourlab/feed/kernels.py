@@ -21,7 +21,8 @@ def _interval(x, i, double, tangent, second, third, turning, speeding, reference
 
     The axis accelerations are limited at both ends of the interval; at the second end, v^2 is x + 2 a ds.
     """
-    high, high_slope, low, low_slope = math.inf, 0.0, math.inf, 0.0
+    high, low, over, under, rise, fall = math.inf, math.inf, 1.0, 1.0, 0.0, 0.0
+    steady = 1.0 / (period * speeding[i]) if period > 0.0 else 0.0
     for axis in range(acceleration.size):
         for at in range(i, i + 2):
             p, q = tangent[at, axis], second[at, axis]
@@ -32,19 +33,18 @@ def _interval(x, i, double, tangent, second, third, turning, speeding, reference
             if p > TINY:
                 limit, turn = acceleration[axis] * turning[at], q * x
                 if limit - turn < high * p:
-                    high, high_slope = (limit - turn) / p, -q / p
+                    high, over, rise = (limit - turn) / p, p, -q
                 if limit + turn < low * p:
-                    low, low_slope = (limit + turn) / p, q / p
-        if period > 0.0:
-            p = abs(tangent[i, axis]) / (period * speeding[i]) + 3.0 * abs(second[i, axis]) * reference[i]
+                    low, under, fall = (limit + turn) / p, p, q
+        p = abs(tangent[i, axis]) * steady + 3.0 * abs(second[i, axis]) * reference[i]
+        if period > 0.0 and p > 0.0:
             q = abs(third[i, axis]) * reference[i]
-            if p > 0.0:
-                left = jerk[axis] - q * x
-                if left < high * p:
-                    high, high_slope = left / p, -q / p
-                if left < low * p:
-                    low, low_slope = left / p, -q / p
-    return high, high_slope, low, low_slope
+            left = jerk[axis] - q * x
+            if left < high * p:
+                high, over, rise = left / p, p, -q
+            if left < low * p:
+                low, under, fall = left / p, p, -q
+    return high, rise / over, low, fall / under
 
 
 def _note(reference, ceiling, known_reference, known_ceiling, flags):

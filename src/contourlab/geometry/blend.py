@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import GeometryError, refuse
-from contourlab.geometry.curve import ArrayBatch, Curve, Curves, by_arc_length
+from contourlab.geometry.curve import ArrayBatch, Curve, Curves
 from contourlab.native.kernel import kernel
 
 ACCURACY = 1e-12
@@ -64,14 +64,6 @@ def quintic_bezier(points: ArrayLike) -> Array:
     return coefficients
 
 
-def _powers(c: Array, u: Array) -> Array:
-    """Return quintics with coefficients (6, n_axis, ...) and three derivatives at u (...): (4, n_axis, ...)."""
-    value = c[0] + u * (c[1] + u * (c[2] + u * (c[3] + u * (c[4] + u * c[5]))))
-    first = c[1] + u * (2.0 * c[2] + u * (3.0 * c[3] + u * (4.0 * c[4] + u * (5.0 * c[5]))))
-    second = 2.0 * c[2] + u * (6.0 * c[3] + u * (12.0 * c[4] + u * (20.0 * c[5])))
-    return np.array([value, first, second, 6.0 * c[3] + u * (24.0 * c[4] + u * (60.0 * c[5]))])
-
-
 def shapes(coefficients: Array, u: Array) -> tuple[Array, Array]:
     """Evaluate quintics at parameters, without creating curves.
 
@@ -88,9 +80,9 @@ def shapes(coefficients: Array, u: Array) -> tuple[Array, Array]:
         |dr/du|.
     """
     n, m, n_axis = len(coefficients), u.size, coefficients.shape[2]
-    raw = _powers(np.moveaxis(coefficients, 0, 2)[..., None], u)  # (4, n_axis, n, m)
-    derivatives = np.moveaxis(raw, 1, 3).reshape(4, n * m, n_axis)
-    return by_arc_length(derivatives, 3).reshape(4, n, m, n_axis), np.linalg.norm(derivatives[1], axis=1).reshape(n, m)
+    found, speed = np.empty((4, n_axis, n * m)), np.empty((n, m))
+    _shapes(np.ascontiguousarray(coefficients), u, found, speed)
+    return found.transpose(0, 2, 1).reshape(4, n, m, n_axis), speed
 
 
 def _speeds(c, x, speed):
@@ -197,10 +189,14 @@ def _inverted(c: Array) -> tuple[Array, Array, Array, Flags]:
 
 def series(terms: Array, quarter: int, x: float) -> float:
     """Return the Chebyshev series of a quarter at x."""
-    b1, b2 = 0.0, 0.0  # Clenshaw's recursion
-    for term in range(terms.shape[1] - 1, 0, -1):
-        b1, b2 = 2.0 * x * b1 + (terms[quarter, term] - b2), b1
-    return float(x * b1 - b2 + terms[quarter, 0])
+    # Clenshaw's recursion of even and of odd terms, which need not wait for one another: T_2k(x) = T_k(y), and T_2k+1(x)/x recurs in y too.
+    y, n = 2.0 * x * x - 1.0, terms.shape[1]
+    b1, b2, c1, c2 = 0.0, 0.0, 0.0, 0.0
+    for term in range((n - 1) // 2, 0, -1):
+        b1, b2 = 2.0 * y * b1 + (terms[quarter, 2 * term] - b2), b1
+        if 2 * term + 1 < n:
+            c1, c2 = 2.0 * y * c1 + (terms[quarter, 2 * term + 1] - c2), c1
+    return float(y * b1 - b2 + terms[quarter, 0] + x * ((2.0 * y - 1.0) * c1 - c2 + terms[quarter, 1]))
 
 
 def parameter(s: float, borders: Array, inverse: Array) -> float:
@@ -213,7 +209,11 @@ def parameter(s: float, borders: Array, inverse: Array) -> float:
 
 def by_length(k, s, order, coefficients, borders, inverse, found, i):
     """Write position and derivatives by arc length of blend `k` at the arc length s into column i of `found` (order + 1, n_axis, n)."""
-    u = parameter(s, borders[k], inverse[k])
+    _by_parameter(k, parameter(s, borders[k], inverse[k]), order, coefficients, found, i)
+
+
+def _by_parameter(k, u, order, coefficients, found, i):
+    """Write as `by_length` at a parameter; return |dr/du|."""
     square, turn, change = 0.0, 0.0, 0.0  # products of the derivatives by u, for the chain rule
     axes = coefficients.shape[2]
     for j in range(axes):
@@ -240,6 +240,15 @@ def by_length(k, s, order, coefficients, borders, inverse, found, i):
             found[2, j, i] = second * (p * p) + first * q
             if order > 2:
                 found[3, j, i] = found[3, j, i] * (p * p * p) + 3.0 * second * p * q + first * w
+    return math.sqrt(square)
+
+
+@kernel("f8[:,:,:] f8[:] f8[:,:,:] f8[:,:]")
+def _shapes(coefficients, u, found, speed):
+    """Evaluate for `shapes`."""
+    for k in range(coefficients.shape[0]):
+        for m in range(u.size):
+            speed[k, m] = _by_parameter(k, u[m], 3, coefficients, found, k * u.size + m)
 
 
 @kernel("i8[:] f8[:] i8 f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:,:]")
@@ -277,12 +286,10 @@ class Blends(ArrayBatch):
         return found
 
     def smallest_radii(self) -> Array:
-        n = self.length.size
-        bend, coefficients = np.zeros(n), np.moveaxis(self.shape[0], 0, 2)
+        bend = np.zeros(self.length.size)
         for u in np.linspace(0.0, 1.0, 65):
-            raw = _powers(coefficients, np.full(n, u))
-            bend = np.maximum(bend, np.linalg.norm(by_arc_length(raw.transpose(0, 2, 1), 2)[2], axis=1))
-        return np.asarray(np.divide(1.0, bend, out=np.full(n, np.inf), where=bend > 0.0))
+            bend = np.maximum(bend, np.linalg.norm(shapes(self.coefficients, np.array([u]))[0][2, :, 0], axis=1))
+        return np.asarray(np.divide(1.0, bend, out=np.full(bend.size, np.inf), where=bend > 0.0))
 
 
 class Blend(Curve):
