@@ -18,6 +18,7 @@ Only segments that pass step 3 are used. Every step is linear in the number of s
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -138,7 +139,7 @@ class _Planner:
         blocks = np.flatnonzero((np.add.reduceat(different, edges[:-1]) > 0) | different[self.blocks.last])
         around = 4.0 * self.half * math.sqrt(float(self.second[-1].max()))
         first = np.searchsorted(arc_length, arc_length[edges[blocks]] - around)
-        after = np.searchsorted(arc_length, arc_length[edges[blocks + 1] - 1] + around)
+        after = np.searchsorted(arc_length, arc_length[edges[blocks + 1] - 1] + around, side="right")
         change = np.zeros(different.size + 1, dtype=np.int64)
         np.add.at(change, first, 1)
         np.add.at(change, after, -1)
@@ -313,23 +314,37 @@ def smooth_motions(path: Path, samples: SegmentSamples, limits: AxisLimits) -> l
 
     def planned(group: SegmentSamples) -> list[SmoothMotion]:
         ceiling = {steady: group.speed_ceiling(limits, steady=steady) for steady in {period > 0.0 for period in periods}}
-        planners = [_Planner(path, group, ceiling[period > 0.0], limits, period) for period in periods]
-        chosen = _promising(planners)[:n_tried] if n_tried < 3 else planners
+
+        def planner(period: float) -> _Planner:
+            return _Planner(path, group, ceiling[period > 0.0], limits, period)
+
+        chosen = _promising(planner, periods, n_tried) if n_tried < 3 else list(map(planner, periods))
         return in_threads(_corrected, chosen, threads if len(groups) == 1 else 1)
 
     return [_joined(list(motions)) for motions in zip(*in_threads(planned, groups, threads), strict=True)]
 
 
-def _promising(planners: list[_Planner]) -> list[_Planner]:
-    """Return planners of rising periods by the duration before corrections, which has one minimum; those far from it are left out."""
-    middle = (len(planners) - 1) // 3
-    duration = {middle: planners[middle].duration()}
-    for way in (-1, 1):
-        k = middle + way
-        while 0 <= k < len(planners):
-            duration[k] = planners[k].duration()
-            k = k + way if duration[k] < duration[k - way] else -1
-    return [planners[k] for k in sorted(duration, key=duration.__getitem__)]
+def _promising(planner: Callable[[float], _Planner], periods: list[float], most: int) -> list[_Planner]:
+    """Return planners of the periods with the shortest durations before corrections; the duration has one minimum over the period."""
+    held: list[tuple[float, _Planner]] = []
+
+    def tried(period: float) -> float:
+        one = planner(period)
+        held.append((one.duration(), one))
+        duration = held[-1][0]
+        held.sort(key=lambda pair: pair[0])
+        del held[most:]  # each needs much memory
+        return duration
+
+    middle = (len(periods) - 1) // 3
+    least = tried(periods[middle])
+    for way in (periods[:middle][::-1], periods[middle + 1 :]):
+        before = least
+        for period in way:
+            before, last = tried(period), before
+            if before >= last:
+                break
+    return [one for _, one in held]
 
 
 def _groups(samples: SegmentSamples) -> list[SegmentSamples]:
