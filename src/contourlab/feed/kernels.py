@@ -336,6 +336,36 @@ def steps(arc_length, square, time, first, last, lasting, begin, count, period, 
             reached = place
 
 
+@kernel("f8[:] i8[:] f8[:] f8[:] i8 f8 f8[:,:]")
+def averaged(mean, begin, start, end, width, period, spans):
+    """Average `width` steps, and make these the coefficients of a cubic B-spline.
+
+    Parameters
+    ----------
+    mean (n_step,) [m/s]
+        Mean speeds; the last `width` + 1 of each segment are 0.
+    begin (n_segment + 1,); start, end (n_segment,) [m]
+        First step of each segment; arc lengths at both of its ends.
+    period [s]
+        Time step.
+    spans (n_step, 5)
+        Output: duration; arc length, speed, acceleration at the start; jerk.
+    """
+    older, old, travel = 0.0, 0.0, 0.0
+    for segment in range(start.size):
+        before = travel
+        for i in range(begin[segment], begin[segment + 1]):
+            new = 0.0
+            for k in range(max(i - width + 1, 0), i + 1):
+                new += mean[k]
+            new /= width
+            v, a, j = 0.5 * (older + old), (old - older) / period, (new - 2.0 * old + older) / period**2
+            spans[i, 0], spans[i, 1] = period, min(start[segment] + (travel - before), end[segment])
+            spans[i, 2], spans[i, 3], spans[i, 4] = v, a, j
+            travel += period * (v + period * (a / 2.0 + period * j / 6.0))
+            older, old = old, new
+
+
 def _over(tangent, second, third, row, v, a, j, velocity, acceleration, jerk, worst):
     """Update `worst`: velocity, acceleration, jerk as fractions of the limits, and the fraction of the jerk limit that turning alone needs.
 

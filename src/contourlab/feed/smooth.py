@@ -231,20 +231,10 @@ class _Planner:
         """Return spans of constant jerk, one for each time step, and the first span of each segment."""
         time, *steps, begin = self._grid(square)
         h, arc_length, blocks = self.period / STEPS, self.place[0], self.blocks
-        first, last, mean = self.begin[:-1], self.begin[1:] - 1, np.zeros(int(begin[-1]))
+        mean, spans = np.zeros(int(begin[-1])), np.empty((int(begin[-1]), 5))
         kernels.steps(arc_length, square, time, blocks.first, blocks.last, *steps, h, mean)
-        del time, steps
-        padded = np.concatenate([np.zeros(STEPS + 1), mean])
-        box = padded[2 : 2 + mean.size].copy()
-        for k in range(1, STEPS):
-            box += padded[k + 2 : k + 2 + mean.size]
-        box = np.concatenate([[0.0, 0.0], box / STEPS])
-        older, old, new = box[:-2], box[1:-1], box[2:]
-        v0, a0, j = 0.5 * (older + old), (old - older) / h, (new - 2.0 * old + older) / h**2
-        travel = np.append(0.0, np.cumsum(h * (v0 + h * (a0 / 2.0 + h * j / 6.0))))
-        of_segment = np.repeat(np.arange(first.size), np.diff(begin))
-        s0 = np.minimum(arc_length[first][of_segment] + (travel[:-1] - travel[begin[:-1]][of_segment]), arc_length[last][of_segment])
-        return np.stack([np.full_like(v0, h), s0, v0, a0, j], axis=-1), begin
+        kernels.averaged(mean, begin, arc_length[self.begin[:-1]], arc_length[self.begin[1:] - 1], STEPS, h, spans)
+        return spans, begin
 
 
 def _check_on_path(planner: _Planner, spans: Array, begin: Index, watched: Index) -> tuple[Array, Array]:
