@@ -486,35 +486,29 @@ def demand(
                 count[0] = k + 1
 
 
-def _time(spans, span, k, per_span):
-    """Return the time of the k-th place of a span; the first and the last are just within it."""
-    return spans[span, 0] * (1e-9 + k * (1.0 - 2e-9) / (per_span - 1))
+@kernel("f8[:,:] f8[:,:] f8[:,:] f8[:,:,:] f8[:] f8[:] f8[:] f8[:] f8[:,:]")
+def needed(spans, times, place, derivatives, velocity, acceleration, jerk, worst, found):
+    """Fill rows of faults (n_span, 6), as in `demand` without the sample.
 
-
-@kernel("f8[:,:] i8 f8[:]")
-def places(spans, per_span, place):
-    """Fill the arc lengths (n_span per_span,) at which spans are checked on the path."""
-    for span in range(spans.shape[0]):
-        for k in range(per_span):
-            dt = _time(spans, span, k, per_span)
-            place[span * per_span + k] = spans[span, 1] + dt * (spans[span, 2] + dt * (spans[span, 3] / 2.0 + dt * spans[span, 4] / 6.0))
-
-
-@kernel("f8[:,:] i8 f8[:] f8[:,:,:] f8[:] f8[:] f8[:] f8[:] f8[:,:]")
-def needed(spans, per_span, place, derivatives, velocity, acceleration, jerk, worst, found):
-    """Fill rows of faults (n_span, 6), as in `demand` without the sample, from derivatives of the path (4, n_axis, n_span per_span)."""
+    Parameters
+    ----------
+    times [s], place [m] (n_span, n)
+        Times from the start of each span, and where the motion is then.
+    derivatives (4, n_axis, n_span n)
+        Of the path, there.
+    """
     tangent, second, third = derivatives[1].T, derivatives[2].T, derivatives[3].T
     for span in range(spans.shape[0]):
         most, a0, j = -1.0, spans[span, 3], spans[span, 4]
         for r in range(4):
             found[span, 2 + r] = 0.0
-        for k in range(per_span):
-            dt, i = _time(spans, span, k, per_span), span * per_span + k
+        for k in range(times.shape[1]):
+            dt = times[span, k]
             v = spans[span, 2] + dt * (a0 + dt * j / 2.0)
             for r in range(4):
                 worst[r] = 0.0
-            _over(tangent, second, third, i, v, a0 + dt * j, j, velocity, acceleration, jerk, worst)
+            _over(tangent, second, third, span * times.shape[1] + k, v, a0 + dt * j, j, velocity, acceleration, jerk, worst)
             if max(worst[0], worst[1], worst[2]) > most:
-                most, found[span, 0], found[span, 1] = max(worst[0], worst[1], worst[2]), place[i], v
+                most, found[span, 0], found[span, 1] = max(worst[0], worst[1], worst[2]), place[span, k], v
             for r in range(4):
                 found[span, 2 + r] = max(found[span, 2 + r], worst[r])

@@ -257,10 +257,11 @@ def _check_on_path(planner: _Planner, spans: Array, begin: Index, watched: Index
 
 def _needed(planner: _Planner, spans: Array, per_span: int) -> Array:
     """Return rows of a fault, as in `kernels.demand` without the sample, for the worst place of each span."""
-    place, found = np.empty(len(spans) * per_span), np.empty((len(spans), 6))
-    kernels.places(spans, per_span, place)
-    derivatives = planner.path.derivatives(place, 3).transpose(0, 2, 1)
-    kernels.needed(spans, per_span, place, np.ascontiguousarray(derivatives), *planner.inverse, np.empty(4), found)
+    dt, found = spans[:, :1] * np.linspace(1e-9, 1.0 - 1e-9, per_span), np.empty((len(spans), 6))
+    s0, v0, a0, j = (column[:, None] for column in spans[:, 1:].T)
+    place = s0 + dt * (v0 + dt * (a0 / 2.0 + dt * j / 6.0))
+    derivatives = planner.path.derivatives(place.ravel(), 3).transpose(0, 2, 1)
+    kernels.needed(spans, dt, place, np.ascontiguousarray(derivatives), *planner.inverse, np.empty(4), found)
     return found
 
 

@@ -52,26 +52,26 @@ def test_a_moved_program_takes_the_same_time() -> None:
 @pytest.fixture
 def work(monkeypatch: pytest.MonkeyPatch) -> dict[str, int]:
     """How many samples are checked, and at how many places the path is evaluated for a check."""
-    counts = {"demand": 0, "places": 0}
-    demand, places = kernels.demand, kernels.places
+    counts = {"demand": 0, "needed": 0}
+    demand, needed = kernels.demand, kernels.needed
 
     def counted(*given: Any) -> None:
         counts["demand"] += int(given[13].sum())  # `watched`
         demand(*given)
 
     def evaluated(*given: Any) -> None:
-        counts["places"] += given[2].size
-        places(*given)
+        counts["needed"] += given[1].size
+        needed(*given)
 
     monkeypatch.setattr(kernels, "demand", counted)
-    monkeypatch.setattr(kernels, "places", evaluated)
+    monkeypatch.setattr(kernels, "needed", evaluated)
     return counts
 
 
 def test_the_work_grows_with_the_lines(work: dict[str, int]) -> None:
     found = []
     for n in (400, 1600):
-        work.update(demand=0, places=0)
+        work.update(demand=0, needed=0)
         duration(relief(n))
         found.append(dict(work))
     for name in work:
@@ -83,7 +83,7 @@ def test_only_what_has_changed_is_checked_again_with_the_same_result(work: dict[
     route = blended(relief(800), LIMITS)
     short, least = plan_profile(route, LIMITS), dict(work)
     monkeypatch.setattr(smooth._Planner, "changed", lambda planner, faults: np.ones_like(planner.flags))
-    work.update(demand=0, places=0)
+    work.update(demand=0, needed=0)
     whole = plan_profile(route, LIMITS)
     for name in ("t0", "s0", "v0", "a0", "j"):
         np.testing.assert_array_equal(getattr(short, name), getattr(whole, name))
