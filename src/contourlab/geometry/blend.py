@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import GeometryError, refuse
-from contourlab.geometry.curve import ArrayBatch, Curve, Curves
+from contourlab.geometry.curve import Curve, CurveBatch, Curves
 from contourlab.native.kernel import kernel
 
 ACCURACY = 1e-12
@@ -189,14 +189,10 @@ def _inverted(c: Array) -> tuple[Array, Array, Array, Flags]:
 
 def series(terms: Array, quarter: int, x: float) -> float:
     """Return the Chebyshev series of a quarter at x."""
-    # Clenshaw's recursion of even and of odd terms, which need not wait for one another: T_2k(x) = T_k(y), and T_2k+1(x)/x recurs in y too.
-    y, n = 2.0 * x * x - 1.0, terms.shape[1]
-    b1, b2, c1, c2 = 0.0, 0.0, 0.0, 0.0
-    for term in range((n - 1) // 2, 0, -1):
-        b1, b2 = 2.0 * y * b1 + (terms[quarter, 2 * term] - b2), b1
-        if 2 * term + 1 < n:
-            c1, c2 = 2.0 * y * c1 + (terms[quarter, 2 * term + 1] - c2), c1
-    return float(y * b1 - b2 + terms[quarter, 0] + x * ((2.0 * y - 1.0) * c1 - c2 + terms[quarter, 1]))
+    b1, b2 = 0.0, 0.0  # Clenshaw's recursion
+    for term in range(terms.shape[1] - 1, 0, -1):
+        b1, b2 = 2.0 * x * b1 + (terms[quarter, term] - b2), b1
+    return float(x * b1 - b2 + terms[quarter, 0])
 
 
 def parameter(s: float, borders: Array, inverse: Array) -> float:
@@ -258,7 +254,7 @@ def evaluate(slot, along, order, coefficients, borders, inverse, found):
         by_length(slot[i], along[i], order, coefficients, borders, inverse, found, i)
 
 
-class Blends(ArrayBatch):
+class Blends(CurveBatch):
     """Many blends at once."""
 
     columns, axis = ("coefficients", "borders", "inverse"), 0
@@ -266,7 +262,7 @@ class Blends(ArrayBatch):
     def __init__(self, curves: Sequence[Blend]) -> None:
         self._fill(*(np.array([getattr(curve, name) for curve in curves]) for name in self.columns))
 
-    def _fill(self, *arrays: Array) -> None:
+    def _fill(self, *arrays: Any) -> None:
         self.coefficients, self.borders, self.inverse = self.shape = arrays
         self.n_axis, self.length = self.coefficients.shape[2], self.borders[:, -1]
 

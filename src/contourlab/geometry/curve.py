@@ -26,28 +26,38 @@ class CurveBatch:
     ----------
     sixth : ndarray (n_curve,) [1/m^5] or None
         Bound of the sixth derivative by arc length of each curve; None if unknown.
+    columns, axis
+        Names of the arrays that define the curves, and the axis of the curves in them.
     """
 
     sixth: Array | None = None
+    columns: ClassVar[tuple[str, ...]] = ("curves",)
+    axis: ClassVar[int] = 0
 
     def __init__(self, curves: Sequence[Any]) -> None:
-        self.curves = curves
-        self.n_axis: int = curves[0].n_axis
-        self.length = np.array([curve.length for curve in curves])
+        self._fill(np.fromiter(curves, dtype=object, count=len(curves)))
 
-    @property
-    def of(self) -> type[Any]:
-        """Kind of the curves."""
-        return type(self.curves[0])
+    def _fill(self, *arrays: Any) -> None:
+        """Take the arrays of `columns`."""
+        (self.curves,) = arrays
+        self.n_axis: int = self.curves[0].n_axis
+        self.length = np.array([curve.length for curve in self.curves])
 
     @classmethod
-    def merged(cls, batches: Sequence[Any], order: Index) -> CurveBatch:
+    def made(cls, *arrays: Any) -> Self:
+        """Return the batch with the arrays of `columns`."""
+        batch = cls.__new__(cls)
+        batch._fill(*arrays)
+        return batch
+
+    @classmethod
+    def merged(cls, batches: Sequence[Any], order: Index) -> Self:
         """Return some curves of successive batches of one kind, in an order of their own."""
-        curves = [curve for batch in batches for curve in batch.curves]
-        return cls([curves[i] for i in order.tolist()])
+        parts = (np.concatenate([getattr(batch, name) for batch in batches], axis=cls.axis) for name in cls.columns)
+        return cls.made(*(np.take(part, order, axis=cls.axis) for part in parts))
 
     def curve(self, slot: int) -> Any:
-        """Return one of the curves."""
+        """Return one of the curves; batches that keep numbers alone create it."""
         return self.curves[slot]
 
     def derivatives(self, slot: Index, along: Array, order: int) -> Array:
@@ -79,38 +89,6 @@ class CurveBatch:
     def smallest_radii(self) -> Array:
         """Return the smallest radius of curvature (n_curve,) [m] of each curve."""
         return np.array([curve.smallest_radius() for curve in self.curves])
-
-
-class ArrayBatch(CurveBatch):
-    """A batch that keeps arrays alone, and creates a curve where one is asked for.
-
-    Attributes
-    ----------
-    columns, axis
-        Names of the arrays; the axis of the curves in them.
-    """
-
-    columns: ClassVar[tuple[str, ...]]
-    axis: ClassVar[int]
-
-    @classmethod
-    def made(cls, *arrays: Array) -> Self:
-        """Return the batch with some arrays."""
-        batch = cls.__new__(cls)
-        batch._fill(*arrays)
-        return batch
-
-    @property
-    def of(self) -> type[Any]:
-        return type(self)
-
-    @classmethod
-    def merged(cls, batches: Sequence[Any], order: Index) -> CurveBatch:
-        parts = (np.concatenate([getattr(batch, name) for batch in batches], axis=cls.axis) for name in cls.columns)
-        return cls.made(*(np.take(part, order, axis=cls.axis) for part in parts))
-
-    def _fill(self, *arrays: Array) -> None:
-        raise NotImplementedError
 
 
 class Curve(ABC):
@@ -276,11 +254,11 @@ class Curves(Sequence[Curve]):
     def __init__(self, parts: Sequence[tuple[CurveBatch, Index]]) -> None:
         place = np.concatenate([numbers for _, numbers in parts])
         rank, done = np.argsort(np.argsort(place, kind="stable")), 0
-        kinds: dict[type[Any], list[tuple[CurveBatch, Index]]] = {}
+        kinds: dict[Any, list[tuple[CurveBatch, Index]]] = {}
         for batch, numbers in parts:
             done += numbers.size
             if numbers.size:
-                kinds.setdefault(batch.of, []).append((batch, rank[done - numbers.size : done]))
+                kinds.setdefault((type(batch), type(batch.curve(0))), []).append((batch, rank[done - numbers.size : done]))
         self.batches: list[CurveBatch] = []
         self.kind, self.slot = np.zeros((2, place.size), dtype=np.int64)
         for batches, ranks in (zip(*members, strict=True) for members in kinds.values()):

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from contourlab.arrays import Array, Index
 from contourlab.errors import GeometryError
-from contourlab.geometry.curve import ArrayBatch, Curve, CurveBatch, of_each, positive, rows, vector
+from contourlab.geometry.curve import Curve, CurveBatch, of_each, positive, rows, vector
 
 
-class Lines(ArrayBatch):
+class Lines(CurveBatch):
     """Many lines at once.
 
     Parameters
@@ -26,7 +27,7 @@ class Lines(ArrayBatch):
     def __init__(self, curves: Sequence[Line]) -> None:
         self._fill(*(rows(curves, name) for name in self.columns[:3]), np.array([line.length for line in curves]))
 
-    def _fill(self, *arrays: Array) -> None:
+    def _fill(self, *arrays: Any) -> None:
         self.start, self.end, self.direction, self.length = arrays
         self.n_axis, self.sixth = len(self.start), np.zeros(self.length.size)
 
@@ -109,8 +110,9 @@ class Arcs(CurveBatch):
     curves : sequence of Arc
     """
 
-    def __init__(self, curves: Sequence[Arc]) -> None:
-        super().__init__(curves)
+    def _fill(self, *arrays: Any) -> None:
+        super()._fill(*arrays)
+        curves = self.curves
         self.centre, self.u, self.v, self.rise = (rows(curves, name) for name in ("centre", "u", "v", "rise"))
         self.radius, self.start_angle, self.rate = (
             np.array([getattr(curve, name) for curve in curves]) for name in ("radius", "start_angle", "rate")
