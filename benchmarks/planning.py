@@ -141,7 +141,7 @@ def stretch_time(route: Route, begin: float, end: float, most: AxisLimits, n_gri
     """Return toppra's time for one stretch from rest to rest; the path speed is an axis of its own, without acceleration limit."""
     import toppra
     from toppra.algorithm import TOPPRA
-    from toppra.constraint import JointAccelerationConstraint, JointVelocityConstraintVarying
+    from toppra.constraint import JointAccelerationConstraint, JointVelocityConstraint, JointVelocityConstraintVarying
 
     class Stretch(toppra.interpolator.AbstractGeometricPath):  # type: ignore[misc]
         dof = route.path.n_axis + 1
@@ -164,7 +164,10 @@ def stretch_time(route: Route, begin: float, end: float, most: AxisLimits, n_gri
     grid = np.unique(np.concatenate([np.linspace(0.0, end - begin, n_grid), inner]))
     grid = np.delete(grid, np.flatnonzero(np.diff(grid) < 1e-9) + 1) if np.any(np.diff(grid) < 1e-9) else grid
     grid[-1] = end - begin
-    constraints = [JointVelocityConstraintVarying(speeds), JointAccelerationConstraint(np.column_stack([-span, span]))]
+    first, last = route.path.curve_index([begin, end - 1e-12])
+    even = np.ptp(route.feedrate[first : last + 1]) == 0.0  # then toppra needs no call for each place
+    velocity = JointVelocityConstraint(speeds(0.0)) if even else JointVelocityConstraintVarying(speeds)
+    constraints = [velocity, JointAccelerationConstraint(np.column_stack([-span, span]))]
     _, speed, _ = TOPPRA(constraints, Stretch(), gridpoints=grid, solver_wrapper="seidel").compute_parameterization(0.0, 0.0)
     if speed is None:
         raise OracleError("toppra found no motion")

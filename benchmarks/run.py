@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import importlib.util
 import itertools
 import math
 import os
@@ -29,7 +30,10 @@ from contourlab.components.friction.laws import SmoothCoulomb
 from contourlab.components.observer.disturbance_observer import DisturbanceObserver
 from contourlab.components.plant.plant import RigidAxis
 from contourlab.errors import EngineError
+from contourlab.feed import Route, blended, plan, route_from_program
 from contourlab.geometry.view import view_of
+from contourlab.program.reader import parse_program
+from contourlab.scenario.load import load_machine
 
 PERIOD, STEPS, RADIUS, FREQUENCY, WEIGHT = 1e-4, 40_000, 20.0, 0.5, 0.75
 PATH = cl.contour("circle", radius=1e-3 * RADIUS)
@@ -283,9 +287,9 @@ def with_five_axes() -> list[Contender]:
     ]
 
 
-def relief(lines: int) -> str:
-    """Return a program that mills a relief in lines of 0.25 mm, 160 in a row, blended within 5 um."""
-    text, x, y = ["G21 G90 G17 G64 P0.005", "F3000", "G0 X0 Y0 Z5", "G1 Z0"], 0.0, 0.0
+def relief(lines: int, merge: str = "") -> str:
+    """Return a program that mills a relief in lines of 0.25 mm, 160 in a row, blended within 5 um; `merge` Q0: no curves are fitted."""
+    text, x, y = [f"G21 G90 G17 G64 P0.005 {merge}", "F3000", "G0 X0 Y0 Z5", "G1 Z0"], 0.0, 0.0
     for i in range(lines):
         y = 0.25 * (i // 160)
         x += -0.25 if i // 160 % 2 else 0.25
@@ -340,6 +344,29 @@ def bench_run(bench: Bench, folder: Path) -> None:
         start = time.process_time()
         error = 1e3 * work()
         bench.add(row, time.process_time() - start, rms(error), len(error), against, note)
+
+
+def planning(lines: int = 1_600) -> list[Contender]:
+    """Return the rows of the planner, whose steps are lines of a relief; in place of an error the cycle time [s]."""
+    from planning import least_time
+
+    limits = load_machine("builtin:xyz").planner_limits()
+    corners, smooth = (route_from_program(parse_program(relief(lines, merge))) for merge in ("Q0", ""))
+    rounded = blended(corners, limits)
+
+    def row(name: str, work: Callable[[], float], against: str | None, note: str) -> Contender:
+        return Contender(name, lambda: np.full(lines, work()), 1, against, f"per line, cycle time in s: {note}")
+
+    def ours(route: Route) -> float:
+        return plan(blended(route, limits), limits, PERIOD).duration
+
+    less = "velocity and acceleration alone, at the ends of the curves that contourlab blended; contourlab blends, and keeps the jerk"
+    found = [row("toppra", lambda: least_time(rounded, limits, 2), None, less)] if importlib.util.find_spec("toppra") else []
+    return [
+        *found,
+        row("contourlab plan", lambda: ours(corners), "toppra", "every line ends in a corner (Q0)"),
+        row("contourlab plan, fitted", lambda: ours(smooth), "toppra", "the same relief, its lines fitted by curves"),
+    ]
 
 
 def timed(repeat: int, n: int, **given: object) -> tuple[float, float]:
@@ -402,7 +429,7 @@ def main() -> int:
     print("Nanoseconds per step and variant; rms contour error of the second lap (judge: part error, second half) in mm")
     print(f"{'':35s}{'ns':>9s}{'to C':>9s}{'ratio':>9s}  {'rms':17s}ratio to")
     with tempfile.TemporaryDirectory() as folder:
-        bench.rounds([*on_circle(), *with_backlash(), *with_five_axes(), *judging(Path(folder))], options.repeat)
+        bench.rounds([*on_circle(), *with_backlash(), *with_five_axes(), *judging(Path(folder)), *planning()], options.repeat)
         if not options.quick:
             bench_run(bench, Path(folder))
     bench_judged(bench, min(options.repeat, 7))

@@ -42,9 +42,10 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.feed.bounds import AxisLimits, Samples, Share, peak_speed, ramps, speed_limit
 from contourlab.feed.fitting import Quintics, fitted, replaced
 from contourlab.feed.route import Correspondence, Route
-from contourlab.geometry import Arc, Line, Path
-from contourlab.geometry.blend import Blend, halves, quintic_bezier, shapes
-from contourlab.geometry.curve import angle_between
+from contourlab.geometry import Path
+from contourlab.geometry.blend import Blends, halves, quintic_bezier, shapes
+from contourlab.geometry.curve import Curves, angle_between
+from contourlab.geometry.line_and_arc import Arcs, Lines
 from contourlab.geometry.path import CORNER_ANGLE
 from contourlab.native.kernel import kernel
 
@@ -62,8 +63,7 @@ def merged(route: Route) -> Route:
     if not linked.any():
         return route
     path = route.path
-    last_curve = path.curves[-1]
-    points = np.concatenate([path.starts[0], last_curve.end[None] if isinstance(last_curve, Line) else path.ends[0][-1:]])
+    points = np.concatenate([path.starts[0], getattr(path.curves[-1], "end", path.ends[0][-1])[None]])
     # The largest distance of a point from its merged line: Q if Q > P, else Q but at most P/2.
     wide, narrow = route.corner_tolerance, route.merge_tolerance
     first = run_starts(points, np.where(narrow <= wide, np.minimum(narrow, 0.5 * wide), narrow), linked)
@@ -71,8 +71,10 @@ def merged(route: Route) -> Route:
     many = last > first
     if not many.any():
         return route
-    made = iter(Line.many(points[first[many]], points[last[many] + 1]))
-    planned = Path([next(made) if joined else path.curves[i] for i, joined in zip(first.tolist(), many.tolist(), strict=True)], path.closed)
+    number = np.full(route.n_curve, -1)
+    number[first[~many]] = np.flatnonzero(~many)
+    lines = Lines.between(points[first[many]], points[last[many] + 1])
+    planned = Path(Curves([(lines, np.flatnonzero(many)), *path.curves.parts(number)]), path.closed)
     run = np.repeat(np.arange(first.size), last - first + 1)
     # Where the start of each old line lies along the new line of its run, and how far from it.
     direction, away = planned.starts[1][run], points[:-1] - points[first[run]]
@@ -95,9 +97,9 @@ def merged(route: Route) -> Route:
 
 def _linked(route: Route) -> Flags:
     """Return which curves may be merged with the next."""
-    usable = np.array([type(curve) is Line for curve in route.path.curves], dtype=bool) & ~route.rapid & (route.merge_tolerance > 0.0)
+    usable = route.path.of_kind(Lines) & ~route.rapid & (route.merge_tolerance > 0.0)
     # A line keeps the direction of the fitted curve before or after it, as no corner between them could be rounded.
-    fitted_curve = np.array([type(curve) is Blend for curve in route.path.curves], dtype=bool)
+    fitted_curve = route.path.of_kind(Blends)
     usable &= ~np.roll(fitted_curve, 1) & ~np.roll(fitted_curve, -1)
     linked = usable & np.roll(usable, -1) & (route.dwell == 0.0) & ~route.exact_stop
     for name in ("feedrate", "merge_tolerance", "corner_tolerance"):
@@ -412,7 +414,7 @@ def _corners(route: Route) -> Corners:
     before = np.arange(n if path.closed and n > 1 else n - 1)
     after = (before + 1) % n
     turn = angle_between(path.ends[1][before], path.starts[1][after])
-    plain = np.array([type(curve) in (Line, Arc) for curve in path.curves], dtype=bool)
+    plain = path.of_kind(Lines, Arcs)
     wanted = (route.corner_tolerance[before] > 0.0) & (route.dwell[before] == 0.0) & ~route.exact_stop[before]
     # A rapid move stops before and after a cut.
     wanted &= route.rapid[before] == route.rapid[after]

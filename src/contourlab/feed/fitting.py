@@ -18,15 +18,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index, ranges
 from contourlab.feed.route import Correspondence, Route
-from contourlab.geometry import Curve, Line, Path
+from contourlab.geometry import Path
 from contourlab.geometry.blend import blends
-from contourlab.geometry.curve import angle_between
+from contourlab.geometry.curve import Curves, angle_between
 from contourlab.geometry.line_and_arc import Arcs, Lines
 from contourlab.geometry.path import CORNER_ANGLE
 from contourlab.native.kernel import kernel
@@ -471,27 +471,28 @@ def replaced(route: Route, quintics: Quintics, low: Array, high: Array, start: A
         These places, as the quintic curves have them, so that rounding opens no gap.
     """
     path, span = route.path, np.diff(route.path.breaks)
-    rounds, piece = blends(quintics.coefficients)
+    made, piece = blends(quintics.coefficients)
+    rounds = Curves.of(made).batches[0]
     # The parts of a divided quintic start in proportion to their lengths.
-    length = np.array([blend.length for blend in rounds])
-    done = np.cumsum(length) - length
-    share = (done - done[np.searchsorted(piece, piece)]) / np.bincount(piece, weights=length)[piece]
+    done = np.cumsum(rounds.length) - rounds.length
+    share = (done - done[np.searchsorted(piece, piece)]) / np.bincount(piece, weights=rounds.length)[piece]
     begin = quintics.begin[piece] + (quintics.end - quintics.begin)[piece] * share
     stays = high - low > 1e-9 * span
-    cut = stays & ((low > 0.0) | (high < span))
-    straight = np.array([type(curve) is Line for curve in path.curves], dtype=bool)
-    lines, kept = np.flatnonzero(straight & cut), np.flatnonzero(stays)
-    uncut: list[Any] = [path.curves[i] for i in lines.tolist()]
-    finish = np.where((high < span)[lines, None], end[lines], np.reshape([line.end for line in uncut], (-1, path.n_axis)))
-    new: dict[int, Curve] = dict(zip(lines.tolist(), Line.many(start[lines], finish), strict=True))
-    for i in np.flatnonzero(~straight & cut).tolist():
-        arc: Any = path.curves[i]
-        new[i] = arc.part(low[i], high[i])
-    curves = [*(new.get(i, path.curves[i]) for i in kept.tolist()), *rounds]
+    cut, kept = stays & ((low > 0.0) | (high < span)), np.flatnonzero(stays)
     places = np.concatenate([path.breaks[kept] + low[kept], begin])
     order = np.argsort(places, kind="stable")
-    planned = Path([curves[i] for i in order.tolist()], path.closed)
-    places = places[order]
+    rank = np.argsort(order)
+    of_curve = np.zeros(span.size, dtype=np.int64)
+    of_curve[kept] = rank[: kept.size]
+    parts = [(rounds, rank[kept.size :]), *path.curves.parts(np.where(stays & ~cut, of_curve, -1))]
+    for batch, numbers in path.kinds:
+        some = np.flatnonzero(cut[numbers])
+        i = numbers[some]
+        if isinstance(batch, Lines):
+            parts.append((Lines.between(start[i], np.where((high < span)[i, None], end[i], batch.end.T[some])), of_curve[i]))
+        elif some.size:
+            parts.append((type(batch)([path.curves[k].part(low[k], high[k]) for k in i.tolist()]), of_curve[i]))
+    planned, places = Path(Curves(parts), path.closed), places[order]
     between = Correspondence(planned.breaks, np.append(places, places[0] + path.length if path.closed else path.length))
     ends = np.concatenate([np.ones(kept.size), np.diff(piece, append=-1)])[order] != 0  # not the parts of a quintic but its last
     data, joint = (np.concatenate([kept, of_each[piece]])[order] for of_each in quintics[3:])

@@ -16,32 +16,35 @@ TINY = 1e-9  # smallest tangent component that limits the acceleration
 N_NEWTON = 60
 
 
-def _tightest(x, i, double, sign, tangent, second, third, turning, speeding, reference, acceleration, jerk, period):
-    """Return the upper limit of sign * a between the samples i and i + 1, for a given x at i, and its derivative by x.
+def _interval(x, i, double, tangent, second, third, turning, speeding, reference, acceleration, jerk, period):
+    """Return the upper limits of a and of -a between the samples i and i + 1, for a given x at i, each with its derivative by x.
 
     The axis accelerations are limited at both ends of the interval; at the second end, v^2 is x + 2 a ds.
     """
-    best, slope = math.inf, 0.0
+    high, low, over, under, rise, fall = math.inf, math.inf, 1.0, 1.0, 0.0, 0.0
+    steady = 1.0 / (period * speeding[i]) if period > 0.0 else 0.0
     for axis in range(acceleration.size):
         for at in range(i, i + 2):
             p, q = tangent[at, axis], second[at, axis]
             if at > i:
                 p += double * q
-            p *= sign
             if p < 0.0:
                 p, q = -p, -q
             if p > TINY:
-                value = (acceleration[axis] * turning[at] - q * x) / p
-                if value < best:
-                    best, slope = value, -q / p
-        if period > 0.0:
-            p = abs(tangent[i, axis]) / (period * speeding[i]) + 3.0 * abs(second[i, axis]) * reference[i]
-            if p > 0.0:
-                q = abs(third[i, axis]) * reference[i]
-                value = (jerk[axis] - q * x) / p
-                if value < best:
-                    best, slope = value, -q / p
-    return best, slope
+                limit, turn = acceleration[axis] * turning[at], q * x
+                if limit - turn < high * p:
+                    high, over, rise = (limit - turn) / p, p, -q
+                if limit + turn < low * p:
+                    low, under, fall = (limit + turn) / p, p, q
+        p = abs(tangent[i, axis]) * steady + 3.0 * abs(second[i, axis]) * reference[i]
+        if period > 0.0 and p > 0.0:
+            q = abs(third[i, axis]) * reference[i]
+            left = jerk[axis] - q * x
+            if left < high * p:
+                high, over, rise = left / p, p, -q
+            if left < low * p:
+                low, under, fall = left / p, p, -q
+    return high, rise / over, low, fall / under
 
 
 def _note(reference, ceiling, known_reference, known_ceiling, flags):
@@ -63,8 +66,9 @@ def _controllable(i, double, following, x, tangent, second, third, turning, spee
     The width of the interval of accelerations is concave in v^2, so Newton steps from above end at its last root.
     """
     for _ in range(N_NEWTON):
-        high, high_slope = _tightest(x, i, double, 1.0, tangent, second, third, turning, speeding, reference, acceleration, jerk, period)
-        low, low_slope = _tightest(x, i, double, -1.0, tangent, second, third, turning, speeding, reference, acceleration, jerk, period)
+        high, high_slope, low, low_slope = _interval(
+            x, i, double, tangent, second, third, turning, speeding, reference, acceleration, jerk, period
+        )
         if (following - x) / double < high:
             high, high_slope = (following - x) / double, -1.0 / double
         if x / double < low:
@@ -133,8 +137,8 @@ def reach(
         if i > 0:
             double, start = 2.0 * (arc_length[i] - arc_length[i - 1]), square[i - 1]
             if double > 0.0:
-                high, _ = _tightest(
-                    start, i - 1, double, 1.0, tangent, second, third, turning, speeding, reference, acceleration, jerk, period
+                high, _, _, _ = _interval(
+                    start, i - 1, double, tangent, second, third, turning, speeding, reference, acceleration, jerk, period
                 )
                 start = max(start + double * high, 0.0)
             x = min(x, start)
@@ -332,6 +336,36 @@ def steps(arc_length, square, time, first, last, lasting, begin, count, period, 
             reached = place
 
 
+@kernel("f8[:] i8[:] f8[:] f8[:] i8 f8 f8[:,:]")
+def averaged(mean, begin, start, end, width, period, spans):
+    """Average `width` steps, and make these the coefficients of a cubic B-spline.
+
+    Parameters
+    ----------
+    mean (n_step,) [m/s]
+        Mean speeds; the last `width` + 1 of each segment are 0.
+    begin (n_segment + 1,); start, end (n_segment,) [m]
+        First step of each segment; arc lengths at both of its ends.
+    period [s]
+        Time step.
+    spans (n_step, 5)
+        Output: duration; arc length, speed, acceleration at the start; jerk.
+    """
+    older, old, travel = 0.0, 0.0, 0.0
+    for segment in range(start.size):
+        before = travel
+        for i in range(begin[segment], begin[segment + 1]):
+            new = 0.0
+            for k in range(max(i - width + 1, 0), i + 1):
+                new += mean[k]
+            new /= width
+            v, a, j = 0.5 * (older + old), (old - older) / period, (new - 2.0 * old + older) / period**2
+            spans[i, 0], spans[i, 1] = period, min(start[segment] + (travel - before), end[segment])
+            spans[i, 2], spans[i, 3], spans[i, 4] = v, a, j
+            travel += period * (v + period * (a / 2.0 + period * j / 6.0))
+            older, old = old, new
+
+
 def _over(tangent, second, third, row, v, a, j, velocity, acceleration, jerk, worst):
     """Update `worst`: velocity, acceleration, jerk as fractions of the limits, and the fraction of the jerk limit that turning alone needs.
 
@@ -450,3 +484,31 @@ def demand(
                 for r in range(4):
                     faults[k, 3 + r] = worst[r]
                 count[0] = k + 1
+
+
+@kernel("f8[:,:] f8[:,:] f8[:,:] f8[:,:,:] f8[:] f8[:] f8[:] f8[:] f8[:,:]")
+def needed(spans, times, place, derivatives, velocity, acceleration, jerk, worst, found):
+    """Fill rows of faults (n_span, 6), as in `demand` without the sample.
+
+    Parameters
+    ----------
+    times [s], place [m] (n_span, n)
+        Times from the start of each span, and where the motion is then.
+    derivatives (4, n_axis, n_span n)
+        Of the path, there.
+    """
+    tangent, second, third = derivatives[1].T, derivatives[2].T, derivatives[3].T
+    for span in range(spans.shape[0]):
+        most, a0, j = -1.0, spans[span, 3], spans[span, 4]
+        for r in range(4):
+            found[span, 2 + r] = 0.0
+        for k in range(times.shape[1]):
+            dt = times[span, k]
+            v = spans[span, 2] + dt * (a0 + dt * j / 2.0)
+            for r in range(4):
+                worst[r] = 0.0
+            _over(tangent, second, third, span * times.shape[1] + k, v, a0 + dt * j, j, velocity, acceleration, jerk, worst)
+            if max(worst[0], worst[1], worst[2]) > most:
+                most, found[span, 0], found[span, 1] = max(worst[0], worst[1], worst[2]), place[span, k], v
+            for r in range(4):
+                found[span, 2 + r] = max(found[span, 2 + r], worst[r])

@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 from contourlab.arrays import Array, Flags, Index, across, ranges
 from contourlab.feed.bounds import SHARES, AxisLimits, Bounds, Samples, piece_bounds, speed_limit
 from contourlab.feed.route import NUDGE, Junctions, Route, junction_speed, junctions
-from contourlab.geometry import Arc, Curve, Line
-from contourlab.geometry.blend import Blend
+from contourlab.geometry.blend import Blends
+from contourlab.geometry.curve import CurveBatch
+from contourlab.geometry.line_and_arc import Arcs, Lines
 from contourlab.native.kernel import kernel
 
 Kinds = NDArray[np.int8]
@@ -32,7 +33,7 @@ DEPTH = 14  # most halvings of an interval
 WORTH = 0.5  # of the feedrate: a kink that must be passed more slowly becomes a stop
 FLAT = 1e-6  # [1/m, 1/m^2] smaller derivatives are rounding
 LINE, ARC, GENERAL, BLEND = range(4)
-KIND_OF: dict[type[Curve], int] = {Line: LINE, Arc: ARC, Blend: BLEND}
+KIND_OF: dict[type[CurveBatch], int] = {Lines: LINE, Arcs: ARC, Blends: BLEND}
 
 
 class Pieces(NamedTuple):
@@ -157,7 +158,7 @@ def survey(route: Route, limits: AxisLimits, curvature_step: float) -> Survey:
         Largest step of an axis acceleration where the curvature jumps, as a fraction of its limit.
     """
     junction = junctions(route)
-    kind = np.array([KIND_OF.get(type(curve), GENERAL) for curve in route.path.curves], dtype=np.int8)
+    kind = np.select([route.path.of_kind(batch) for batch in KIND_OF], list(KIND_OF.values()), GENERAL).astype(np.int8)
     ceiling = junction_speed(junction, limits, curvature_step)
     # Slowing down for a kink without stopping gains nothing.
     slow = np.any(junction.kink != 0.0, axis=1) & (ceiling < WORTH * np.minimum(route.feedrate, np.roll(route.feedrate, -1)))

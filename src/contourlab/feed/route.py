@@ -16,8 +16,9 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.contours.drawing import spline_curves
 from contourlab.errors import FeedError, GeometryError, ProgramError, refuse
 from contourlab.feed.bounds import AxisLimits
-from contourlab.geometry import Arc, Curve, Line, Path
-from contourlab.geometry.curve import interval
+from contourlab.geometry import Arc, Curve, Path
+from contourlab.geometry.curve import Curves, interval
+from contourlab.geometry.line_and_arc import Lines
 from contourlab.geometry.path import CORNER_ANGLE
 from contourlab.native.kernel import kernel
 from contourlab.program import Arc as ArcMove
@@ -350,8 +351,9 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
             rows.append(row)
     refuse(not rows, FeedError, f"{program.name}: the program moves no axis: add a move")
     starts, stops = np.array(ends).reshape(-1, 2, 3)[:, :, columns].transpose(1, 0, 2)
-    lines = iter(Line.many(starts, stops))
-    path = Path([next(lines) if curve is None else curve for curve in curves])
+    others = {i: curve for i, curve in enumerate(curves) if curve is not None}
+    lines = (Lines.between(starts, stops), np.setdiff1d(np.arange(len(curves)), list(others)))
+    path = Path(Curves([lines, *(Curves.of(others.values()).parts(np.array(list(others))) if others else ())]))
     per_curve: dict[str, Any] = {name: np.array(column) for name, column in zip(_Row._fields, zip(*rows, strict=True), strict=True)}
     return Route(path, programmed=path, dwell_before=before, **per_curve)
 

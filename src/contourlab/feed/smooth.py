@@ -18,6 +18,8 @@ Only segments that pass step 3 are used. Every step is linear in the number of s
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -44,6 +46,7 @@ MOST_SPANS = (8, 10_000)  # per sample, and in addition; this bounds T from belo
 FEW = 2_000  # with fewer samples, starting threads takes longer than they save
 MANY = (5_000, 200_000)  # with more samples, only the two most promising periods, or only the best one, are tried
 CHUNK = 32_768  # places per pass
+GROUP = 16_384  # samples of segments planned together, at least
 
 
 class SmoothMotion(NamedTuple):
@@ -77,13 +80,13 @@ class _Planner:
     the speed ceiling. Each line of a program has tens of samples, so intermediate arrays are freed early.
     """
 
-    def __init__(self, path: Path, samples: SegmentSamples, limits: AxisLimits, period: float) -> None:
+    def __init__(self, path: Path, samples: SegmentSamples, base: Array, limits: AxisLimits, period: float) -> None:
         n = samples.arc_length.size
         self.path, self.samples, self.period = path, samples, period
         self.velocity, self.acceleration, self.jerk = (np.array(part) for part in (limits.velocity, limits.acceleration, limits.jerk))
         self.inverse = tuple(1.0 / part for part in (self.velocity, self.acceleration, self.jerk))
         self.place = tuple(np.ascontiguousarray(part) for part in samples[:4])
-        self.base = samples.speed_ceiling(limits, steady=period > 0.0)
+        self.base = base
         self.begin = samples.begin.astype(np.int64)
         self.flags = np.zeros(n, dtype=np.int64)
         self.half = 0.5 * period * (STEPS + 2) / STEPS  # of the averaging window
@@ -128,17 +131,19 @@ class _Planner:
         return peak, faults[: int(count[0])]
 
     def changed(self, faults: Array) -> Index:
-        """Return 1 for the samples to check: blocks that have changed or had violations, and their neighbours; else 0."""
-        different = self.flags & MOVED != 0
+        """Return 1 for the samples to check: blocks that have changed or had violations, and what is averaged with them; else 0."""
+        different, arc_length = self.flags & MOVED != 0, self.place[0]
         different[faults[:, 0].astype(np.intp)] = True
         # The last sample of a block is the first of the next.
         edges = np.append(self.blocks.first, different.size)
-        blocks = np.add.reduceat(different, edges[:-1]) > 0
-        blocks |= different[self.blocks.last]
-        near = blocks.astype(np.int64)
-        near[1:] |= blocks[:-1]
-        near[:-1] |= blocks[1:]
-        return np.repeat(near, np.diff(edges))
+        blocks = np.flatnonzero((np.add.reduceat(different, edges[:-1]) > 0) | different[self.blocks.last])
+        around = 4.0 * self.half * math.sqrt(float(self.second[-1].max()))
+        first = np.searchsorted(arc_length, arc_length[edges[blocks]] - around)
+        after = np.searchsorted(arc_length, arc_length[edges[blocks + 1] - 1] + around, side="right")
+        change = np.zeros(different.size + 1, dtype=np.int64)
+        np.add.at(change, first, 1)
+        np.add.at(change, after, -1)
+        return np.asarray(np.minimum(np.cumsum(change[:-1]), 1))
 
     def lower(self, faults: Array, haste: float) -> None:
         """Lower the limits of the samples within the averaging window around each violation."""
@@ -226,64 +231,55 @@ class _Planner:
         """Return spans of constant jerk, one for each time step, and the first span of each segment."""
         time, *steps, begin = self._grid(square)
         h, arc_length, blocks = self.period / STEPS, self.place[0], self.blocks
-        first, last, mean = self.begin[:-1], self.begin[1:] - 1, np.zeros(int(begin[-1]))
+        mean, spans = np.zeros(int(begin[-1])), np.empty((int(begin[-1]), 5))
         kernels.steps(arc_length, square, time, blocks.first, blocks.last, *steps, h, mean)
-        del time, steps
-        padded = np.concatenate([np.zeros(STEPS + 1), mean])
-        box = padded[2 : 2 + mean.size].copy()
-        for k in range(1, STEPS):
-            box += padded[k + 2 : k + 2 + mean.size]
-        box = np.concatenate([[0.0, 0.0], box / STEPS])
-        older, old, new = box[:-2], box[1:-1], box[2:]
-        v0, a0, j = 0.5 * (older + old), (old - older) / h, (new - 2.0 * old + older) / h**2
-        travel = np.append(0.0, np.cumsum(h * (v0 + h * (a0 / 2.0 + h * j / 6.0))))
-        of_segment = np.repeat(np.arange(first.size), np.diff(begin))
-        s0 = np.minimum(arc_length[first][of_segment] + (travel[:-1] - travel[begin[:-1]][of_segment]), arc_length[last][of_segment])
-        return np.stack([np.full_like(v0, h), s0, v0, a0, j], axis=-1), begin
+        kernels.averaged(mean, begin, arc_length[self.begin[:-1]], arc_length[self.begin[1:] - 1], STEPS, h, spans)
+        return spans, begin
 
 
-def _check_on_path(planner: _Planner, spans: Array, begin: Index) -> tuple[Array, Array]:
+def _check_on_path(planner: _Planner, spans: Array, begin: Index, watched: Index) -> tuple[Array, Array]:
     """Check like `_Planner.check`, with the derivatives of the path instead of those of the samples."""
     samples, segment = planner.samples, np.repeat(np.arange(begin.size - 1), np.diff(begin))
     per_span = min(PER_SPAN + 2 * samples.arc_length.size // len(spans), PER_SPAN_MOST) if planner.period > 0.0 else 2 * PER_SPAN
-    rows = max(CHUNK // per_span, 1)
-    found = np.concatenate(in_threads(lambda i: _needed(planner, spans[i : i + rows], per_span), range(0, len(spans), rows)))
-    worst, peak = across(np.maximum, found[:, 2:5]), np.zeros(begin.size - 1)
+
+    def before(place: Array, segment: Index) -> Index:
+        at = np.searchsorted(samples.arc_length, place, side="right") - 1
+        return np.clip(at, samples.begin[segment], samples.begin[segment + 1] - 2)
+
+    some, rows, peak = np.flatnonzero(watched[before(spans[:, 1], segment)]), max(CHUNK // per_span, 1), np.zeros(begin.size - 1)
+    parts = [_needed(planner, spans[some[i : i + rows]], per_span) for i in range(0, some.size, rows)]
+    found, segment = np.concatenate([np.empty((0, 6)), *parts]), segment[some]
+    worst = across(np.maximum, found[:, 2:5])
     np.maximum.at(peak, segment, worst)
     bad = np.flatnonzero(worst > 1.0 + CLOSE)
-    i = np.searchsorted(samples.arc_length, found[bad, 0], side="right") - 1
-    i = np.clip(i, samples.begin[segment[bad]], samples.begin[segment[bad] + 1] - 2)
-    return peak, np.column_stack([i, found[bad]])
+    return peak, np.column_stack([before(found[bad, 0], segment[bad]), found[bad]])
 
 
 def _needed(planner: _Planner, spans: Array, per_span: int) -> Array:
     """Return rows of a fault, as in `kernels.demand` without the sample, for the worst place of each span."""
-    dt = (spans[:, :1] * np.linspace(1e-9, 1.0 - 1e-9, per_span)).ravel()
-    s0, v0, a0, j = (np.repeat(column, per_span) for column in spans[:, 1:].T)
+    dt, found = spans[:, :1] * np.linspace(1e-9, 1.0 - 1e-9, per_span), np.empty((len(spans), 6))
+    s0, v0, a0, j = (column[:, None] for column in spans[:, 1:].T)
     place = s0 + dt * (v0 + dt * (a0 / 2.0 + dt * j / 6.0))
-    v, a = v0 + dt * (a0 + dt * j / 2.0), a0 + dt * j
-    _, t, k, c = planner.path.derivatives(place, 3)
-    turn = c * v[:, None] ** 3
-    needed = t * v[:, None], t * a[:, None] + k * v[:, None] ** 2, t * j[:, None] + 3.0 * k * (v * a)[:, None] + turn, turn
-    limits = planner.velocity, planner.acceleration, planner.jerk, planner.jerk
-    ratio = np.array([across(np.maximum, np.abs(value) / limit) for value, limit in zip(needed, limits, strict=True)])
-    worst = np.argmax(ratio[:3].max(axis=0).reshape(-1, per_span), axis=1) + per_span * np.arange(len(spans))
-    return np.column_stack([place[worst], v[worst], ratio.reshape(4, -1, per_span).max(axis=2).T])
+    derivatives = planner.path.derivatives(place.ravel(), 3).transpose(0, 2, 1)
+    kernels.needed(spans, dt, place, np.ascontiguousarray(derivatives), *planner.inverse, np.empty(4), found)
+    return found
 
 
 def _corrected(planner: _Planner) -> SmoothMotion:
     """Lower the limits around violations until none is left, in at most `ROUNDS` rounds."""
-    faults = np.empty((0, 7))
+    faults, stale = np.empty((0, 7)), np.zeros_like(planner.flags)
     for round_ in range(ROUNDS):
         spans, begin = planner.spans(planner.square())
-        peak, faults = planner.check(spans, begin, planner.changed(faults))
+        changed = planner.changed(faults) if round_ else np.ones_like(stale)
+        stale |= changed
+        peak, faults = planner.check(spans, begin, changed)
         if len(faults) == 0 or round_ == ROUNDS - 1:
-            # The check at the samples is cheap; the check on the path itself decides.
-            peak, faults = planner.check(spans, begin, np.ones_like(planner.flags))
-            by_path, more = _check_on_path(planner, spans, begin)
+            # The check at the samples is cheap; the check on the path itself decides. What has not changed has passed both before.
+            by_path, more = _check_on_path(planner, spans, begin, stale)
             peak, faults = np.maximum(peak, by_path), np.concatenate([faults, more])
             if len(faults) == 0:
                 break
+            stale[:] = 0
         planner.lower(faults, 1.0 + round_ / HASTE)
     return SmoothMotion(spans, begin, peak <= 1.0 + CLOSE)
 
@@ -304,11 +300,55 @@ def smooth_motions(path: Path, samples: SegmentSamples, limits: AxisLimits) -> l
     shortest = STEPS * least_time / (MOST_SPANS[0] * samples.arc_length.size + MOST_SPANS[1])
     # Without a jerk limit, a short average is still better where the plain motion needs corrections.
     periods = sorted({max(part * unit, shortest) for part in PERIODS}) if unit > 0.0 else [0.0, shortest]
-    # Each thread needs memory of its own.
-    threads = None if FEW < samples.arc_length.size < MANY[1] else 1
-    n_tried = 3 - int(np.searchsorted(MANY, samples.arc_length.size))
-    if n_tried < 3 and len(periods) > n_tried:
-        # The duration before corrections shows which periods are worth correcting.
-        trials = in_threads(lambda period: _Planner(path, samples, limits, period).duration(), periods, threads)
-        periods = [periods[k] for k in np.argsort(trials)[:n_tried]]
-    return in_threads(lambda period: _corrected(_Planner(path, samples, limits, period)), periods, threads)
+    groups, n_tried = _groups(samples), 3 - int(np.searchsorted(MANY, samples.arc_length.size))
+    threads = None if samples.arc_length.size > FEW else 1
+
+    def planned(group: SegmentSamples) -> list[SmoothMotion]:
+        ceiling = {steady: group.speed_ceiling(limits, steady=steady) for steady in {period > 0.0 for period in periods}}
+
+        def planner(period: float) -> _Planner:
+            return _Planner(path, group, ceiling[period > 0.0], limits, period)
+
+        chosen = _promising(planner, periods, n_tried) if n_tried < 3 else list(map(planner, periods))
+        return in_threads(_corrected, chosen, threads if len(groups) == 1 else 1)
+
+    return [_joined(list(motions)) for motions in zip(*in_threads(planned, groups, threads), strict=True)]
+
+
+def _promising(planner: Callable[[float], _Planner], periods: list[float], most: int) -> list[_Planner]:
+    """Return planners of the periods with the shortest durations before corrections; the duration has one minimum over the period."""
+    held: list[tuple[float, _Planner]] = []
+
+    def tried(period: float) -> float:
+        one = planner(period)
+        held.append((one.duration(), one))
+        duration = held[-1][0]
+        held.sort(key=lambda pair: pair[0])
+        del held[most:]  # each needs much memory
+        return duration
+
+    middle = (len(periods) - 1) // 3
+    least = tried(periods[middle])
+    for way in (periods[:middle][::-1], periods[middle + 1 :]):
+        before = least
+        for period in way:
+            before, last = tried(period), before
+            if before >= last:
+                break
+    return [one for _, one in held]
+
+
+def _groups(samples: SegmentSamples) -> list[SegmentSamples]:
+    """Divide samples between segments into groups that are planned one by one: their arrays stay in the processor's cache."""
+    begin = samples.begin
+    edges = np.unique(np.append(np.searchsorted(begin, np.arange(0, begin[-1], GROUP)), begin.size - 1))
+    pairs = pairwise(edges.tolist())
+    return [SegmentSamples._make([*(part[begin[a] : begin[b]] for part in samples[:5]), begin[a : b + 1] - begin[a]]) for a, b in pairs]
+
+
+def _joined(motions: list[SmoothMotion]) -> SmoothMotion:
+    """Return the motions of successive groups of segments as one."""
+    spans, begin, good = zip(*motions, strict=True)
+    shift = np.cumsum([0, *map(len, spans)])
+    starts = [part[:-1] + offset for part, offset in zip(begin, shift, strict=False)]
+    return SmoothMotion(np.concatenate(spans), np.append(np.concatenate(starts), shift[-1]), np.concatenate(good))

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from abc import ABC
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.arrays import Array, Index
+from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import GeometryError, refuse
 
 
@@ -26,17 +26,39 @@ class CurveBatch:
     ----------
     sixth : ndarray (n_curve,) [1/m^5] or None
         Bound of the sixth derivative by arc length of each curve; None if unknown.
-    direct : ndarray (n_curve,) of bool
-        Which curves have a closed form of their closest point.
+    columns, axis
+        Names of the arrays that define the curves, and the axis of the curves in them.
     """
 
     sixth: Array | None = None
+    columns: ClassVar[tuple[str, ...]] = ("curves",)
+    axis: ClassVar[int] = 0
 
     def __init__(self, curves: Sequence[Any]) -> None:
-        self.curves = curves
-        self.n_axis: int = curves[0].n_axis
-        self.length = np.array([curve.length for curve in curves])
-        self.direct = np.zeros(len(curves), dtype=bool)
+        self._fill(np.fromiter(curves, dtype=object, count=len(curves)))
+
+    def _fill(self, *arrays: Any) -> None:
+        """Take the arrays of `columns`."""
+        (self.curves,) = arrays
+        self.n_axis: int = self.curves[0].n_axis
+        self.length = np.array([curve.length for curve in self.curves])
+
+    @classmethod
+    def made(cls, *arrays: Any) -> Self:
+        """Return the batch with the arrays of `columns`."""
+        batch = cls.__new__(cls)
+        batch._fill(*arrays)
+        return batch
+
+    @classmethod
+    def merged(cls, batches: Sequence[Any], order: Index) -> Self:
+        """Return some curves of successive batches of one kind, in an order of their own."""
+        parts = (np.concatenate([getattr(batch, name) for batch in batches], axis=cls.axis) for name in cls.columns)
+        return cls.made(*(np.take(part, order, axis=cls.axis) for part in parts))
+
+    def curve(self, slot: int) -> Any:
+        """Return one of the curves; batches that keep numbers alone create it."""
+        return self.curves[slot]
 
     def derivatives(self, slot: Index, along: Array, order: int) -> Array:
         """Return position and derivatives by arc length: ndarray (order + 1, n_axis, n), each coordinate in one row.
@@ -59,7 +81,7 @@ class CurveBatch:
 
     def marks(self) -> tuple[Array, Index]:
         """Return the arc lengths (n_mark,) [m] at which a table must cut the curves, with their ends, and their number (n,) for each."""
-        if not hasattr(self.curves[0], "marks"):
+        if not hasattr(self.curve(0), "marks"):
             return np.column_stack([np.zeros_like(self.length), self.length]).ravel(), np.full(self.length.size, 2)
         marks = [curve.marks for curve in self.curves]
         return np.concatenate(marks), np.array([len(of_curve) for of_curve in marks])
@@ -213,6 +235,67 @@ def positive(**values: float) -> None:
             raise GeometryError(f"{name} = {value!r}: must be > 0 and finite")
 
 
+class Curves(Sequence[Curve]):
+    """Curves in succession, stored by kind.
+
+    Parameters
+    ----------
+    parts : sequence of tuples
+        Batches, and for each of their curves a number (n,); the curves come in the order of these.
+
+    Attributes
+    ----------
+    batches : list of CurveBatch
+        One for each kind, its curves in order.
+    kind, slot : ndarray (n_curve,) of int
+        Batch of each curve, and its number there.
+    """
+
+    def __init__(self, parts: Sequence[tuple[CurveBatch, Index]]) -> None:
+        place = np.concatenate([numbers for _, numbers in parts])
+        rank, done = np.argsort(np.argsort(place, kind="stable")), 0
+        kinds: dict[Any, list[tuple[CurveBatch, Index]]] = {}
+        for batch, numbers in parts:
+            done += numbers.size
+            if numbers.size:
+                kinds.setdefault((type(batch), type(batch.curve(0))), []).append((batch, rank[done - numbers.size : done]))
+        self.batches: list[CurveBatch] = []
+        self.kind, self.slot = np.zeros((2, place.size), dtype=np.int64)
+        for batches, ranks in (zip(*members, strict=True) for members in kinds.values()):
+            at = np.concatenate(ranks)
+            order = np.argsort(at)
+            self.kind[at[order]], self.slot[at[order]] = len(self.batches), np.arange(at.size)
+            self.batches.append(batches[0].merged(batches, order))
+
+    @classmethod
+    def of(cls, curves: Iterable[Curve]) -> Curves:
+        """Return given curves, or these themselves."""
+        if isinstance(curves, Curves):
+            return curves
+        kinds: dict[type[Curve], tuple[list[int], list[Curve]]] = {}
+        for i, curve in enumerate(curves):
+            numbers, members = kinds.setdefault(type(curve), ([], []))
+            numbers.append(i)
+            members.append(curve)
+        refuse(not kinds, GeometryError, "a path needs at least one curve")
+        axes = {curve.n_axis for _, members in kinds.values() for curve in members}
+        refuse(len(axes) > 1, GeometryError, "the curves of a path must all have the same number of coordinates")
+        return cls([(kind._batch(members), np.array(numbers)) for kind, (numbers, members) in kinds.items()])
+
+    def parts(self, number: Index) -> list[tuple[CurveBatch, Index]]:
+        """Return the curves with a `number` (n,) that is not negative, as parts of other curves."""
+        given = [(batch, number[self.kind == k]) for k, batch in enumerate(self.batches)]
+        return [(batch.merged([batch], np.flatnonzero(of >= 0)), of[of >= 0]) for batch, of in given if np.any(of >= 0)]
+
+    def __len__(self) -> int:
+        return int(self.kind.size)
+
+    def __getitem__(self, which: Any) -> Any:
+        if isinstance(which, slice):
+            return tuple(self[i] for i in range(len(self))[which])
+        return self.batches[self.kind[which]].curve(int(self.slot[which]))
+
+
 class CurveSequence:
     """Curves in succession, stored by kind, so that the cost of n samples over m curves is proportional to n + m.
 
@@ -224,24 +307,14 @@ class CurveSequence:
     """
 
     def __init__(self, curves: Sequence[Curve], closed: bool = False) -> None:
-        self.curves = tuple(curves)
-        refuse(not self.curves, GeometryError, "a path needs at least one curve")
-        self.n_axis, self.closed = self.curves[0].n_axis, closed
-        if any(curve.n_axis != self.n_axis for curve in self.curves):
-            raise GeometryError("the curves of a path must all have the same number of coordinates")
-        self.breaks = np.concatenate([[0.0], np.cumsum([curve.length for curve in self.curves])])
+        self.curves = Curves.of(curves)
+        self._kind, self._slot, self._sets = self.curves.kind, self.curves.slot, self.curves.batches
+        self.n_axis, self.closed, length = self._sets[0].n_axis, closed, np.empty(len(self.curves))
+        for batch, numbers in self.kinds:
+            length[numbers] = batch.length
+        self.breaks = np.concatenate([[0.0], np.cumsum(length)])
         self.length = float(self.breaks[-1])
-        # Group the curves by kind: a kind and a slot then identify a curve.
-        kinds: dict[type[Curve], list[int]] = {}
-        for i, curve in enumerate(self.curves):
-            kinds.setdefault(type(curve), []).append(i)
-        self._kind, self._slot = np.zeros((2, len(self.curves)), dtype=np.int64)
-        self._sets: list[CurveBatch] = []
-        for number, (kind, members) in enumerate(kinds.items()):
-            self._kind[members], self._slot[members] = number, np.arange(len(members))
-            self._sets.append(kind._batch([self.curves[i] for i in members]))
-        self.ends = self.at(np.arange(len(self.curves)), np.array([c.length for c in self.curves]), 1)
-        self.starts = self.at(np.arange(len(self.curves)), np.zeros(len(self.curves)), 1)
+        self.ends, self.starts = (self.at(np.arange(length.size), along, 1) for along in (length, np.zeros_like(length)))
 
     @property
     def is_planar(self) -> bool:
@@ -252,6 +325,10 @@ class CurveSequence:
     def kinds(self) -> list[tuple[CurveBatch, Index]]:
         """The batch of each kind, and the rising numbers of its curves."""
         return [(batch, np.flatnonzero(self._kind == k)) for k, batch in enumerate(self._sets)]
+
+    def of_kind(self, *kinds: type[CurveBatch]) -> Flags:
+        """Return which curves are of some kinds (n_curve,)."""
+        return np.array([isinstance(batch, kinds) for batch in self._sets])[self._kind]
 
     @cached_property
     def smallest_radii(self) -> Array:

@@ -105,7 +105,7 @@ def _leaves(path: CurveSequence) -> _Leaves:
             each = (batch.radius, batch.start_angle, batch.rate, batch.length, *batch.centre, *batch.u, *batch.v)
             arcs = np.column_stack(each)
         elif isinstance(batch, Blends):
-            kind[numbers], shape = _BLEND, batch.shape
+            kind[numbers], shape = _BLEND, (*batch.shape, batch.arc)
     direct = kind <= _BLEND
     owner, start, corner, quintics = np.arange(m), path.breaks, path.junctions[0][:-1], shape[0].transpose(0, 2, 1).copy()
     if not direct.all():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -21,10 +22,38 @@ class Lines(CurveBatch):
     curves : sequence of Line
     """
 
+    columns, axis = ("start", "end", "direction", "length"), -1
+
     def __init__(self, curves: Sequence[Line]) -> None:
-        super().__init__(curves)
-        self.start, self.direction = rows(curves, "start"), rows(curves, "direction")
-        self.sixth, self.direct = np.zeros(len(curves)), np.ones(len(curves), dtype=bool)
+        self._fill(*(rows(curves, name) for name in self.columns[:3]), np.array([line.length for line in curves]))
+
+    def _fill(self, *arrays: Any) -> None:
+        self.start, self.end, self.direction, self.length = arrays
+        self.n_axis, self.sixth = len(self.start), np.zeros(self.length.size)
+
+    @classmethod
+    def between(cls, start: ArrayLike, end: ArrayLike) -> Lines:
+        """Return the lines between points (n, n_axis) [m].
+
+        Raises
+        ------
+        GeometryError
+            If the two points of a line coincide, or a coordinate is not finite.
+        """
+        a, b = np.array(start, dtype=float), np.array(end, dtype=float)
+        if a.ndim != 2 or a.shape != b.shape:
+            raise GeometryError(f"start of shape {a.shape}, end of shape {b.shape}: both must be (n, n_axis)")
+        length = np.sqrt(((b - a) ** 2).sum(axis=1))
+        good = (length > 0.0) & np.isfinite(length)
+        if not good.all():
+            Line(a[np.argmin(good)], b[np.argmin(good)])  # raises with the reason
+        return cls.made(*(np.ascontiguousarray(part.T) for part in (a, b, (b - a) / length[:, None])), length)
+
+    def curve(self, slot: int) -> Line:
+        line = Line.__new__(Line)
+        line.start, line.end, line.direction = (part[:, slot] for part in (self.start, self.end, self.direction))
+        line.length, line.n_axis = float(self.length[slot]), self.n_axis
+        return line
 
     def derivatives(self, slot: Index, along: Array, order: int) -> Array:
         result = np.zeros((order + 1, self.n_axis, along.size))
@@ -68,29 +97,9 @@ class Line(Curve):
 
     @classmethod
     def many(cls, start: ArrayLike, end: ArrayLike) -> list[Line]:
-        """Return the lines between points (n, n_axis) [m]; much faster than one by one.
-
-        Raises
-        ------
-        GeometryError
-            If the two points of a line coincide, or a coordinate is not finite.
-        """
-        a, b = np.array(start, dtype=float), np.array(end, dtype=float)
-        if a.ndim != 2 or a.shape != b.shape:
-            raise GeometryError(f"start of shape {a.shape}, end of shape {b.shape}: both must be (n, n_axis)")
-        length = np.sqrt(((b - a) ** 2).sum(axis=1))
-        good = (length > 0.0) & np.isfinite(length)
-        if not good.all():
-            bad = int(np.argmin(good))
-            return [cls(a[bad], b[bad])]  # raises with the reason
-        direction = (b - a) / length[:, None]
-        lines = []
-        for row in zip(a, b, direction, length.tolist(), strict=True):
-            line = cls.__new__(cls)
-            line.start, line.end, line.direction, line.length = row
-            line.n_axis = a.shape[1]
-            lines.append(line)
-        return lines
+        """Return the lines between points (n, n_axis) [m], as `Lines.between`."""
+        batch = Lines.between(start, end)
+        return [batch.curve(i) for i in range(batch.length.size)]
 
 
 class Arcs(CurveBatch):
@@ -101,8 +110,9 @@ class Arcs(CurveBatch):
     curves : sequence of Arc
     """
 
-    def __init__(self, curves: Sequence[Arc]) -> None:
-        super().__init__(curves)
+    def _fill(self, *arrays: Any) -> None:
+        super()._fill(*arrays)
+        curves = self.curves
         self.centre, self.u, self.v, self.rise = (rows(curves, name) for name in ("centre", "u", "v", "rise"))
         self.radius, self.start_angle, self.rate = (
             np.array([getattr(curve, name) for curve in curves]) for name in ("radius", "start_angle", "rate")

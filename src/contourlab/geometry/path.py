@@ -8,14 +8,16 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import GeometryError
+from contourlab.geometry.blend import Blends, by_length
 from contourlab.geometry.curve import Curve, CurveSequence
 from contourlab.geometry.foot_point import FootPoint, foot_point
 from contourlab.geometry.line_and_arc import Arcs, Lines
 from contourlab.geometry.table import PathTable, path_table
+from contourlab.native.kernel import kernel
 
 JOIN_TOLERANCE = 1e-9
 """Largest gap [m] between the end of a curve and the start of the next."""
@@ -52,6 +54,29 @@ class Path(CurveSequence):
             raise GeometryError(f"curve {i + 2} starts {gap[i]:.3g} m away from the end of curve {i + 1}, at {self.ends[0][i].tolist()}")
         if self.closed and np.linalg.norm(self.ends[0][-1] - self.starts[0][0]) > JOIN_TOLERANCE:
             raise GeometryError("a closed path must end where it starts")
+
+    @cached_property
+    def _plain(self) -> tuple[NDArray[Any], ...]:
+        """Kind of each curve (0 for a line, 1 for a blend, 2 for others), its number in the kind, and what defines lines and blends."""
+        axes, kind = self.n_axis, np.full(len(self.curves), 2)
+        lines, shape = [np.empty((axes, 0))] * 2, [np.empty((0, 6, axes)), np.empty((0, 5)), np.empty((0, 4, 0))]
+        for batch, numbers in self.kinds:
+            if isinstance(batch, Lines):
+                kind[numbers], lines = 0, [batch.start, batch.direction]
+            elif isinstance(batch, Blends):
+                kind[numbers], shape = 1, list(batch.shape)
+        return kind, self._slot, *lines, *shape
+
+    def at(self, index: Index, along: Array, order: int) -> Array:
+        """Evaluate as a `CurveSequence` does, lines and blends in one pass."""
+        if len(self._sets) == 1:
+            return super().at(index, along, order)
+        found, plain = np.empty((order + 1, self.n_axis, along.size)), self._plain
+        _evaluate(np.ascontiguousarray(index), np.ascontiguousarray(along), order, *plain, found)
+        others = np.flatnonzero(plain[0][index] == 2) if any(not isinstance(batch, Lines | Blends) for batch in self._sets) else ()
+        if len(others):
+            found[:, :, others] = super().at(index[others], along[others], order).transpose(0, 2, 1)
+        return found.transpose(0, 2, 1)
 
     @cached_property
     def corners(self) -> Array:
@@ -132,6 +157,20 @@ class Path(CurveSequence):
         for curve in self.curves:
             sha.update(curve.describe())
         return sha.hexdigest()
+
+
+@kernel("i8[:] f8[:] i8 i8[:] i8[:] f8[:,:] f8[:,:] f8[:,:,:] f8[:,:] f8[:,:,:] f8[:,:,:]")
+def _evaluate(index, along, order, kind, slot, start, direction, coefficients, borders, inverse, found):  # type: ignore[no-untyped-def]
+    """Write position and derivatives by arc length of lines and blends to `found` (order + 1, n_axis, n)."""
+    for i in range(index.size):
+        k = slot[index[i]]
+        if kind[index[i]] == 1:
+            by_length(k, along[i], order, coefficients, borders, inverse, found, i)  # type: ignore[no-untyped-call]
+        elif kind[index[i]] == 0:
+            for j in range(direction.shape[0]):
+                found[0, j, i] = start[j, k] + along[i] * direction[j, k]
+                for power in range(1, order + 1):
+                    found[power, j, i] = direction[j, k] if power == 1 else 0.0
 
 
 _SAMPLES, _HALVINGS = 513, 45

@@ -175,7 +175,7 @@ def _first_pieces(curves: CurveBatch, tolerance: float, longest: float) -> tuple
     # Below the rounding of the curve, halving would never end.
     digits = 1e-13 * curves.length[owner] + 16.0 * np.finfo(float).eps * np.abs(curves.derivatives(owner, marks, 0)[0]).max(axis=0)
     if tolerance < digits.max():
-        name = type(curves.curves[int(owner[int(np.argmax(digits))])]).__name__
+        name = type(curves.curve(int(owner[int(np.argmax(digits))]))).__name__
         raise GeometryError(f"{name}: no table of quintic pieces reaches {tolerance:g} m; {digits.max():.2g} m is possible")
     return slot[interval], left, right
 
@@ -197,7 +197,7 @@ def _bisect(curves: CurveBatch, tolerance: float, longest: float) -> tuple[Index
             return index[order], a[order], b[order], worst
         middle = 0.5 * (low + high)
         slot, left, right = np.concatenate([slot, slot]), np.concatenate([low, middle]), np.concatenate([middle, high])
-    raise GeometryError(f"{type(curves.curves[int(slot[0])]).__name__}: no table of quintic pieces reaches {tolerance:g} m")
+    raise GeometryError(f"{type(curves.curve(int(slot[0]))).__name__}: no table of quintic pieces reaches {tolerance:g} m")
 
 
 def _errors(curves: CurveBatch, slot: Index, left: Array, right: Array) -> Array:

@@ -44,6 +44,7 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import ParameterError, ResultError, refuse
 from contourlab.feed import Reference
 from contourlab.geometry import Arc
+from contourlab.geometry.line_and_arc import Arcs
 from contourlab.metrics.figures import judged_part
 from contourlab.result import Result
 
@@ -216,8 +217,9 @@ def circles_of(result: Result, reference: Reference) -> tuple[CircleFigures, ...
     """
     path = reference.programmed
     runs = []
-    for i, curve in enumerate(path.curves):
-        if not isinstance(curve, Arc) or abs(curve.sweep) < 2.0 * math.pi - 1e-6 or np.any(curve.rise != 0.0):
+    for i in np.flatnonzero(path.of_kind(Arcs)).tolist():
+        curve = path.curves[i]
+        if abs(curve.sweep) < 2.0 * math.pi - 1e-6 or np.any(curve.rise != 0.0):
             continue
         samples = _pass(result, reference, path.breaks[i], path.breaks[i + 1])
         if len(samples) >= 8:
