@@ -399,7 +399,8 @@ def main() -> int:
     if not references.compiler():
         print("No C compiler found: the rows in C are left out, and ratios to them are empty")
     print(
-        "Nanoseconds per step and variant; rms contour error of the second lap (judge: part error, second half) in mm; planner: ns per line, cycle time in s"
+    print("Nanoseconds per step (planner: line) and variant; rms contour error of the second lap in mm")
+    print("(judge: part error, second half; planner: cycle time in s)")
     )
     print(f"{'':35s}{'ns':>9s}{'to C':>9s}{'ratio':>9s}  {'rms':17s}ratio to")
     with tempfile.TemporaryDirectory() as folder:
