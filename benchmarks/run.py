@@ -426,7 +426,8 @@ def main() -> int:
     print(f"{platform.platform()}, Python {platform.python_version()}, {os.cpu_count()} processors; {STEPS} steps of {PERIOD * 1e3:g} ms")
     if not references.compiler():
         print("No C compiler found: the rows in C are left out, and ratios to them are empty")
-    print("Nanoseconds per step and variant; rms contour error of the second lap (judge: part error, second half) in mm")
+    print("Nanoseconds per step (planner: line) and variant; rms contour error of the second lap in mm")
+    print("(judge: part error, second half; planner: cycle time in s)")
     print(f"{'':35s}{'ns':>9s}{'to C':>9s}{'ratio':>9s}  {'rms':17s}ratio to")
     with tempfile.TemporaryDirectory() as folder:
         bench.rounds([*on_circle(), *with_backlash(), *with_five_axes(), *judging(Path(folder)), *planning()], options.repeat)

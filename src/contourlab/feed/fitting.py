@@ -478,21 +478,18 @@ def replaced(route: Route, quintics: Quintics, low: Array, high: Array, start: A
     share = (done - done[np.searchsorted(piece, piece)]) / np.bincount(piece, weights=rounds.length)[piece]
     begin = quintics.begin[piece] + (quintics.end - quintics.begin)[piece] * share
     stays = high - low > 1e-9 * span
-    cut, kept = stays & ((low > 0.0) | (high < span)), np.flatnonzero(stays)
-    places = np.concatenate([path.breaks[kept] + low[kept], begin])
-    order = np.argsort(places, kind="stable")
-    rank = np.argsort(order)
-    of_curve = np.zeros(span.size, dtype=np.int64)
-    of_curve[kept] = rank[: kept.size]
-    parts = [(rounds, rank[kept.size :]), *path.curves.parts(np.where(stays & ~cut, of_curve, -1))]
+    cut, kept, place = stays & ((low > 0.0) | (high < span)), np.flatnonzero(stays), path.breaks[:-1] + low
+    parts = [(rounds, begin), *path.curves.parts(np.where(stays & ~cut, place, -1.0))]
     for batch, numbers in path.kinds:
         some = np.flatnonzero(cut[numbers])
         i = numbers[some]
         if isinstance(batch, Lines):
-            parts.append((Lines.between(start[i], np.where((high < span)[i, None], end[i], batch.end.T[some])), of_curve[i]))
+            parts.append((Lines.between(start[i], np.where((high < span)[i, None], end[i], batch.end.T[some])), place[i]))
         elif some.size:
-            parts.append((type(batch)([path.curves[k].part(low[k], high[k]) for k in i.tolist()]), of_curve[i]))
-    planned, places = Path(Curves(parts), path.closed), places[order]
+            parts.append((type(batch)([path.curves[k].part(low[k], high[k]) for k in i.tolist()]), place[i]))
+    planned, places = Path(Curves(parts), path.closed), np.concatenate([place[kept], begin])
+    order = np.argsort(places)
+    places = places[order]
     between = Correspondence(planned.breaks, np.append(places, places[0] + path.length if path.closed else path.length))
     ends = np.concatenate([np.ones(kept.size), np.diff(piece, append=-1)])[order] != 0  # not the parts of a quintic but its last
     data, joint = (np.concatenate([kept, of_each[piece]])[order] for of_each in quintics[3:])

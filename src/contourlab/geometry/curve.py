@@ -52,7 +52,7 @@ class CurveBatch:
 
     @classmethod
     def merged(cls, batches: Sequence[Any], order: Index) -> Self:
-        """Return some curves of successive batches of one kind, in an order of their own."""
+        """Return curves of successive batches of one kind, in the `order` (n,) of their numbers."""
         parts = (np.concatenate([getattr(batch, name) for batch in batches], axis=cls.axis) for name in cls.columns)
         return cls.made(*(np.take(part, order, axis=cls.axis) for part in parts))
 
@@ -241,7 +241,7 @@ class Curves(Sequence[Curve]):
     Parameters
     ----------
     parts : sequence of tuples
-        Batches, and for each of their curves a number (n,); the curves come in the order of these.
+        Batches, and for each of their curves a number of its own (n,); the curves come in the order of these.
 
     Attributes
     ----------
@@ -251,7 +251,7 @@ class Curves(Sequence[Curve]):
         Batch of each curve, and its number there.
     """
 
-    def __init__(self, parts: Sequence[tuple[CurveBatch, Index]]) -> None:
+    def __init__(self, parts: Sequence[tuple[CurveBatch, Array | Index]]) -> None:
         place = np.concatenate([numbers for _, numbers in parts])
         rank, done = np.argsort(np.argsort(place, kind="stable")), 0
         kinds: dict[Any, list[tuple[CurveBatch, Index]]] = {}
@@ -282,7 +282,7 @@ class Curves(Sequence[Curve]):
         refuse(len(axes) > 1, GeometryError, "the curves of a path must all have the same number of coordinates")
         return cls([(kind._batch(members), np.array(numbers)) for kind, (numbers, members) in kinds.items()])
 
-    def parts(self, number: Index) -> list[tuple[CurveBatch, Index]]:
+    def parts(self, number: Array | Index) -> list[tuple[CurveBatch, Array | Index]]:
         """Return the curves with a `number` (n,) that is not negative, as parts of other curves."""
         given = [(batch, number[self.kind == k]) for k, batch in enumerate(self.batches)]
         return [(batch.merged([batch], np.flatnonzero(of >= 0)), of[of >= 0]) for batch, of in given if np.any(of >= 0)]

@@ -68,7 +68,21 @@ class Path(CurveSequence):
         return kind, self._slot, *lines, *shape
 
     def at(self, index: Index, along: Array, order: int) -> Array:
-        """Evaluate as a `CurveSequence` does, lines and blends in one pass."""
+        """Evaluate curves at arc lengths along them, lines and blends in one pass.
+
+        Parameters
+        ----------
+        index : ndarray (n,) of int
+            Numbers of curves.
+        along : ndarray (n,) [m]
+            Arc lengths on them.
+        order : int, 0 to 3
+
+        Returns
+        -------
+        ndarray (order + 1, n, n_axis)
+            Position and derivatives by arc length; a view of memory with each coordinate in one row.
+        """
         if len(self._sets) == 1:
             return super().at(index, along, order)
         found, plain = np.empty((order + 1, self.n_axis, along.size)), self._plain
