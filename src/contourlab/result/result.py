@@ -130,7 +130,7 @@ class Result:
         return replace(self, signals=cut, start=self.start + start)
 
     def at(self, name: str, samples: Index) -> Array:
-        """Return a signal at some samples; of one in a file, only what is near them is in memory at a time."""
+        """Return a signal at some samples (n,); of one in a file, only what is near them is in memory at a time."""
         found = np.empty((len(samples), *self[name].shape[1:]))
         for block in np.unique(samples // BLOCK).tolist():
             here = samples // BLOCK == block

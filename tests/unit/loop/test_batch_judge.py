@@ -172,7 +172,7 @@ def test_a_tool_that_stands_still_has_no_figures() -> None:
     judged = cl.judge(cl.simulate(stuck, control(coupled=False), ring), ring)
     assert np.abs(judged["contour_error"]).max() < 1e-9
     with pytest.raises(cl.DivergenceError):
-        check_follows(judged, ring)
+        check_follows(judged)
 
 
 ARCS = [f"G{2 + i % 2} X{14 * i + 14} Y0 I7" for i in range(4)]
