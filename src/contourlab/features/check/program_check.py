@@ -458,7 +458,7 @@ def about_reading(reading: Reading | None) -> Iterator[Finding]:
     """Yield that a program is read by a manual only, if it is."""
     rules = DIALECTS[reading.dialect] if reading is not None else None
     if rules is not None and rules.manual:
-        yield finding("CL472", title=rules.title, manual=rules.manual, assumed=rules.assumed)
+        yield finding("CL477", title=rules.title, manual=rules.manual, assumed=rules.assumed)
 
 
 def proposed_dialect(file: str | Path, reading: Reading, faults: int) -> str:
