@@ -35,10 +35,8 @@ class Rules(NamedTuple):
         Modal groups in which the last of several codes of a block counts; of other groups a block has one.
     lone_g80 : bool
         Whether G80 cannot share a block with another motion.
-    resumes : bool
-        Whether G80 brings back the motion before the canned cycles.
-    homes_beside_motion : bool
-        Whether G0 to G3 may stand beside G28 and G30; they then only set the mode.
+    paths_apart : bool
+        Whether G0 to G3 are a group of their own: in force again after G80, and beside G28 and G30, where they only set the mode.
     keeps_feedrate : bool
         Whether a repeated G94 or G95 keeps F.
     new_units : bool
@@ -77,8 +75,7 @@ class Rules(NamedTuple):
     meanings: Mapping[str, str] = {}
     last_counts: frozenset[str] = frozenset()
     lone_g80: bool = False
-    resumes: bool = False
-    homes_beside_motion: bool = False
+    paths_apart: bool = False
     keeps_feedrate: bool = False
     new_units: bool = False
     stray_offsets: bool = False
@@ -148,8 +145,7 @@ FANUC = Rules(
     | {"G52": "local coordinates", "M29": "rigid tapping"}
     | dict.fromkeys(("G5", "G5.1", "G8", "G9"), "control of speed"),
     last_counts=frozenset(G_GROUPS.values()) - {"motion", "other"},
-    resumes=True,
-    homes_beside_motion=True,
+    paths_apart=True,
     keeps_feedrate=True,
     g53_motions=(0,),
     stops_at_g61=True,
@@ -168,8 +164,7 @@ MACH3 = Rules(
     letters=_MILL_LETTERS,
     meanings=_MEANINGS | {"G12": "circular pocket", "G13": "circular pocket", "G84": "tapping"},
     last_counts=frozenset(("arc_distance",)),
-    resumes=True,
-    homes_beside_motion=True,
+    paths_apart=True,
     keeps_feedrate=True,
     stops_at_g61=True,
     o_words=("",),

@@ -192,12 +192,8 @@ def machine_target(block: Block, state: ModalState, line: int) -> Point:
         If the block is incremental or polar.
     """
     words, column = block.words, block.codes["other"].column
-    refuse(
-        not (state.absolute or state.rules.incremental_g53),
-        BlockError,
-        "CL816 G53 (machine coordinates) needs absolute mode: write G90",
-        column,
-    )
+    absolute = state.absolute or state.rules.incremental_g53
+    refuse(not absolute, BlockError, "CL816 G53 (machine coordinates) needs absolute mode: write G90", column)
     refuse("@" in words or "^" in words, BlockError, "CL816 G53 does not take polar coordinates: write X, Y and Z", column)
     given = state.given(words)
     state.machine_points.append((line, updated((math.nan, math.nan, math.nan), given)))
@@ -288,11 +284,11 @@ def _motion_to_be(block: Block, state: ModalState) -> int | None:
     codes, words = block
     own, other = codes.get("motion"), codes.get("other")
     takes_axes = other is not None and (other.number in AXIS_WORDS or (other.number == 40 and state.rules.dwell_x))
-    ends = own is not None and own.number == _NO_MOTION and state.rules.resumes
-    homes = own is not None and own.number in _PATHS and state.rules.homes_beside_motion and other is not None and other.number in _HOMES
-    if own is not None and (ends or homes):
-        state.motion = state.resumed = own.number if homes else state.resumed
-        state.cycle.level = own = None
+    if own is not None and state.rules.paths_apart:
+        homes = other is not None and other.number in _HOMES and own.number in _PATHS
+        if homes or own.number == _NO_MOTION:
+            state.motion = state.resumed = own.number if homes else state.resumed
+            state.cycle.level = own = None
     axes = "X" in words or "Y" in words or "Z" in words or "@" in words or "^" in words
     if own is not None:
         if own.number != _NO_MOTION and takes_axes and other is not None:

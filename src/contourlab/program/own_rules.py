@@ -112,6 +112,8 @@ def _check_fanuc(block: Block, state: ModalState) -> None:
     other = block.codes.get("other")
     if other is None:
         return
+    if other.number == 40 and len(block.words.keys() & set("XYZP")) > 1:
+        raise BlockError("CL811 G4 takes P or X alone: write other words on the next line", other.column)
     if other.number in (280, 300) and not block.words.keys() & set("XYZ"):
         raise BlockError(f"CL813 {g_name(other.number)} has no axis: write those that go home, such as Z0", other.column)
     if other.number == 100:

@@ -186,7 +186,8 @@ class Reader:
         self.notices: list[Notice] = []
         self._known: set[str] = set()
         is_mm, tools = self.reading.unit == "mm", self.reading.tools
-        rules = DIALECTS[self.reading.dialect]
+        dialect = self.reading.dialect
+        rules, self._prepare, self._check = DIALECTS[dialect], PREPARE.get(dialect), CHECKS.get(dialect)
         self.state = ModalState(tools=Tools() if tools is None else read_tools(tools, is_mm), still=still, millimetres=is_mm, rules=rules)
         self.state.back_to_clearance = not rules.own_cycles
         self.parameters = Parameters(self.state.shown_position)
@@ -299,16 +300,15 @@ class Reader:
                 fault = "% closes the program, but the first line has no % to open it: ignored"
                 self.notices.append(Notice(fault, self.walker.place[1], line.index("%") + 1))
                 return None
-        dialect = self.reading.dialect
-        if (prepare := PREPARE.get(dialect)) is not None:
-            line = prepare(line, self.walker.place[1], self.notices, self.state)
+        if self._prepare is not None:
+            line = self._prepare(line, self.walker.place[1], self.notices, self.state)
         elif "(" in line and (abort := _ABORT.search(line)) and ";" not in line[: abort.start()]:
             raise BlockError(f"CL846 the program stops itself here, with (abort,...):{abort[1][:MOST_SHOWN]}", abort.start() + 1)
         if self.reading.remapped:
             self._check_remapped(line)
         block = read_block(line, self.parameters, self.state.rules)
-        if (check := CHECKS.get(dialect)) is not None:
-            check(block, self.state)
+        if self._check is not None:
+            self._check(block, self.state)
         return block
 
     def _check_remapped(self, line: str) -> None:

@@ -128,7 +128,7 @@ def test_cycles_of_fanuc(text: str, points: list[object]) -> None:
         ("G28", "CL813"), ("G53 G1 X1. F60.", "CL813"), ("G91 G53 G0 X1.", "CL816"), ("G10 L20 P1 X1.", "CL813"),
         ("G76 X1. Z-1. R2. Q1. F60.", "CL808"), ("G5.1 Q1", "CL808"), ("G90.1", "CL807"), ("M60", "CL807"),
         ("#1=5", "CL808"), ("IF[#1EQ1]GOTO5", "CL808"), ("O1 sub", "CL840"), ("G0 G1 X1.", "CL810"),
-        ("G52 X1.", "CL808"), ("G10 L2 P0 X1.", "CL816"),
+        ("G52 X1.", "CL808"), ("G4 P500 Z5.", "CL811"), ("G10 L2 P0 X1.", "CL816"),
     ],
 )  # fmt: skip
 def test_fanuc_refuses(text: str, expected: str) -> None:
