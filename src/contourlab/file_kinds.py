@@ -111,9 +111,11 @@ def _of_text(head: bytes) -> str:
     except (ValueError, RecursionError):  # no UTF-8, or no TOML
         pass
     bare = re.sub(rb"\([^()\n]*\)", b"", head)
-    if other := next((name for words, name in _OTHER_LANGUAGES if re.search(words, bare, re.MULTILINE | re.IGNORECASE)), ""):
+    other = next((name for words, name in _OTHER_LANGUAGES if re.search(words, bare, re.MULTILINE | re.IGNORECASE)), "")
+    moves = _MOTION.search(head)
+    if other and (moves or other == "a program for a Heidenhain control"):
         return other
-    if _MOTION.search(head):
+    if moves:
         return "a part program"
     if _LINUXCNC.search(head):
         return "a file of LinuxCNC"
