@@ -27,6 +27,20 @@ _NUMBERS = re.compile(rb"^\s*[-+]?[\d.][-+\d.eE]*(\s*[,;\t ]\s*[-+]?[\d.][-+\d.e
 _MOTION = re.compile(rb"^\s*/?\s*(?:N\d+\s*)?(?:G\s*\d|M\s*\d|[XYZ]\s*[-+.\d])", re.MULTILINE | re.IGNORECASE)
 _LINUXCNC = re.compile(rb"^\s*\[(EMC|EMCMOT|KINS|TRAJ|JOINT_0)\]|^\s*(loadrt|addf)\s+\S", re.MULTILINE)
 _GRBL = re.compile(rb"^[^\n$]{0,4}\$1[0-3]0\s*=|^\s+max_rate_mm_per_min\s*:", re.MULTILINE)
+_COMMENT = re.compile(rb"\([^()\n]*\)|;.*")
+_BEGINNING = 8192
+"""Bytes without comments in which a program shows its language."""
+_POST = "its language is not read; let the CAM system post for LinuxCNC, grbl, Fanuc or Mach3"
+_OTHER_LANGUAGES = (
+    (rb"^\s*(?:\d+\s+)?BEGIN PGM\b|^\s*\d+\s+(?:TOOL CALL|CYCL DEF|L [XYZ][+-])", "a program for a Heidenhain control"),
+    (
+        rb"^%_N_|^\s*(?:N\d+)?\s*(?:A?TRANS|A?ROT|CYCLE\d+|MCALL|WORKPIECE|MSG|DEF\s+(?:REAL|INT))\b|^\s*(?:N\d+)?\s*R\d+\s*="
+        rb"|\b(?:CR\s*=|T\s*=\s*\"|[XYZIJK]\s*=\s*[AI]C\b|SUPA\b|STOPRE\b|G500\b)",
+        "a program for a Sinumerik",
+    ),
+    (rb"^\s*M(?:(?:104|109|140|190)\s*[ST]\d|8[23]\b)|^\s*G[01]\b[^\n]*\bE-?[\d.]", "a program for a 3D printer"),
+)
+"""Programs in languages that are not read, by what stands outside of comments."""
 _USE = {
     "a scenario": "its name must end in .toml",
     "a machine": "name it with --machine, beside a part program",
@@ -36,6 +50,9 @@ _USE = {
     "a part program": "run it: contourlab run FILE --machine MACHINE --controller CONTROLLER",
     "a log": "judge it: contourlab measure FILE",
     "a file of LinuxCNC": "name its INI file with --machine, beside a part program",
+    "a program for a Heidenhain control": _POST,
+    "a program for a Sinumerik": _POST,
+    "a program for a 3D printer": "extruder and heaters are not read; let the CAM system post for LinuxCNC, grbl, Fanuc or Mach3",
     "the settings of a control": "name it with --machine, beside a part program",
 }
 _MADE_OF = {
@@ -96,7 +113,12 @@ def _of_text(head: bytes) -> str:
         return _of_toml(toml_of(head.decode("utf-8-sig")))
     except (ValueError, RecursionError):  # no UTF-8, or no TOML
         pass
-    if _MOTION.search(head):
+    bare = _COMMENT.sub(b"", head)[:_BEGINNING]
+    other = next((name for words, name in _OTHER_LANGUAGES if re.search(words, bare, re.MULTILINE | re.IGNORECASE)), "")
+    moves = _MOTION.search(head)
+    if other and (moves or other == "a program for a Heidenhain control"):
+        return other
+    if moves:
         return "a part program"
     if _LINUXCNC.search(head):
         return "a file of LinuxCNC"

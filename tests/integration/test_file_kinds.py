@@ -20,6 +20,9 @@ CONTENTS = {
     "an axis": b'plant = {kind = "mass-damper"}\n',
     "a file of answers": b'axes = "x, y"\nservo_period = "1 ms"\n',
     "a part program": b"%\n(part)\nN10 G21 G1 X10 F600\nM2\n",
+    "a program for a Heidenhain control": b"0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S3000\n2 L X+10 Y+5 R0 FMAX\n",
+    "a program for a Sinumerik": b"N10 G54 G64 G90\nN20 TRANS X10\nN50 G3 X30 Y10 CR=10\n",
+    "a program for a 3D printer": b"G21\nM82\nM104 S200\nG1 X10 E0.5 F1800\n",
     "a log": b"time,x\n0,1\n0.001,2\n0.002,3\n",
     "": b"# a comment alone\n",
 }
@@ -71,3 +74,16 @@ def test_a_file_of_the_wrong_kind_says_what_it_is_for(contourlab: Run, tmp_path:
         assert f"is {kind}, not a part program" in contourlab("canon", "it.toml").err
     (tmp_path / "folder").mkdir()
     assert "is a folder, not an axis" in contourlab("swap", "builtin:ghaffari/demo-stage", "--axis", "1", "--with", "folder").err
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        b"(TRANS) G0 X1\nM190 P2 (M82)\n", b"; CR=10 in G500\nG0 X1\n", b"; M104 S200\nG0 X1\n", b"N1 MSG1\nG0 X1\n",
+        b"M67 E0 Q2\nG0 X1\n", b"(MSG, hello)\nG0 X1\n",
+    ],
+)  # fmt: skip
+def test_words_of_another_language_in_a_comment_are_none(text: bytes, tmp_path: Path) -> None:
+    file = tmp_path / "file"
+    file.write_bytes(text)
+    assert kind_of(file) == "a part program"

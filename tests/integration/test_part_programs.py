@@ -55,6 +55,45 @@ def test_leniency_of_the_reader_is_reported(contourlab: Run, tmp_path: Path) -> 
         assert place in said.err
 
 
+DIALECTS = [
+    ("part.nc", "G17 G21 G90\nG0 X0 Y0\nG2 X10 Y0 I5 J0 K0.000 F400\nM2\n", "grbl"),
+    ("part.nc", "G21 G90 F600\nG94\nG1 X10\nM2\n", "grbl"),
+    ("part.tap", "G21 G90\nG81 X1 Y1 Z-1 R2 F100\nG80\nZ15.\nM2\n", "mach3"),
+    ("part.nc", "%\nO0001 (PART)\nG21 G90\nG0 X5.\nG0 G91 G28 Z0\nG90\nM2\n%\n", "fanuc"),
+    ("part.nc", "G17 G54 G40 G49 G80 G90 G90.1 G91.1\nG20\nG0 Z2\nM2\n", "mach3"),
+    ("part.nc", "(Post Processor: grbl_post)\nG0 X1\nM2\n", "grbl"),
+    ("part.nc", "(grbl)\n(for FluidNC)\nG0 X1\nG64\nM6 T1\nM2\n", "grblhal"),
+]
+"""Name and text of programs, and their dialect."""
+
+
+@pytest.mark.parametrize(("name", "text", "dialect"), DIALECTS)
+def test_check_proposes_the_dialect_of_the_program(contourlab: Run, tmp_path: Path, name: str, text: str, dialect: str) -> None:
+    (tmp_path / name).write_text(text)
+    said = contourlab("check", name)
+    assert said.code == (0 if text.startswith("(") else 2)
+    assert said.out.rstrip().endswith(f"next: contourlab check {name} --dialect {dialect}")
+    again = contourlab("check", name, "--dialect", dialect)
+    assert again.code == 0
+    assert ("CL477" in again.out) == (dialect in ("fanuc", "mach3"))
+    assert f"--dialect {dialect}" in again.out.splitlines()[-1]  # and the run that is proposed then
+
+
+def test_a_program_without_a_dialect_of_its_own_gets_no_proposal(contourlab: Run, tmp_path: Path) -> None:
+    write(tmp_path, "G41 D1\nG0 X1\nM2\n")
+    assert "--dialect" not in contourlab("check", "part.ngc").out
+    assert "CL477" in contourlab("canon", write(tmp_path, "G0 X1.\nM2\n"), "--dialect", "fanuc").err
+
+
+@pytest.mark.parametrize(
+    "text", ["N10 G54\nN20 TRANS X10 Y5\n", "0 BEGIN PGM A MM\n1 L X+10 R0 FMAX\n", "G21\nM104 S200\nG1 X10 E0.5 F1800\n"]
+)
+def test_another_language_is_refused_once(contourlab: Run, tmp_path: Path, text: str) -> None:
+    for command in ("check", "canon"):
+        said = contourlab(command, write(tmp_path, text)).refusal
+        assert said.count("\n") == 1 and "[CL800]" in said and "a program for a" in said
+
+
 def test_check_finds_every_fault(contourlab: Run, tmp_path: Path) -> None:
     said = contourlab("check", write(tmp_path, FAULTY))
     assert said.code == 2

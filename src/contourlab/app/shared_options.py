@@ -129,7 +129,7 @@ class ProgramReading(Options):
 class Dialect(ProgramReading):
     """How to read a part program of a dialect."""
 
-    dialect: str = option("linuxcnc", "linuxcnc, or grbl, which is more lenient and reports each deviation.")
+    dialect: str = option("linuxcnc", "Control for which the program is written: linuxcnc, grbl, grblhal, fanuc or mach3.")
 
 
 @options
@@ -140,7 +140,7 @@ class Motion(Judged, ProgramReading):
     tolerance: str | None = option(None, 'Largest part error of a program that passes, e.g. "25 um"; a scenario has its own.', unit="m")
     fit: bool = option(False, "Scale and move a part program into the machine's travel.")
     no_require_end: bool = option(False, "Accept a part program without M2, M30 or %: its last line ends it.")
-    dialect: str | None = option(None, "Dialect of a part program: linuxcnc (the default), or grbl.")
+    dialect: str | None = option(None, "Dialect of a part program: linuxcnc (the default), grbl, grblhal, fanuc or mach3.")
 
     @property
     def program(self) -> dict[str, Any]:

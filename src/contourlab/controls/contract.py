@@ -119,6 +119,7 @@ def stepping(file: Path, control: str, name: str, tables: dict[str, Any], findin
     """
     axes = list(tables)
     machine = {"name": name[:200], "servo_period": PERIOD, "axes": axes}
-    every = {"machine": machine, "axes": tables, "controller": steps_controller(axes), "program": {"dialect": "grbl", **program}}
+    program = {"dialect": "grbl" if control == "grbl" else "grblhal", **program}
+    every = {"machine": machine, "axes": tables, "controller": steps_controller(axes), "program": program}
     counts = finding("CL984", axes=axes, why=f"{control.removesuffix('HAL')} counts its steps")
     return ControlFile(file, control, every, findings=(counts, *findings))

@@ -18,7 +18,8 @@ from itertools import chain
 from typing import NamedTuple, TypeAlias
 
 from contourlab.errors import refuse
-from contourlab.program.vocabulary import G_GROUPS, M_GROUPS, O_WORD_ALONE, USED_LETTERS, BlockError, EndMarkError, g_name, refusal
+from contourlab.program.dialects import LINUXCNC, Rules
+from contourlab.program.vocabulary import O_WORD_ALONE, BlockError, EndMarkError, g_name, refusal
 
 LARGEST_PARAMETER = 5601
 SELECTED_SYSTEM = 5220
@@ -577,7 +578,7 @@ class Block(NamedTuple):
         return first.column if first else 0
 
 
-def read_block(line: str, parameters: Parameters | None = None) -> Block:
+def read_block(line: str, parameters: Parameters | None = None, rules: Rules = LINUXCNC) -> Block:
     """Read a line, check it independently of the modal state, and assign its parameters.
 
     Raises
@@ -589,14 +590,14 @@ def read_block(line: str, parameters: Parameters | None = None) -> Block:
     words: dict[str, Word] = {}
     for word in read_words(line, parameters):
         letter = word.letter
-        if letter in USED_LETTERS:
+        if letter in rules.letters:
             if letter in words:
                 raise BlockError(f"CL809 the block has two {letter} words: keep one of them", word.column)
             words[letter] = word
         elif letter == "G":
-            _add_g(codes, word)
+            _add_g(codes, word, rules)
         elif letter == "M":
-            _add_m(codes, word)
+            _add_m(codes, word, rules)
         elif letter == "N":
             # N must come first, even before a comment; its number has no meaning.
             if line[: word.column - 1].strip(" \t"):
@@ -604,32 +605,39 @@ def read_block(line: str, parameters: Parameters | None = None) -> Block:
             if word.value < 0.0:
                 raise BlockError("CL804 a line number cannot have a sign: write for example N10", word.column)
         else:
-            raise BlockError(refusal(letter, "word"), word.column)
+            raise BlockError(_refusal(letter, "word", rules), word.column)
     return Block(codes, words)
 
 
-def _add_g(codes: dict[str, Code], word: Word) -> None:
+def _refusal(name: str, kind: str, rules: Rules) -> str:
+    return refusal(name, kind, "" if rules is LINUXCNC else rules.title, rules.meanings)
+
+
+def _add_g(codes: dict[str, Code], word: Word, rules: Rules) -> None:
     number = round(10.0 * word.value)
     if word.value < 0.0 or abs(10.0 * word.value - number) > 1e-9:
         raise BlockError(f"CL807 G{word.value:g} is not a known G-code: correct the number", word.column)
-    group = G_GROUPS.get(number)
+    group = rules.g.get(number)
     if group is None:
-        raise BlockError(refusal(g_name(number), "G-code"), word.column)
-    # G80 together with another motion has no effect.
-    if group == "motion" and group in codes and number == _END_OF_MOTION:
-        return
-    if group in codes and (group != "motion" or codes[group].number != _END_OF_MOTION):
-        raise BlockError(f"CL810 {g_name(codes[group].number)} and {g_name(number)} cannot share a block: keep one of them", word.column)
+        raise BlockError(_refusal(g_name(number), "G-code", rules), word.column)
+    if group in codes and group not in rules.last_counts:
+        # G80 together with another motion has no effect.
+        ends = group == "motion" and not rules.lone_g80
+        if ends and number == _END_OF_MOTION:
+            return
+        if not ends or codes[group].number != _END_OF_MOTION:
+            names = f"{g_name(codes[group].number)} and {g_name(number)}"
+            raise BlockError(f"CL810 {names} cannot share a block: keep one of them", word.column)
     codes[group] = Code(number, word.column)
 
 
-def _add_m(codes: dict[str, Code], word: Word) -> None:
+def _add_m(codes: dict[str, Code], word: Word, rules: Rules) -> None:
     number = round(word.value)
     if word.value != number or number < 0:
         raise BlockError(f"CL807 M{word.value:g} is not a known M-code: write a whole number, 0 or more", word.column)
-    group = M_GROUPS.get(number)
+    group = rules.m.get(number)
     if group is None:
-        raise BlockError(refusal(f"M{number}", "M-code"), word.column)
+        raise BlockError(_refusal(f"M{number}", "M-code", rules), word.column)
     if group in codes:
         raise BlockError(f"CL810 M{codes[group].number} and M{number} cannot share a block: keep one of them", word.column)
     codes[group] = Code(number, word.column)

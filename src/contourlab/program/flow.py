@@ -224,6 +224,8 @@ class Walker:
         self._seen: dict[str, _Seen] = {}
         self._begun: dict[tuple[str, str], tuple[str, int]] = {}
         self._repeated = False
+        self.keywords: tuple[str, ...] | None = None
+        """Keywords of O-words that the dialect has; None for all."""
         self.on_region: Callable[[bool, int], None] | None = None
         """Called where an outermost loop or call begins (True) and after it (False), with the number of its first or last line."""
 
@@ -271,6 +273,8 @@ class Walker:
                 frame.tape.forget(frame.index - 1)
             if starts_o_word(line):
                 word = read_o_word(line, self.parameters)
+                if self.keywords is not None and word.keyword not in self.keywords:
+                    raise BlockError(f"CL840 O{word.label} {word.keyword} is LinuxCNC's: write plain moves, or M98 with M99", word.column)
                 getattr(self, f"_{word.keyword or 'plain'}")(word)
             else:
                 yield line

@@ -192,7 +192,8 @@ def machine_target(block: Block, state: ModalState, line: int) -> Point:
         If the block is incremental or polar.
     """
     words, column = block.words, block.codes["other"].column
-    refuse(not state.absolute, BlockError, "CL816 G53 (machine coordinates) needs absolute mode: write G90", column)
+    absolute = state.absolute or state.rules.incremental_g53
+    refuse(not absolute, BlockError, "CL816 G53 (machine coordinates) needs absolute mode: write G90", column)
     refuse("@" in words or "^" in words, BlockError, "CL816 G53 does not take polar coordinates: write X, Y and Z", column)
     given = state.given(words)
     state.machine_points.append((line, updated((math.nan, math.nan, math.nan), given)))
@@ -205,10 +206,12 @@ LEAST_TIMED_RATE = 0.1
 """Slowest inverse-time move, in program units per minute, as in LinuxCNC."""
 
 _NO_MOTION = 800
+_PATHS = (0, 10, *ARCS)
 _PLAIN_LETTERS = frozenset("XYZF@^ST")
 _SETTINGS: dict[int, tuple[str, object]] = {
     170: ("plane", "XY"), 180: ("plane", "ZX"), 190: ("plane", "YZ"),
-    200: ("millimetres", False), 210: ("millimetres", True), 70: ("diameter", True), 80: ("diameter", False),
+    200: ("millimetres", False), 210: ("millimetres", True), 700: ("millimetres", False), 710: ("millimetres", True),
+    70: ("diameter", True), 80: ("diameter", False),
     900: ("absolute", True), 910: ("absolute", False), 901: ("absolute_centre", True), 911: ("absolute_centre", False),
     930: ("feed_mode", "inverse_time"), 940: ("feed_mode", "per_minute"), 950: ("feed_mode", "per_turn"),
     980: ("back_to_clearance", False), 990: ("back_to_clearance", True),
@@ -241,25 +244,31 @@ def execute(block: Block, state: ModalState, line: int) -> list[Move]:
     """
     codes, words = block
     moves: list[Move] = []
+    rules = state.rules
     if state.plane != "XY" and ("@" in words or "^" in words):
         raise BlockError("CL816 polar coordinates need the XY plane: write G17 on an earlier line", (words.get("@") or words["^"]).column)
     motion = _motion_to_be(block, state)
-    _check_letters(block, motion)
-    if motion not in (0, 10) and "other" in codes and codes["other"].number == 530:
-        raise BlockError("CL813 G53 needs G0 or G1: write one of them, and X, Y or Z, on the same line", codes["other"].column)
+    _check_letters(block, state, motion)
+    if motion not in rules.g53_motions and "other" in codes and codes["other"].number == 530:
+        names = " or ".join(map(g_name, rules.g53_motions))
+        raise BlockError(f"CL813 G53 needs {names}: write one of them, and X, Y or Z, on the same line", codes["other"].column)
     if "feed_mode" in codes:
+        before_it = state.feed_mode
         setattr(state, *_SETTINGS[codes["feed_mode"].number])
-        if state.feed_mode != "inverse_time":
+        if state.feed_mode != "inverse_time" and not (rules.keeps_feedrate and state.feed_mode == before_it):
             state.feedrate = 0.0
     if "F" in words and state.feed_mode != "inverse_time":
         if words["F"].value < 0.0:
             raise BlockError(f"CL806 F{words['F'].value:g}: a feedrate cannot be negative", words["F"].column)
+        if rules.new_units and "units" in codes:
+            setattr(state, *_SETTINGS[codes["units"].number])
         state.feedrate = state.length(words["F"].value) / (60.0 if state.feed_mode == "per_minute" else 1.0)
     _execute_events(block, state, line)
     if codes:
         moves += _set_modes(block, state, line)
     if motion is not None:
         before, state.motion = state.motion, motion
+        state.resumed = motion if motion in _PATHS else state.resumed
         if motion not in CYCLES:
             state.cycle.level = None
         if motion != _NO_MOTION:
@@ -274,7 +283,12 @@ def _motion_to_be(block: Block, state: ModalState) -> int | None:
     """Return the motion of the block: its own, or the modal one if its words need it."""
     codes, words = block
     own, other = codes.get("motion"), codes.get("other")
-    takes_axes = other is not None and other.number in AXIS_WORDS
+    takes_axes = other is not None and (other.number in AXIS_WORDS or (other.number == 40 and state.rules.dwell_x))
+    if own is not None and state.rules.paths_apart:
+        homes = other is not None and other.number in _HOMES and own.number in _PATHS
+        if homes or own.number == _NO_MOTION:
+            state.motion = state.resumed = own.number if homes else state.resumed
+            state.cycle.level = own = None
     axes = "X" in words or "Y" in words or "Z" in words or "@" in words or "^" in words
     if own is not None:
         if own.number != _NO_MOTION and takes_axes and other is not None:
@@ -301,7 +315,7 @@ def _motion_to_be(block: Block, state: ModalState) -> int | None:
     return state.motion if state.motion in ARCS and ("I" in words or "J" in words or "K" in words) else None
 
 
-def _check_letters(block: Block, motion: int | None) -> None:
+def _check_letters(block: Block, state: ModalState, motion: int | None) -> None:
     """Refuse words that no code of the block uses."""
     if block.words.keys() <= _PLAIN_LETTERS:
         return
@@ -311,17 +325,23 @@ def _check_letters(block: Block, motion: int | None) -> None:
     if "P" in block.words and 40 in active and len(active & USERS["P"][0]) > 1:
         raise BlockError("CL812 G4 and another code of the block both use P: write G4 on its own line", block.words["P"].column)
     for letter, word in block.words.items():
+        if letter in "PQKL" and state.rules.own_cycles and motion in CYCLES:
+            continue
         if letter in USERS and not USERS[letter][0] & active:
             raise BlockError(f"CL811 no active code uses {letter}: delete it, or write {USERS[letter][1]}", word.column)
 
 
 def _dwell(block: Block, state: ModalState, line: int) -> list[Move]:
-    word = block.words.get("P")
+    rules = state.rules
+    word = block.words.get("P") or (block.words.get("X") if rules.dwell_x else None)
     if word is None:
-        raise BlockError("CL813 G4 has no time: write for example G4 P0.5 for half a second", block.codes["other"].column)
-    if not 0.0 <= word.value <= LONGEST_DWELL:
-        raise BlockError(f"CL806 G4 P{word.value:g}: write P in seconds, from 0 to {LONGEST_DWELL:g}", word.column)
-    return state.wait(word.value, line)
+        raise BlockError(
+            f"CL813 G4 has no time: write for example G4 P{0.5 / rules.dwell:g} for half a second", block.codes["other"].column
+        )
+    seconds = word.value * (rules.dwell if word.letter == "P" else 1.0)
+    if not 0.0 <= seconds <= LONGEST_DWELL:
+        raise BlockError(f"CL806 G4 {word.letter}{word.value:g}: write a time from 0 to {LONGEST_DWELL:g} s", word.column)
+    return state.wait(seconds, line)
 
 
 def _set_modes(block: Block, state: ModalState, line: int) -> list[Move]:
@@ -357,7 +377,7 @@ def _set_modes(block: Block, state: ModalState, line: int) -> list[Move]:
 
 def _set_control(block: Block, state: ModalState, code: int) -> None:
     if code != 640:
-        state.mode = Mode("exact_path" if code == 610 else "exact_stop", None, None, state.mode.tool)
+        state.mode = Mode("exact_path" if code == 610 and not state.rules.stops_at_g61 else "exact_stop", None, None, state.mode.tool)
         return
     lengths: list[float | None] = []
     for letter in "PQ":

@@ -24,16 +24,15 @@ from dataclasses import replace
 
 from contourlab.errors import refuse
 from contourlab.program.block import Block, Word
+from contourlab.program.dialects import LINUXCNC
 from contourlab.program.moves import PLANE_AXES, Arc, Move, Point, Spline
-from contourlab.program.state import Curve, ModalState
+from contourlab.program.state import Curve, Cycle, ModalState
 from contourlab.program.vocabulary import BlockError, g_name
 
-RADIUS_TOLERANCE = 50e-6 * 0.0254
-"""Smallest radius [m], and largest amount by which R may be too small [m]."""
-SPIRAL_INCH, SPIRAL_MILLIMETRE = 0.002 * math.sqrt(2.0) * 0.0254, 0.02 * math.sqrt(2.0) * 1e-3
-"""Allowed difference of the radii at start and end [m]."""
+RADIUS_TOLERANCE = LINUXCNC.radius_slack
+"""Smallest radius [m]."""
 SPIRAL_RELATIVE = 1e-3
-"""Allowed difference relative to the greater radius, up to 100 times the bounds above."""
+"""Allowed difference of the radii at start and end relative to the greater one, up to 100 times that of the dialect."""
 LARGEST_RADIUS = 1e4
 """Larger radii [m] are mistakes, and too large for double precision."""
 SHORTEST_HALF_CHORD = 1e-9
@@ -77,11 +76,14 @@ def make_arc(block: Block, state: ModalState, end: Point, line: int) -> Arc:
 def _check_words(block: Block, state: ModalState) -> None:
     words, (first, second, normal) = block.words, PLANE_AXES[state.plane]
     plane = f"{state.plane} plane"
-    if "IJK"[normal] in words:
+    if "IJK"[normal] in words and not (state.rules.stray_offsets and "R" not in words):
         stray = words["IJK"[normal]]
         raise BlockError(f"CL811 {stray.letter} has no meaning for an arc in the {plane}: delete it", stray.column)
     offsets = "IJK"[first], "IJK"[second]
     given = [letter for letter in offsets if letter in words]
+    if state.rules.plain_arcs and ("P" in words or not words.keys() & {"XYZ"[first], "XYZ"[second]}):
+        ends = f"{'XYZ'[first]} or {'XYZ'[second]}"
+        raise BlockError(f"CL820 an arc of grbl needs {ends}, and has no P (errors 26, 32, 36): write a block for each turn", block.column)
     if "R" in words:
         if given:
             raise BlockError(f"CL820 the arc has both R and {given[0]}: give either the radius or the centre", words["R"].column)
@@ -110,7 +112,7 @@ def _centre_of_offsets(block: Block, state: ModalState, here: _Vector, there: _V
         at = "start" if radius < RADIUS_TOLERANCE else "end"
         raise BlockError(f"CL823 the arc has no radius: its centre is its {at} point; correct the centre", column)
     _check_radius(max(radius, radius_end), column)
-    gap, allowed = abs(radius - radius_end), SPIRAL_MILLIMETRE if state.millimetres else SPIRAL_INCH
+    gap, allowed = abs(radius - radius_end), state.rules.spiral[not state.millimetres]
     if gap > 100.0 * allowed or (gap > allowed and gap > SPIRAL_RELATIVE * max(radius, radius_end)):
         radii = f"{_show(radius, state)} at the arc's start but {_show(radius_end, state)} at its end"
         raise BlockError(f"CL821 the radius is {radii}: correct the centre or the end point", column)
@@ -126,7 +128,7 @@ def _centre_of_radius(word: Word, state: ModalState, here: _Vector, there: _Vect
     _check_radius(radius, word.column)
     if half < SHORTEST_HALF_CHORD:
         raise BlockError("CL822 an arc with R cannot end where it starts: for a full circle, give its centre (I, J, K)", word.column)
-    if half - radius > RADIUS_TOLERANCE:
+    if half - radius > state.rules.radius_slack:
         why = f"cannot reach the end point, because half the chord is {_show(half, state)}"
         raise BlockError(f"CL822 R = {_show(radius, state)} {why}: make R larger or correct the end point", word.column)
     # In a semicircle with rounded decimals, R differs slightly from half the chord; the root of this difference would move the centre far.
@@ -296,7 +298,12 @@ class _Cycle:
         assert state.motion is not None  # the cycle
         # LinuxCNC reads stored numbers in the new units; here the program must write them again.
         again = again and state.cycle.millimetres == state.millimetres
-        state.cycle.millimetres = state.millimetres
+        self.own = state.rules.own_cycles
+        if self.own:
+            # The data hold from cycle to cycle; whether those of G91 hold in G90 is not known.
+            again = state.cycle.level is not None and (state.cycle.millimetres, state.cycle.absolute) == (state.millimetres, state.absolute)
+            state.cycle = state.cycle if again else Cycle(level=state.cycle.level)
+        state.cycle.millimetres, state.cycle.absolute = state.millimetres, state.absolute
         self.words, self.state, self.line, self.again = block.words, state, line, again
         self.code, self.name = state.motion, g_name(state.motion)
         self.column, self.axes = block.column, PLANE_AXES[state.plane]
@@ -314,11 +321,17 @@ class _Cycle:
         bore = self._read_bore() if self.code == 870 else None
         if self.code in _TURNING:
             self._check_spindle()
+        word = self.words.get("L") or (self.words.get("K") if self.own else None)
+        repeats = 1 if word is None else word.whole(0 if self.own else 1, MOST_REPEATS, "the number of repeats")
+        if repeats == 0:
+            return
         if level < self.clearance:
+            refuse(
+                self.own, BlockError, "CL831 the tool stands below R, and a Fanuc goes to the hole first: raise it to R before", self.column
+            )
             self._go(self.clearance)
             here = self.clearance
         self.state.mode = replace(self.state.mode, control="exact_path", tolerance=None, merge=None)
-        repeats = self.words["L"].whole(1, MOST_REPEATS, "the number of repeats") if "L" in self.words else 1
         if self.code in _PECKING and repeats * (self.clearance - self.depth) / self.state.cycle.peck > MOST_STROKES:
             raise BlockError(f"CL831 the peck Q of {self.name} needs more than {MOST_STROKES} strokes: make it larger", self.column)
         for repeat in range(repeats):
@@ -362,18 +375,16 @@ class _Cycle:
     def _read_dwell_and_peck(self) -> None:
         memory = self.state.cycle
         if "P" in self.words:
-            memory.dwell = self.words["P"].value
+            memory.dwell = self.words["P"].value * self.state.rules.dwell
             if not 0.0 <= memory.dwell <= LONGEST_DWELL:
-                raise BlockError(
-                    f"CL806 P{memory.dwell:g}: write the dwell in seconds, from 0 to {LONGEST_DWELL:g}", self.words["P"].column
-                )
-        elif self.code in _DWELLING and not self.again:
+                raise BlockError(f"CL806 the dwell is {memory.dwell:g} s: write one from 0 to {LONGEST_DWELL:g} s", self.words["P"].column)
+        elif self.code in _DWELLING and not (self.again or self.own):
             raise BlockError(f"CL830 {self.name} has no dwell: write P, in seconds", self.column)
-        if self.code not in _PECKING:
-            return
         if "Q" in self.words:
             memory.peck = self.state.length(self.words["Q"].value)
-        elif not self.again:
+        if self.code not in _PECKING:
+            return
+        if "Q" not in self.words and not self.again:
             raise BlockError(f"CL830 {self.name} has no peck: write Q, the depth of one stroke", self.column)
         if memory.peck <= 0.0:
             raise BlockError(f"CL831 the peck Q of {self.name} must be greater than 0: write Q with the depth of one stroke", self.column)

@@ -14,9 +14,11 @@ from typing import Literal, TextIO, TypeAlias, get_args
 from contourlab.errors import ParameterError, ProgramEndError, ProgramError, check_known, refuse
 from contourlab.file_kinds import mistaken
 from contourlab.program.block import Block, Parameters, read_block, without_blanks
+from contourlab.program.dialects import DIALECTS
 from contourlab.program.flow import LONGEST_LINE, Tape, Walker
 from contourlab.program.interpreter import execute
 from contourlab.program.moves import Dwell, Move, Notice, Point, Program
+from contourlab.program.own_rules import CHECKS, PREPARE
 from contourlab.program.state import (
     ORIGIN,
     ModalState,
@@ -32,7 +34,7 @@ from contourlab.program.state import (
 from contourlab.program.vocabulary import G_GROUPS, M_GROUPS, SYSTEMS, BlockError
 from contourlab.units import setting
 
-Dialect: TypeAlias = Literal["linuxcnc", "grbl"]
+Dialect: TypeAlias = Literal["linuxcnc", "grbl", "grblhal", "fanuc", "mach3"]
 MOST_NOTICES = 1000
 MOST_PROBLEMS = 100
 """Most faults collected."""
@@ -51,9 +53,10 @@ class Reading:
 
     Parameters
     ----------
-    dialect : {"linuxcnc", "grbl"}
-        With ``"grbl"`` a program needs no end, the first motion is G0 by default, comments need no end, and lines for the
-        controller itself ($...) are skipped; each of these gives a `Notice`.
+    dialect : {"linuxcnc", "grbl", "grblhal", "fanuc", "mach3"}
+        Control for which the program is written; see `contourlab.program.dialects`. With ``"grbl"`` and ``"grblhal"`` a program needs no
+        end, the first motion is G0 by default, comments need no end, and lines for the controller itself ($...) are skipped; each of
+        these gives a `Notice`.
     require_end : bool
         Whether a program must end with M2, M30 or M99, or be enclosed in two lines of ``%``, as in LinuxCNC. Otherwise the end of the text
         ends the program.
@@ -183,7 +186,10 @@ class Reader:
         self.notices: list[Notice] = []
         self._known: set[str] = set()
         is_mm, tools = self.reading.unit == "mm", self.reading.tools
-        self.state = ModalState(tools=Tools() if tools is None else read_tools(tools, is_mm), still=still, millimetres=is_mm)
+        dialect = self.reading.dialect
+        rules, self._prepare, self._check = DIALECTS[dialect], PREPARE.get(dialect), CHECKS.get(dialect)
+        self.state = ModalState(tools=Tools() if tools is None else read_tools(tools, is_mm), still=still, millimetres=is_mm, rules=rules)
+        self.state.back_to_clearance = not rules.own_cycles
         self.parameters = Parameters(self.state.shown_position)
         self.state.parameters = self.parameters
         if self.reading.parameters is not None:
@@ -196,6 +202,7 @@ class Reader:
             self.state.take_offsets(self.reading.point("start"))
         self._lines, self._n_read = iter(lines), 0
         self.walker = Walker(Tape(self._framed(), str(name)), self.parameters, self._subprogram, self.reading.most_moves)
+        self.walker.keywords = rules.o_words
         self.parameters.own = own_names(self.state, lambda: self.walker.place[1])
         self.on_block: Callable[[str, Block], None] | None = None
         self._open = self._closed = self._ended = False
@@ -293,13 +300,16 @@ class Reader:
                 fault = "% closes the program, but the first line has no % to open it: ignored"
                 self.notices.append(Notice(fault, self.walker.place[1], line.index("%") + 1))
                 return None
-        if self.reading.dialect == "grbl":
-            line = _grbl_line(line, self.walker.place[1], self.notices, self.state)
+        if self._prepare is not None:
+            line = self._prepare(line, self.walker.place[1], self.notices, self.state)
         elif "(" in line and (abort := _ABORT.search(line)) and ";" not in line[: abort.start()]:
             raise BlockError(f"CL846 the program stops itself here, with (abort,...):{abort[1][:MOST_SHOWN]}", abort.start() + 1)
         if self.reading.remapped:
             self._check_remapped(line)
-        return read_block(line, self.parameters)
+        block = read_block(line, self.parameters, self.state.rules)
+        if self._check is not None:
+            self._check(block, self.state)
+        return block
 
     def _check_remapped(self, line: str) -> None:
         """Note the codes of a line to which the control's file gives another meaning; refuse those that have no other."""
@@ -331,6 +341,8 @@ class Reader:
         """Execute M98: P is the number of the subprogram, L the number of repeats."""
         column = block.codes["call"].column
         label, repeats = (block.words[x].whole(0, 10**9, f"{x} of M98") if x in block.words else None for x in "PL")
+        if label is not None and label > 9999 and self.state.rules.own_cycles and repeats is None:
+            repeats, label = divmod(label, 10_000)  # P00031234 runs O1234 three times
         if label is None:
             raise BlockError("CL813 M98 has no P: write the number of the subprogram", column)
         self.walker.enter(str(label), None, column, 1 if repeats is None else repeats)
@@ -356,7 +368,7 @@ class Reader:
         if self._ended or self._closed:
             return
         line = self.walker.place[1]
-        if self.reading.dialect == "grbl" or not self.reading.require_end:
+        if self.reading.dialect in ("grbl", "grblhal") or not self.reading.require_end:
             self.notices.append(Notice(f"{NO_END} (M2 or M30): its last line ends it", max(line, 1), 1))
         else:
             cure = "add a line with % at the end" if self._open else "add M2 or M30 at the end"
@@ -366,30 +378,6 @@ class Reader:
 _CODE = re.compile(r"(?<![a-z_])([gmtsf])([0-9]+\.?[0-9]*|(?=[#\[]))(?![^<]*>)")
 """A code, or a word T, S or F, outside of names in <>."""
 _ABORT = re.compile(r"\([ \t]*abort,([^()]*)\)[^()]*$", re.IGNORECASE)
-_COMMENT = re.compile(r"\([^()]*\)|;.*")
-_AXIS = re.compile(r"[XYZxyz]")
-_MOTION = re.compile(r"[Gg][ \t]*0*(?:[0-3](?:\.0*)?|38\.[2-5]|28|30|92|10|53|43\.1|80)(?![0-9.])")
-
-
-def _grbl_line(line: str, number: int, notices: list[Notice], state: ModalState) -> str:
-    """Convert a line of grbl 1.1 to LinuxCNC; add a notice of each deviation."""
-    plain = line.strip()
-    if plain.startswith("$") or plain in ("!", "~", "?", "%"):
-        what = "a line with only %" if plain == "%" else f"{plain[:20]} is a command to the controller, not a part program"
-        notices.append(Notice(f"{what}: ignored", number, 1))
-        return ""
-    # Blanks in place of comments keep the columns.
-    blank = _COMMENT.sub(lambda comment: " " * len(comment[0]), line)
-    opened = blank.find("(")
-    if opened >= 0 and ")" not in blank[opened:]:
-        notices.append(Notice("the comment has no ')': the rest of the line is read as comment", number, opened + 1))
-        line, blank = line[:opened], blank[:opened]
-    if state.motion is None and (axis := _AXIS.search(blank)) and not _MOTION.search(blank):
-        notices.append(Notice("a move before any motion code: read as G0, the default of grbl", number, axis.start() + 1))
-        state.motion = 0
-    return line
-
-
 _LINE_BREAK = re.compile(r"\r\n|\n|\r")
 
 

@@ -19,6 +19,7 @@ from typing import Literal, TypeAlias
 
 from contourlab.errors import ProgramError
 from contourlab.program.block import LARGEST_PARAMETER, SELECTED_SYSTEM, Parameters, Word
+from contourlab.program.dialects import LINUXCNC, Rules
 from contourlab.program.moves import PLAIN, Dwell, Event, Feed, Mode, Move, Plane, Point, Traverse
 from contourlab.program.vocabulary import SYSTEMS, BlockError
 
@@ -245,6 +246,7 @@ class Cycle:
     peck: float = 0.0
     bore: Point = (0.0, 0.0, 0.0)
     millimetres: bool = True
+    absolute: bool = True
 
 
 @dataclass(slots=True)
@@ -268,8 +270,12 @@ class ModalState:
         The programmed point in the selected coordinate system.
     reached : (x, y, z) [m]
         Position of the axes; it differs from `position` by offsets and omitted short moves.
+    rules : Rules
+        Those of the dialect.
     motion : int or None
         G-code of the modal motion, times ten; 800 after G80.
+    resumed : int
+        That of the last G0 to G3; G0 without one.
     feedrate : float [m/s]
         [m/turn] with G95; 0 until set.
     turning : int
@@ -286,7 +292,9 @@ class ModalState:
     still: bool = False
     position: Point = (0.0, 0.0, 0.0)
     reached: Point = (0.0, 0.0, 0.0)
+    rules: Rules = LINUXCNC
     motion: int | None = None
+    resumed: int = 0
     plane: Plane = "XY"
     millimetres: bool = True
     absolute: bool = True

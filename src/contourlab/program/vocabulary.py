@@ -5,6 +5,8 @@ G-codes are numbers times ten: G90.1 is 901.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from contourlab.errors import ProgramEndError, ProgramError
 
 
@@ -107,14 +109,25 @@ def g_name(code: int) -> str:
     return f"G{code // 10}" + (f".{code % 10}" if code % 10 else "")
 
 
-def refusal(name: str, kind: str) -> str:
+def refusal(name: str, kind: str, title: str = "", meanings: Mapping[str, str] | None = None) -> str:
     """Return the message for an unsupported code or word: what it is, and what to do.
+
+    Parameters
+    ----------
+    title : str
+        Control of another dialect.
+    meanings : mapping of str to str
+        Codes that it has, but that are not read.
 
     >>> refusal("G41", "G-code")
     "CL808 G41 (cutter compensation) is not supported yet: let the CAM system write the path of the tool's centre"
     """
     if name == "O":
         return O_WORD_ALONE
+    if meanings and name in meanings:
+        return f"CL808 {name} ({meanings[name]}) is not supported yet: {_CAM}"
+    if title and name not in _REFUSED:
+        return f"CL807 {title} has no {name} that is read: delete it, or let the CAM system post for this control"
     if name not in _REFUSED:
         return f"CL807 {name} is not a known {kind}: delete it, or correct the number"
     what, cure = _REFUSED[name]

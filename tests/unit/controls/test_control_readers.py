@@ -114,4 +114,5 @@ def test_grbl_settings_in_other_dress(tmp_path: Path) -> None:
     assert machine.control.control == "grblHAL"
     assert machine.axes[0].limits.jerk == pytest.approx(5.0)
     assert [found.code for found in machine.control.findings] == ["CL984", "CL986"]
-    assert reading_on(machine, {}).dialect == "grbl"
+    assert reading_on(machine, {}).dialect == "grblhal"
+    assert reading_on(loaded(made_control(tmp_path, "grbl")), {}).dialect == "grbl"

@@ -52,8 +52,8 @@ def test_grbl_does_not_hide_errors() -> None:
 
 
 def test_an_unknown_dialect() -> None:
-    with pytest.raises(ParameterError, match=r"'fanuc'.*linuxcnc, grbl"):
-        Reading(dialect="fanuc")  # type: ignore[arg-type]
+    with pytest.raises(ParameterError, match=r"'haas'.*linuxcnc, grbl, grblhal, fanuc, mach3"):
+        Reading(dialect="haas")  # type: ignore[arg-type]
 
 
 @each(

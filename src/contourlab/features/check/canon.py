@@ -12,6 +12,7 @@ from typing import Any, Literal, TextIO, TypedDict
 
 from contourlab.app.session import QUIET, Answer, Asked, Session
 from contourlab.features.check import options
+from contourlab.features.check.program_check import about_reading
 from contourlab.features.check.reading import reading_of
 from contourlab.program import Arc, Dwell, Feed, Move, Plane, Point, Reader, Reading, Spline, Traverse, open_program
 
@@ -208,7 +209,8 @@ class Listed(Answer):
             while part := buffer.read(1 << 20):
                 out.write(part)
             out.flush()
-            return [f"{self.file}:{notice.line}:{notice.column}: {notice.message}" for notice in reader.notices]
+            about = [f"{self.file}: {found}" for found in about_reading(self.reading)]
+            return about + [f"{self.file}:{notice.line}:{notice.column}: {notice.message}" for notice in reader.notices]
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
         """Check the program; nothing where the output is no terminal."""

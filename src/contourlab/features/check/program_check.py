@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
+from collections import Counter, deque
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from contourlab.features.check.options import Check
 from contourlab.features.check.reading import of_control, read_once, reading_of
 from contourlab.findings import Finding, finding
 from contourlab.program import Arc, Dwell, Feed, Move, Point, Program, Reader, Reading, Spline, Traverse, open_program
+from contourlab.program.dialects import DIALECTS, named_in
 from contourlab.program.reader import NO_END
 from contourlab.rendering.table import paragraphs
 
@@ -29,6 +30,8 @@ DEFAULT_MACHINE = "builtin:xyz"
 PART = 2_500
 """Moves after which a part ends at the next stop, or at twice as many without one."""
 FAULTY = 2
+HEAD = 1 << 16
+"""Characters in which a program names its dialect."""
 NOT_PLANNED = "CL819"
 """Code of a fault that only planning finds."""
 MOST_FEEDS = 12
@@ -80,6 +83,8 @@ class Checked(Answer):
         Faults, and places where the reader was lenient.
     moves : dict of str to int
         Number of moves by kind.
+    proposed_dialect : str
+        Dialect in which the program has fewer faults, or that it names; empty if it is that in which it was read, or none.
     length : dict of str to float [m]
         Length of feed and rapid moves. Without moves, or with a fault, this and all below is empty or None.
     box : dict of str to (float, float) [m]
@@ -100,6 +105,7 @@ class Checked(Answer):
     spindle_speeds: tuple[float, ...]
     tools: tuple[int, ...]
     findings: tuple[Finding, ...] = ()
+    proposed_dialect: str = ""
     length: dict[str, float] = field(default_factory=dict)
     box: dict[str, tuple[float, float]] = field(default_factory=dict)
     cycle_time: float | None = None
@@ -119,7 +125,9 @@ class Checked(Answer):
         return [{"fault": kind, **vars(one)} for kind, many in ((True, self.problems), (False, self.notices)) for one in many]
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
-        """Run the program, if how each axis answers is known."""
+        """Check in the dialect that the program seems to have, or run it, if how each axis answers is known."""
+        if self.proposed_dialect:
+            return ["check", *asked.inputs, "--dialect", self.proposed_dialect, *asked.settings.words("dialect")]
         if self.faults or any(found.code == "CL988" for found in self.findings):
             return None
         machine, has_end = asked.settings.machine or "xyz", not any(notice.message.startswith(NO_END) for notice in self.notices)
@@ -202,6 +210,8 @@ def check(file: str | Path, *, settings: Check, session: Session = QUIET) -> Che
         feeds_mm_per_min=tuple(sorted(seen.feeds)),
         spindle_speeds=tuple(sorted(seen.speeds)),
         tools=tuple(seen.tools),
+        findings=tuple(about_reading(motion.reading)),
+        proposed_dialect=proposed_dialect(file, motion.reading, len(problems)),
     )
     return replace(checked, **motion.results()) if motion.complete and not problems else checked
 
@@ -437,10 +447,44 @@ def about_machine(machine: Machine, reading: Reading | None) -> Iterator[Finding
             yield finding("CL990", axes=list(bounded), jerk=min(bounded.values()))
         if free:
             yield finding("CL991", axes=free, control=machine.control.control)
+    yield from about_reading(reading)
     if unknown := [axis.name for axis in machine.axes if not axis.limits.bounded]:
         yield finding("CL479", axes=unknown, machine=machine.name)
     if reading is not None and not zero_known(machine, reading):
         yield finding("CL985", machine=machine.name)
+
+
+def about_reading(reading: Reading | None) -> Iterator[Finding]:
+    """Yield that a program is read by a manual only, if it is."""
+    rules = DIALECTS[reading.dialect] if reading is not None else None
+    if rules is not None and rules.manual:
+        yield finding("CL477", title=rules.title, manual=rules.manual, assumed=rules.assumed)
+
+
+def proposed_dialect(file: str | Path, reading: Reading, faults: int) -> str:
+    """Return the dialect in which a program has fewer faults, or that it names; an empty text if it is that of `reading`, or none.
+
+    Parameters
+    ----------
+    faults : int
+        Number of faults in the dialect of `reading`.
+    """
+    path = Path(file)
+    if reading.dialect != "linuxcnc" or not path.is_file():
+        return ""
+    with path.open(encoding="latin-1") as text:
+        named = named_in(f"{path.name}\n{text.read(HEAD)}")
+    best, least = "", faults
+    for name in [*named, *(other for other in DIALECTS if faults and other not in named)]:
+        problems: list[ProgramError] = []
+        with open_program(file, replace(reading, dialect=cast(Any, name)), problems=problems) as reader:
+            try:
+                deque(reader.moves(), maxlen=0)
+            except ProgramError as error:
+                problems.append(error)
+        if len(problems) < least or not (faults or problems or best):
+            best, least = name, len(problems)
+    return "" if best == "linuxcnc" else best
 
 
 _KINDS_OF_ORIGIN = {"control": "read", "computed": "computed", "assumed": "guessed"}
