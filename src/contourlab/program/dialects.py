@@ -1,7 +1,7 @@
 """What controls read differently from LinuxCNC 2.9: the `Rules` of each dialect, and which dialect a program seems to be written for.
 
 grbl 1.1 is read as its parser does (``gcode.c`` and ``protocol.c`` of gnea/grbl), grblHAL and FluidNC as theirs, as far as they share its
-rules. Fanuc and Mach3 are read by their manuals; no such control has been compared.
+rules. Neither a Fanuc nor Mach3, nor their manuals, have been compared.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ class Rules(NamedTuple):
     title : str
         The control, as messages name it.
     manual, assumed : str
-        What it is read by, if no control has been compared, and what its configuration decides otherwise.
+        Its manual, if no control has been compared, and what its configuration decides otherwise.
     marks : str
         Regular expression of what names the control in a program or its file name.
     g, m : mapping of int to str

@@ -135,7 +135,7 @@ def test_fanuc_refuses(text: str, expected: str) -> None:
     assert code("fanuc", f"G21 G90 G0 Z10.\n{text}")[0] == expected
 
 
-def test_fanuc_reads_dwells_modes_and_calls_by_its_manual() -> None:
+def test_fanuc_reads_dwells_modes_and_calls() -> None:
     assert read("fanuc", "G0 X1.\nG4 P1500\nG04 X0.25")[1:] == [("dwell", 1.5), ("dwell", 0.25)]
     assert read("fanuc", "G91 G90 G15 G69 G50.1 G0 X1.\nG90 X2.") == [("Traverse", (1.0, 0.0, 0.0)), ("Traverse", (2.0, 0.0, 0.0))]
     assert len(read("fanuc", "G0 X1.\nM98 P00030020\nM30\nO0020\nG91 X1.\nM99")) == 4

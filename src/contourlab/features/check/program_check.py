@@ -455,7 +455,7 @@ def about_machine(machine: Machine, reading: Reading | None) -> Iterator[Finding
 
 
 def about_reading(reading: Reading | None) -> Iterator[Finding]:
-    """Yield that a program is read by a manual only, if it is."""
+    """Yield that a program is read by rules that no control was compared with, if it is."""
     rules = DIALECTS[reading.dialect] if reading is not None else None
     if rules is not None and rules.manual:
         yield finding("CL477", title=rules.title, manual=rules.manual, assumed=rules.assumed)
