@@ -231,11 +231,12 @@ def test_more_parameters_and_another_axis(page):
     assert largest(page, "now") != largest(page, "report")
 
 
-def test_a_stepper_has_sliders(browsing, part, tmp_path):
+def test_a_stepper_has_sliders(browsing, tmp_path):
     """It has no gains and no friction; its planner has no jerk limit, and then makes more spans along an arc than there are samples."""
     settings = [f"$10{i}={steps}\n$11{i}=5000\n$12{i}=250\n$13{i}=400\n" for i, steps in enumerate((250, 250, 400))]
     (tmp_path / "grbl.txt").write_text("$0=10\n" + "".join(settings))
-    assert main(["run", str(part), "--machine", str(tmp_path / "grbl.txt"), "--no-interval", "--out", str(tmp_path / "out")]) == 0
+    (tmp_path / "part.ngc").write_text(PROGRAM.replace("G64 P0.002", ""))
+    assert main(["run", str(tmp_path / "part.ngc"), "--machine", str(tmp_path / "grbl.txt"), "--no-interval", "--out", str(tmp_path / "out")]) == 0
     page = browsing.open(tmp_path / "out" / "report.html")
     drawn(page, "live").hover()
     page.locator("#live tbody").wait_for()
