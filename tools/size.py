@@ -19,7 +19,7 @@ BUDGETS = {
     "controls": 662,
     "engine": 3404,
     "features": 18562,
-    "feed": 2611,
+    "feed": 2612,
     "findings": 55,
     "geometry": 2220,
     "logs": 1922,
@@ -29,10 +29,10 @@ BUDGETS = {
     "papers": 3363,
     "program": 2601,
     "rendering": 2554,
-    "result": 516,
+    "result": 539,
     "scenario": 2032,
     "study": 1405,
-    "without papers": 55932,
+    "without papers": 55956,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

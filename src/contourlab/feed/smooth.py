@@ -40,8 +40,8 @@ ROUNDS = 60  # most corrections
 BEND = 4000.0  # stretching a block of duration D by one step h adds 6 v h/D^2: blocks are so long that this is below 6/BEND of the limit
 BLOCK = 50  # periods in a block; each block has its own time grid, which stretches it by half a step on average
 HASTE = 2.5  # rounds after which the exponent of a correction grows by 1
-PER_SPAN = 4  # places checked in each span, besides the samples
-PER_SPAN_MOST = 24  # most places in a span at which the path is evaluated
+PER_SPAN = 16  # places checked in each span, besides the samples
+PER_SPAN_MOST = 48  # most places in a span at which the path is evaluated
 MOST_SPANS = (8, 10_000)  # per sample, and in addition; this bounds T from below where the jerk limit is high
 FEW = 2_000  # with fewer samples, starting threads takes longer than they save
 MANY = (5_000, 200_000)  # with more samples, only the two most promising periods, or only the best one, are tried
@@ -240,7 +240,7 @@ class _Planner:
 def _check_on_path(planner: _Planner, spans: Array, begin: Index, watched: Index) -> tuple[Array, Array]:
     """Check like `_Planner.check`, with the derivatives of the path instead of those of the samples."""
     samples, segment = planner.samples, np.repeat(np.arange(begin.size - 1), np.diff(begin))
-    per_span = min(PER_SPAN + 2 * samples.arc_length.size // len(spans), PER_SPAN_MOST) if planner.period > 0.0 else 2 * PER_SPAN
+    per_span = min(PER_SPAN + 2 * samples.arc_length.size // len(spans), PER_SPAN_MOST) if planner.period > 0.0 else PER_SPAN // 2
 
     def before(place: Array, segment: Index) -> Index:
         at = np.searchsorted(samples.arc_length, place, side="right") - 1
