@@ -247,12 +247,14 @@ def _check_on_path(planner: _Planner, spans: Array, begin: Index, watched: Index
         return np.clip(at, samples.begin[segment], samples.begin[segment + 1] - 2)
 
     some, rows, peak = np.flatnonzero(watched[before(spans[:, 1], segment)]), max(CHUNK // per_span, 1), np.zeros(begin.size - 1)
-    parts = [_needed(planner, spans[some[i : i + rows]], per_span) for i in range(0, some.size, rows)]
-    found, segment = np.concatenate([np.empty((0, 6)), *parts]), segment[some]
-    worst = across(np.maximum, found[:, 2:5])
-    np.maximum.at(peak, segment, worst)
-    bad = np.flatnonzero(worst > 1.0 + CLOSE)
-    return peak, np.column_stack([before(found[bad, 0], segment[bad]), found[bad]])
+    faults = [np.empty((0, 7))]
+    for part in (some[i : i + rows] for i in range(0, some.size, rows)):
+        found = _needed(planner, spans[part], per_span)
+        worst = across(np.maximum, found[:, 2:5])
+        np.maximum.at(peak, segment[part], worst)
+        bad = np.flatnonzero(worst > 1.0 + CLOSE)
+        faults.append(np.column_stack([before(found[bad, 0], segment[part[bad]]), found[bad]]))
+    return peak, np.concatenate(faults)
 
 
 def _needed(planner: _Planner, spans: Array, per_span: int) -> Array:
@@ -267,12 +269,13 @@ def _needed(planner: _Planner, spans: Array, per_span: int) -> Array:
 
 def _corrected(planner: _Planner) -> SmoothMotion:
     """Lower the limits around violations until none is left, in at most `ROUNDS` rounds."""
-    faults, stale = np.empty((0, 7)), np.zeros_like(planner.flags)
+    faults, stale = np.empty((0, 7)), np.zeros(planner.flags.size, dtype=bool)
     for round_ in range(ROUNDS):
         spans, begin = planner.spans(planner.square())
-        changed = planner.changed(faults) if round_ else np.ones_like(stale)
-        stale |= changed
+        changed = planner.changed(faults) if round_ else np.ones_like(planner.flags)
+        stale |= changed != 0
         peak, faults = planner.check(spans, begin, changed)
+        del changed  # long routes need the memory
         if len(faults) == 0 or round_ == ROUNDS - 1:
             # The check at the samples is cheap; the check on the path itself decides. What has not changed has passed both before.
             by_path, more = _check_on_path(planner, spans, begin, stale)
