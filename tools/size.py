@@ -19,7 +19,7 @@ BUDGETS = {
     "controls": 662,
     "engine": 3404,
     "features": 18562,
-    "feed": 2612,
+    "feed": 2615,
     "findings": 55,
     "geometry": 2220,
     "logs": 1922,
@@ -32,7 +32,7 @@ BUDGETS = {
     "result": 539,
     "scenario": 2032,
     "study": 1405,
-    "without papers": 55956,
+    "without papers": 55959,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 
