@@ -14,6 +14,7 @@ from contourlab.native.kernel import kernel
 LIMITED, BEHIND, LOWERED, MOVED = 1, 2, 4, 8  # flags of a sample; see `reach`
 TINY = 1e-9  # smallest tangent component that limits the acceleration
 N_NEWTON = 60
+EDGE = 1e-9  # of a span's time: places are checked so far within it
 
 
 def _interval(x, i, double, tangent, second, third, turning, speeding, reference, acceleration, jerk, period):
@@ -486,29 +487,103 @@ def demand(
                 count[0] = k + 1
 
 
-@kernel("f8[:,:] f8[:,:] f8[:,:] f8[:,:,:] f8[:] f8[:] f8[:] f8[:] f8[:,:]")
-def needed(spans, times, place, derivatives, velocity, acceleration, jerk, worst, found):
-    """Fill rows of faults (n_span, 6), as in `demand` without the sample.
+def _place(span, spans, dt):
+    """Return the place at a time in a span."""
+    return spans[span, 1] + dt * (spans[span, 2] + dt * (spans[span, 3] / 2.0 + dt * spans[span, 4] / 6.0))
+
+
+def _step(span, i, dt, parts, arc_length, bent, spans):
+    """Return the sample before the place at `dt`, and the next time: at most a part of the span later, and of the interval further."""
+    place, step = _place(span, spans, dt), 0.0
+    while True:  # what is close before a sample counts as past it
+        step = (arc_length[i + 1] - arc_length[i]) / (parts[1] if bent[i] != 0 else 1)
+        if i == arc_length.size - 2 or (step > 0.0 and place + 0.2 * step < arc_length[i + 1]):
+            break
+        i += 1
+    low, high = dt, min(dt + spans[span, 0] / parts[0], (1.0 - EDGE) * spans[span, 0])
+    target = arc_length[i] + step * (max(math.floor((place - arc_length[i]) / step + 0.2), 0.0) + 1.0) if step > 0.0 else math.inf
+    above, near, after = _place(span, spans, high), step, i + 1
+    if above <= target:
+        return i, high
+    while after < arc_length.size - 2 and arc_length[after + 1] <= arc_length[after]:
+        after += 1
+    if after < arc_length.size - 1:  # a miss must not pass the next interval either
+        near = min(step, (arc_length[after + 1] - arc_length[after]) / parts[1])
+    for k in range(40):
+        part = (target - place) / (above - place) if k % 2 == 0 else 0.5
+        middle = low + part * (high - low)
+        there = _place(span, spans, middle)
+        if abs(there - target) <= 0.1 * near:
+            return i, middle
+        if there < target:
+            low, place = middle, there
+        else:
+            high, above = middle, there
+    return i, high
+
+
+@kernel("f8[:] i8[:] f8[:,:] i8[:] i8[:] i8[:] f8[:] i8[:] f8[:] f8[:]")
+def walk(arc_length, bent, spans, watched, parts, at, reached, of, times, place):
+    """Fill the next places at which the path is to be evaluated, until the arrays are full or the motion ends.
 
     Parameters
     ----------
-    times [s], place [m] (n_span, n)
-        Times from the start of each span, and where the motion is then.
-    derivatives (4, n_axis, n_span n)
+    arc_length, bent, watched (n,); spans
+        Zero in `bent` where the interval after a sample is straight; the others as for `demand`.
+    parts (2,)
+        Least number of steps in a span, and in an interval that is not straight.
+    at (3,), reached (1,)
+        Span, sample and time [s] of the next place, kept from call to call, and the number of places filled; 0 before the first call.
+    of, times [s], place [m]
+        Output: the span of each place, the time from its start, and the place.
+    """
+    i, dt, count = at[1], reached[0], 0
+    for span in range(at[0], spans.shape[0]):
+        if dt == 0.0:
+            while i < arc_length.size - 2 and arc_length[i + 1] <= spans[span, 1]:
+                i += 1
+            if watched[i] == 0:
+                continue
+            dt = EDGE * spans[span, 0]
+        while True:
+            if count == of.size:
+                at[0], at[1], at[2], reached[0] = span, i, count, dt
+                return
+            of[count], times[count], place[count] = span, dt, _place(span, spans, dt)
+            count += 1
+            if dt >= (1.0 - EDGE) * spans[span, 0]:
+                break
+            i, dt = _step(span, i, dt, parts, arc_length, bent, spans)
+        dt = 0.0
+    at[0], at[1], at[2], reached[0] = spans.shape[0], i, count, dt
+
+
+@kernel("f8[:,:] i8[:] f8[:] f8[:] f8[:,:,:] f8[:] f8[:] f8[:] f8[:] f8[:,:]")
+def needed(spans, of, times, place, derivatives, velocity, acceleration, jerk, worst, found):
+    """Fill rows of faults, as in `demand` without the sample, one for each span that has places.
+
+    Parameters
+    ----------
+    of, times [s], place [m] (m,)
+        Spans, rising, times from the start of the span, and where the motion is then.
+    derivatives (4, n_axis, m)
         Of the path, there.
+    found (m, 6)
+        Output.
     """
     tangent, second, third = derivatives[1].T, derivatives[2].T, derivatives[3].T
-    for span in range(spans.shape[0]):
-        most, a0, j = -1.0, spans[span, 3], spans[span, 4]
+    row, most = -1, 0.0
+    for k in range(of.size):
+        dt, a0, j = times[k], spans[of[k], 3], spans[of[k], 4]
+        v = spans[of[k], 2] + dt * (a0 + dt * j / 2.0)
         for r in range(4):
-            found[span, 2 + r] = 0.0
-        for k in range(times.shape[1]):
-            dt = times[span, k]
-            v = spans[span, 2] + dt * (a0 + dt * j / 2.0)
+            worst[r] = 0.0
+        _over(tangent, second, third, k, v, a0 + dt * j, j, velocity, acceleration, jerk, worst)
+        if k == 0 or of[k] != of[k - 1]:
+            row, most = row + 1, -1.0
             for r in range(4):
-                worst[r] = 0.0
-            _over(tangent, second, third, span * times.shape[1] + k, v, a0 + dt * j, j, velocity, acceleration, jerk, worst)
-            if max(worst[0], worst[1], worst[2]) > most:
-                most, found[span, 0], found[span, 1] = max(worst[0], worst[1], worst[2]), place[span, k], v
-            for r in range(4):
-                found[span, 2 + r] = max(found[span, 2 + r], worst[r])
+                found[row, 2 + r] = 0.0
+        if max(worst[0], worst[1], worst[2]) > most:
+            most, found[row, 0], found[row, 1] = max(worst[0], worst[1], worst[2]), place[k], v
+        for r in range(4):
+            found[row, 2 + r] = max(found[row, 2 + r], worst[r])

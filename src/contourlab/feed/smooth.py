@@ -41,11 +41,11 @@ BEND = 4000.0  # stretching a block of duration D by one step h adds 6 v h/D^2: 
 BLOCK = 50  # periods in a block; each block has its own time grid, which stretches it by half a step on average
 HASTE = 2.5  # rounds after which the exponent of a correction grows by 1
 PER_SPAN = 16  # places checked in each span, besides the samples
-PER_SPAN_MOST = 48  # most places in a span at which the path is evaluated
+ON_PATH = np.array([6, 4])  # least number of steps of the check on the path, in a span and in an interval that is not straight
 MOST_SPANS = (8, 10_000)  # per sample, and in addition; this bounds T from below where the jerk limit is high
 FEW = 2_000  # with fewer samples, starting threads takes longer than they save
 MANY = (5_000, 200_000)  # with more samples, only the two most promising periods, or only the best one, are tried
-CHUNK = 32_768  # places per pass
+CHUNK = 8_192  # places per pass
 GROUP = 16_384  # samples of segments planned together, at least
 
 
@@ -88,6 +88,8 @@ class _Planner:
         self.place = tuple(np.ascontiguousarray(part) for part in samples[:4])
         self.base = base
         self.begin = samples.begin.astype(np.int64)
+        curved = np.any((samples.second != 0.0) | (samples.third != 0.0), axis=1)
+        self.bent = (curved | np.roll(curved, -1)).astype(np.int64)
         self.flags = np.zeros(n, dtype=np.int64)
         self.half = 0.5 * period * (STEPS + 2) / STEPS  # of the averaging window
         self.parts = np.ones((3, n))
@@ -239,41 +241,32 @@ class _Planner:
 
 def _check_on_path(planner: _Planner, spans: Array, begin: Index, watched: Index) -> tuple[Array, Array]:
     """Check like `_Planner.check`, with the derivatives of the path instead of those of the samples."""
-    samples, segment = planner.samples, np.repeat(np.arange(begin.size - 1), np.diff(begin))
-    per_span = min(PER_SPAN + 2 * samples.arc_length.size // len(spans), PER_SPAN_MOST) if planner.period > 0.0 else PER_SPAN // 2
-
-    def before(place: Array, segment: Index) -> Index:
-        at = np.searchsorted(samples.arc_length, place, side="right") - 1
-        return np.clip(at, samples.begin[segment], samples.begin[segment + 1] - 2)
-
-    some, rows, peak = np.flatnonzero(watched[before(spans[:, 1], segment)]), max(CHUNK // per_span, 1), np.zeros(begin.size - 1)
-    faults = [np.empty((0, 7))]
-    for part in (some[i : i + rows] for i in range(0, some.size, rows)):
-        found = _needed(planner, spans[part], per_span)
-        worst = across(np.maximum, found[:, 2:5])
-        np.maximum.at(peak, segment[part], worst)
-        bad = np.flatnonzero(worst > 1.0 + CLOSE)
-        faults.append(np.column_stack([before(found[bad, 0], segment[part[bad]]), found[bad]]))
+    samples, segment, peak = planner.samples, np.repeat(np.arange(begin.size - 1), np.diff(begin)), np.zeros(begin.size - 1)
+    at, reached, of, (time, place) = np.array([0, 0, CHUNK]), np.zeros(1), np.empty(CHUNK, dtype=np.int64), np.empty((2, CHUNK))
+    faults, rows, worst = [np.empty((0, 7))], np.empty((CHUNK, 6)), np.empty(4)
+    while at[2] == CHUNK:
+        kernels.walk(planner.place[0], planner.bent, spans, watched, ON_PATH, at, reached, of, time, place)
+        here = of[: at[2]]
+        derivatives = np.ascontiguousarray(planner.path.derivatives(place[: here.size], 3).transpose(0, 2, 1))
+        kernels.needed(spans, here, time, place, derivatives, *planner.inverse, worst, rows)
+        of_row = segment[here[np.diff(here, prepend=-1) > 0]]
+        found = rows[: of_row.size]
+        most = across(np.maximum, found[:, 2:5])
+        np.maximum.at(peak, of_row, most)
+        bad = np.flatnonzero(most > 1.0 + CLOSE)
+        before = np.searchsorted(samples.arc_length, found[bad, 0], side="right") - 1
+        before = np.clip(before, samples.begin[of_row[bad]], samples.begin[of_row[bad] + 1] - 2)
+        faults.append(np.column_stack([before, found[bad]]))
     return peak, np.concatenate(faults)
-
-
-def _needed(planner: _Planner, spans: Array, per_span: int) -> Array:
-    """Return rows of a fault, as in `kernels.demand` without the sample, for the worst place of each span."""
-    dt, found = spans[:, :1] * np.linspace(1e-9, 1.0 - 1e-9, per_span), np.empty((len(spans), 6))
-    s0, v0, a0, j = (column[:, None] for column in spans[:, 1:].T)
-    place = s0 + dt * (v0 + dt * (a0 / 2.0 + dt * j / 6.0))
-    derivatives = planner.path.derivatives(place.ravel(), 3).transpose(0, 2, 1)
-    kernels.needed(spans, dt, place, np.ascontiguousarray(derivatives), *planner.inverse, np.empty(4), found)
-    return found
 
 
 def _corrected(planner: _Planner) -> SmoothMotion:
     """Lower the limits around violations until none is left, in at most `ROUNDS` rounds."""
-    faults, stale = np.empty((0, 7)), np.zeros(planner.flags.size, dtype=bool)
+    faults, stale = np.empty((0, 7)), np.zeros_like(planner.flags)
     for round_ in range(ROUNDS):
         spans, begin = planner.spans(planner.square())
         changed = planner.changed(faults) if round_ else np.ones_like(planner.flags)
-        stale |= changed != 0
+        stale |= changed
         peak, faults = planner.check(spans, begin, changed)
         del changed  # long routes need the memory
         if len(faults) == 0 or round_ == ROUNDS - 1:

@@ -92,3 +92,27 @@ def test_only_what_has_changed_is_checked_again_with_the_same_result(work: dict[
     for name in ("t0", "s0", "v0", "a0", "j"):
         np.testing.assert_array_equal(getattr(short, name), getattr(whole, name))
     assert all(least[name] < 0.6 * work[name] for name in work)
+
+
+def test_the_path_is_checked_in_each_interval_however_short() -> None:
+    """A span may pass a hundred short curves: places even in time would miss the jerk of one."""
+    for seed in range(50):
+        rng = np.random.default_rng(seed)
+        arc_length = np.cumsum(np.append(0.0, 10.0 ** rng.uniform(-8.0, -4.0, 60)) * (rng.uniform(size=61) > 0.1))
+        bent, parts = rng.integers(0, 2, arc_length.size), np.array([6, 4])
+        T, v = 0.2, np.concatenate([[0.0], rng.uniform(0.0, 1.0, 4), [0.0]])
+        v *= arc_length[-1] / (v.sum() * T)
+        start = np.append(0.0, np.cumsum(0.5 * (v[1:] + v[:-1]) * T))
+        spans = np.column_stack([np.full(5, T), start[:-1], v[:-1], np.diff(v) / T, np.zeros(5)])
+        at, reached, found = np.array([0, 0, 37]), np.zeros(1), []
+        of, (time, place) = np.empty(37, dtype=np.int64), np.empty((2, 37))
+        while at[2] == 37:
+            kernels.walk(arc_length, bent, spans, np.ones_like(bent), parts, at, reached, of, time, place)
+            found.append(np.column_stack([of, time, place])[: at[2]])
+        span, time_in, places = np.concatenate(found).T
+        assert np.all(np.diff(span * T + time_in) <= T / 6 * 1.001)
+        step = np.append(np.diff(arc_length), np.inf) / np.where(bent, 4, 1)
+        for i in np.flatnonzero((step[:-1] > 0.0) & (bent[:-1] > 0)):
+            inside = places[(places > arc_length[i] - 0.3 * step[i]) & (places < arc_length[i + 1] + 0.3 * step[i])]
+            edges = np.append(np.append(arc_length[i], inside), arc_length[i + 1])
+            assert np.diff(np.sort(edges)).max() <= 1.5 * step[i]
