@@ -24,11 +24,6 @@ def scratch() -> str:
     return tempfile.gettempdir() if os.environ.get("TMPDIR") or not os.access("/var/tmp", os.W_OK) else "/var/tmp"
 
 
-def free_scratch() -> float:
-    """Return the bytes that are free for temporary files."""
-    return float(shutil.disk_usage(scratch()).free)
-
-
 class _File:
     """A temporary file; it is removed with the last signal that is in it."""
 
@@ -38,8 +33,11 @@ class _File:
         weakref.finalize(self, self.open.close)
         self.end, self.alone = 0, Lock()
 
-    def taken(self, size: int) -> int:
-        """Return where `size` free bytes begin, and keep them."""
+    def taken(self, size: int, spare: int) -> int:
+        """Return where `size` bytes begin, and keep them; OutputError if these and `spare` more are not free on the disk."""
+        if size + spare > (free := shutil.disk_usage(scratch()).free):
+            need, have = (f"{number / 1e9:.3g} GB" for number in (size + spare, free))
+            raise OutputError(f"{scratch()}: the run needs {need}, {have} are free: set TMPDIR to a folder with more room")
         with self.alone:
             self.end += size
             return self.end - size
@@ -70,11 +68,13 @@ class Store:
         Most samples.
     beside : Stored, optional
         Signals whose file takes these too.
+    spare : int
+        Bytes of a sample that others will take in the same file.
     """
 
-    def __init__(self, n_sample: int, beside: Stored | None = None) -> None:
+    def __init__(self, n_sample: int, beside: Stored | None = None, spare: int = 0) -> None:
         self._columns: dict[str, _Column] = {}
-        self._n_sample, self._length = n_sample, 0
+        self._n_sample, self._length, self._spare = n_sample, 0, spare
         self._file = _File() if beside is None else beside.file
 
     def append(self, signals: Mapping[str, Signal]) -> None:
@@ -83,14 +83,17 @@ class Store:
         Raises
         ------
         OutputError
-            If they cannot be written, e.g. on a full disk.
+            If there is no room for all samples, or these cannot be written.
         """
-        for name, signal in signals.items():
-            data, column = np.ascontiguousarray(signal.data), self._columns.get(name)
-            if column is None:
-                column = _Column(self._file, 0, data.shape[1:], signal.dims, signal.unit)
-                column = self._columns[name] = column._replace(offset=self._file.taken(self._n_sample * column.row))
-            self._file.write(column.offset + self._length * column.row, data.data)
+        rows = {name: np.ascontiguousarray(signal.data) for name, signal in signals.items()}
+        if not self._columns:
+            size = sum(8 * math.prod(data.shape[1:]) for data in rows.values())
+            offset = self._file.taken(self._n_sample * size, self._n_sample * self._spare)
+            for name, signal in signals.items():
+                self._columns[name] = _Column(self._file, offset, signal.data.shape[1:], signal.dims, signal.unit)
+                offset += self._n_sample * self._columns[name].row
+        for name, data in rows.items():
+            self._file.write(self._columns[name].offset + self._length * self._columns[name].row, data.data)
         self._length += len(data)
 
     @property

@@ -37,7 +37,7 @@ def simulate_to_file(
     changes: Sequence[Change] = (),
     switches: str | Path | None = None,
 ) -> Status:
-    """Run a machine along a reference, judge it, and write it to a NetCDF file block by block.
+    """Run a machine along a reference, judge it, and write it to a NetCDF file block by block, by way of a temporary file.
 
     Parameters
     ----------
@@ -71,7 +71,8 @@ def simulate_to_file(
     DivergenceError
         If the loop runs away.
     OutputError
-        If the file cannot be written.
+        If the file cannot be written, or the signals do not fit into the space that is free for temporary files (``TMPDIR``): some
+        320 bytes a sample of three axes. The latter is told by the first samples.
     """
     log = SwitchLog(controller, machine.servo_period, reference, changes)
     kept = tuple(name for name in RECORDED if log.led) if switches is not None else ()
@@ -104,7 +105,8 @@ def simulate_stored(
 
     `given` are options of `contourlab.loop.simulate_blocks`.
     """
-    store, done = Store(reference.n_sample), 0
+    # The judge will add five signals, and the tracking error of each axis.
+    store, done = Store(reference.n_sample, spare=8 * (5 + reference.n_axis)), 0
     for signals, status in simulate_blocks(machine, controller, reference, **given):
         part = result_of(machine, reference, signals, status, scheme=scheme, seed=given.get("seed", 0))
         store.append(part.signals)

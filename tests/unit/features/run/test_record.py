@@ -9,9 +9,11 @@ import pickle
 import subprocess
 import sys
 from collections.abc import Mapping
+from contextlib import nullcontext
 from dataclasses import fields, is_dataclass, replace
 from itertools import pairwise, starmap
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import h5py
@@ -174,6 +176,17 @@ def test_a_full_disk_is_one_clear_error(monkeypatch: pytest.MonkeyPatch) -> None
     with pytest.raises(OutputError) as refused:
         simulate_stored(*rig(), reference(1))
     assert isinstance(refused.value.__cause__, OSError) and refused.value.__cause__.errno == errno.ENOSPC
+
+
+@pytest.mark.parametrize("lacking", [0, 1])
+def test_room_for_the_whole_run_and_its_errors_is_asked_for_beforehand(lacking: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (machine, controller), asked, told = rig(), reference(1), list[int]()
+    signals = cl.judge(simulate_stored(machine, controller, asked), asked).signals
+    assert isinstance(signals, Stored)
+    monkeypatch.setattr("shutil.disk_usage", lambda _: SimpleNamespace(free=signals.file.end - lacking))
+    with pytest.raises(OutputError) if lacking else nullcontext():
+        cl.simulate_to_file(machine, controller, asked, tmp_path / "run.nc", progress=told.append)
+    assert bool(told) == (tmp_path / "run.nc").exists() == (not lacking)
 
 
 @pytest.mark.slow
