@@ -179,7 +179,7 @@ def test_a_full_disk_is_one_clear_error(monkeypatch: pytest.MonkeyPatch) -> None
 
 
 @pytest.mark.parametrize("lacking", [0, 1])
-def test_room_for_the_whole_run_and_its_errors_is_asked_for_beforehand(lacking: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_room_for_a_run_and_its_errors_is_looked_for_beforehand(lacking: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (machine, controller), asked, told = rig(), reference(1), list[int]()
     signals = cl.judge(simulate_stored(machine, controller, asked), asked).signals
     assert isinstance(signals, Stored)
