@@ -264,12 +264,13 @@ def check_route(route: Route, machine: Machine, fault: Fault, cure: str) -> None
 
     It is refused before it takes time to plan; of all others `check_motion` tells.
     """
-    cut_off = float((route.corner_tolerance + route.merge_tolerance).max())
+    tolerance = float((route.corner_tolerance + route.merge_tolerance).max())
     start, end, check = route.path.starts[0], route.path.ends[0], TravelCheck(machine)
-    check.add(np.minimum(start, end) + cut_off, np.maximum(start, end) - cut_off, ~route.rapid, route.source_line)
+    check.add(np.minimum(start, end) + tolerance, np.maximum(start, end) - tolerance, ~route.rapid, route.source_line)
     if check.left:
-        check = TravelCheck(machine)
-        check.add(*boxes(route.path), ~route.rapid, route.source_line)
+        check, (low, high) = TravelCheck(machine), boxes(route.path)
+        for cut_off in (tolerance, 0.0):  # tells first what is sure, then the whole range
+            check.add(low + cut_off, high - cut_off, ~route.rapid, route.source_line)
     _refuse(check, machine, fault, cure)
 
 
