@@ -264,7 +264,7 @@ def check_route(route: Route, machine: Machine, fault: Fault, cure: str) -> None
 
     It is refused before it takes time to plan; of all others `check_motion` tells.
     """
-    tolerance = float((route.corner_tolerance + route.merge_tolerance).max())
+    tolerance = float(np.maximum(route.corner_tolerance, route.merge_tolerance).max())
     start, end, check = route.path.starts[0], route.path.ends[0], TravelCheck(machine)
     check.add(np.minimum(start, end) + tolerance, np.maximum(start, end) - tolerance, ~route.rapid, route.source_line)
     if check.left:
