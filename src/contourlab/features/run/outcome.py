@@ -16,7 +16,7 @@ from contourlab.analysis.learning.learning_analysis import LearningAnalysis, lea
 from contourlab.analysis.linear.contour_transfer import internal_stability
 from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import sampled_loop
-from contourlab.arrays import Array, Index
+from contourlab.arrays import Array
 from contourlab.components.supervisor.switching import PreRouted
 from contourlab.engine.runner import make_group
 from contourlab.errors import ComponentError, ResultError
@@ -346,19 +346,7 @@ def run_case(
         switches=switches_of(judged, controller, reference, case.changes),
         gaps=_gaps(machine, judged),
         trust=Trust(stated(numbers), tuple(number.name for number in numbers if not number.is_stated), sampled),
-        lines=_Lines(judged, reference) if case.lines else None,
     )  # fmt: skip
-
-
-@dataclass(frozen=True)
-class _Lines:
-    """The program line at each sample, found where it is used."""
-
-    run: Result
-    reference: Reference
-
-    def __getitem__(self, samples: Index) -> Index:
-        return self.reference.source_line(self.run.at("arc_length", samples))
 
 
 def _gaps(machine: Machine, result: Result) -> dict[str, tuple[Array, Array]]:
