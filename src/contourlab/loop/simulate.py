@@ -10,13 +10,13 @@ from typing import Any, Literal
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import BLOCK, Array
 from contourlab.engine.runner import Group, make_group
 from contourlab.errors import DivergenceError, ParameterError, refuse
 from contourlab.feed import Reference, ReferenceBlock
 from contourlab.geometry.view import PathView, check_view
 from contourlab.loop.builder import check_seed, stream_of
-from contourlab.loop.feeding import BLOCK, Feed, Learned
+from contourlab.loop.feeding import Feed, Learned
 from contourlab.loop.judging import all_finite, watched
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.parameters import with_values

@@ -10,7 +10,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from contourlab.arrays import Array, Index, ranges
+from contourlab.arrays import BLOCK, Array, Index, ranges
 from contourlab.errors import ResultError
 from contourlab.feed import Reference
 from contourlab.feed.reference import CUTTING, LAST_LAP, Judged
@@ -18,7 +18,6 @@ from contourlab.figures import figure
 from contourlab.metrics.judge import check_reference
 from contourlab.notebook import Figure, Frame, bars, facts_line, facts_table, frame, grid, svg
 from contourlab.result import Result
-from contourlab.result.result import BLOCK
 
 
 @dataclass(frozen=True, slots=True)

@@ -29,7 +29,6 @@ MARGIN = 1e-4
 PLACE = "programmed_place"
 """While a run is judged: the arc length on the programmed path that the reference is nearest to."""
 _STILL = 0.9
-_BLOCK = 1 << 16
 
 
 def furthest(off: Array) -> float:
@@ -161,7 +160,7 @@ def check_follows(judged: Result) -> None:
 @lru_cache(maxsize=8)
 def _extent(reference: Reference) -> float:
     """Return the largest distance [m] of the reference from its start; infinite if it does not move."""
-    blocks = (reference.block(*samples).position for samples in reference.blocks(_BLOCK))
+    blocks = (reference.block(*samples).position for samples in reference.blocks())
     start = reference.block(0, 1).position
     return max(furthest(block - start) for block in blocks) or math.inf
 

@@ -9,12 +9,11 @@ from itertools import groupby
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import BLOCK, Array
 from contourlab.feed import Reference
 from contourlab.geometry import Arc, Curve
 from contourlab.metrics.judge import furthest, reach
 from contourlab.result import Result
-from contourlab.result.result import BLOCK
 
 _BEFORE = 5
 

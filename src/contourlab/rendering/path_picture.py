@@ -166,7 +166,9 @@ def path_scene(data: ReportData, points: int) -> PathScene | None:
     runs = tuple(_scene_run(data, scheme, column, points) for scheme in data.schemes)
     calm = [largest_magnitude(run.error) / UM for run, scheme in zip(runs, data.schemes, strict=True) if scheme.result.status.ok]
     part = first.metrics.judged
-    place = first.reference.programmed_arc_length(first.result.at("arc_length", np.ravel(part.ranges) - [0, 1] * len(part.ranges)))
+    place = first.reference.programmed_arc_length(
+        first.result.at("arc_length", np.ravel([(start, stop - 1) for start, stop in part.ranges]))
+    )
     begun, ended = place[::2].searchsorted(s, side="right"), place[1::2].searchsorted(s)
     judged = (begun > ended) | (part.basis in (LAST_LAP, WHOLE))
     caption = f"The path is to scale, the error is magnified and drawn from the nearest point of the path. Shown: {judged_words(first)}."

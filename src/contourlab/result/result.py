@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from contourlab.arrays import Array, Index
+from contourlab.arrays import BLOCK, Array, Index
 from contourlab.errors import ResultError, hint, refuse
 from contourlab.feed import Reference
 from contourlab.notebook import Figure, Frame, Panel, curves, facts_line, facts_table, frame, svg
@@ -20,10 +20,6 @@ from contourlab.result.stored import Store, Stored
 
 if TYPE_CHECKING:
     import xarray
-
-
-BLOCK = 1 << 17
-"""Samples of a block: a multiple of the chunks in which foot points are searched, so that blocks and whole runs give the same bits."""
 
 
 @dataclass(frozen=True, repr=False)

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.arrays import Array, Flags, Index
+from contourlab.arrays import BLOCK, Array, Flags, Index
 from contourlab.feed import Reference, Route, route_from_program
 from contourlab.feed.reference import ReferenceBlock
 from contourlab.geometry import Path
@@ -19,7 +19,6 @@ from contourlab.geometry.nurbs import BSpline, Nurbs
 from contourlab.geometry.parametric import EllipticalArc
 from contourlab.geometry.path import boxes
 from contourlab.loop import Machine
-from contourlab.loop.feeding import BLOCK
 from contourlab.loop.simulate import jit_enabled, sampler
 from contourlab.program import Arc as ProgramArc
 from contourlab.program import Dwell, Move, Point, Program, Reading, Spline

@@ -110,9 +110,8 @@ def test_a_run_in_blocks_gives_the_same_as_one_in_memory(block: int, monkeypatch
     asked = cl.plan(route, machine.planner_limits(), PERIOD)
     parts = Judged(((3, 201), (203, 204), (230, asked.n_sample - 2)), "lines")
     whole = cl.judge(cl.simulate(machine, controller, asked), asked)
-    for module in (result_module, figures, reversals):
+    for module in (result_module, figures, reversals, thinning):
         monkeypatch.setattr(module, "BLOCK", block)
-    monkeypatch.setattr(thinning, "AT_ONCE", block)
     run = cl.judge(simulate_stored(machine, controller, asked, block=block), asked)
     assert isinstance(run.signals, Stored) and run.signals.keys() == whole.signals.keys() and run.n_sample == whole.n_sample > 600
     for name in whole.signals:
