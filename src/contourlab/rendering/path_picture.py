@@ -8,11 +8,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import Array, Index
 from contourlab.feed.reference import CUTTING, LAST_LAP, WHOLE
 from contourlab.figures import figure, listing
 from contourlab.geometry import Path
-from contourlab.metrics.figures import blocks_of, range_of
+from contourlab.metrics.figures import range_of
 from contourlab.rendering.charts import Curve, Magnified, PathChart, PathScene, Place, SceneRun
 from contourlab.rendering.comparison import judged_words
 from contourlab.rendering.data import JudgedRun, ReportData
@@ -201,43 +201,34 @@ def _scene_run(data: ReportData, scheme: JudgedRun, column: Callable[[Array], Ar
 
     kept, step = extremes_of(seen, stop - start, 4, points // 2), max((stop - start) // (2 * points), 1)
     changes = keep_changes(np.nan_to_num(np.abs(signal(result, "part_error")[start:stop:step])), points // 4)
-    kept = np.union1d(kept, step * changes) + start
-    ends = np.ravel([(first, last - 1) for first, last in ranges])
-    kept = np.union1d(kept, ends) if ends.size <= points else kept
+    ends = [place for first, last in ranges for place in (first, last - 1)] if 2 * len(ranges) <= points else []
+    kept = np.union1d(np.union1d(kept, step * changes) + start, [*ends, scheme.metrics.part_error.worst.sample - result.start])
     kept = kept[np.isfinite(result.at("foot_arc_length", kept)) & np.isfinite(result.at("part_error", kept))]
-    shown, n = np.append(kept, _peaks(scheme)).astype(np.int64), len(kept)
-    along, size, time = result.at("foot_arc_length", shown), np.abs(result.at("part_error", shown)), times(result, shown)
-    foot = column(data.asked.position(along))
-    off = column(result.at("tool_position", shown)) - foot
-    lines = scheme.lines(shown)
-    stretch = range_of(scheme.metrics.judged, kept)
+    along, size, time, lines = (
+        result.at("foot_arc_length", kept),
+        np.abs(result.at("part_error", kept)),
+        times(result, kept),
+        scheme.lines(kept),
+    )
+    foot, stretch = column(data.asked.position(along)), range_of(scheme.metrics.judged, kept)
+    off = column(result.at("tool_position", kept)) - foot
     following = result.at("foot_arc_length", np.minimum(kept + 1, result.n_sample - 1))
-    speed = result.at("feedrate", kept) if "feedrate" in result else (following - along[:n]) / result.servo_period
+    speed = result.at("feedrate", kept) if "feedrate" in result else (following - along) / result.servo_period
     worst = tuple(
         Place(tuple((foot[i] * MM).tolist()), tuple((off[i] * UM).tolist()), float(size[i]) * UM, float(time[i]),
-              int(lines[i]), _cause(scheme, int(shown[i])))
-        for i in range(n, shown.size)
+              int(lines[i]), _cause(scheme, int(kept[i])))
+        for i in _peaks(np.where(stretch > 0, size, 0.0), kept, (stop - start) // APART + 1)
     )  # fmt: skip
-    drawn = (_rounded(foot[:n] * MM, 17), _rounded(off[:n] * UM, 14), _rounded(size[:n] * UM, 14), time[:n])
-    return SceneRun(*data.looks[scheme.name][:2], *drawn, _rounded(np.abs(speed) * 6e4, 12), lines[:n], stretch, worst)
+    drawn = (_rounded(foot * MM, 17), _rounded(off * UM, 14), _rounded(size * UM, 14), time)
+    return SceneRun(*data.looks[scheme.name][:2], *drawn, _rounded(np.abs(speed) * 6e4, 12), lines, stretch, worst)
 
 
-def _peaks(scheme: JudgedRun) -> list[int]:
-    """Return the samples of the largest errors, apart from one another and none below half of the largest."""
-    judged, peaks, most = scheme.metrics.judged, list[int](), 0.0
-    near = (judged.ranges[-1][1] - judged.ranges[0][0]) // APART + 1
-    while len(peaks) < PEAKS:
-        size, at = 0.0, 0
-        for cut in blocks_of(judged):
-            left = np.nan_to_num(np.abs(signal(scheme.result, "part_error")[cut]))
-            for peak in peaks:
-                left[(cut >= peak - near) & (cut < peak + near)] = 0.0
-            if left.max() > size:
-                size, at = float(left.max()), int(cut[left.argmax()])
-        most = max(most, size)
-        if not size > 0.5 * most:
-            break
-        peaks.append(at)
+def _peaks(error: Array, samples: Index, near: int) -> list[int]:
+    """Return which of ascending samples (n,) have the largest errors, `near` samples apart and none below half of the largest."""
+    left, peaks, most = error.copy(), list[int](), error.max(initial=0.0)
+    while len(peaks) < PEAKS and left.max(initial=0.0) > 0.5 * most:
+        peaks.append(int(left.argmax()))
+        left[np.abs(samples - samples[peaks[-1]]) < near] = 0.0
     return peaks
 
 
