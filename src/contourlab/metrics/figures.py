@@ -373,13 +373,11 @@ def left_out(result: Result, reference: Reference, judged: Judged) -> tuple[floa
     A tool that follows misses only the path between two samples, what it cuts off at a corner, and its lag at the ends of the motion.
     """
     path, n = reference.programmed, count_of(judged)
-    ends = np.cumsum(np.diff(judged.ranges, axis=1)[:, 0])
-    low, high = np.full(ends.size, np.inf), np.full(ends.size, -np.inf)
+    low, high = np.full(len(judged.ranges), np.inf), np.full(len(judged.ranges), -np.inf)
 
     def blocks(signal: str) -> Iterator[tuple[Array, Index]]:
         """Yield the next judged samples of a signal, and the range of each."""
-        for i, cut in enumerate(blocks_of(judged)):
-            yield result[signal][cut], np.searchsorted(ends, np.arange(i * BLOCK, i * BLOCK + cut.size), side="right")
+        yield from ((result[signal][cut], range_of(judged, cut) - 1) for cut in blocks_of(judged))
 
     for along, of in blocks("arc_length"):
         commanded = reference.programmed_arc_length(along)
