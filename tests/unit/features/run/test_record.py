@@ -25,7 +25,7 @@ from contourlab import thinning
 from contourlab.components.registry import component
 from contourlab.errors import OutputError, ResultError
 from contourlab.features.run.outcome import judged_spikes
-from contourlab.features.run.record import simulate_stored, switch_file
+from contourlab.features.run.record import simulate_stored, write_switches
 from contourlab.features.run.verdict import unexplained
 from contourlab.feed import route_from_path
 from contourlab.feed.reference import Judged
@@ -249,8 +249,7 @@ def test_names_with_spreadsheet_separators_survive_a_round_trip(tmp_path: Path) 
     kinds = (SwitchKind("x", 'a, "b"', "line\nbreak", "because; of"),)
     one = np.zeros(1, dtype=np.int64)
     found = Switches(("x",), PERIOD, kinds, one, one + 3, np.array([np.nan]), one + 12, {}, {})
-    with switch_file(tmp_path / "switches.csv") as listed:
-        listed(found)
+    write_switches(tmp_path / "switches.csv", found)
     with (tmp_path / "switches.csv").open(encoding="utf-8", newline="") as stream:
         (row,) = csv.DictReader(stream)
     assert (row["from"], row["to"], row["reason"]) == ('a, "b"', "line\nbreak", "because; of")
