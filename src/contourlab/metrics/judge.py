@@ -33,10 +33,10 @@ _STILL = 0.9
 
 def furthest(off: Array) -> float:
     """Return the largest length [m] of some differences (n, n_axis) [m]."""
-    return math.sqrt(_squares(off).max(initial=0.0))
+    return math.sqrt(squares(off).max(initial=0.0))
 
 
-def _squares(off: Array) -> Array:
+def squares(off: Array) -> Array:
     """Return the squared lengths (n,) [m^2] of some differences (n, n_axis) [m]."""
     return np.asarray(np.einsum("ij,ij->i", off, off))
 
@@ -148,7 +148,7 @@ def check_follows(judged: Result) -> None:
     """Raise DivergenceError if the tool stands still while its reference moves; see `stands_still`."""
     largest, extent, sample, start = -1.0, 0.0, 0, judged["reference"][:1]
     for part in judged.blocks():
-        extent, behind = max(extent, furthest(part["reference"] - start)), _squares(part["reference"] - part["tool_position"])
+        extent, behind = max(extent, furthest(part["reference"] - start)), squares(part["reference"] - part["tool_position"])
         if behind.max() > largest:
             largest, sample = behind.max(), int(behind.argmax()) + part.start - judged.start
     if math.sqrt(largest) >= _STILL * (extent or math.inf):
