@@ -16,7 +16,7 @@ from contourlab.loop.switches import RECORDED, Switches, SwitchLog
 from contourlab.metrics.judge import judge
 from contourlab.result import Result
 from contourlab.result.atomic import replacing
-from contourlab.result.stored import Store
+from contourlab.result.stored import Stored
 
 SWITCH_COLUMNS = ("time_s", "sample", "axis", "from", "to", "reason", "arc_length_m", "line")
 _JUDGED = ("tool_position", "reference", "arc_length")
@@ -97,14 +97,13 @@ def simulate_stored(
     `given` are options of `contourlab.loop.simulate_blocks`.
     """
     # The judge will add five signals, and the tracking error of each axis.
-    store, done = Store(reference.n_sample, spare=8 * (5 + reference.n_axis)), 0
+    stored = Stored(reference.n_sample, spare=8 * (5 + reference.n_axis))
     for signals, status in simulate_blocks(machine, controller, reference, **given):
         part = result_of(machine, reference, signals, status, scheme=scheme, seed=given.get("seed", 0))
-        store.append(part.signals)
-        done += part.n_sample
+        stored.append(part.signals)
         if progress is not None:
-            progress(done)
-    return replace(part, signals=store.signals)
+            progress(stored.stop)
+    return replace(part, signals=stored)
 
 
 def write_switches(file: str | Path, switches: Switches) -> None:
