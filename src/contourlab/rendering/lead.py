@@ -88,12 +88,7 @@ def program_lines(data: ReportData) -> tuple[LineRow, ...]:
 
 def _largest(scheme: JudgedRun) -> dict[int, float]:
     """Return the largest part error [m] of each line with judged samples."""
-    if not scheme.reference.source_lines.any():
-        return {}
-    largest: dict[int, float] = {}
+    size = np.full(int(scheme.reference.source_lines.max()) + 1, -1.0)
     for cut in blocks_of(scheme.metrics.judged):
-        lines, where = np.unique(scheme.lines(cut), return_inverse=True)
-        size = np.zeros(lines.size)
-        np.maximum.at(size, where, np.abs(signal(scheme.result, "part_error")[cut]))
-        largest |= {line: max(most, largest.get(line, 0.0)) for line, most in zip(lines.tolist(), size.tolist(), strict=True)}
-    return {line: most for line, most in largest.items() if line > 0}
+        np.maximum.at(size, scheme.lines(cut), np.abs(signal(scheme.result, "part_error")[cut]))
+    return {line: float(size[line]) for line in np.flatnonzero(size >= 0.0).tolist() if line}
