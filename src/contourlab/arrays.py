@@ -1,4 +1,4 @@
-"""Array types by type of element, and what arrays need of the machine: short rows, cache lines, memory."""
+"""Array types by type of element, and what arrays need of the machine: short rows, cache lines, blocks of memory."""
 
 from __future__ import annotations
 
@@ -17,6 +17,8 @@ Index = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
 _CACHE_LINE = 64
+BLOCK = 1 << 16
+"""Samples in memory at a time: a multiple of the chunks in which foot points are searched, so blocks and whole runs give the same bits."""
 
 
 class ByValue:

@@ -17,15 +17,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.arrays import Array, Index
+from contourlab.arrays import BLOCK, Array, Index
 from contourlab.errors import ParameterError, refuse
 
 KEPT = 4
 """Samples kept of an interval: first, lowest, highest, last."""
-
-
-AT_ONCE = 1 << 17
-"""Samples in memory at a time."""
 
 
 def keep_extremes(values: ArrayLike, budget: int) -> Index:
@@ -63,7 +59,7 @@ def extremes_of(read: Callable[[int, int], Array], n_sample: int, n_column: int,
         return np.arange(n_sample, dtype=np.int64)
     # All columns share the first and last sample of an interval; each has its own lowest and highest.
     width = -(-n_sample // (budget // (2 + 2 * n_column)))
-    kept, most = list[Index](), width * max(AT_ONCE // width, 1)
+    kept, most = list[Index](), width * max(BLOCK // width, 1)
     for first in range(0, n_sample, most):
         values = read(first, min(first + most, n_sample))
         whole = len(values) // width * width

@@ -91,10 +91,7 @@ def scheme(name: str, reference: Reference, amplitude: float, tolerance: float =
     metrics = summarise(result, reference)
     advice = finding("CL203", change="adding a disturbance observer", before=8e-6, after=2.1e-6, time_before=4.0, time_after=4.0)
     verdict = judgement(result, tolerance)
-    # The first half of each lap is line 3 of the program, the second half line 4.
-    half = np.mod(result["arc_length"], reference.path.length) < 0.5 * reference.path.length
-    lines = np.where(half, 3, 4)
-    return JudgedRun(name, reference, result, metrics, verdict, circles, spikes, (advice,), limited, bode, lines=lines)
+    return JudgedRun(name, reference, result, metrics, verdict, circles, spikes, (advice,), limited, bode)
 
 
 def report(
@@ -102,7 +99,9 @@ def report(
 ) -> ReportData:
     """Return a report of runs round the circle, worst first."""
     path = path or contour("circle", radius=RADIUS)
-    reference = uniform(path, FREQUENCY, laps, servo_period)
+    # The first half of each lap is line 3 of the program, the second half line 4.
+    breaks, lines = path.length * np.array([0.0, 0.5, 1.0]), np.array([3, 4])
+    reference = replace(uniform(path, FREQUENCY, laps, servo_period), line_breaks=breaks, source_lines=lines)
     names = ("independent axes", "modified reference", "cross-coupled", "observer", "everything")
     schemes = tuple(scheme(name, reference, a) for name, a in zip(names, amplitudes, strict=False))
     program = ("%", "(ring of 20 mm)", "G21 G90 F3770", "G3 X20 Y0 I-20 J0", "M30")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -256,7 +257,7 @@ def test_a_run_that_does_not_fit_on_the_disk_is_refused_beforehand(
     contourlab: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "circle.toml").write_text(CIRCLE, encoding="utf-8")
-    monkeypatch.setattr("contourlab.features.run.outcome.free_scratch", lambda: 1e6)
+    monkeypatch.setattr("shutil.disk_usage", lambda _: SimpleNamespace(free=1_000_000))
     said = contourlab("run", "circle.toml", "--out", "results")
     assert (said.code, said.err.count("\n")) == (2, 1)
     assert not (tmp_path / "results").exists()

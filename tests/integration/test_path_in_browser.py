@@ -112,7 +112,7 @@ def part() -> ReportData:
     case = cl.load_scenario("builtin:demo-part").base
     reference = case.reference()
     result = cl.judge(cl.simulate(case.machine, case.controller, reference), reference)
-    run = JudgedRun("base", reference, result, summarise(result, reference), lines=reference.source_line(result["arc_length"]))
+    run = JudgedRun("base", reference, result, summarise(result, reference))
     return ReportData("part", (run,), Provenance(), case.lines, case.tolerance)
 
 

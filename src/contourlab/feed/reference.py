@@ -16,7 +16,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.arrays import Array, Flags, Index, true_spans
+from contourlab.arrays import BLOCK, Array, Flags, Index, true_spans
 from contourlab.errors import FeedError, refuse
 from contourlab.feed.route import Correspondence, place_on_programmed
 from contourlab.figures import figure
@@ -326,9 +326,9 @@ class Reference:
             return Judged(self.between(self.path.breaks, ~self.rapid), CUTTING)
         return Judged(((0, self.n_sample),), WHOLE)
 
-    def blocks(self, size: int) -> Iterator[tuple[int, int]]:
-        """Yield the samples [start, stop) of all blocks of at most `size` samples."""
-        return pairwise([*range(0, self.n_sample, size), self.n_sample])
+    def blocks(self) -> Iterator[tuple[int, int]]:
+        """Yield the samples [start, stop) of all blocks."""
+        return pairwise([*range(0, self.n_sample, BLOCK), self.n_sample])
 
     def between(self, breaks: Array, chosen: Flags) -> tuple[tuple[int, int], ...]:
         """Return the sample ranges of chosen stretches (n,) between breaks [m] of a planned lap; a rest belongs to the stretch before."""

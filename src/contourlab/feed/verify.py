@@ -19,8 +19,6 @@ from contourlab.feed.reference import Reference
 from contourlab.feed.route import KINK_TIME, MOST_KINK, curvature_jump, direction_jump
 from contourlab.geometry import Path
 
-BLOCK = 65536  # samples per pass
-
 
 @dataclass(frozen=True)
 class Worst:
@@ -276,7 +274,7 @@ def _report(reference: Reference, limits: AxisLimits, use: LineUse | None) -> Li
     bends = _jumps(path, curvature, np.any(curvature != 0.0, axis=1))
     kinks = _jumps(path, direction, (angle > 0.0) & (angle <= MOST_KINK))
     n_kink, steps = 0, []
-    for start, stop in reference.blocks(BLOCK):
+    for start, stop in reference.blocks():
         passed, kinked = _check_block(reference, start, stop, records, bends, kinks, eased, wide)
         n_kink += kinked
         steps.append(passed)

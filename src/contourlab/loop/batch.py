@@ -28,7 +28,7 @@ from contourlab.feed import Reference
 from contourlab.figures import number
 from contourlab.geometry.view import PathView, check_view, view_of
 from contourlab.loop.builder import Signals, with_arrays
-from contourlab.loop.feeding import BLOCK, Feed, Learned
+from contourlab.loop.feeding import Feed, Learned
 from contourlab.loop.judging import (
     CUT,
     JUDGE,
@@ -355,7 +355,7 @@ def _advance_all(
 
     workers = min(threads, len(groups))
     with ThreadPoolExecutor(workers) if workers > 1 else nullcontext() as pool:
-        for k, stop in feed.reference.blocks(BLOCK):
+        for k, stop in feed.reference.blocks():
             asked, external = feed.block(k, stop)
             work = partial(advance, external=external, arc_length=asked.arc_length, k=k)
             for done, _ in enumerate((pool.map if pool is not None else map)(work, range(len(groups))), 1):

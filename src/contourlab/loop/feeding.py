@@ -8,13 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import BLOCK, Array
 from contourlab.errors import ParameterError
 from contourlab.feed import Reference, ReferenceBlock
 from contourlab.loop.machine import Controller, Machine
 
-BLOCK = 1 << 16
-"""Samples of a block."""
 LEARNED_COMMAND, LEARNED_REFERENCE, AHEAD = "learned_command", "learned_reference", "reference_ahead"
 SOURCE_LINE = "source_line"
 

@@ -20,7 +20,6 @@ from contourlab.geometry import Path
 from contourlab.geometry.clearance import clearance
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.builder import accepted_output
-from contourlab.loop.feeding import BLOCK
 from contourlab.loop.machine import Axis, Machine
 from contourlab.metrics.judge import MARGIN, planning_deviation, reach
 from contourlab.metrics.run_figures import CONTOUR, EFFORT, figures_from
@@ -60,7 +59,7 @@ def part_nodes(machine: Machine, reference: Reference) -> tuple[Node, Node]:
 @lru_cache(maxsize=4)
 def _planned(reference: Reference) -> tuple[float, Array]:
     """Return the largest planning deviation [m], and the place (n_sample,) [m] of the reference on the programmed path."""
-    blocks = (reference.block(*samples) for samples in reference.blocks(BLOCK))
+    blocks = (reference.block(*samples) for samples in reference.blocks())
     planning, place = zip(*(planning_deviation(reference, block.position, block.arc_length) for block in blocks), strict=True)
     return max(float(np.abs(part).max()) for part in planning), np.concatenate(place)
 

@@ -22,7 +22,7 @@ from contourlab.errors import EngineError, ParameterError, refuse
 from contourlab.feed import Reference
 from contourlab.geometry.view import view_of
 from contourlab.loop.batch import blends, check_steps, check_substeps, check_together, judged_loop
-from contourlab.loop.feeding import BLOCK, Feed
+from contourlab.loop.feeding import Feed
 from contourlab.loop.judging import JUDGE, PART, WATCH, all_judged, traced_figures
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.parameters import declared, parameters_of
@@ -98,7 +98,7 @@ class PortableLoop:
 
     def fed(self) -> Array:
         """Return the inputs (n_input, n_tick), in the order of their words."""
-        return np.concatenate([self.feed.block(*samples)[1] for samples in self.feed.reference.blocks(BLOCK)]).T
+        return np.concatenate([self.feed.block(*samples)[1] for samples in self.feed.reference.blocks()]).T
 
 
 def portable(

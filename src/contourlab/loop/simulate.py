@@ -10,13 +10,13 @@ from typing import Any, Literal
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import BLOCK, Array
 from contourlab.engine.runner import Group, make_group
 from contourlab.errors import DivergenceError, ParameterError, refuse
 from contourlab.feed import Reference, ReferenceBlock
 from contourlab.geometry.view import PathView, check_view
 from contourlab.loop.builder import check_seed, stream_of
-from contourlab.loop.feeding import BLOCK, Feed, Learned
+from contourlab.loop.feeding import Feed, Learned
 from contourlab.loop.judging import all_finite, watched
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.parameters import with_values
@@ -126,23 +126,17 @@ def simulate(
     if values:
         machine, controller = with_values(machine, controller, values)
     refuse(on_failure not in ("raise", "return"), ParameterError, "on_failure", repr(on_failure), "'raise' or 'return'")
-    kept: dict[str, Array] = {}
-    status, done = Status(ok=True), 0
-    for block, now in simulate_blocks(
+    parts, done = list[dict[str, Array]](), 0
+    for block, status in simulate_blocks(  # noqa: B007  # the last one counts
         machine, controller, reference, seed=seed, jit=jit, view=view, signals=signals, block=LONG_BLOCK, learned=learned, trial=trial,
         moving=moving, changes=changes,
     ):  # fmt: skip
-        status, before = now, done
+        parts.append(block)
         done += len(next(iter(block.values())))
-        if before == 0:
-            whole = done == reference.n_sample
-            kept = block if whole else {name: np.empty((reference.n_sample, *part.shape[1:]), part.dtype) for name, part in block.items()}
-        if not whole:
-            for name, part in block.items():
-                kept[name][before:done] = part
         if progress is not None:
             progress(done)
-    kept = {name: values[:done] for name, values in kept.items()}
+    # Each signal is joined and freed in turn.
+    kept = parts[0] if len(parts) == 1 else {name: np.concatenate([part.pop(name) for part in parts]) for name in list(parts[0])}
     result = result_of(machine, reference, kept, status, scheme=scheme, seed=seed)
     if not status.ok and on_failure == "raise":
         raise diverged(result)

@@ -292,19 +292,12 @@ def switches_of(
 
 @dataclass
 class SwitchLog:
-    """Follow a run block by block: keep the active controllers, and count switches.
-
-    Attributes
-    ----------
-    counts : Counter of SwitchKind
-        Of all blocks so far.
-    """
+    """Follow a run block by block: keep the active controllers."""
 
     controller: Controller
     servo_period: float
     reference: Reference | None = None
     changes: Sequence[Change] = ()
-    counts: Counter[SwitchKind] = field(default_factory=Counter)
     _active: dict[str, str] = field(default_factory=dict)
     _numbers: dict[str, int] = field(default_factory=dict)
 
@@ -337,9 +330,7 @@ class SwitchLog:
         line = np.zeros(len(sample), dtype=np.int64)
         if self.reference is not None and len(sample) and np.isfinite(along).all():
             line = self.reference.source_line(along)
-        made = Switches(tuple(active), result.servo_period, tuple(kinds), kind, sample + result.start, along, line, active, first)
-        self.counts.update(made.counts())
-        return made
+        return Switches(tuple(active), result.servo_period, tuple(kinds), kind, sample + result.start, along, line, active, first)
 
     def _axes(self, result: Result) -> list[str]:
         led = (name for name in result.axes if any(one.axes[name].supervisor is not None for one in self._controllers))

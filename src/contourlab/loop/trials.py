@@ -20,7 +20,7 @@ from contourlab.engine.step import Late, Schedule
 from contourlab.feed import Reference
 from contourlab.geometry.foot_point import FootPoint
 from contourlab.geometry.view import PathView, check_view
-from contourlab.loop.feeding import BLOCK, LEARNED_COMMAND, LEARNED_REFERENCE, Feed, Learned
+from contourlab.loop.feeding import LEARNED_COMMAND, LEARNED_REFERENCE, Feed, Learned
 from contourlab.loop.judging import all_finite, watched
 from contourlab.loop.machine import AxisController, Controller, Machine
 from contourlab.loop.simulate import ToolPosition, jit_enabled, sampler
@@ -118,7 +118,7 @@ class Trials:
         self.judged, n = reference.judged.samples, reference.n_sample
         self._feed = Feed(machine, controller, reference, Learned(**{target: np.zeros((n, reference.n_axis))}), sampler(compiled))
         self._fed = LEARNED_COMMAND if target == "command" else LEARNED_REFERENCE
-        blocks = [self._feed.block(*samples) for samples in reference.blocks(BLOCK)]
+        blocks = [self._feed.block(*samples) for samples in reference.blocks()]
         self._blocks = [fed for _, fed in blocks]
         self.position = np.concatenate([asked.position.T for asked, _ in blocks], axis=1).T
         self.arc_length = np.concatenate([asked.arc_length for asked, _ in blocks])
@@ -271,4 +271,4 @@ def feedforward_command(machine: Machine, controller: Controller, reference: Ref
     schedule = Schedule(nodes, loop.schedule.externals, machine.servo_period, len(nodes))
     group = make_group(schedule, 1, slice(0, 1), compiled)
     rows = [schedule.row(signal) for signal in loop.signals["command"]]
-    return np.concatenate([group.run(feed.block(*samples)[1], rows)[:, :, 0] for samples in reference.blocks(BLOCK)])
+    return np.concatenate([group.run(feed.block(*samples)[1], rows)[:, :, 0] for samples in reference.blocks()])

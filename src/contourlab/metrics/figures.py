@@ -6,11 +6,11 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
-from contourlab.arrays import Array, Index, ranges
+from contourlab.arrays import BLOCK, Array, Index, ranges
 from contourlab.errors import ResultError
 from contourlab.feed import Reference
 from contourlab.feed.reference import CUTTING, LAST_LAP, Judged
@@ -18,7 +18,6 @@ from contourlab.figures import figure
 from contourlab.metrics.judge import check_reference
 from contourlab.notebook import Figure, Frame, bars, facts_line, facts_table, frame, grid, svg
 from contourlab.result import Result
-from contourlab.result.result import BLOCK
 
 
 @dataclass(frozen=True, slots=True)
@@ -226,16 +225,12 @@ def summarise(result: Result, reference: Reference, window: tuple[int, int] | Ju
     first, last = judged.ranges[0][0], judged.ranges[-1][1]
     if not 0 <= first < last <= result.n_sample:
         raise ResultError(f"window {first} .. {last} of a result of {result.n_sample} samples: give a non-empty part of it")
-    n, (squares, most, limited) = count_of(judged), np.zeros((3, len(result.axes)))
+    n, (squares,) = count_of(judged), total(result, "tracking_error", judged, np.square)
+    most = np.max([np.abs(result["tracking_error"][cut]).max(axis=0) for cut in blocks_of(judged)], axis=0)
     limits = np.array([float(result.attributes.get(f"command_limit_{axis}", math.inf)) for axis in result.axes]) * (1.0 - 1e-12)
-    for cut in blocks_of(judged):
-        tracking = result["tracking_error"][cut]
-        squares += [np.sum(column**2) for column in tracking.T]
-        most = np.maximum(most, [np.abs(column).max() for column in tracking.T])
-        if "applied_command" in result:
-            limited += np.count_nonzero(np.abs(result["applied_command"][cut]) >= limits, axis=0)
-    axes = tuple(map(AxisFigures, np.sqrt(squares / n).tolist(), most.tolist()))
-    saturation = tuple((limited / n).tolist())
+    known = "applied_command" in result
+    (limited,) = total(result, "applied_command", judged, lambda command: np.abs(command) >= limits) if known else np.zeros((1, len(most)))
+    axes, saturation = tuple(map(AxisFigures, np.sqrt(squares / n).tolist(), most.tolist())), tuple((limited / n).tolist())
     mean, ripple = _feedrate(result, judged)
     cycle = (result.n_sample - 1) * result.servo_period
     names = ("part_error", "contour_error", "planning_deviation")
@@ -282,8 +277,7 @@ def _part_of(judged: Judged, first: int, last: int) -> Index:
 
 def blocks_of(judged: Judged) -> Iterator[Index]:
     """Yield the numbers of the judged samples in blocks, so that memory does not grow with them."""
-    n = count_of(judged)
-    yield from (_part_of(judged, first, min(first + BLOCK, n)) for first in range(0, n, BLOCK))
+    yield from (_part_of(judged, first, first + BLOCK) for first in range(0, count_of(judged), BLOCK))
 
 
 def range_of(judged: Judged, samples: Index) -> Index:
@@ -291,6 +285,12 @@ def range_of(judged: Judged, samples: Index) -> Index:
     begins, stops = np.array(judged.ranges, dtype=np.int64).T
     number = np.searchsorted(begins, samples, side="right")
     return np.where(samples < stops[number - 1], number, 0)
+
+
+def total(result: Result, name: str, judged: Judged, *of: Callable[[Array], Any]) -> Array:
+    """Return the sums of functions of a signal over judged samples: each a number, or one for each axis."""
+    blocks = (result[name][cut] for cut in blocks_of(judged))
+    return np.asarray(sum(np.array([np.ascontiguousarray(each(part).T).sum(axis=-1) for each in of]) for part in blocks))
 
 
 def largest(result: Result, name: str, judged: Judged) -> tuple[float, int]:
@@ -308,25 +308,22 @@ def _place(result: Result, reference: Reference, sample: int) -> Place:
 
 
 def _error_figures(result: Result, reference: Reference, name: str, judged: Judged) -> ErrorFigures:
-    n, sums, highest = count_of(judged), np.zeros(3), np.empty(0)
+    n, highest = count_of(judged), np.empty(0)
     rank = 0.95 * (n - 1)
     above = n - int(rank)  # samples from the one below the quantile on
     for cut in blocks_of(judged):
-        signed = result[name][cut]
-        size = np.abs(signed)
-        sums += size.sum(), np.sum(size**2), signed.sum()
-        highest = np.concatenate([highest, size])
-        highest = np.partition(highest, -above)[-above:] if highest.size > above else highest
-    mean = sums[2] / n
-    off = sum(np.abs(result[name][cut] - mean).sum() for cut in blocks_of(judged))
+        highest = np.append(highest, np.abs(result[name][cut]))
+        highest = np.partition(highest, max(highest.size - above, 0))[-above:]
+    size, square, signed = total(result, name, judged, np.abs, np.square, np.asarray)
+    (off,) = total(result, name, judged, lambda error: np.abs(error - signed / n))
     most, sample = largest(result, name, judged)
     return ErrorFigures(
-        rms=math.sqrt(sums[1] / n),
+        rms=math.sqrt(square / n),
         max=most,
-        mean=float(sums[0] / n),
+        mean=float(size / n),
         p95=float(np.quantile(np.sort(highest)[:2], rank - int(rank))),
-        integral=float(sums[0] * result.servo_period),
-        signed_mean=float(mean),
+        integral=float(size * result.servo_period),
+        signed_mean=float(signed / n),
         integral_without_mean=float(off * result.servo_period),
         worst=_place(result, reference, sample),
     )
@@ -341,9 +338,8 @@ def _feedrate(result: Result, judged: Judged) -> tuple[float, float]:
     def speeds() -> Iterator[tuple[Array, Array]]:
         """Yield the speeds of the next samples, and speed over reference speed where the latter is constant."""
         for first in range(0, n, BLOCK):
-            low = max(first - 1, 0)
-            here = _part_of(moves, low, min(first + BLOCK + 1, n))
-            inside = slice(first - low, first - low + BLOCK)
+            here, own = _part_of(moves, first - 1, first + BLOCK + 1), int(first > 0)
+            inside = slice(own, own + BLOCK)
             speed = np.linalg.norm(result["tool_position"][here + 1] - result["tool_position"][here], axis=1) / result.servo_period
             wanted = result["feedrate"][here] if "feedrate" in result else speed
             steady = np.flatnonzero(((np.abs(np.gradient(wanted)) <= 1e-9 * wanted) & (wanted > 0.0))[inside]) + inside.start
@@ -374,13 +370,11 @@ def left_out(result: Result, reference: Reference, judged: Judged) -> tuple[floa
     A tool that follows misses only the path between two samples, what it cuts off at a corner, and its lag at the ends of the motion.
     """
     path, n = reference.programmed, count_of(judged)
-    ends = np.cumsum(np.diff(judged.ranges, axis=1)[:, 0])
-    low, high = np.full(ends.size, np.inf), np.full(ends.size, -np.inf)
+    low, high = np.full(len(judged.ranges), np.inf), np.full(len(judged.ranges), -np.inf)
 
     def blocks(signal: str) -> Iterator[tuple[Array, Index]]:
         """Yield the next judged samples of a signal, and the range of each."""
-        for i, cut in enumerate(blocks_of(judged)):
-            yield result[signal][cut], np.searchsorted(ends, np.arange(i * BLOCK, i * BLOCK + cut.size), side="right")
+        yield from ((result[signal][cut], range_of(judged, cut) - 1) for cut in blocks_of(judged))
 
     for along, of in blocks("arc_length"):
         commanded = reference.programmed_arc_length(along)

@@ -29,15 +29,14 @@ MARGIN = 1e-4
 PLACE = "programmed_place"
 """While a run is judged: the arc length on the programmed path that the reference is nearest to."""
 _STILL = 0.9
-_BLOCK = 1 << 16
 
 
 def furthest(off: Array) -> float:
     """Return the largest length [m] of some differences (n, n_axis) [m]."""
-    return math.sqrt(_squares(off).max(initial=0.0))
+    return math.sqrt(squares(off).max(initial=0.0))
 
 
-def _squares(off: Array) -> Array:
+def squares(off: Array) -> Array:
     """Return the squared lengths (n,) [m^2] of some differences (n, n_axis) [m]."""
     return np.asarray(np.einsum("ij,ij->i", off, off))
 
@@ -149,7 +148,7 @@ def check_follows(judged: Result) -> None:
     """Raise DivergenceError if the tool stands still while its reference moves; see `stands_still`."""
     largest, extent, sample, start = -1.0, 0.0, 0, judged["reference"][:1]
     for part in judged.blocks():
-        extent, behind = max(extent, furthest(part["reference"] - start)), _squares(part["reference"] - part["tool_position"])
+        extent, behind = max(extent, furthest(part["reference"] - start)), squares(part["reference"] - part["tool_position"])
         if behind.max() > largest:
             largest, sample = behind.max(), int(behind.argmax()) + part.start - judged.start
     if math.sqrt(largest) >= _STILL * (extent or math.inf):
@@ -161,7 +160,7 @@ def check_follows(judged: Result) -> None:
 @lru_cache(maxsize=8)
 def _extent(reference: Reference) -> float:
     """Return the largest distance [m] of the reference from its start; infinite if it does not move."""
-    blocks = (reference.block(*samples).position for samples in reference.blocks(_BLOCK))
+    blocks = (reference.block(*samples).position for samples in reference.blocks())
     start = reference.block(0, 1).position
     return max(furthest(block - start) for block in blocks) or math.inf
 

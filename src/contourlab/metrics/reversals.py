@@ -9,12 +9,11 @@ from itertools import groupby
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import BLOCK, Array, ranges
 from contourlab.feed import Reference
 from contourlab.geometry import Arc, Curve
 from contourlab.metrics.judge import furthest, reach
 from contourlab.result import Result
-from contourlab.result.result import BLOCK
 
 _BEFORE = 5
 
@@ -124,30 +123,23 @@ def reversal_spikes(
     return tuple(_spike(result, error, after, k, j, angle) for (k, _, j), error, after, angle in found)
 
 
-def _errors(result: Result, reference: Reference | None, ranges: Sequence[tuple[int, int]]) -> Iterator[Array]:
-    """Yield the signed contour error (n, 1) in ranges of samples in order; in space the vector (n, n_axis) from the path to the tool."""
+def _errors(result: Result, reference: Reference | None, spans: Sequence[tuple[int, int]]) -> Iterator[Array]:
+    """Yield the signed contour error (n, 1) in spans of samples in order; in space the vector (n, n_axis) from the path to the tool."""
     if reference is None or reference.path.is_planar:
-        yield from (result["contour_error"][start:stop, None] for start, stop in ranges)
+        yield from (result["contour_error"][start:stop, None] for start, stop in spans)
         return
     path, window = reference.path, math.inf
     if reference.programmed is not path:
         window = reach(path, max(furthest(part["reference"] - part["tool_position"]) for part in result.blocks()))
-    for _, group in groupby(ranges, key=lambda span: span[0] // BLOCK):
-        spans = list(group)
-        first, last = spans[0][0], max(stop for _, stop in spans)
-        marked = np.zeros(last - first, dtype=bool)
-        for start, stop in spans:
-            marked[start - first : stop - first] = True
-        here = first + np.flatnonzero(marked)
+    for _, group in groupby(spans, key=lambda span: span[0] // BLOCK):
+        first, count = np.array([(start, stop - start) for start, stop in group]).T
+        here = ranges(first, count)
         tool = result["tool_position"][here]
         if reference.programmed is path:
             foot = path.position(result["foot_arc_length"][here])
         else:
             foot = path.foot_point(tool, result["arc_length"][here], window).position
-        error = tool - foot
-        for start, stop in spans:
-            at = np.searchsorted(here, start)
-            yield error[at : at + stop - start]
+        yield from np.split(tool - foot, np.cumsum(count)[:-1])
 
 
 def reversal_figures(spikes: Sequence[Spike], *, places: bool = True) -> tuple[ReversalFigures, ...]:

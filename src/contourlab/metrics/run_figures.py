@@ -13,11 +13,11 @@ from typing import Any
 
 import numpy as np
 
-from contourlab.arrays import Array, Index
 from contourlab.errors import ParameterError
 from contourlab.feed.reference import Judged
 from contourlab.figures import FACTORS
-from contourlab.metrics.figures import blocks_of
+from contourlab.metrics.figures import blocks_of, count_of, largest, total
+from contourlab.metrics.judge import squares
 from contourlab.metrics.streaming import SUMS
 from contourlab.result import Result
 
@@ -159,21 +159,12 @@ def figures_from(source: str, sums: Mapping[str, Any], period: float) -> dict[st
 def figures_of_run(run: Result, judged: Judged) -> dict[str, float]:
     """Return the figures of contour error and part error of a judged run over some of its samples."""
     figures: dict[str, float] = {}
+    tracking = [total(run, "tracking_error", judged, squares)[0]]
+    tracking.append(max(squares(run["tracking_error"][cut]).max() for cut in blocks_of(judged)))
     for source in (CONTOUR, PART):
-        blocks = [
-            _sums(run[f"{source}_error"][cut], cut + run.start, np.linalg.norm(run["tracking_error"][cut], axis=1))
-            for cut in blocks_of(judged)
-        ]
-        sums = {name: sum(block[name] for block in blocks) for name in blocks[0]}
-        sums |= {name: max(blocks, key=lambda block: block["largest"])[name] for name in ("largest", "largest_at")}
-        sums["largest_tracking"] = max(block["largest_tracking"] for block in blocks)
+        name = f"{source}_error"
+        size, sample = largest(run, name, judged)
+        parts = (count_of(judged), *total(run, name, judged, np.abs, np.square, np.asarray), size, sample + run.start, *tracking)
+        sums = dict(zip(SUMS, parts, strict=False))
         figures |= {name: float(value) for name, value in figures_from(source, sums, run.servo_period).items()}
     return figures
-
-
-def _sums(error: Array, samples: Index, tracking: Array) -> dict[str, float]:
-    """Return the sums of the judge of a batch, from the signed error (n,) and the size of the tracking error (n,)."""
-    size, square = np.abs(error), tracking**2
-    at = int(size.argmax())
-    judged = (error.size, size.sum(), (size**2).sum(), error.sum(), size[at], samples[at], square.sum(), square.max())
-    return dict(zip(SUMS, judged, strict=False))

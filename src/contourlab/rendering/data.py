@@ -6,7 +6,6 @@ import math
 import platform
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -135,12 +134,6 @@ class TrialCourse:
         return self.status if self.status.startswith("diverged") else f"{self.status}, best trial {self.best} of {trials}"
 
 
-class Lines(Protocol):
-    """An array of program lines (n_sample,), or what returns those of some samples."""
-
-    def __getitem__(self, samples: Index, /) -> Index: ...
-
-
 @dataclass(frozen=True, eq=False)
 class JudgedRun:
     """One simulated or measured run, judged. Tables, pictures, pages and JSON are made from it.
@@ -179,8 +172,6 @@ class JudgedRun:
         Load positions and the free travel there, for each axis with motor and load.
     trust : Trust or None
         Sources of the parameters, and the interval of the part error.
-    lines : Lines or None
-        Line of the program at each sample, 0 for none.
     """
 
     name: str
@@ -200,12 +191,15 @@ class JudgedRun:
     switches: Switches | None = None
     gaps: Mapping[str, tuple[Array, Array]] = field(default_factory=dict)
     trust: Trust | None = None
-    lines: Lines | None = None
 
     @property
     def path_digest(self) -> str:
         """Hash of the planned path's geometry."""
         return self.reference.path.digest
+
+    def lines(self, samples: Index) -> Index:
+        """Return the program line at each of some samples (n,), from 1; 0 for none."""
+        return self.reference.source_line(self.result.at("arc_length", samples))
 
     @property
     def reversal_figures(self) -> tuple[ReversalFigures, ...]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from contourlab.arrays import Array, Index
+from contourlab.feed import Reference
 from contourlab.figures import NONE, figure, number
 from contourlab.metrics.figures import blocks_of
 from contourlab.rendering.data import JudgedRun, ReportData
@@ -55,28 +56,10 @@ def answer(scheme: JudgedRun) -> str:
     return text
 
 
-def samples_at(data: ReportData, along: Array) -> Index:
-    """Return the sample of the first run that is nearest to arc lengths (n,) [m] of the programmed path."""
-    result, closed = data.schemes[0].result, data.asked.closed
-    nearest, samples = np.full((2, along.size), np.inf), np.zeros((2, along.size), dtype=np.int64)  # before and after each
-    for part in result.blocks():
-        foot = signal(part, "foot_arc_length")
-        foot = np.mod(foot, data.asked.length) if closed else foot
-        order = np.argsort(foot, kind="stable")
-        after = np.searchsorted(foot[order], along)
-        for side, at in enumerate((after - 1, after)):
-            there = np.flatnonzero((at >= 0) & (at < foot.size))
-            found = order[at[there]]
-            away = np.abs(foot[found] - along[there])
-            closer = (away < nearest[side, there]) if side else (away <= nearest[side, there])
-            nearest[side, there[closer]], samples[side, there[closer]] = away[closer], found[closer] + part.start - result.start
-    return np.asarray(np.where(nearest[0] < nearest[1], samples[0], samples[1]))
-
-
-def lines_at(data: ReportData, along: Array) -> Index:
-    """Return the program line at arc lengths (n,) [m] of the programmed path: that of the nearest sample; 0 for none."""
-    lines = data.schemes[0].lines
-    return np.zeros(along.size, dtype=np.int64) if lines is None else np.asarray(lines[samples_at(data, along)], dtype=np.int64)
+def lines_at(reference: Reference, along: Array) -> Index:
+    """Return the program line at arc lengths (n,) [m] of the programmed path; 0 for none."""
+    breaks = reference.programmed_arc_length(reference.line_breaks)
+    return np.take(reference.source_lines, np.searchsorted(breaks, along, side="right") - 1, mode="clip")
 
 
 @dataclass(frozen=True)
@@ -105,12 +88,7 @@ def program_lines(data: ReportData) -> tuple[LineRow, ...]:
 
 def _largest(scheme: JudgedRun) -> dict[int, float]:
     """Return the largest part error [m] of each line with judged samples."""
-    if scheme.lines is None:
-        return {}
-    largest: dict[int, float] = {}
+    size = np.full(int(scheme.reference.source_lines.max()) + 1, -1.0)
     for cut in blocks_of(scheme.metrics.judged):
-        lines, where = np.unique(scheme.lines[cut], return_inverse=True)
-        size = np.zeros(lines.size)
-        np.maximum.at(size, where, np.abs(signal(scheme.result, "part_error")[cut]))
-        largest |= {line: max(most, largest.get(line, 0.0)) for line, most in zip(lines.tolist(), size.tolist(), strict=True)}
-    return {line: most for line, most in largest.items() if line > 0}
+        np.maximum.at(size, scheme.lines(cut), np.abs(signal(scheme.result, "part_error")[cut]))
+    return {line: float(size[line]) for line in np.flatnonzero(size >= 0.0).tolist() if line}

@@ -8,15 +8,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from contourlab.arrays import Array
-from contourlab.feed.reference import CUTTING, LAST_LAP
+from contourlab.arrays import Array, Index
+from contourlab.feed.reference import CUTTING, LAST_LAP, WHOLE
 from contourlab.figures import figure, listing
 from contourlab.geometry import Path
-from contourlab.metrics.figures import blocks_of, range_of
+from contourlab.metrics.figures import range_of
 from contourlab.rendering.charts import Curve, Magnified, PathChart, PathScene, Place, SceneRun
 from contourlab.rendering.comparison import judged_words
 from contourlab.rendering.data import JudgedRun, ReportData
-from contourlab.rendering.lead import lines_at, samples_at
+from contourlab.rendering.lead import lines_at
 from contourlab.rendering.samples import keep_changes, largest_magnitude, signal, times
 from contourlab.rendering.style import BAND, INK, REFERENCE, magnification
 from contourlab.thinning import extremes_of, keep_extremes
@@ -156,7 +156,7 @@ def path_scene(data: ReportData, points: int) -> PathScene | None:
     if len(data.axes) == 1:
         return None
     s = _places(data.asked, points // 2)
-    asked, lines = data.asked.position(s), lines_at(data, s)
+    asked = data.asked.position(s)
     shown = sorted(int(i) for i in np.argsort(-np.ptp(asked, axis=0), kind="stable")[:3])
     first, flat = data.schemes[0], np.zeros((1, 3 - len(shown)))
 
@@ -166,7 +166,11 @@ def path_scene(data: ReportData, points: int) -> PathScene | None:
     runs = tuple(_scene_run(data, scheme, column, points) for scheme in data.schemes)
     calm = [largest_magnitude(run.error) / UM for run, scheme in zip(runs, data.schemes, strict=True) if scheme.result.status.ok]
     part = first.metrics.judged
-    judged = np.ones(s.size, dtype=bool) if part.basis == LAST_LAP else range_of(part, samples_at(data, s)) > 0
+    place = first.reference.programmed_arc_length(
+        first.result.at("arc_length", np.ravel([(start, stop - 1) for start, stop in part.ranges]))
+    )
+    begun, ended = place[::2].searchsorted(s, side="right"), place[1::2].searchsorted(s)
+    judged = (begun > ended) | (part.basis in (LAST_LAP, WHOLE))
     caption = f"The path is to scale, the error is magnified and drawn from the nearest point of the path. Shown: {judged_words(first)}."
     if len(data.axes) > len(shown):
         caption += f" Of {listing(data.axes)} the {len(shown)} axes that move most are drawn."
@@ -176,7 +180,7 @@ def path_scene(data: ReportData, points: int) -> PathScene | None:
         caption,
         tuple(data.axes[i] for i in shown),
         _rounded(column(asked) * MM, 17),
-        lines,
+        lines_at(first.reference, s),
         judged,
         "rapids" if part.basis == CUTTING else "not judged",
         runs,
@@ -195,45 +199,36 @@ def _scene_run(data: ReportData, scheme: JudgedRun, column: Callable[[Array], Ar
         part = result.window(start + first, start + last)
         return np.column_stack([np.abs(signal(part, "part_error")), column(signal(part, "tool_position"))])
 
-    step = max((stop - start) // (2 * points), 1)
-    changes = keep_changes(np.nan_to_num(np.abs(result.at("part_error", np.arange(start, stop, step)))), points // 4)
-    kept = np.union1d(extremes_of(seen, stop - start, 4, points // 2), step * changes) + start
-    ends = np.ravel([(first, last - 1) for first, last in ranges])
-    kept = np.union1d(kept, ends) if ends.size <= points else kept
+    kept, step = extremes_of(seen, stop - start, 4, points // 2), max((stop - start) // (2 * points), 1)
+    changes = keep_changes(np.nan_to_num(np.abs(signal(result, "part_error")[start:stop:step])), points // 4)
+    ends = [place for first, last in ranges for place in (first, last - 1)] if 2 * len(ranges) <= points else []
+    kept = np.union1d(np.union1d(kept, step * changes) + start, [*ends, scheme.metrics.part_error.worst.sample - result.start])
     kept = kept[np.isfinite(result.at("foot_arc_length", kept)) & np.isfinite(result.at("part_error", kept))]
-    shown, n = np.append(kept, _peaks(scheme)).astype(np.int64), len(kept)
-    along, size, time = result.at("foot_arc_length", shown), np.abs(result.at("part_error", shown)), times(result, shown)
-    foot = column(data.asked.position(along))
-    off = column(result.at("tool_position", shown)) - foot
-    lines = np.zeros(shown.size, dtype=np.int64) if scheme.lines is None else np.asarray(scheme.lines[shown], dtype=np.int64)
-    stretch = range_of(scheme.metrics.judged, kept)
+    along, size, time, lines = (
+        result.at("foot_arc_length", kept),
+        np.abs(result.at("part_error", kept)),
+        times(result, kept),
+        scheme.lines(kept),
+    )
+    foot, stretch = column(data.asked.position(along)), range_of(scheme.metrics.judged, kept)
+    off = column(result.at("tool_position", kept)) - foot
     following = result.at("foot_arc_length", np.minimum(kept + 1, result.n_sample - 1))
-    speed = result.at("feedrate", kept) if "feedrate" in result else (following - along[:n]) / result.servo_period
+    speed = result.at("feedrate", kept) if "feedrate" in result else (following - along) / result.servo_period
     worst = tuple(
         Place(tuple((foot[i] * MM).tolist()), tuple((off[i] * UM).tolist()), float(size[i]) * UM, float(time[i]),
-              int(lines[i]), _cause(scheme, int(shown[i])))
-        for i in range(n, shown.size)
+              int(lines[i]), _cause(scheme, int(kept[i])))
+        for i in _peaks(np.where(stretch > 0, size, 0.0), kept, (stop - start) // APART + 1)
     )  # fmt: skip
-    drawn = (_rounded(foot[:n] * MM, 17), _rounded(off[:n] * UM, 14), _rounded(size[:n] * UM, 14), time[:n])
-    return SceneRun(*data.looks[scheme.name][:2], *drawn, _rounded(np.abs(speed) * 6e4, 12), lines[:n], stretch, worst)
+    drawn = (_rounded(foot * MM, 17), _rounded(off * UM, 14), _rounded(size * UM, 14), time)
+    return SceneRun(*data.looks[scheme.name][:2], *drawn, _rounded(np.abs(speed) * 6e4, 12), lines, stretch, worst)
 
 
-def _peaks(scheme: JudgedRun) -> list[int]:
-    """Return the samples of the largest errors, apart from one another and none below half of the largest."""
-    judged, peaks, most = scheme.metrics.judged, list[int](), 0.0
-    near = (judged.ranges[-1][1] - judged.ranges[0][0]) // APART + 1
-    while len(peaks) < PEAKS:
-        size, at = 0.0, 0
-        for cut in blocks_of(judged):
-            left = np.nan_to_num(np.abs(signal(scheme.result, "part_error")[cut]))
-            for peak in peaks:
-                left[(cut >= peak - near) & (cut < peak + near)] = 0.0
-            if left.max() > size:
-                size, at = float(left.max()), int(cut[left.argmax()])
-        most = max(most, size)
-        if not size > 0.5 * most:
-            break
-        peaks.append(at)
+def _peaks(error: Array, samples: Index, near: int) -> list[int]:
+    """Return which of ascending samples (n,) have the largest errors, `near` samples apart and none below half of the largest."""
+    left, peaks, most = error.copy(), list[int](), error.max(initial=0.0)
+    while len(peaks) < PEAKS and left.max(initial=0.0) > 0.5 * most:
+        peaks.append(int(left.argmax()))
+        left[np.abs(samples - samples[peaks[-1]]) < near] = 0.0
     return peaks
 
 

@@ -18,8 +18,8 @@ from contourlab.rendering.samples import signal
 from contourlab.result import Result
 from contourlab.thinning import keep_extremes
 
-LONGEST, FEWEST, AT_ONCE = 2.0, 256, 64
-"""Longest segment [s], its fewest samples, and segments in memory."""
+LONGEST, FEWEST = 2.0, 256
+"""Longest segment [s], and its fewest samples."""
 DEPTH = 1e-4
 """Smallest amplitude drawn, as a share of the largest."""
 PEAKS, NEAR, RINGS = 3, 0.05, 1.25
@@ -99,13 +99,10 @@ def _squares(values: Callable[[int, int], Array], start: int, stop: int, size: i
     window = 0.5 - 0.5 * np.cos(2.0 * np.pi / size * np.arange(size)[:, None])
     total, largest = np.zeros(size // 2 + 1), 0.0
     starts = range(start, stop - size + 1, size - size // 2)
-    for first in range(0, len(starts), AT_ONCE):
-        some = starts[first : first + AT_ONCE]
-        block = values(some[0], some[-1] + size)
-        largest = max(largest, float(np.abs(block).max()))
-        for at in some:
-            part = block[at - some[0] :][:size]
-            total += (np.abs(np.fft.rfft(window * (part - part.mean(axis=0)), axis=0)) ** 2).sum(axis=1)
+    for at in starts:
+        part = values(at, at + size)
+        largest = max(largest, float(np.abs(part).max()))
+        total += (np.abs(np.fft.rfft(window * (part - part.mean(axis=0)), axis=0)) ** 2).sum(axis=1)
     total[-1] /= 1.0 if size % 2 else 4.0  # at half the sampling rate, one frequency is both
     return np.asarray(total * (2.0 / window.sum()) ** 2 / len(starts)), largest
 

@@ -10,20 +10,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from contourlab.arrays import Array, Index
+from contourlab.arrays import BLOCK, Array, Index
 from contourlab.errors import ResultError, hint, refuse
 from contourlab.feed import Reference
 from contourlab.notebook import Figure, Frame, Panel, curves, facts_line, facts_table, frame, svg
 from contourlab.result.netcdf import FORMAT, ResultWriter, read_netcdf
 from contourlab.result.signals import Signal, Status
-from contourlab.result.stored import Store, Stored
+from contourlab.result.stored import Stored
 
 if TYPE_CHECKING:
     import xarray
-
-
-BLOCK = 1 << 17
-"""Samples of a block: a multiple of the chunks in which foot points are searched, so that blocks and whole runs give the same bits."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -107,10 +103,10 @@ class Result:
     def with_blocks(self, compute: Callable[[Result], Mapping[str, Signal]]) -> Result:
         """Return the result with signals added that are computed block by block, and stored as the others are."""
         if isinstance(self.signals, Stored) and self.signals.start == 0:
-            store = Store(self.n_sample, self.signals)
+            more = Stored(self.n_sample, self.signals.file)
             for part in self.blocks():
-                store.append(compute(part))
-            return replace(self, signals=self.signals.beside(store.signals))
+                more.append(compute(part))
+            return replace(self, signals=self.signals.part(columns=self.signals.columns | more.columns))
         first, *others = map(compute, self.blocks())
         joined = {name: replace(one, data=np.concatenate([one.data, *(o[name].data for o in others)])) for name, one in first.items()}
         return self.with_signals(**(joined if others else first))
@@ -119,8 +115,9 @@ class Result:
         """Return the result with some of its signals; ResultError if it lacks one."""
         if lacking := next((name for name in names if name not in self), None):
             self[lacking]
-        cut = self.signals.only(names) if isinstance(self.signals, Stored) else {name: self.signals[name] for name in names}
-        return replace(self, signals=cut)
+        if isinstance(self.signals, Stored):
+            return replace(self, signals=self.signals.part(columns={name: self.signals.columns[name] for name in names}))
+        return replace(self, signals={name: self.signals[name] for name in names})
 
     def window(self, start: int, stop: int) -> Result:
         """Return samples [start, stop) of this result."""

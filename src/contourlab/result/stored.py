@@ -7,7 +7,7 @@ import os
 import shutil
 import tempfile
 import weakref
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from threading import Lock
@@ -24,11 +24,6 @@ def scratch() -> str:
     return tempfile.gettempdir() if os.environ.get("TMPDIR") or not os.access("/var/tmp", os.W_OK) else "/var/tmp"
 
 
-def free_scratch() -> float:
-    """Return the bytes that are free for temporary files."""
-    return float(shutil.disk_usage(scratch()).free)
-
-
 class _File:
     """A temporary file; it is removed with the last signal that is in it."""
 
@@ -38,8 +33,11 @@ class _File:
         weakref.finalize(self, self.open.close)
         self.end, self.alone = 0, Lock()
 
-    def taken(self, size: int) -> int:
-        """Return where `size` free bytes begin, and keep them."""
+    def taken(self, size: int, spare: int) -> int:
+        """Return where `size` bytes begin, and keep them; OutputError if these and `spare` more are not free on the disk."""
+        if size + spare > (free := shutil.disk_usage(scratch()).free):
+            need, have = (f"{number / 1e9:.3g} GB" for number in (size + spare, free))
+            raise OutputError(f"{scratch()}: the run needs {need}, {have} are free: set TMPDIR to a folder with more room")
         with self.alone:
             self.end += size
             return self.end - size
@@ -61,48 +59,9 @@ def _named() -> Iterator[None]:
         raise OutputError(f"{scratch()}: cannot be written: {error.strerror}: set TMPDIR to a folder with more room") from error
 
 
-class Store:
-    """Takes signals block by block, into a temporary file of its own or that of other signals.
-
-    Parameters
-    ----------
-    n_sample : int
-        Most samples.
-    beside : Stored, optional
-        Signals whose file takes these too.
-    """
-
-    def __init__(self, n_sample: int, beside: Stored | None = None) -> None:
-        self._columns: dict[str, _Column] = {}
-        self._n_sample, self._length = n_sample, 0
-        self._file = _File() if beside is None else beside.file
-
-    def append(self, signals: Mapping[str, Signal]) -> None:
-        """Write the next samples; every call needs the same signals.
-
-        Raises
-        ------
-        OutputError
-            If they cannot be written, e.g. on a full disk.
-        """
-        for name, signal in signals.items():
-            data, column = np.ascontiguousarray(signal.data), self._columns.get(name)
-            if column is None:
-                column = _Column(self._file, 0, data.shape[1:], signal.dims, signal.unit)
-                column = self._columns[name] = column._replace(offset=self._file.taken(self._n_sample * column.row))
-            self._file.write(column.offset + self._length * column.row, data.data)
-        self._length += len(data)
-
-    @property
-    def signals(self) -> Stored:
-        """The signals written so far."""
-        return Stored(self._columns, 0, self._length)
-
-
 class _Column(NamedTuple):
     """Where a signal begins in its file, the shape of a sample, dimensions and unit."""
 
-    file: _File
     offset: int
     shape: tuple[int, ...]
     dims: tuple[str, ...]
@@ -115,41 +74,65 @@ class _Column(NamedTuple):
 
 
 class Stored(Mapping[str, Signal]):
-    """Samples [start, stop) of signals in temporary files, each mapped into memory whenever it is asked for."""
+    """Samples [start, stop) of signals in a temporary file: written block by block, each mapped into memory whenever it is asked for.
 
-    def __init__(self, columns: Mapping[str, _Column], start: int, stop: int) -> None:
-        self._columns, self.start, self.stop = columns, start, stop
+    Parameters
+    ----------
+    n_sample : int
+        Most samples.
+    file : optional
+        That of other signals, which takes these too.
+    spare : int
+        Bytes of a sample that others will take in the same file.
+    """
+
+    def __init__(self, n_sample: int, file: _File | None = None, spare: int = 0) -> None:
+        self.columns: dict[str, _Column] = {}
+        self.start, self.stop, self.file, self._n_sample, self._spare = 0, 0, file or _File(), n_sample, spare
+
+    def append(self, signals: Mapping[str, Signal]) -> None:
+        """Write the next samples; every call needs the same signals.
+
+        Raises
+        ------
+        OutputError
+            If there is no room for all samples, or these cannot be written.
+        """
+        if not self.columns:
+            made = {name: _Column(0, signal.data.shape[1:], signal.dims, signal.unit) for name, signal in signals.items()}
+            size = self._n_sample * sum(column.row for column in made.values())
+            offset = self.file.taken(size, self._n_sample * self._spare)
+            for name, column in made.items():
+                self.columns[name] = column._replace(offset=offset)
+                offset += self._n_sample * column.row
+        for name, signal in signals.items():
+            column = self.columns[name]
+            self.file.write(column.offset + self.stop * column.row, np.ascontiguousarray(signal.data).data)
+        self.stop += len(signal.data)
 
     def __getitem__(self, name: str) -> Signal:
-        column, n = self._columns[name], self.stop - self.start
+        column, n = self.columns[name], self.stop - self.start
         given: dict[str, Any] = {"offset": column.offset + self.start * column.row, "shape": (n, *column.shape)}
-        data = np.memmap(column.file.open, np.float64, "r", **given) if n else np.empty(given["shape"])
+        data = np.memmap(self.file.open, np.float64, "r", **given) if n else np.empty(given["shape"])
         return Signal(data, column.dims, column.unit)
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._columns)
+        return iter(self.columns)
 
     def __len__(self) -> int:
-        return len(self._columns)
+        return len(self.columns)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Copies, and what another process gets, are in memory."""
         return dict, ({name: replace(signal, data=np.array(signal.data)) for name, signal in self.items()},)
 
-    @property
-    def file(self) -> _File:
-        """The file of these signals."""
-        return next(iter(self._columns.values())).file
+    def part(self, **changed: Any) -> Stored:
+        """Return these signals with other `columns`, `start` or `stop`."""
+        part = Stored.__new__(Stored)
+        vars(part).update(vars(self) | changed)
+        return part
 
     def window(self, start: int, stop: int) -> Stored:
         """Return samples [start, stop) of these."""
         first, last, _ = slice(start, stop).indices(self.stop - self.start)
-        return Stored(self._columns, self.start + first, self.start + max(first, last))
-
-    def only(self, names: Sequence[str]) -> Stored:
-        """Return some of the signals."""
-        return Stored({name: self._columns[name] for name in names}, self.start, self.stop)
-
-    def beside(self, others: Stored) -> Stored:
-        """Return these and others of the same samples."""
-        return Stored({**self._columns, **others._columns}, self.start, self.stop)
+        return self.part(start=self.start + first, stop=self.start + max(first, last))

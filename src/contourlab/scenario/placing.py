@@ -9,8 +9,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.arrays import Array, Flags, Index
-from contourlab.feed import Reference, route_from_program
+from contourlab.arrays import BLOCK, Array, Flags, Index
+from contourlab.feed import Reference, Route, route_from_program
 from contourlab.feed.reference import ReferenceBlock
 from contourlab.geometry import Path
 from contourlab.geometry.curve import Curve
@@ -19,7 +19,6 @@ from contourlab.geometry.nurbs import BSpline, Nurbs
 from contourlab.geometry.parametric import EllipticalArc
 from contourlab.geometry.path import boxes
 from contourlab.loop import Machine
-from contourlab.loop.feeding import BLOCK
 from contourlab.loop.simulate import jit_enabled, sampler
 from contourlab.program import Arc as ProgramArc
 from contourlab.program import Dwell, Move, Point, Program, Reading, Spline
@@ -259,13 +258,33 @@ class TravelCheck:
         self.low, self.high = np.minimum(self.low, low.min(axis=0)), np.maximum(self.high, high.max(axis=0))
 
 
+def check_route(route: Route, machine: Machine, fault: Fault, cure: str) -> None:
+    """Refuse a programmed path with a curve that ends outside the travel, by more than blends and fitted curves may cut off.
+
+    It is refused before it takes time to plan; of all others `check_motion` tells.
+    """
+    tolerance = float(np.maximum(route.corner_tolerance, route.merge_tolerance).max())
+    start, end, check = route.path.starts[0], route.path.ends[0], TravelCheck(machine)
+    check.add(np.minimum(start, end) + tolerance, np.maximum(start, end) - tolerance, ~route.rapid, route.source_line)
+    if check.left:
+        check, (low, high) = TravelCheck(machine), boxes(route.path)
+        for cut_off in (tolerance, 0.0):  # tells first what is sure, then the whole range
+            check.add(low + cut_off, high - cut_off, ~route.rapid, route.source_line)
+    _refuse(check, machine, fault, cure)
+
+
 def _check_travel(reference: Reference, machine: Machine, fault: Fault, cure: str) -> None:
-    """Refuse the first sample outside the travel, with the full range of that axis."""
+    """Refuse the first sample outside the travel."""
     check = TravelCheck(machine)
     rapid = np.zeros(len(reference.path.curves), dtype=bool) if reference.rapid is None else reference.rapid
     for block in _blocks(reference, reference.n_sample):
         curve = reference.path.curve_index(block.arc_length)
         check.add(block.position, block.position, ~rapid[curve], reference.source_line(block.arc_length))
+    _refuse(check, machine, fault, cure)
+
+
+def _refuse(check: TravelCheck, machine: Machine, fault: Fault, cure: str) -> None:
+    """Refuse a motion that leaves the travel, with the full range of the axis that leaves it first."""
     for name, line in check.left.items():
         j, limits = machine.axis_names.index(name), machine.axis(name).limits
         if math.isfinite(limits.extent):

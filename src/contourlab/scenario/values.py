@@ -23,7 +23,7 @@ from contourlab.loop import Change, Controller, Machine
 from contourlab.loop.simulate import UNITS
 from contourlab.notebook import facts_line
 from contourlab.program import Program, Reading
-from contourlab.scenario.placing import beyond_travel, check_motion, placed
+from contourlab.scenario.placing import beyond_travel, check_motion, check_route, placed
 from contourlab.units import setting
 
 DISTANCE = setting("m", "um", minimum=0.0, maximum=1.0, exclusive=True)
@@ -429,7 +429,9 @@ class Case:
             route = self.motion.route(tolerance)
         if factor != 1.0:
             route = replace(route, feedrate=np.where(route.rapid, route.feedrate, route.feedrate * factor))
-        return blended(controlled(route, self.feed.path_control, tolerance, self.feed.merge_tolerance), self.limits)
+        route = controlled(route, self.feed.path_control, tolerance, self.feed.merge_tolerance)
+        check_route(route, self.machine, self._fault, self._cure)
+        return blended(route, self.limits)
 
 
 @dataclass(frozen=True, eq=False)

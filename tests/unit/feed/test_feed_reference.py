@@ -167,7 +167,7 @@ def test_from_samples_refuses_inconsistent_arrays(position, options, words):
 
 def test_the_judge_reads_in_blocks(line, monkeypatch):
     whole = limit_report(line, LIMITS)
-    monkeypatch.setattr("contourlab.feed.verify.BLOCK", 97)
+    monkeypatch.setattr("contourlab.feed.reference.BLOCK", 97)
     parts = limit_report(line, LIMITS)
     for one, other in zip(whole.all(), parts.all(), strict=True):
         assert one.value == pytest.approx(other.value, rel=1e-12)

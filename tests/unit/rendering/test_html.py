@@ -192,8 +192,7 @@ def test_six_hundred_thousand_samples_stay_small(single, tmp_path):
     signals["contour_error"] = Signal(spike, ("sample",), "m")
     long = replace(result, signals=signals, servo_period=1e-4)
     names = [f"scheme {i}" for i in range(5)]
-    lines = np.resize(single.schemes[0].lines, n)
-    data = replace(single, schemes=tuple(replace(single.schemes[0], name=name, result=long, lines=lines) for name in names))
+    data = replace(single, schemes=tuple(replace(single.schemes[0], name=name, result=long) for name in names))
     file = write_html(data, tmp_path / "new" / "long.html")
     assert file.stat().st_size < 1.5e6
     figures = Page(file.read_text(encoding="utf-8")).figures

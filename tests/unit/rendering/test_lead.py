@@ -36,27 +36,27 @@ def test_a_line_has_the_largest_error_of_its_samples() -> None:
         judged = scheme.metrics.judged.samples
         errors = np.abs(scheme.result["part_error"][judged]) * 1e6
         for line in (3, 4):
-            largest = errors[scheme.lines[judged] == line].max()  # type: ignore[index]
+            largest = errors[scheme.lines(judged) == line].max()
             assert rows[line].errors[column] == (f"{largest:.3g}", largest > 1e6 * data.tolerance)
 
 
 def test_of_a_long_program_the_worst_lines_are_shown() -> None:
-    data = synthetic.report((8e-6,))
+    data = synthetic.report((8e-6,), laps=1)
     scheme = data.schemes[0]
     n = scheme.result.n_sample
     program = tuple(f"G1 X{i} " + "(" + "x" * 5000 + ")" for i in range(n))
-    lines = np.arange(1, n + 1)
+    places = scheme.result["arc_length"]
+    reference = replace(scheme.reference, line_breaks=np.append(places, np.inf), source_lines=np.arange(1, n + 1))
     verdict = replace(scheme.verdict, worst=replace(scheme.verdict.worst, line=int(scheme.verdict.worst.sample) + 1))
-    rows = program_lines(replace(data, program=program, schemes=[replace(scheme, lines=lines, verdict=verdict)]))
+    rows = program_lines(replace(data, program=program, schemes=[replace(scheme, reference=reference, verdict=verdict)]))
     assert len(rows) <= 501 and max(len(row.text) for row in rows) <= 200
     judged = scheme.metrics.judged.samples
     largest = int(judged[np.abs(scheme.result["part_error"][judged]).argmax()]) + 1
     assert largest in {row.number for row in rows}
 
 
-def test_a_place_has_the_line_of_the_nearest_sample() -> None:
+def test_a_place_has_its_line() -> None:
     data = synthetic.report()
-    length = data.asked.length
-    assert lines_at(data, np.array([0.01, 0.49, 0.51, 0.99]) * length).tolist() == [3, 3, 4, 4]
-    bare = replace(data, schemes=[replace(scheme, lines=None) for scheme in data.schemes])
-    assert lines_at(bare, np.array([0.0, length])).tolist() == [0, 0]
+    reference, length = data.schemes[0].reference, data.asked.length
+    assert lines_at(reference, np.array([0.0, 0.49, 0.51, 1.0]) * length).tolist() == [3, 3, 4, 4]
+    assert lines_at(replace(reference, source_lines=np.zeros(2, dtype=np.int64)), np.array([0.0, length])).tolist() == [0, 0]

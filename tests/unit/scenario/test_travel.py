@@ -95,6 +95,21 @@ def test_a_travel_by_its_ends_names_the_first_line(tmp_path: Path) -> None:
         scenario_from_parts(part, "xyz", "xyz-controller").base.reference()
 
 
+def test_a_program_outside_is_refused_before_it_is_planned(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Unless what a blend cuts off may keep it inside."""
+    inside = scenario_from_parts(program(tmp_path, "G64 P1 G0 X120\nG1 X150.2 Y40\nX120 Y80\n"), "xyz", "xyz-controller").base.reference()
+    assert inside.block(0, inside.n_sample).position[:, 0].max() < 0.15
+    monkeypatch.setattr("contourlab.scenario.values.blended", None)
+    outside = [
+        ("G64 P1 G0 X120\nG1 X152.2 Y40\nX120 Y80\n", 3),
+        ("G64 P1 G0 X120\nG1 X150.2 Y40\nX120 Y190\n", 4),
+        ("G1 X10\nG2 X10 Y0 I150\nG0 Z-160\n", 3),
+    ]
+    for moves, line in outside:
+        with refuses(ProgramError, code="CL470", line=line):
+            scenario_from_parts(program(tmp_path, moves), "xyz", "xyz-controller").base.reference()
+
+
 def test_an_unknown_travel_is_named(router: Path, tmp_path: Path) -> None:
     (tmp_path / "machine").mkdir()
     for file in router.iterdir():

@@ -49,7 +49,6 @@ _UNITS = {"velocity": ("m/s", "200 mm/s"), "acceleration": ("m/s^2", "2 m/s^2"),
 """Unit of each kind of limits, and an example."""
 HELD = 0.005
 """Part by which a limit may be exceeded, by default."""
-BLOCK = 65536
 
 
 @question(Limits)
@@ -127,7 +126,7 @@ def _planned(file: Path, options: Limits, tolerance: float, reading: Reading) ->
         for kind, worst in zip(ALL_KINDS, of_axis, strict=True)
         if worst.sample >= 0 and (worst.value > 0.0 or kind in KINDS)
     ]
-    blocks = (reference.block(start, min(start + BLOCK, reference.n_sample)) for start in range(0, reference.n_sample, BLOCK))
+    blocks = (reference.block(*samples) for samples in reference.blocks())
     lines = np.concatenate([reference.source_line(block.arc_length) for block in blocks])
     rows = _rows(lines, reference.servo_period, use, machine.axis_names)
     findings = (*_exceeded(peaks, tolerance), *remarks.findings(program.machine_points))

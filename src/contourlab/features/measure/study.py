@@ -173,7 +173,7 @@ def measure(
     if is_known and stated is None:
         findings += _sampling_findings(reference[slice(*window)], metrics.contour_error.max)
     circles, spikes = circles_of(judged, motion), judged_spikes(judged, motion)
-    return Measured(run.scheme, motion, judged, metrics, verdict, circles, spikes, tuple(findings), lines=lines, shift=shifts)
+    return Measured(run.scheme, motion, judged, metrics, verdict, circles, spikes, tuple(findings), shift=shifts)
 
 
 def _first_cut(route: Route, lines: Index | None, followed: Array) -> tuple[int, int]:

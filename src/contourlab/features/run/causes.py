@@ -25,7 +25,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from contourlab.arrays import Array
+from contourlab.arrays import BLOCK, Array
 from contourlab.components.compensation.backlash import QuadrantPulses
 from contourlab.components.contract import Component
 from contourlab.components.drive.saturation import Saturation
@@ -41,7 +41,6 @@ from contourlab.loop.machine import Axis, AxisController, AxisError
 from contourlab.metrics.judge import judge
 from contourlab.rendering.judgement import Cause
 from contourlab.result import Result, Signal
-from contourlab.result.result import BLOCK
 
 Rerun: TypeAlias = Callable[..., Result]
 Step: TypeAlias = Callable[[Machine, Controller], tuple[Machine, Controller]]

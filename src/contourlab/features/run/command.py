@@ -23,7 +23,7 @@ from contourlab.features.learn import learn as learn_machine
 from contourlab.features.run.changes import of_machine
 from contourlab.features.run.options import Compare, Learn, Run
 from contourlab.features.run.outcome import Outcome, run_case
-from contourlab.features.run.record import switch_file
+from contourlab.features.run.record import write_switches
 from contourlab.features.run.source import Source, is_scenario, scenario_asked
 from contourlab.features.run.trust import NOTABLE
 from contourlab.figures import figure, limit_to_propose
@@ -254,8 +254,7 @@ class Runs(JudgedRuns):
                     write_text_atomic(stage / "proposed" / f"{name}.toml", text)
                     files[f"{outcome.name}, changed controller"] = f"proposed/{name}.toml"
                 if outcome.switches is not None:
-                    with switch_file(stage / "switches" / f"{name}.csv") as write_switches:
-                        write_switches(outcome.switches)
+                    write_switches(stage / "switches" / f"{name}.csv", outcome.switches)
             begin_stage("writing the report")
             steps = tuple(next_steps(self.outcomes, self.command, out, list(files.values())))
             files |= {"report": "report.html"} | ({"to print": "report.pdf"} if pdf else {})

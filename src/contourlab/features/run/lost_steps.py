@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from contourlab.arrays import BLOCK
 from contourlab.components.plant.stepper import Stepper
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
 from contourlab.loop import Machine
 from contourlab.result import Result
-from contourlab.result.result import BLOCK
 
 
 def lost_steps(machine: Machine, reference: Reference, result: Result) -> tuple[Finding, ...]:

@@ -16,10 +16,10 @@ from contourlab.analysis.learning.learning_analysis import LearningAnalysis, lea
 from contourlab.analysis.linear.contour_transfer import internal_stability
 from contourlab.analysis.linear.margins import Margins
 from contourlab.analysis.linear.sampled_loop import sampled_loop
-from contourlab.arrays import Array, Index
+from contourlab.arrays import Array
 from contourlab.components.supervisor.switching import PreRouted
 from contourlab.engine.runner import make_group
-from contourlab.errors import ComponentError, OutputError, ResultError
+from contourlab.errors import ComponentError, ResultError
 from contourlab.features.check.program_check import PathModes, about_machine
 from contourlab.features.learn import LearnedTable, LearningRun, Stopping, learn
 from contourlab.features.run.causes import Place
@@ -46,15 +46,12 @@ from contourlab.rendering.origins import numbers_of, stated
 from contourlab.rendering.page_tables import nearest
 from contourlab.rendering.stages import Stages
 from contourlab.result import Result
-from contourlab.result.stored import free_scratch, scratch
 from contourlab.scenario import Case, PartProgram
 from contourlab.study import Setting
 
 KEPT_REPORTS = 16
 _REPORTS: dict[tuple[str, bytes, bytes, bytes], LimitReport] = {}
 """The latest reports by motion and limits: schemes of a file mostly share both, and a report reads the whole motion."""
-BYTES, BYTES_PER_AXIS = 64, 120
-"""Size of a sample in temporary files: in all, and for each axis."""
 TICKS, SECONDS, FEWEST = 20_000, 0.3, 7
 """For the cost of a tick: most ticks of a run, total time of the runs, fewest runs."""
 GAP_POINTS = 201
@@ -287,16 +284,12 @@ def run_case(
     DivergenceError
         If the loop diverges.
     OutputError
-        Before the run, if its signals do not fit into the space that is free for temporary files.
+        If its signals do not fit into the space that is free for temporary files; told by the first samples.
     """
     shown, machine, controller = stages or Stages(), case.machine, case.controller
     begin, numbers = shown.begin, numbers_of(machine, controller)
     begin(f"planning {case.name}")
     reference = case.reference()
-    free, needed = free_scratch(), reference.n_sample * (BYTES + BYTES_PER_AXIS * reference.n_axis)
-    if needed > free:
-        need, have = f"{needed / 1e9:.3g} GB", f"{free / 1e9:.3g} GB"
-        raise OutputError(f"{scratch()}: {reference.n_sample} samples need {need}, {have} are free: set TMPDIR to a folder with more room")
 
     def report_progress(done: int) -> None:
         shown.advance(done, reference.n_sample * (1 if case.learning is None else case.learning.trials + 1))
@@ -353,19 +346,7 @@ def run_case(
         switches=switches_of(judged, controller, reference, case.changes),
         gaps=_gaps(machine, judged),
         trust=Trust(stated(numbers), tuple(number.name for number in numbers if not number.is_stated), sampled),
-        lines=_Lines(judged, reference) if case.lines else None,
     )  # fmt: skip
-
-
-@dataclass(frozen=True)
-class _Lines:
-    """The program line at each sample, found where it is used."""
-
-    run: Result
-    reference: Reference
-
-    def __getitem__(self, samples: Index) -> Index:
-        return self.reference.source_line(self.run.at("arc_length", samples))
 
 
 def _gaps(machine: Machine, result: Result) -> dict[str, tuple[Array, Array]]:

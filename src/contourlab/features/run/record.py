@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import csv
 import math
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import ExitStack, contextmanager
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -15,9 +14,9 @@ from contourlab.loop import Change, Controller, Machine, result_of, simulate_blo
 from contourlab.loop.simulate import diverged
 from contourlab.loop.switches import RECORDED, Switches, SwitchLog
 from contourlab.metrics.judge import judge
-from contourlab.result import Result, Status
+from contourlab.result import Result
 from contourlab.result.atomic import replacing
-from contourlab.result.stored import Store
+from contourlab.result.stored import Stored
 
 SWITCH_COLUMNS = ("time_s", "sample", "axis", "from", "to", "reason", "arc_length_m", "line")
 _JUDGED = ("tool_position", "reference", "arc_length")
@@ -36,8 +35,8 @@ def simulate_to_file(
     progress: Callable[[int], None] | None = None,
     changes: Sequence[Change] = (),
     switches: str | Path | None = None,
-) -> Status:
-    """Run a machine along a reference, judge it, and write it to a NetCDF file block by block.
+) -> None:
+    """Run a machine along a reference, judge it, and write it to a NetCDF file block by block, by way of a temporary file.
 
     Parameters
     ----------
@@ -62,16 +61,13 @@ def simulate_to_file(
     switches : str or Path, optional
         CSV file for every switch of controllers, with its reason.
 
-    Returns
-    -------
-    Status
-
     Raises
     ------
     DivergenceError
         If the loop runs away.
     OutputError
-        If the file cannot be written.
+        If the file cannot be written, or the signals do not fit into the space that is free for temporary files (``TMPDIR``): some
+        320 bytes a sample of three axes. The latter is told by the first samples.
     """
     log = SwitchLog(controller, machine.servo_period, reference, changes)
     kept = tuple(name for name in RECORDED if log.led) if switches is not None else ()
@@ -82,13 +78,9 @@ def simulate_to_file(
     if not result.status.ok:
         raise diverged(result)
     judged = judge(result, reference)
-    with ExitStack() as stack:
-        if switches is not None:
-            listed = stack.enter_context(switch_file(switches))
-            for part in judged.blocks():
-                listed(log.add(part))
-        judged.save(file)
-    return Status()
+    judged.save(file)
+    if switches is not None:
+        write_switches(switches, log.add(judged))
 
 
 def simulate_stored(
@@ -104,19 +96,18 @@ def simulate_stored(
 
     `given` are options of `contourlab.loop.simulate_blocks`.
     """
-    store, done = Store(reference.n_sample), 0
+    # The judge will add five signals, and the tracking error of each axis.
+    stored = Stored(reference.n_sample, spare=8 * (5 + reference.n_axis))
     for signals, status in simulate_blocks(machine, controller, reference, **given):
         part = result_of(machine, reference, signals, status, scheme=scheme, seed=given.get("seed", 0))
-        store.append(part.signals)
-        done += part.n_sample
+        stored.append(part.signals)
         if progress is not None:
-            progress(done)
-    return replace(part, signals=store.signals)
+            progress(stored.stop)
+    return replace(part, signals=stored)
 
 
-@contextmanager
-def switch_file(file: str | Path) -> Iterator[Callable[[Switches], None]]:
-    """Yield what writes the switches of the next block to a CSV file, written whole when the block ends well, else not at all.
+def write_switches(file: str | Path, switches: Switches) -> None:
+    """Write switches as a CSV file, whole or not at all.
 
     Raises
     ------
@@ -126,10 +117,6 @@ def switch_file(file: str | Path) -> Iterator[Callable[[Switches], None]]:
     with replacing(file) as temporary, temporary.open("w", encoding="utf-8", errors="replace", newline="") as stream:
         rows = csv.writer(stream, lineterminator="\n")
         rows.writerow(SWITCH_COLUMNS)
-
-        def write(switches: Switches) -> None:
-            for each in switches.rows():
-                place = f"{each.arc_length:.12g}" if math.isfinite(each.arc_length) else ""
-                rows.writerow((f"{each.time:.12g}", each.sample, each.axis, each.before, each.after, each.reason, place, each.line or ""))
-
-        yield write
+        for each in switches.rows():
+            place = f"{each.arc_length:.12g}" if math.isfinite(each.arc_length) else ""
+            rows.writerow((f"{each.time:.12g}", each.sample, each.axis, each.before, each.after, each.reason, place, each.line or ""))

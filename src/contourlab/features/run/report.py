@@ -143,8 +143,7 @@ def _scheme(name: str, result: Result, reference: Reference, tolerance: float | 
     judged = result if {"part_error", "tracking_error"} <= set(result.signals) else judge(result, reference)
     verdict = None if tolerance is None else unexplained(reference, judged, tolerance, () if program is None else program.lines)
     figures = (summarise(judged, reference), verdict, circles_of(judged, reference), judged_spikes(judged, reference))
-    findings, lines = () if verdict is None else verdict.findings, None if program is None else reference.source_line(judged["arc_length"])
-    return JudgedRun(name, reference, judged, *figures, findings, lines=lines)
+    return JudgedRun(name, reference, judged, *figures, () if verdict is None else verdict.findings)
 
 
 def report_data(title: str, outcomes: Sequence[Outcome], *, scenario: str, command: str) -> ReportData:

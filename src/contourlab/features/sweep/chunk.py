@@ -12,13 +12,12 @@ from typing import Any
 import numpy as np
 
 from contourlab.app.quick import beginning
-from contourlab.arrays import Array, Flags
+from contourlab.arrays import BLOCK, Array, Flags
 from contourlab.engine.gpu import LANES as GPU_LANES
 from contourlab.errors import ContourlabError, EngineError, ParameterError
 from contourlab.features.sweep.study import Structure, Study
 from contourlab.figures import number
 from contourlab.loop.batch import LANES, checked_variants
-from contourlab.loop.feeding import BLOCK
 from contourlab.rendering.stages import asked, told
 from contourlab.study.executors import Executor, Workers
 from contourlab.study.space import chosen

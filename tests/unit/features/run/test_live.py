@@ -87,7 +87,7 @@ def test_a_page_finds_the_figures_of_its_report(runs, run):
     log = live_in_node(run, whole, ("read", run["log"], run["n_log"] * whole[2]))[-1].reshape(-1, run["n_log"])
     error, worst = np.abs(log[:, run["part_error"]]), samples[np.abs(outcome.result["part_error"][samples]).argmax()]
     assert run["short"][0] == max(worst - round(0.5 / run["motion"]["period"]), 0) and run["short"][1] > worst
-    highest, written = outcome.lines[np.array([samples[error[samples].argmax()], worst])]
+    highest, written = outcome.lines(np.array([samples[error[samples].argmax()], worst]))
     assert highest == written
     foot = outcome.reference.programmed.position(log[samples, run["foot"]])
     np.testing.assert_allclose(np.linalg.norm(log[samples][:, run["position"]] - foot, axis=1), error[samples], rtol=0.0, atol=1e-11)

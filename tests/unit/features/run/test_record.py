@@ -9,9 +9,11 @@ import pickle
 import subprocess
 import sys
 from collections.abc import Mapping
+from contextlib import nullcontext
 from dataclasses import fields, is_dataclass, replace
 from itertools import pairwise, starmap
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import h5py
@@ -23,7 +25,7 @@ from contourlab import thinning
 from contourlab.components.registry import component
 from contourlab.errors import OutputError, ResultError
 from contourlab.features.run.outcome import judged_spikes
-from contourlab.features.run.record import simulate_stored, switch_file
+from contourlab.features.run.record import simulate_stored, write_switches
 from contourlab.features.run.verdict import unexplained
 from contourlab.feed import route_from_path
 from contourlab.feed.reference import Judged
@@ -108,21 +110,20 @@ def test_a_run_in_blocks_gives_the_same_as_one_in_memory(block: int, monkeypatch
     asked = cl.plan(route, machine.planner_limits(), PERIOD)
     parts = Judged(((3, 201), (203, 204), (230, asked.n_sample - 2)), "lines")
     whole = cl.judge(cl.simulate(machine, controller, asked), asked)
-    for module in (result_module, figures, reversals):
+    for module in (result_module, figures, reversals, thinning):
         monkeypatch.setattr(module, "BLOCK", block)
-    monkeypatch.setattr(thinning, "AT_ONCE", block)
     run = cl.judge(simulate_stored(machine, controller, asked, block=block), asked)
     assert isinstance(run.signals, Stored) and run.signals.keys() == whole.signals.keys() and run.n_sample == whole.n_sample > 600
     for name in whole.signals:
         np.testing.assert_allclose(run[name], whole[name], rtol=0.0, atol=1e-15)
         np.testing.assert_array_equal(run.at(name, np.array([5, 299, 0])), run[name][[5, 299, 0]])
 
+    lined = replace(asked, source_lines=np.arange(1, asked.source_lines.size + 1))
+
     def seen(result: cl.Result) -> list[Any]:
         """Return what the command says of a run, and the pictures of its page."""
         metrics = cl.summarise(result, asked, parts)
-        outcome = JudgedRun(
-            "base", asked, result, metrics, spikes=judged_spikes(result, asked), lines=asked.source_line(result["arc_length"]) + 1
-        )
+        outcome = JudgedRun("base", lined, result, metrics, spikes=judged_spikes(result, asked))
         data = ReportData("run", [outcome], Provenance())
         pictures = [*error_charts(data, 100), *axis_charts(data, 100), *spectrum_charts(data, 100), path_scene(data, 64)]
         left = [unexplained(asked, result, 1e-3), figures_of_run(result, parts), program_lines(replace(data, program=["a", "b"]))]
@@ -174,6 +175,17 @@ def test_a_full_disk_is_one_clear_error(monkeypatch: pytest.MonkeyPatch) -> None
     with pytest.raises(OutputError) as refused:
         simulate_stored(*rig(), reference(1))
     assert isinstance(refused.value.__cause__, OSError) and refused.value.__cause__.errno == errno.ENOSPC
+
+
+@pytest.mark.parametrize("lacking", [0, 1])
+def test_room_for_a_run_and_its_errors_is_looked_for_beforehand(lacking: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (machine, controller), asked, told = rig(), reference(1), list[int]()
+    signals = cl.judge(simulate_stored(machine, controller, asked), asked).signals
+    assert isinstance(signals, Stored)
+    monkeypatch.setattr("shutil.disk_usage", lambda _: SimpleNamespace(free=signals.file.end - lacking))
+    with pytest.raises(OutputError) if lacking else nullcontext():
+        cl.simulate_to_file(machine, controller, asked, tmp_path / "run.nc", progress=told.append)
+    assert bool(told) == (tmp_path / "run.nc").exists() == (not lacking)
 
 
 @pytest.mark.slow
@@ -237,8 +249,7 @@ def test_names_with_spreadsheet_separators_survive_a_round_trip(tmp_path: Path) 
     kinds = (SwitchKind("x", 'a, "b"', "line\nbreak", "because; of"),)
     one = np.zeros(1, dtype=np.int64)
     found = Switches(("x",), PERIOD, kinds, one, one + 3, np.array([np.nan]), one + 12, {}, {})
-    with switch_file(tmp_path / "switches.csv") as listed:
-        listed(found)
+    write_switches(tmp_path / "switches.csv", found)
     with (tmp_path / "switches.csv").open(encoding="utf-8", newline="") as stream:
         (row,) = csv.DictReader(stream)
     assert (row["from"], row["to"], row["reason"]) == ('a, "b"', "line\nbreak", "because; of")
