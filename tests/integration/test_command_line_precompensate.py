@@ -215,5 +215,4 @@ def test_no_program_is_written_if_no_pass_gains(
     result = json.loads(capsys.readouterr().out)
     assert (result["status"], result["written"], result["out"], result["best"]) == ("no gain", 0, "", 0)
     assert not Path("out.ngc").exists()
-    corner = next(one for one in result["findings"] if one["code"] == "CL918")
-    assert corner["values"]["line"] == 3
+    assert {one["line"] for one in result["passes"]} <= {2, 3, 4}
