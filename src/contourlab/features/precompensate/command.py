@@ -300,7 +300,7 @@ class Work:
         driven = self.driven.source.program
         findings = [finding("CL910", cap=self.cap, share=float(capped.mean()))] if capped.any() else []
         uncontrolled = np.flatnonzero((self._controls == "None") & self.contour.corrected)
-        if uncontrolled.size and self.stops and self.contour.source.rules.g.get(640):
+        if uncontrolled.size and self.stops and self.contour.source.rules.blend is not None:
             line = self.contour.source.blocks[self.contour.route.source_line[uncontrolled[0]] - 1].lines[0]
             findings.append(finding("CL928", line=self.contour.source.numbers[line - 1], tolerance=2.0 * self.tolerance))
         if self.machine is not None and set(self.machine.axis_names) >= set(self.contour.axes):

@@ -650,11 +650,11 @@ def _with_modes(lines: _Lines, block: Block, rules: Rules, corner: bool, ends: b
     """Add the codes that let short lines run as one move and stay as they are, and those that restore the modes of the program."""
     mode, fine = block.move.mode, 2.0 * tolerance * block.scale  # type: ignore[union-attr]
     if mode.control in ("exact_path", "exact_stop"):
-        if len(lines.text) > 1 and 640 in rules.g:
+        if len(lines.text) > 1 and rules.blend is not None:
             code = "G61.1" if mode.control == "exact_stop" and not rules.stops_at_g61 else "G61"
             lines.text.insert(len(lines.text) - int(corner or mode.control == "exact_stop"), code)
             lines.text = [*_blending(rules, fine), *lines.text]
-    elif mode.tolerance and mode.merge and mode.merge > 2.0 * tolerance and rules.blend_p:
+    elif mode.tolerance and mode.merge and mode.merge > 2.0 * tolerance and rules.blend:
         # With Q as large as P, by default, the control may smooth the correction away.
         (own,), (closer,) = (_blending(rules, mode.tolerance * block.scale, q) for q in (mode.merge * block.scale, fine))
         lines.text = [*([closer] if lines.control != closer else []), *lines.text, *([own] if ends else [])]
@@ -667,8 +667,8 @@ def _with_modes(lines: _Lines, block: Block, rules: Rules, corner: bool, ends: b
 
 def _blending(rules: Rules, tolerance: float, merge: float | None = None) -> list[str]:
     """Return the line that sets G64 with a P and a Q in the unit of the program, as far as a dialect has them."""
-    words = ["G64", *(f"{letter}{value:.6f}".rstrip("0") for letter, value in (("P", tolerance), ("Q", merge)) if value is not None)]
-    return [" ".join(words if rules.blend_p else words[:1])] if 640 in rules.g else []
+    given = [(letter, value) for letter, value in (("P", tolerance), ("Q", merge)) if value is not None and letter in (rules.blend or "")]
+    return [] if rules.blend is None else [" ".join(["G64", *(f"{letter}{value:.6f}".rstrip("0") for letter, value in given)])]
 
 
 def with_dwells(contour: Contour, dwells: Mapping[int, float], replaced: Mapping[int, _Lines] | None = None) -> str:
