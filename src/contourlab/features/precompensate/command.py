@@ -57,6 +57,8 @@ NODE_TIME = 1e-3
 """Least time between nodes at the programmed feed [s]."""
 SMOOTHER = 0.8
 """Factor on the cutoff after a pass that took too long."""
+LOOSER = 4.0
+"""Factor on how far the control may round and smooth the written lines, after each pass that took too long."""
 SLOWED = 0.01
 """Share by which a pass may be slower than the program, up to which lines get feed words. They slow down a control that merges lines of one
 feed, or whose acceleration is zero between lines."""
@@ -286,6 +288,10 @@ class Work:
         """Return whether a rms and a largest error are worth dwells."""
         return min(left[0] / run.rms, left[1] / run.largest) <= 1.0 - GAIN
 
+    def _blend(self, number: int) -> float:
+        """Return by how much the control may round the lines of a pass [m]."""
+        return 2.0 * self.tolerance * LOOSER ** sum(not one.in_time for one in self.passes.figures[:number])
+
     def propose(self) -> list[Finding]:
         """Write the program of the next pass; return the findings."""
         learned = self.passes.learned
@@ -294,15 +300,12 @@ class Work:
         durations = [one.duration - one.dwell for one in self.passes.figures]
         slowed = max(durations) > (1.0 + SLOWED) * durations[0]
         fastest = np.inf if slowed else (1.0 + self.band) * learned.speed
-        written = write_corrected(self.contour, tried, self.tolerance, fastest, self.dwells, self.stops)
-        written = replace(written, text=marked(written.text, len(self.passes.written) + 1, self.part.name))
+        number = len(self.passes.written) + 1
+        written = write_corrected(self.contour, tried, self.tolerance, fastest, self._blend(number), self.dwells, self.stops)
+        written = replace(written, text=marked(written.text, number, self.part.name))
         self.passes = replace(self.passes, learned=replace(learned, tried=tried), written=(*self.passes.written, written))
         driven = self.driven.source.program
         findings = [finding("CL910", cap=self.cap, share=float(capped.mean()))] if capped.any() else []
-        uncontrolled = np.flatnonzero((self._controls == "None") & self.contour.corrected)
-        if uncontrolled.size and self.stops and self.contour.source.rules.blend is not None:
-            line = self.contour.source.blocks[self.contour.route.source_line[uncontrolled[0]] - 1].lines[0]
-            findings.append(finding("CL928", line=self.contour.source.numbers[line - 1], tolerance=2.0 * self.tolerance))
         if self.machine is not None and set(self.machine.axis_names) >= set(self.contour.axes):
             findings += self._limits(self.machine, driven)
         message = complaint(written.text, self.part.parent) if self.is_interpreted else ""
@@ -360,6 +363,10 @@ class Work:
             more.append(
                 finding("CL925", best=best.number, rms=best.rms, before=first.rms, largest=best.largest, largest_before=first.largest)
             )
+        uncontrolled = np.flatnonzero((self._controls == "None") & self.contour.corrected)
+        if number and uncontrolled.size and self.stops and source.rules.blend is not None:
+            line = source.blocks[self.contour.route.source_line[uncontrolled[0]] - 1].lines[0]
+            more.append(finding("CL928", line=source.numbers[line - 1], tolerance=self._blend(number)))
         more += self._longer(number) if number else []
         return Precompensated(
             program=self.part.name,

@@ -417,9 +417,10 @@ class Contour:
         """The first curve of each corrected part after a rapid, and the block before which its axes may settle: that of a plunge."""
         blocks, starts = self.source.blocks, list[tuple[int, int]]()
         count = Counter(block.lines[0] for block in blocks)
+        waits = [isinstance(b.move, Feed | Dwell) and b.reason == "-" and count[b.lines[0]] == 1 for b in blocks]
         for first, _ in self.chunks:
             at = int(self.route.source_line[first]) - 1
-            while at and isinstance(blocks[at - 1].move, Feed) and blocks[at - 1].reason == "-" and count[blocks[at - 1].lines[0]] == 1:
+            while at and waits[at - 1]:
                 at -= 1
             if at and isinstance(blocks[at - 1].move, Traverse):
                 starts.append((first, at))
@@ -537,6 +538,7 @@ def write_corrected(
     correction: Array,
     tolerance: float,
     fastest: Array | float = np.inf,
+    blend: float | None = None,
     dwells: Mapping[int, float] | None = None,
     stops: bool = False,
 ) -> Written:
@@ -551,12 +553,14 @@ def write_corrected(
         Largest distance of a written line from the corrected path.
     fastest : ndarray (n_node,) [m/s], optional
         Largest speed at each node along the programmed path; lines that could be faster get a feed word.
+    blend : float [m], optional
+        By how much the control may round and smooth the written lines, as P or Q of G64; twice the tolerance, if it is not given.
     dwells : mapping of int to float [s], optional
         Dwells to add, by the number of the block after each.
     stops : bool
         Whether the control stops at corners where the program sets no path control; G64 is then set from the first corrected line on.
     """
-    fastest = np.broadcast_to(fastest, len(contour.nodes))
+    fastest, blend = np.broadcast_to(fastest, len(contour.nodes)), 2.0 * tolerance if blend is None else blend
     replaced: dict[int, _Lines] = {}
     blocks, shortest = contour.source.blocks, np.inf
     for first, last in contour.chunks:
@@ -566,9 +570,9 @@ def write_corrected(
             curves = first + np.flatnonzero(numbers == k)
             index = contour.node_range(int(curves[0]), int(curves[-1]))
             ends, start = curves[-1] == last - 1, lines.end
-            lines = _replacing(contour, blocks[k - 1], index, correction, lines, tolerance, ends, fastest)
+            lines = _replacing(contour, blocks[k - 1], index, correction, lines, tolerance, blend, ends, fastest)
             if stops and blocks[k - 1].move.mode.control is None:
-                lines.text = [*_blending(contour.source.rules, 2.0 * tolerance * blocks[k - 1].scale), *lines.text]
+                lines.text = [*_blending(contour.source.rules, blend * blocks[k - 1].scale), *lines.text]
                 stops = False
             steps = np.linalg.norm(np.diff(np.vstack([start, *lines.points]), axis=0), axis=1)
             shortest = min(shortest, float(steps.min(initial=np.inf)) / float(contour.route.feedrate[curves[0]]))
@@ -593,7 +597,15 @@ def write_corrected(
 
 
 def _replacing(
-    contour: Contour, block: Block, index: Index, correction: Array, before: _Lines, tolerance: float, ends: bool, fastest: Array
+    contour: Contour,
+    block: Block,
+    index: Index,
+    correction: Array,
+    before: _Lines,
+    tolerance: float,
+    blend: float,
+    ends: bool,
+    fastest: Array,
 ) -> _Lines:
     """Return the lines of one block, from where the lines before ended."""
     columns = ["xyz".index(axis) for axis in contour.axes]
@@ -629,7 +641,7 @@ def _replacing(
         length = np.linalg.norm(np.diff(points[corners], axis=0), axis=1)
         _with_feeds(lines, block, speed * length / np.maximum(np.diff(places[corners]), 1e-12))
     turns = ends or bool((np.abs(np.asarray(contour.path.corners) - places[-1]) < _SMOOTH).any())
-    _with_modes(lines, block, rules, turns, ends, tolerance)
+    _with_modes(lines, block, rules, turns, ends, blend)
     if lines.slowed and ends:
         lines.text.append(block.feed_word)
     return lines
@@ -646,15 +658,15 @@ def _with_feeds(lines: _Lines, block: Block, largest: Array) -> None:
     lines.slowed = in_force != feed
 
 
-def _with_modes(lines: _Lines, block: Block, rules: Rules, corner: bool, ends: bool, tolerance: float) -> None:
+def _with_modes(lines: _Lines, block: Block, rules: Rules, corner: bool, ends: bool, blend: float) -> None:
     """Add the codes that let short lines run as one move and stay as they are, and those that restore the modes of the program."""
-    mode, fine = block.move.mode, 2.0 * tolerance * block.scale  # type: ignore[union-attr]
+    mode, fine = block.move.mode, blend * block.scale  # type: ignore[union-attr]
     if mode.control in ("exact_path", "exact_stop"):
         if len(lines.text) > 1 and rules.blend is not None:
             code = "G61.1" if mode.control == "exact_stop" and not rules.stops_at_g61 else "G61"
             lines.text.insert(len(lines.text) - int(corner or mode.control == "exact_stop"), code)
             lines.text = [*_blending(rules, fine), *lines.text]
-    elif mode.tolerance and mode.merge and mode.merge > 2.0 * tolerance and rules.blend:
+    elif mode.tolerance and mode.merge and mode.merge > blend and rules.blend:
         # With Q as large as P, by default, the control may smooth the correction away.
         (own,), (closer,) = (_blending(rules, mode.tolerance * block.scale, q) for q in (mode.merge * block.scale, fine))
         lines.text = [*([closer] if lines.control != closer else []), *lines.text, *([own] if ends else [])]

@@ -35,6 +35,16 @@ def test_passes_stop_when_they_no_longer_help(rms: tuple[float, ...], in_time: s
     assert passes.best == best
 
 
+@pytest.mark.parametrize(
+    ("largest", "best"),
+    [((9, 9, 9), 2), ((9, 3, 8), 1), ((9, 3, 5), 2), ((9, 20, 14), 2), ((9, 20, 15), 0)],
+)
+def test_the_best_pass_has_the_least_sum_of_both_errors(largest: tuple[float, ...], best: int) -> None:
+    rms = (10, 7, 4)
+    passes = Passes("", figures=tuple(replace(figures(k, one, True), largest=largest[k]) for k, one in enumerate(rms)))
+    assert passes.best == best
+
+
 def test_a_folder_gives_back_what_was_saved_and_refuses_anything_else(tmp_path: Path) -> None:
     rows, one = np.random.default_rng(0).normal(size=(5, 2)), np.array([0.0, np.nan, np.inf, -1.0, 1e-300])
     learned = Learned(rows, -rows, one, one, rows, one, 1e-6, 30.0)
