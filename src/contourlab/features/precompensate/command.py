@@ -26,7 +26,7 @@ from contourlab.features.precompensate.law import CUTOFF, Run, fit_loop, forgott
 from contourlab.features.precompensate.options import Precompensate
 from contourlab.features.precompensate.passes import STATE, AddedDwell, Passes, PassFigures, digest_of, load, save
 from contourlab.features.precompensate.runs import Measured, cycle_time, limits_of, open_run, run_of, simulated
-from contourlab.features.precompensate.starts import LONGEST, UNKNOWN, settling_time, starts_of, without
+from contourlab.features.precompensate.starts import LONGEST, UNKNOWN, Start, settling_time, starts_of, without
 from contourlab.features.precompensate.writing import (
     MARK,
     Contour,
@@ -66,6 +66,8 @@ POOR = 0.5
 """Unexplained share of the following error from which the model of the loop is doubted."""
 COVERED = 0.98
 """Share of the corrected path that a log must cover."""
+HELPED = 0.5
+"""Error at the start of a cut over that without a dwell, from which the dwell did not help."""
 GAIN = 0.1
 """Least gain of dwells, as a share of the rms or of the largest error, from which CL917 offers them."""
 SAID = 0.02
@@ -207,7 +209,7 @@ class Work:
     @property
     def dwells(self) -> dict[int, float]:
         """The added dwells [s] by the number of the block after each."""
-        return {one.block: one.seconds for one in self.passes.dwells}
+        return {one.block: one.seconds for one in self.passes.dwells if one.seconds}
 
     @property
     def _turns(self) -> Array:
@@ -266,22 +268,38 @@ class Work:
             shown = measured if probe is None else probe(with_dwells(self.contour, {one.block: LONGEST for one in starts}))
             lag, still = np.linalg.norm(shown.command - shown.load, axis=1), np.diff(shown.command, axis=0, prepend=shown.command[:1])
             self.settles = settling_time(lag, (still == 0.0).all(axis=1), shown.period, learned.rests)
-        added = {one.block: one.dwell(self.settles) for one in starts}
-        total = sum(added.values())
-        if not total or (probe is not None and self.settles is None):
+        if probe is not None and self.settles is None:
             return [finding("CL927", dwell=LONGEST, **values)]
+        added = {one.block: one.dwell(self.settles) for one in starts}
         if self.lead_in:
-            dwells = self.dwells | {k: self.dwells.get(k, 0.0) + seconds for k, seconds in added.items()}
-            for one in starts:
-                lasts = np.array([0.0, self.settles or UNKNOWN, (self.settles or UNKNOWN) + 1.0 / self.passes.cutoff])
-                at = np.minimum(one.begin + np.rint(lasts / run.period).astype(int), len(run.place) - 1)
-                learned = forgotten(learned, self.contour.nodes, tuple(run.place[at].tolist()))
-            self.passes = replace(self.passes, dwells=tuple(AddedDwell(*one) for one in dwells.items()), learned=learned)
-            return [finding("CL926", total=total, dwell=max(added.values()), **values)]
+            return self._with_dwells(run, starts, added, values)
+        if not any(added.values()):
+            return [finding("CL927", dwell=LONGEST, **values)]
         rms, largest = without(run, starts, max(self.settles or UNKNOWN, 1.0 / self.passes.cutoff))
         if not self._gain((rms, largest), run):
             return []
-        return [finding("CL917", total=total, dwell=max(added.values()), rms=rms, largest=largest, **values)]
+        total, dwell = sum(added.values()), max(added.values())
+        return [finding("CL917", total=total, dwell=dwell, rms=rms, largest=largest, **values)]
+
+    def _with_dwells(self, run: Run, starts: list[Start], added: dict[int, float], values: dict[str, Any]) -> list[Finding]:
+        """Add dwells [s] from the next program on; leave those out that did not help."""
+        learned, known = self.passes.learned, {one.block: one for one in self.passes.dwells}
+        assert learned is not None
+        settles, tried = self.settles or UNKNOWN, 0.0
+        for one in starts:
+            old = known.get(one.block)
+            if old is not None and one.error > HELPED * old.error:
+                tried, added[one.block] = max(tried, old.seconds), -old.seconds
+            if added[one.block]:
+                before = old or AddedDwell(one.block, 0.0, one.error)
+                known[one.block] = replace(before, seconds=before.seconds + added[one.block])
+                lasts = np.rint(np.array([0.0, settles, settles + 1.0 / self.passes.cutoff]) / run.period).astype(int)
+                begin, end, after = run.place[np.minimum(one.begin + lasts, len(run.place) - 1)].tolist()
+                learned = forgotten(learned, self.contour.nodes, begin, end, after)
+        self.passes = replace(self.passes, dwells=tuple(known.values()), learned=learned)
+        longer = [seconds for seconds in added.values() if seconds > 0.0]
+        findings = [finding("CL926", total=sum(longer), dwell=max(longer), **values)] if longer else []
+        return findings + ([finding("CL927", dwell=tried, **values)] if tried else [])
 
     @staticmethod
     def _gain(left: tuple[float, float], run: Run) -> bool:
@@ -290,7 +308,7 @@ class Work:
 
     def _blend(self, number: int) -> float:
         """Return by how much the control may round the lines of a pass [m]."""
-        return 2.0 * self.tolerance * LOOSER ** sum(not one.in_time for one in self.passes.figures[:number])
+        return 2.0 * self.tolerance * math.pow(LOOSER, sum(not one.in_time for one in self.passes.figures[:number]))
 
     def propose(self) -> list[Finding]:
         """Write the program of the next pass; return the findings."""

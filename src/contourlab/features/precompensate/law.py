@@ -294,12 +294,8 @@ def proposed(learned: Learned, cap: float, room: Array | float = np.inf) -> tupl
     return tried * np.minimum(1.0, most / np.maximum(size, 1e-300))[:, None], capped
 
 
-def forgotten(learned: Learned, nodes: Array, places: tuple[float, float, float]) -> Learned:
-    """Return what is learned without a part of the path, in which the next run will be another: from the first place to the second.
-
-    Up to the third place [m] the correction rises again.
-    """
-    begin, end, after = places
+def forgotten(learned: Learned, nodes: Array, begin: float, end: float, after: float) -> Learned:
+    """Return what is learned without a part of the path [m] in which the next run will differ; from `after` on the correction is whole."""
     weight = np.where(nodes < begin, 1.0, np.clip((nodes - end) / max(after - end, 1e-12), 0.0, 1.0))
     error = np.where(weight < 1.0, FORGOTTEN, learned.error)
     return replace(learned, kept=learned.kept * weight[:, None], step=learned.step * weight[:, None], error=error)

@@ -69,10 +69,14 @@ class AddedDwell:
     block : int
         Number of the block after it.
     seconds : float [s]
+        0 where it did not help.
+    error : float [m]
+        At the start of the cut without it.
     """
 
     block: int
     seconds: float
+    error: float
 
 
 @dataclass(frozen=True, eq=False)

@@ -50,7 +50,9 @@ def test_a_folder_gives_back_what_was_saved_and_refuses_anything_else(tmp_path: 
     learned = Learned(rows, -rows, one, one, rows, one, 1e-6, 30.0)
     ran = PassFigures(0, 1e-5, 2e-5, 1.0, (0.1, 0.2), (1.0, 2.0), True, 0.3, 7, (0.01, -0.02), 0.125)
     written, loops = (Written("G1 X1", one, one, 3, 0.1),), (Loop(), Loop(1e-3, bandwidth=40.0))
-    passes = Passes("mine", ("x", "y"), loops, 30.0, (ran,), learned, written, ("a",), (AddedDwell(4, 0.25), AddedDwell(9, 0.01)))
+    passes = Passes(
+        "mine", ("x", "y"), loops, 30.0, (ran,), learned, written, ("a",), (AddedDwell(4, 0.25, 4e-5), AddedDwell(9, 0.01, 1e-6))
+    )
     assert load(tmp_path / "none", passes) is passes
     for kept in (passes, replace(passes, cutoff=20.0, learned=None)):  # the second replaces the first
         save(kept, tmp_path)
