@@ -22,7 +22,7 @@ from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ProgramError, ResultError
 from contourlab.features.check.reading import reading_of
 from contourlab.features.measure.log_choice import content_of
-from contourlab.features.precompensate.law import CUTOFF, Run, fit_loop, forgotten, learn, proposed, smoother, spread
+from contourlab.features.precompensate.law import CUTOFF, Learned, Run, fit_loop, forgotten, learn, proposed, smoother, spread
 from contourlab.features.precompensate.options import Precompensate
 from contourlab.features.precompensate.passes import STATE, AddedDwell, Passes, PassFigures, digest_of, load, save
 from contourlab.features.precompensate.runs import Measured, cycle_time, limits_of, open_run, run_of, simulated
@@ -156,7 +156,6 @@ class Work:
     def learn(self, measured: Measured, runs: list[Run]) -> list[Finding]:
         """Learn from the runs of a pass; return the findings."""
         passes, nodes = self.passes, self.contour.nodes
-        run = max(runs, key=lambda one: one.largest)
         number, findings = len(passes.figures), list[Finding]()
         if not passes.loops:
             loops = tuple(fit_loop(*pair, measured.period) for pair in zip(measured.command.T, measured.motor.T, strict=True))
@@ -167,9 +166,7 @@ class Work:
                 for axis, loop in zip(passes.axes, loops, strict=True)
                 if loop.unexplained > POOR
             ]
-        figures = self._figures(number, runs, run, passes.cutoff)
-        first = passes.figures[0].duration if passes.figures else run.duration
-        run = runs[0]
+        figures = self._figures(number, runs, passes.cutoff)
         learned = learn(passes.learned, runs, list(passes.loops), nodes, passes.cutoff)
         self.passes = replace(passes, figures=(*passes.figures, figures), learned=learned)
         best = self.passes.figures[self.passes.best]
@@ -178,33 +175,38 @@ class Work:
             findings.append(finding("CL914", number=number, best=best.number, **values))
         if not figures.in_time:
             cutoff = SMOOTHER * passes.cutoff
-            self.passes = replace(self.passes, cutoff=cutoff, learned=smoother(learned, run, nodes, cutoff))
-            findings += [
-                finding("CL911", number=number, change=(run.duration - figures.dwell) / first - 1.0, band=self.band),
-                *self._free_corners(),
-            ]
+            self.passes = replace(self.passes, cutoff=cutoff, learned=smoother(learned, runs[0], nodes, cutoff))
+            change = (figures.duration - figures.dwell) / passes.figures[0].duration - 1.0
+            findings += [finding("CL911", number=number, change=change, band=self.band), *self._free_corners()]
         return findings
 
-    def _figures(self, number: int, runs: Sequence[Run], run: Run, cutoff: float) -> PassFigures:
-        """Return the figures of a pass; `run` is that with the largest error."""
-        contour, square = self.contour, np.where(run.moves, (run.error**2).sum(axis=1), 0.0)
-        at, around = int(np.argmax(square)), math.ceil(0.5 / (cutoff * run.period))
-        curve = contour.path.curve_index(run.place[at : at + 1])
-        block = contour.source.blocks[contour.route.source_line[curve[0]] - 1]
-        first = self.passes.figures[0].duration if self.passes.figures else runs[0].duration
+    def _figures(self, number: int, runs: Sequence[Run], cutoff: float) -> PassFigures:
+        """Return the figures of a pass."""
+        run, worst = runs[0], max(runs, key=lambda one: one.largest)
+        contour, square = self.contour, np.where(worst.moves, (worst.error**2).sum(axis=1), 0.0)
+        at, around = int(np.argmax(square)), math.ceil(0.5 / (cutoff * worst.period))
+        place, dwell = worst.place[at : at + 1], sum(self.dwells.values())
+        block = contour.source.blocks[contour.route.source_line[contour.path.curve_index(place)[0]] - 1]
+        first = self.passes.figures[0].duration if number else run.duration
         return PassFigures(
             number=number,
             rms=float(np.sqrt(np.mean([one.rms**2 for one in runs]))),
-            largest=run.largest,
-            duration=runs[0].duration,
-            velocity=tuple(runs[0].velocity.tolist()),
-            acceleration=tuple(runs[0].acceleration.tolist()),
-            in_time=runs[0].duration - sum(self.dwells.values()) <= (1.0 + self.band) * first,
-            dwell=sum(self.dwells.values()),
+            largest=worst.largest,
+            duration=run.duration,
+            velocity=tuple(run.velocity.tolist()),
+            acceleration=tuple(run.acceleration.tolist()),
+            in_time=run.duration - dwell <= (1.0 + self.band) * first,
+            dwell=dwell,
             line=contour.source.numbers[block.lines[0] - 1],
-            place=tuple(contour.path.position(run.place[at : at + 1])[0].tolist()),
+            place=tuple(contour.path.position(place)[0].tolist()),
             share=float(square[max(at - around, 0) : at + around + 1].sum() / max(square.sum(), 1e-300)),
         )
+
+    @property
+    def learned(self) -> Learned:
+        """What all passes have taught."""
+        assert self.passes.learned is not None
+        return self.passes.learned
 
     @property
     def dwells(self) -> dict[int, float]:
@@ -222,9 +224,8 @@ class Work:
     @property
     def stops(self) -> bool:
         """Whether the control may stop at corners where the program sets no path control: the run of the program shows no other."""
-        contour, learned = self.contour, self.passes.learned
-        assert learned is not None
-        speed = np.interp(contour.path.breaks[1:-1], contour.nodes, learned.speed)
+        contour = self.contour
+        speed = np.interp(contour.path.breaks[1:-1], contour.nodes, self.learned.speed)
         step = 3.0 * max(self.passes.figures[0].acceleration) * contour.period
         passed = speed > np.maximum(ROUNDED * np.minimum(contour.route.feedrate[1:], contour.route.feedrate[:-1]), step)
         return not (passed & (self._turns > CORNER) & (self._controls == "None")[:-1]).any()
@@ -256,9 +257,7 @@ class Work:
         probe : callable, optional
             Runs a program; without it, the rests of `measured` show how long the axes settle.
         """
-        learned = self.passes.learned
-        assert learned is not None
-        starts = starts_of(self.contour, run, measured, learned.rests)
+        starts = starts_of(self.contour, run, measured, self.learned.rests)
         if not starts or (self.lead_in and not self.passes.helps):
             return []
         if not self.lead_in and not self._gain(without(run, starts, LONGEST), run):
@@ -266,8 +265,7 @@ class Work:
         values: dict[str, Any] = {"count": len(starts), "error": max(one.error for one in starts), "line": starts[0].line}
         if self.settles is None:
             shown = measured if probe is None else probe(with_dwells(self.contour, {one.block: LONGEST for one in starts}))
-            lag, still = np.linalg.norm(shown.command - shown.load, axis=1), np.diff(shown.command, axis=0, prepend=shown.command[:1])
-            self.settles = settling_time(lag, (still == 0.0).all(axis=1), shown.period, learned.rests)
+            self.settles = settling_time(shown, self.learned.rests)
         if probe is not None and self.settles is None:
             return [finding("CL927", dwell=LONGEST, **values)]
         added = {one.block: one.dwell(self.settles) for one in starts}
@@ -283,8 +281,7 @@ class Work:
 
     def _with_dwells(self, run: Run, starts: list[Start], added: dict[int, float], values: dict[str, Any]) -> list[Finding]:
         """Add dwells [s] from the next program on; leave those out that did not help."""
-        learned, known = self.passes.learned, {one.block: one for one in self.passes.dwells}
-        assert learned is not None
+        learned, known = self.learned, {one.block: one for one in self.passes.dwells}
         settles, tried = self.settles or UNKNOWN, 0.0
         for one in starts:
             old = known.get(one.block)
@@ -308,12 +305,11 @@ class Work:
 
     def _blend(self, number: int) -> float:
         """Return by how much the control may round the lines of a pass [m]."""
-        return 2.0 * self.tolerance * math.pow(LOOSER, sum(not one.in_time for one in self.passes.figures[:number]))
+        return float(2.0 * self.tolerance * LOOSER ** sum(not one.in_time for one in self.passes.figures[:number]))
 
     def propose(self) -> list[Finding]:
         """Write the program of the next pass; return the findings."""
-        learned = self.passes.learned
-        assert learned is not None
+        learned = self.learned
         tried, capped = proposed(learned, self.cap, self.contour.room)
         durations = [one.duration - one.dwell for one in self.passes.figures]
         slowed = max(durations) > (1.0 + SLOWED) * durations[0]
@@ -367,8 +363,7 @@ class Work:
         self, out: Path, position: str, rest: float | None, findings: Sequence[Finding], proceed: bool, folder: Path | None = None
     ) -> Precompensated:
         """Return the result; `folder` is that of the passes."""
-        passes, learned = self.passes, self.passes.learned
-        assert learned is not None
+        passes, learned = self.passes, self.learned
         number = len(passes.written) if proceed else passes.best
         written = passes.written[number - 1] if number else None
         source = self.contour.source

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from contourlab.arrays import Array, Flags, true_spans
+from contourlab.arrays import Array, true_spans
 from contourlab.features.measure.measured_path import moving
 from contourlab.features.precompensate.law import Run
 from contourlab.features.precompensate.runs import Measured
@@ -56,16 +56,14 @@ class Start:
         return math.ceil(max(min(needed, LONGEST) - self.rest, 0.0) / STEP - 1e-6) * STEP
 
 
-def lag_of(run: Run, measured: Measured) -> Array:
-    """Return the distance (n,) [m] of position and command at the samples of a run."""
-    first, _ = moving(measured.command)
-    part = slice(first, first + len(run.place))
-    return np.asarray(np.linalg.norm(measured.command[part] - measured.load[part], axis=1))
+def lag_of(measured: Measured) -> Array:
+    """Return the distance (n,) [m] of position and command."""
+    return np.asarray(np.linalg.norm(measured.command - measured.load, axis=1))
 
 
 def starts_of(contour: Contour, run: Run, measured: Measured, level: float) -> list[Start]:
     """Return the cuts after rapids that begin off the path by more than a level [m], because position and command differed before."""
-    size, lag = np.where(run.moves, np.linalg.norm(run.error, axis=1), 0.0), lag_of(run, measured)
+    size, lag = np.where(run.moves, np.linalg.norm(run.error, axis=1), 0.0), lag_of(measured)[moving(measured.command)[0] :]
     soon, starts = max(round(SOON / run.period), 2), list[Start]()
     for curve, block in contour.starts:
         begin = int(np.searchsorted(run.place, contour.path.breaks[curve], side="right"))
@@ -80,28 +78,22 @@ def starts_of(contour: Contour, run: Run, measured: Measured, level: float) -> l
     return starts
 
 
-def settling_time(lag: Array, still: Flags, period: float, level: float) -> float | None:
+def settling_time(measured: Measured, level: float) -> float | None:
     """Return the longest time [s] in which the axes settled, of all rests of a run; None if none shows it.
 
     Parameters
     ----------
-    lag : ndarray (n,) [m]
-        Distance of position and command.
-    still : ndarray (n,) of bool
-        Whether the command stands.
-    period : float [s]
+    measured : Measured
     level : float [m]
         At which they have settled.
-
-    >>> settling_time(np.array([0.0, 9.0, 5.0, 2.0, 0.5, 0.0, 0.0]), np.arange(7) > 0, 0.1, 1.0)
-    0.30000000000000004
     """
+    lag, still = lag_of(measured), (np.diff(measured.command, axis=0, prepend=measured.command[:1]) == 0.0).all(axis=1)
     for share in (0.0, SETTLED):
         times = []
         for begin, end in true_spans(still):
             late = np.flatnonzero(lag[begin:end] > max(level, share * lag[begin]))
             if late.size and late[-1] + 1 < end - begin:
-                times.append((int(late[-1]) + 1) * period)
+                times.append((int(late[-1]) + 1) * measured.period)
         if times:
             return max(times)
     return None

@@ -523,9 +523,13 @@ class Written:
 
 @dataclass(eq=False)
 class _Lines:
-    """Lines that replace a block, where they end, and what is in force behind them: a feed below the programmed one, a line with G64."""
+    """Lines that replace a block, where they end, how far the control may round them, and what is in force behind them.
+
+    That is: whether a feed below the programmed one, and a line with G64.
+    """
 
     end: Array
+    blend: float
     text: list[str] = field(default_factory=list)
     points: list[Array] = field(default_factory=list)
     places: list[float] = field(default_factory=list)
@@ -560,17 +564,17 @@ def write_corrected(
     stops : bool
         Whether the control stops at corners where the program sets no path control; G64 is then set from the first corrected line on.
     """
-    fastest, blend = np.broadcast_to(fastest, len(contour.nodes)), 2.0 * tolerance if blend is None else blend
+    fastest, blend = np.broadcast_to(fastest, len(contour.nodes)), blend or 2.0 * tolerance
     replaced: dict[int, _Lines] = {}
     blocks, shortest = contour.source.blocks, np.inf
     for first, last in contour.chunks:
-        lines = _Lines(contour.path.position(contour.path.breaks[first : first + 1])[0])
+        lines = _Lines(contour.path.position(contour.path.breaks[first : first + 1])[0], blend)
         numbers = contour.route.source_line[first:last]
         for k in np.unique(numbers).tolist():
             curves = first + np.flatnonzero(numbers == k)
             index = contour.node_range(int(curves[0]), int(curves[-1]))
             ends, start = curves[-1] == last - 1, lines.end
-            lines = _replacing(contour, blocks[k - 1], index, correction, lines, tolerance, blend, ends, fastest)
+            lines = _replacing(contour, blocks[k - 1], index, correction, lines, tolerance, ends, fastest)
             if stops and blocks[k - 1].move.mode.control is None:
                 lines.text = [*_blending(contour.source.rules, blend * blocks[k - 1].scale), *lines.text]
                 stops = False
@@ -597,15 +601,7 @@ def write_corrected(
 
 
 def _replacing(
-    contour: Contour,
-    block: Block,
-    index: Index,
-    correction: Array,
-    before: _Lines,
-    tolerance: float,
-    blend: float,
-    ends: bool,
-    fastest: Array,
+    contour: Contour, block: Block, index: Index, correction: Array, before: _Lines, tolerance: float, ends: bool, fastest: Array
 ) -> _Lines:
     """Return the lines of one block, from where the lines before ended."""
     columns = ["xyz".index(axis) for axis in contour.axes]
@@ -629,7 +625,7 @@ def _replacing(
         level = np.rint(np.log(np.minimum(fastest, move.feedrate)) / math.log(STEP))  # type: ignore[union-attr]
         corners = np.union1d(corners, 1 + np.flatnonzero(np.diff(level)))
     kept = corners[1:]
-    lines = _Lines(points[-1, columns], slowed=before.slowed, control=before.control)
+    lines = _Lines(points[-1, columns], before.blend, slowed=before.slowed, control=before.control)
     varies = np.ptp(shown, axis=0) > 0.0
     for k in kept.tolist():
         words = [f"{'XYZ'[j]}{shown[k, j]:.{digits}f}".rstrip("0") for j in np.flatnonzero(varies)]
@@ -641,7 +637,7 @@ def _replacing(
         length = np.linalg.norm(np.diff(points[corners], axis=0), axis=1)
         _with_feeds(lines, block, speed * length / np.maximum(np.diff(places[corners]), 1e-12))
     turns = ends or bool((np.abs(np.asarray(contour.path.corners) - places[-1]) < _SMOOTH).any())
-    _with_modes(lines, block, rules, turns, ends, blend)
+    _with_modes(lines, block, rules, turns, ends)
     if lines.slowed and ends:
         lines.text.append(block.feed_word)
     return lines
@@ -658,15 +654,15 @@ def _with_feeds(lines: _Lines, block: Block, largest: Array) -> None:
     lines.slowed = in_force != feed
 
 
-def _with_modes(lines: _Lines, block: Block, rules: Rules, corner: bool, ends: bool, blend: float) -> None:
+def _with_modes(lines: _Lines, block: Block, rules: Rules, corner: bool, ends: bool) -> None:
     """Add the codes that let short lines run as one move and stay as they are, and those that restore the modes of the program."""
-    mode, fine = block.move.mode, blend * block.scale  # type: ignore[union-attr]
+    mode, fine = block.move.mode, lines.blend * block.scale  # type: ignore[union-attr]
     if mode.control in ("exact_path", "exact_stop"):
         if len(lines.text) > 1 and rules.blend is not None:
             code = "G61.1" if mode.control == "exact_stop" and not rules.stops_at_g61 else "G61"
             lines.text.insert(len(lines.text) - int(corner or mode.control == "exact_stop"), code)
             lines.text = [*_blending(rules, fine), *lines.text]
-    elif mode.tolerance and mode.merge and mode.merge > blend and rules.blend:
+    elif mode.tolerance and mode.merge and mode.merge > lines.blend and rules.blend:
         # With Q as large as P, by default, the control may smooth the correction away.
         (own,), (closer,) = (_blending(rules, mode.tolerance * block.scale, q) for q in (mode.merge * block.scale, fine))
         lines.text = [*([closer] if lines.control != closer else []), *lines.text, *([own] if ends else [])]

@@ -45,7 +45,7 @@ def test_a_cut_that_begins_off_the_path_is_found_by_what_is_off_before_it(rest: 
         assert (start.block, start.line) == (1, 3)
         assert start.rest == pytest.approx(rest * PERIOD)
         assert start.error == pytest.approx(offset, rel=0.05)
-        assert lag_of(run, measured)[start.begin - 1] == pytest.approx(offset, rel=0.05)
+        assert lag_of(measured)[start.begin - 1] == pytest.approx(offset, rel=0.05)
 
 
 def test_a_dwell_stands_before_plunge_and_dwell_and_not_before_a_cut_that_goes_on() -> None:
@@ -54,14 +54,22 @@ def test_a_dwell_stands_before_plunge_and_dwell_and_not_before_a_cut_that_goes_o
     assert contour("G21 G90\nG0 X10\nG4 P0.1\nG1 Y10 F1200\nG81 X20 Z-1 R1\nG80\nG1 X30\nM2\n").starts == [(1, 1), (3, 7)]
 
 
+def settles(lag: np.ndarray, moves_on: int = 1000) -> float | None:
+    """Return the settling time of axes that come to rest with a lag, and move on after some samples."""
+    command = np.zeros((1001, 2))
+    command[0], command[1 + moves_on :, 1] = -0.1, np.arange(1000 - moves_on) + 1.0
+    off = np.column_stack([np.append(0.0, lag), np.zeros(1001)])
+    return settling_time(Measured(PERIOD, command, command, command - off, "load"), 2e-6)
+
+
 def test_the_settling_time_is_the_longest_of_the_rests_that_show_it() -> None:
     lag = 40e-6 * np.exp(-np.arange(1000) / 50.0)
-    still = np.ones(1000, dtype=bool)
-    assert settling_time(lag, still, PERIOD, 2e-6) == pytest.approx(50e-3 * np.log(20.0), abs=1.1e-3)
-    assert settling_time(lag + 3e-6, still, PERIOD, 2e-6) == pytest.approx(50e-3 * np.log(40.0 / 1.3), abs=1.1e-3)  # to a tenth of 43 um
-    assert settling_time(lag + 40e-6, still, PERIOD, 2e-6) is None  # friction holds half of it
-    still[60:] = False
-    assert settling_time(lag, still, PERIOD, 2e-6) is None  # the rest is too short
+    late = 1.1e-3 + PERIOD  # the first sample of a rest is that of the last step
+    assert settles(lag) == pytest.approx(50e-3 * np.log(20.0), abs=late)
+    tenth = 0.1 * (lag[1] + 3e-6)
+    assert settles(lag + 3e-6) == pytest.approx(50e-3 * np.log(40e-6 / (tenth - 3e-6)), abs=late)
+    assert settles(lag + 40e-6) is None  # friction holds half of it
+    assert settles(lag, 60) is None  # the rest is too short
 
 
 @pytest.mark.parametrize(
