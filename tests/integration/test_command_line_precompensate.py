@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
+from made_controls import FLUIDNC, GRBL, LINUXCNC
 
 import contourlab as cl
 from contourlab.cli.main import main
@@ -215,5 +216,114 @@ def test_no_program_is_written_if_no_pass_gains(
     result = json.loads(capsys.readouterr().out)
     assert (result["status"], result["written"], result["out"], result["best"]) == ("no gain", 0, "", 0)
     assert not Path("out.ngc").exists()
-    corner = next(one for one in result["findings"] if one["code"] == "CL918")
-    assert corner["values"]["line"] == 3
+    assert {one["line"] for one in result["passes"]} <= {2, 3, 4}
+
+
+def findings_of(result: dict, code: str) -> list[dict]:
+    return [one["values"] for one in result["findings"] if one["code"] == code]
+
+
+def test_dwells_let_cuts_begin_on_the_path(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    """The axes still swing by 12 um when the circle begins."""
+    monkeypatch.chdir(tmp_path)
+    part = "G21 G90 G64 P0.002\nG0 X10 Y3\nG0 X10 Y0\nG3 X10 Y0 I-10 J0 F1500\nG0 X0 Y0\nM2\n"
+    Path("part.ngc").write_text(part)
+    largest = {}
+    for lead_in in (False, True):
+        program = part
+        for k in range(3):
+            log = log_of(program, Path(f"run-{k}.csv"))
+            words = ("precompensate", "part.ngc", "--log", str(log), "--passes", f"passes-{lead_in}", "--out", "out.ngc")
+            result = printed(capsys, *words, *["--lead-in"] * lead_in)
+            program = Path("out.ngc").read_text()
+            longer = findings_of(result, "CL919")
+            assert bool(longer) == lead_in
+            if lead_in:
+                assert longer[0]["after"] == pytest.approx(result["passes"][0]["duration"] + longer[0]["dwell"], rel=0.01)
+            if k == 0 and lead_in:
+                (values,) = findings_of(result, "CL926")
+                assert values["line"] == 4 and values["total"] == pytest.approx(values["dwell"])
+                lines = program.splitlines()
+                assert lines[lines.index(f"G4 P{values['dwell']:g}") - 1] == "G0 X10 Y0"
+        assert [one["line"] for one in result["passes"]] == [4, 4, 4]
+        assert bool(findings_of(result, "CL917")) == (not lead_in)
+        assert [one["dwell"] for one in result["passes"]] == pytest.approx([0.0, *[values["dwell"]] * 2] if lead_in else [0.0] * 3)
+        assert all(one["in_time"] for one in result["passes"])
+        path = np.hypot(*result["passes"][2]["place"])
+        assert path == pytest.approx(0.01, rel=1e-6)
+        position = np.loadtxt(log_of(program, Path("last.csv")), delimiter=",", skiprows=1)[:, 1:5]
+        there = int(np.argmin(np.hypot(position[:, 0] - 10.0, position[:, 1])))
+        begin = there + int(np.argmax(position[there:, 1] > 0.02))
+        largest[lead_in] = np.abs(np.hypot(*position[begin : begin + 30, 2:].T) - 10.0).max()
+    assert largest[True] < 0.3 * largest[False]
+
+
+@pytest.mark.slow
+def test_friction_lets_go_during_a_dwell(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("part.ngc").write_text("G21 G90 G64 P0.005\nG0 X-5 Y0\nG2 X0 Y5 I5 J0 F400\nG2 X5 Y0 I0 J-5\nG0 X0 Y0\nM2\n")
+    words = (
+        "precompensate",
+        "part.ngc",
+        "--machine",
+        "ubc/table",
+        "--controller",
+        "ubc/lead-lag-controller",
+        "--out",
+        "out.ngc",
+        "--repeat",
+        "3",
+    )
+    stuck, free = printed(capsys, *words), printed(capsys, *words, "--lead-in")
+    first, last = stuck["passes"][0], stuck["passes"][-1]
+    assert last["largest"] > 0.99 * first["largest"] and last["line"] == first["line"] == 3
+    assert last["share"] > first["share"] + 0.1
+    (offer,) = findings_of(stuck, "CL917")
+    best = free["passes"][free["best"]]
+    assert best["largest"] < 0.5 * first["largest"] and best["rms"] < offer["rms"]
+    assert best["largest"] == pytest.approx(offer["largest"], rel=0.5)
+    assert best["dwell"] == pytest.approx(offer["total"])
+
+
+def test_without_path_control_short_lines_take_no_longer(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("part.ngc").write_text("G21 G90\nG1 X40 Y0 F1200\nG3 X0 Y40 I-40 J0\nG1 X0 Y0\nM2\n")
+    words = ("precompensate", "part.ngc", "--machine", "xyz", "--controller", "xyz-controller", "--repeat", "2", "--out", "out.ngc")
+    result = printed(capsys, *words)
+    best = result["passes"][result["best"]]
+    assert best["rms"] < 0.8 * result["passes"][0]["rms"] and best["largest"] < 0.8 * result["passes"][0]["largest"]
+    assert findings_of(result, "CL928") == [{"line": 2, "tolerance": pytest.approx(1e-6)}]
+    assert Path("out.ngc").read_text().count("G64 P0.001") == 1
+
+
+def test_short_lines_are_not_smoothed_within_the_tolerance_of_corners(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A stepper machine from its own file, which sets G64 P0.001 inch: without a Q the rms was larger after each pass."""
+    monkeypatch.chdir(tmp_path)
+    Path("m.ini").write_text(LINUXCNC.replace("STEP_SCALE = 4000", "STEP_SCALE = 40000"))
+    Path("part.ngc").write_text("G21 G90\nG0 X5 Y0\nG3 X-5 Y0 I-5 J0 F900\nG3 X5 Y0 I5 J0\nG1 X15 Y0\nG1 Y10\nG1 X5\nM2\n")
+    result = printed(capsys, "precompensate", "part.ngc", "--machine", "m.ini", "--repeat", "2", "--out", "out.ngc")
+    first, best = result["passes"][0], result["passes"][result["best"]]
+    assert best["rms"] < 0.5 * first["rms"] and best["largest"] < 0.5 * first["largest"]
+    assert "G64 P0.0254 Q0.001" in Path("out.ngc").read_text()
+    assert main(["check", "out.ngc", "--machine", "m.ini"]) == 0
+
+
+@pytest.mark.parametrize(("control", "machine"), [(GRBL, "m.txt"), (FLUIDNC, "m.yaml")])
+def test_a_program_is_read_and_written_as_the_control_of_the_machine_reads_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], control: str, machine: str
+) -> None:
+    """K beside I and J in an arc of the XY plane: LinuxCNC refuses it."""
+    monkeypatch.chdir(tmp_path)
+    Path(machine).write_text(control)
+    Path("part.nc").write_text("G21 G90\nG0 X10 Y0\nG3 X10 Y0 I-5 J0 K0 F900\nG0 X0 Y0\nM30\n")
+    log_of("G21 G90 G64 P0.002\nG0 X10 Y0\nG3 X10 Y0 I-5 J0 F900\nG0 X0 Y0\nM30\n", Path("run.csv"))
+    assert main(["check", "part.nc", "--machine", machine]) == 0 != main(["check", "part.nc"])
+    capsys.readouterr()
+    printed(capsys, "precompensate", "part.nc", "--log", "run.csv", "--machine", machine, "--out", "out.nc", "--lead-in")
+    text = Path("out.nc").read_text()
+    assert main(["check", "out.nc", "--machine", machine]) == 0
+    assert "G64" not in text and "G4 P0" in text

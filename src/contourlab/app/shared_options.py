@@ -129,7 +129,7 @@ class ProgramReading(Options):
 class Dialect(ProgramReading):
     """How to read a part program of a dialect."""
 
-    dialect: str = option("linuxcnc", "Control for which the program is written: linuxcnc, grbl, grblhal, fanuc or mach3.")
+    dialect: str | None = option(None, "Control of the program: linuxcnc (the default, or the machine's), grbl, grblhal, fanuc or mach3.")
 
 
 @options

@@ -65,6 +65,10 @@ class Rules(NamedTuple):
         Whether canned cycles are Fanuc's: in G98 from the start, with data that hold until they are cancelled, and repeated with K.
     o_words : tuple of str, or None
         Keywords of its O-words, empty for ``O100`` alone; None for all.
+    blend : str or None
+        Letters that a written G64 has; None where the control, or its usual build, has no G64.
+    decimals : (int, int)
+        Digits behind the point to write of a length, in mm and in inch programs.
     """
 
     title: str = "LinuxCNC"
@@ -92,6 +96,8 @@ class Rules(NamedTuple):
     dwell_x: bool = False
     own_cycles: bool = False
     o_words: tuple[str, ...] | None = None
+    blend: str | None = "PQ"
+    decimals: tuple[int, int] = (6, 8)
 
 
 LINUXCNC = Rules()
@@ -127,6 +133,7 @@ GRBL = Rules(
     radius_slack=1e-9,  # its own numbers have 7 digits
     incremental_g53=True,
     o_words=(),
+    blend=None,
 )
 GRBLHAL = GRBL._replace(
     title="grblHAL",
@@ -157,6 +164,8 @@ FANUC = Rules(
     dwell_x=True,
     own_cycles=True,
     o_words=("",),
+    blend="",
+    decimals=(3, 4),  # increment system IS-B
 )
 MACH3 = Rules(
     title="Mach3",
@@ -172,6 +181,7 @@ MACH3 = Rules(
     keeps_feedrate=True,
     stops_at_g61=True,
     o_words=("",),
+    blend="",
 )
 DIALECTS = {"linuxcnc": LINUXCNC, "grbl": GRBL, "grblhal": GRBLHAL, "fanuc": FANUC, "mach3": MACH3}
 

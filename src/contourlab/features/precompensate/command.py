@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import shutil
 import subprocess
 import tempfile
@@ -9,7 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from pathlib import Path
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -17,17 +18,30 @@ from contourlab.app.json_values import HIDDEN
 from contourlab.app.options import positive
 from contourlab.app.results import check_file, spared
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ProgramError, ResultError
 from contourlab.features.check.reading import reading_of
 from contourlab.features.measure.log_choice import content_of
-from contourlab.features.precompensate.law import CUTOFF, Run, fit_loop, learn, proposed, smoother, spread
+from contourlab.features.precompensate.law import CUTOFF, Learned, Run, fit_loop, forgotten, learn, proposed, smoother, spread
 from contourlab.features.precompensate.options import Precompensate
-from contourlab.features.precompensate.passes import STATE, Passes, PassFigures, digest_of, load, save
-from contourlab.features.precompensate.runs import Measured, limits_of, open_run, run_of, simulated
-from contourlab.features.precompensate.writing import MARK, Contour, Written, contour_of, marked, parse_blocks, read_blocks, write_corrected
+from contourlab.features.precompensate.passes import STATE, AddedDwell, Passes, PassFigures, digest_of, load, save
+from contourlab.features.precompensate.runs import Measured, cycle_time, limits_of, open_run, run_of, simulated
+from contourlab.features.precompensate.starts import LONGEST, UNKNOWN, Start, settling_time, starts_of, without
+from contourlab.features.precompensate.writing import (
+    MARK,
+    Contour,
+    Written,
+    contour_of,
+    marked,
+    parse_blocks,
+    read_blocks,
+    with_dwells,
+    write_corrected,
+)
 from contourlab.features.run import options
 from contourlab.features.run.source import scenario_of
 from contourlab.feed import LimitReport
+from contourlab.feed.route import controlled
 from contourlab.figures import figure, grouped
 from contourlab.findings import Finding, finding
 from contourlab.loop import Machine
@@ -37,11 +51,14 @@ from contourlab.rendering.charts import Chart, traces_chart
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
 from contourlab.scenario.load import machine_of
+from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 
 NODE_TIME = 1e-3
 """Least time between nodes at the programmed feed [s]."""
 SMOOTHER = 0.8
 """Factor on the cutoff after a pass that took too long."""
+LOOSER = 4.0
+"""Factor on how far the control may round and smooth the written lines, after each pass that took too long."""
 SLOWED = 0.01
 """Share by which a pass may be slower than the program, up to which lines get feed words. They slow down a control that merges lines of one
 feed, or whose acceleration is zero between lines."""
@@ -49,8 +66,16 @@ POOR = 0.5
 """Unexplained share of the following error from which the model of the loop is doubted."""
 COVERED = 0.98
 """Share of the corrected path that a log must cover."""
-AT_START = 0.5
-"""Share of the squared error that lies just after starts of cuts; from here on CL917 says so."""
+HELPED = 0.5
+"""Error at the start of a cut over that without a dwell, from which the dwell did not help."""
+GAIN = 0.1
+"""Least gain of dwells, as a share of the rms or of the largest error, from which CL917 offers them."""
+SAID = 0.02
+"""Share by which a program is longer, from which CL919 says so first."""
+CORNER = 0.17
+"""Least change of direction of a corner [rad]."""
+ROUNDED = 0.2
+"""Speed at a corner over the feed from which a control does not stop there; and at least that of three periods of acceleration."""
 
 
 class Work:
@@ -60,11 +85,11 @@ class Work:
         self, part: Path, axes: Sequence[str], settings: Precompensate, reading: Reading, machine: Machine | None, period: float
     ) -> None:
         self.part, self.reading, self.machine = part, reading, machine
-        self.tolerance, self.cap = settings.si("tolerance"), settings.si("cap")
+        self.tolerance, self.cap, self.lead_in = settings.si("tolerance"), settings.si("cap"), settings.lead_in
         self.band = positive("--band", settings.band, "", 'a share, such as "2 %"')
         period = max(NODE_TIME, period)
         source = read_blocks(part, reading, axes)
-        if any(MARK in line for line in source.program.lines[:2]):
+        if any(MARK in line for line in source.program.lines[:3]):
             raise ProgramError("is a corrected program: give the one before any correction, and the folder with --passes", file=part)
         self.contour = contour_of(source, axes, period)
         if not self.contour.corrected.any():
@@ -72,6 +97,7 @@ class Work:
         known = repr((tuple(axes), period, self.tolerance))
         self.passes = Passes(digest_of("\n".join(source.program.lines).encode("utf-8", "replace"), known.encode()), tuple(axes))
         self.needs: LimitReport | None = None
+        self.settles: float | None = None
         self._read: tuple[Written, Contour] | None = None
 
     @property
@@ -129,12 +155,8 @@ class Work:
 
     def learn(self, measured: Measured, runs: list[Run]) -> list[Finding]:
         """Learn from the runs of a pass; return the findings."""
-        passes, run, nodes = self.passes, runs[0], self.contour.nodes
+        passes, nodes = self.passes, self.contour.nodes
         number, findings = len(passes.figures), list[Finding]()
-        first = passes.figures[0].duration if passes.figures else run.duration
-        rms, largest = float(np.sqrt(np.mean([one.rms**2 for one in runs]))), max(one.largest for one in runs)
-        fastest = tuple(run.velocity.tolist()), tuple(run.acceleration.tolist())
-        figures = PassFigures(number, rms, largest, run.duration, *fastest, run.duration <= (1.0 + self.band) * first)
         if not passes.loops:
             loops = tuple(fit_loop(*pair, measured.period) for pair in zip(measured.command.T, measured.motor.T, strict=True))
             cutoff = CUTOFF * min(loop.bandwidth for loop in loops)
@@ -144,53 +166,157 @@ class Work:
                 for axis, loop in zip(passes.axes, loops, strict=True)
                 if loop.unexplained > POOR
             ]
-            findings += self._starts(run, passes.cutoff)
+        figures = self._figures(number, runs, passes.cutoff)
         learned = learn(passes.learned, runs, list(passes.loops), nodes, passes.cutoff)
         self.passes = replace(passes, figures=(*passes.figures, figures), learned=learned)
         best = self.passes.figures[self.passes.best]
         if number and best.number != number and figures.in_time:
-            findings.append(finding("CL914", number=number, rms=figures.rms, best=best.number, least=best.rms))
+            values: dict[str, Any] = {"rms": figures.rms, "largest": figures.largest, "least": best.rms, "least_largest": best.largest}
+            findings.append(finding("CL914", number=number, best=best.number, **values))
         if not figures.in_time:
             cutoff = SMOOTHER * passes.cutoff
-            self.passes = replace(self.passes, cutoff=cutoff, learned=smoother(learned, run, nodes, cutoff))
-            findings += [finding("CL911", number=number, change=run.duration / first - 1.0, band=self.band), *self._free_corners()]
+            self.passes = replace(self.passes, cutoff=cutoff, learned=smoother(learned, runs[0], nodes, cutoff))
+            change = (figures.duration - figures.dwell) / passes.figures[0].duration - 1.0
+            findings += [finding("CL911", number=number, change=change, band=self.band), *self._free_corners()]
         return findings
+
+    def _figures(self, number: int, runs: Sequence[Run], cutoff: float) -> PassFigures:
+        """Return the figures of a pass."""
+        run, worst = runs[0], max(runs, key=lambda one: one.largest)
+        contour, square = self.contour, np.where(worst.moves, (worst.error**2).sum(axis=1), 0.0)
+        at, around = int(np.argmax(square)), math.ceil(0.5 / (cutoff * worst.period))
+        place, dwell = worst.place[at : at + 1], sum(self.dwells.values())
+        block = contour.source.blocks[contour.route.source_line[contour.path.curve_index(place)[0]] - 1]
+        first = self.passes.figures[0].duration if number else run.duration
+        return PassFigures(
+            number=number,
+            rms=float(np.sqrt(np.mean([one.rms**2 for one in runs]))),
+            largest=worst.largest,
+            duration=run.duration,
+            velocity=tuple(run.velocity.tolist()),
+            acceleration=tuple(run.acceleration.tolist()),
+            in_time=run.duration - dwell <= (1.0 + self.band) * first,
+            dwell=dwell,
+            line=contour.source.numbers[block.lines[0] - 1],
+            place=tuple(contour.path.position(place)[0].tolist()),
+            share=float(square[max(at - around, 0) : at + around + 1].sum() / max(square.sum(), 1e-300)),
+        )
+
+    @property
+    def learned(self) -> Learned:
+        """What all passes have taught."""
+        assert self.passes.learned is not None
+        return self.passes.learned
+
+    @property
+    def dwells(self) -> dict[int, float]:
+        """The added dwells [s] by the number of the block after each."""
+        return {one.block: one.seconds for one in self.passes.dwells if one.seconds}
+
+    @property
+    def _turns(self) -> Array:
+        """The change of direction [rad] from each corrected curve to the next (n_curve - 1,); 0 where one is not corrected."""
+        (_, after), (_, before) = self.contour.path.starts, self.contour.path.ends
+        corrected = self.contour.corrected
+        turn = 2.0 * np.arcsin(np.minimum(0.5 * np.linalg.norm(after[1:] - before[:-1], axis=1), 1.0))
+        return np.asarray(np.where(corrected[:-1] & corrected[1:], turn, 0.0))
+
+    @property
+    def stops(self) -> bool:
+        """Whether the control may stop at corners where the program sets no path control: the run of the program shows no other."""
+        contour = self.contour
+        speed = np.interp(contour.path.breaks[1:-1], contour.nodes, self.learned.speed)
+        step = 3.0 * max(self.passes.figures[0].acceleration) * contour.period
+        passed = speed > np.maximum(ROUNDED * np.minimum(contour.route.feedrate[1:], contour.route.feedrate[:-1]), step)
+        return not (passed & (self._turns > CORNER) & (self._controls == "None")[:-1]).any()
+
+    @property
+    def _controls(self) -> Array:
+        """The path control of each curve (n_curve,) as text; that of G64 without P is "free"."""
+        blocks = self.contour.source.blocks
+        modes = [blocks[number - 1].move.mode for number in self.contour.route.source_line.tolist()]
+        return np.array(["free" if mode.control == "blend" and mode.tolerance is None else str(mode.control) for mode in modes])
 
     def _free_corners(self) -> list[Finding]:
         """Name the sharpest corner that the control may round without a tolerance."""
-        contour, blocks = self.contour, self.contour.source.blocks
-        modes = [blocks[number - 1].move.mode for number in contour.route.source_line.tolist()]
-        is_free = np.array([mode.tolerance is None and mode.control in (None, "blend") for mode in modes])
-        (_, after), (_, before) = contour.path.starts, contour.path.ends
-        turn = np.linalg.norm(after[1:] - before[:-1], axis=1) * (is_free & contour.corrected)[:-1] * contour.corrected[1:]
-        if not contour.path.corners.size or turn.max() == 0.0:
+        free = (self._controls == "free") | ((self._controls == "None") & (not self.stops))
+        turn = self._turns * free[:-1]
+        if not turn.size or turn.max() < CORNER:
             return []
         k = int(np.argmax(turn))
-        line = blocks[contour.route.source_line[k] - 1].lines[1]
-        angle = 2.0 * float(np.arcsin(min(0.5 * turn[k], 1.0)))
-        return [finding("CL918", angle=angle, line=contour.source.numbers[line - 1])]
+        line = self.contour.source.blocks[self.contour.route.source_line[k] - 1].lines[1]
+        return [finding("CL918", angle=float(turn[k]), line=self.contour.source.numbers[line - 1])]
 
-    def _starts(self, run: Run, cutoff: float) -> list[Finding]:
-        """Say where cuts begin while the axes still settle from the move before."""
-        square = np.where(run.moves, (run.error**2).sum(axis=1), 0.0)
-        first = [part[0] for part in self.contour.chunks]
-        begins = np.searchsorted(run.place, self.contour.path.breaks[first], side="right")
-        spans = [square[begin : begin + max(round(1.0 / (cutoff * run.period)), 1)].sum() for begin in begins.tolist()]
-        share = float(np.sum(spans) / max(square.sum(), 1e-300))
-        if share < AT_START:
+    def settle(self, run: Run, measured: Measured, probe: Callable[[str], Measured] | None = None) -> list[Finding]:
+        """Say which cuts begin while the axes still settle; write dwells before them from the next program on, if they are asked for.
+
+        Parameters
+        ----------
+        run : Run
+        measured : Measured
+        probe : callable, optional
+            Runs a program; without it, the rests of `measured` show how long the axes settle.
+        """
+        starts = starts_of(self.contour, run, measured, self.learned.rests)
+        if not starts or (self.lead_in and not self.passes.helps):
             return []
-        block = self.contour.source.blocks[self.contour.route.source_line[first[int(np.argmax(spans))]] - 1]
-        return [finding("CL917", share=share, time=1.0 / cutoff, line=self.contour.source.numbers[block.lines[0] - 1])]
+        if not self.lead_in and not self._gain(without(run, starts, LONGEST), run):
+            return []
+        values: dict[str, Any] = {"count": len(starts), "error": max(one.error for one in starts), "line": starts[0].line}
+        if self.settles is None:
+            shown = measured if probe is None else probe(with_dwells(self.contour, {one.block: LONGEST for one in starts}))
+            self.settles = settling_time(shown, self.learned.rests)
+        if probe is not None and self.settles is None:
+            return [finding("CL927", dwell=LONGEST, **values)]
+        added = {one.block: one.dwell(self.settles) for one in starts}
+        if self.lead_in:
+            return self._with_dwells(run, starts, added, values)
+        if not any(added.values()):
+            return [finding("CL927", dwell=LONGEST, **values)]
+        rms, largest = without(run, starts, max(self.settles or UNKNOWN, 1.0 / self.passes.cutoff))
+        if not self._gain((rms, largest), run):
+            return []
+        total, dwell = sum(added.values()), max(added.values())
+        return [finding("CL917", total=total, dwell=dwell, rms=rms, largest=largest, **values)]
+
+    def _with_dwells(self, run: Run, starts: list[Start], added: dict[int, float], values: dict[str, Any]) -> list[Finding]:
+        """Add dwells [s] from the next program on; leave those out that did not help."""
+        learned, known = self.learned, {one.block: one for one in self.passes.dwells}
+        settles, tried = self.settles or UNKNOWN, 0.0
+        for one in starts:
+            old = known.get(one.block)
+            if old is not None and one.error > HELPED * old.error:
+                tried, added[one.block] = max(tried, old.seconds), -old.seconds
+            if added[one.block]:
+                before = old or AddedDwell(one.block, 0.0, one.error)
+                known[one.block] = replace(before, seconds=before.seconds + added[one.block])
+                lasts = np.rint(np.array([0.0, settles, settles + 1.0 / self.passes.cutoff]) / run.period).astype(int)
+                begin, end, after = run.place[np.minimum(one.begin + lasts, len(run.place) - 1)].tolist()
+                learned = forgotten(learned, self.contour.nodes, begin, end, after)
+        self.passes = replace(self.passes, dwells=tuple(known.values()), learned=learned)
+        longer = [seconds for seconds in added.values() if seconds > 0.0]
+        findings = [finding("CL926", total=sum(longer), dwell=max(longer), **values)] if longer else []
+        return findings + ([finding("CL927", dwell=tried, **values)] if tried else [])
+
+    @staticmethod
+    def _gain(left: tuple[float, float], run: Run) -> bool:
+        """Return whether a rms and a largest error are worth dwells."""
+        return min(left[0] / run.rms, left[1] / run.largest) <= 1.0 - GAIN
+
+    def _blend(self, number: int) -> float:
+        """Return by how much the control may round the lines of a pass [m]."""
+        return float(2.0 * self.tolerance * LOOSER ** sum(not one.in_time for one in self.passes.figures[:number]))
 
     def propose(self) -> list[Finding]:
         """Write the program of the next pass; return the findings."""
-        learned = self.passes.learned
-        assert learned is not None
+        learned = self.learned
         tried, capped = proposed(learned, self.cap, self.contour.room)
-        durations = [one.duration for one in self.passes.figures]
+        durations = [one.duration - one.dwell for one in self.passes.figures]
         slowed = max(durations) > (1.0 + SLOWED) * durations[0]
-        written = write_corrected(self.contour, tried, self.tolerance, np.inf if slowed else (1.0 + self.band) * learned.speed)
-        written = replace(written, text=marked(written.text, len(self.passes.written) + 1, self.part.name))
+        fastest = np.inf if slowed else (1.0 + self.band) * learned.speed
+        number = len(self.passes.written) + 1
+        written = write_corrected(self.contour, tried, self.tolerance, fastest, self._blend(number), self.dwells, self.stops)
+        written = replace(written, text=marked(written.text, number, self.part.name))
         self.passes = replace(self.passes, learned=replace(learned, tried=tried), written=(*self.passes.written, written))
         driven = self.driven.source.program
         findings = [finding("CL910", cap=self.cap, share=float(capped.mean()))] if capped.any() else []
@@ -209,6 +335,23 @@ class Work:
                     axis = machine.axis_names[new.axis]
                     yield finding("CL912", kind=kind, axis=axis, use=new.ratio, before=old.ratio, machine=machine.name)
 
+    def _longer(self, number: int) -> Iterator[Finding]:
+        """Say by how much a written program is longer: as its run showed; if it has not run, as planned."""
+        first, blend = self.passes.figures[0], DEFAULT_CORNER_TOLERANCE
+        written = self.driven if number == len(self.passes.written) else self.contour_again(self.passes.written[number - 1])
+        free = (self._controls == "None").all() and not self.stops
+        routes = [controlled(one.route, "blend" if free else "program", blend) for one in (self.contour, written)]
+        routes.append(controlled(written.route, "blend", blend))
+        times = [cycle_time(route, first.velocity, first.acceleration, self.contour.period) for route in routes]
+        scale = first.duration / times[0]
+        dwell = sum(self.dwells.values())
+        if number < len(self.passes.figures):
+            scale, dwell = self.passes.figures[number].duration / times[1], self.passes.figures[number].dwell
+        after, instead = scale * times[1], scale * times[2]
+        if after > (1.0 + SAID) * first.duration:
+            values: dict[str, Any] = {"before": first.duration, "after": after, "change": after / first.duration - 1.0, "instead": instead}
+            yield finding("CL919", tolerance=blend, dwell=dwell, **values)
+
     def save(self, passes: Path | None, result: Precompensated) -> None:
         """Write the program that a result names, if a pass gains, and what was learned into a folder, if there is one."""
         if result.written:
@@ -220,8 +363,7 @@ class Work:
         self, out: Path, position: str, rest: float | None, findings: Sequence[Finding], proceed: bool, folder: Path | None = None
     ) -> Precompensated:
         """Return the result; `folder` is that of the passes."""
-        passes, learned = self.passes, self.passes.learned
-        assert learned is not None
+        passes, learned = self.passes, self.learned
         number = len(passes.written) if proceed else passes.best
         written = passes.written[number - 1] if number else None
         source = self.contour.source
@@ -229,6 +371,16 @@ class Work:
         lines = grouped((move.reason, move.line) for move in left)
         more = [finding("CL909", count=len(those), reason=reason, line=those[0]) for reason, those in lines.items()]
         more += [] if passes.helps else [finding("CL915", best=passes.best)]
+        first, best = passes.figures[0], passes.figures[passes.best]
+        if (best.rms - first.rms) * (best.largest - first.largest) < 0.0:
+            more.append(
+                finding("CL925", best=best.number, rms=best.rms, before=first.rms, largest=best.largest, largest_before=first.largest)
+            )
+        uncontrolled = np.flatnonzero((self._controls == "None") & self.contour.corrected)
+        if number and uncontrolled.size and self.stops and source.rules.blend is not None:
+            line = source.blocks[self.contour.route.source_line[uncontrolled[0]] - 1].lines[0]
+            more.append(finding("CL928", line=source.numbers[line - 1], tolerance=self._blend(number)))
+        more += self._longer(number) if number else []
         return Precompensated(
             program=self.part.name,
             out=str(out) if number else "",
@@ -385,25 +537,31 @@ class Precompensated(Answer):
     def text(self) -> str:
         """What does not repeat, the passes, and what was written; if nothing was, this first."""
         repeats = "unknown from one run" if self.not_repeating is None else f"{figure(self.not_repeating, 'um')} rms"
-        heads = ("pass", "rms [um]", "largest [um]", "cycle time [s]", "change")
+        heads = ("pass", "rms [um]", "largest [um]", "in line", "share", "cycle time [s]", "change")
         rows = (
             (
-                *(str(one.number), f"{1e6 * one.rms:.2f}", f"{1e6 * one.largest:.1f}", f"{one.duration:.3f}"),
+                *(str(one.number), f"{1e6 * one.rms:.2f}", f"{1e6 * one.largest:.1f}"),
+                *(str(one.line), f"{100.0 * one.share:.1f} %", f"{one.duration:.3f}"),
                 f"{100.0 * (one.duration / self.passes[0].duration - 1.0):+.2f} %",
                 "best" if one.number == self.best else "" if one.in_time else "too slow",
             )
             for one in self.passes
         )
         table = Table([*map(Column, heads), Column("", left=True)], rows=rows)
-        lines = [f"does not repeat: {repeats}", f"position: {self.position}, axes {', '.join(self.axes)}", "", table.text()]
+        lines = [f"does not repeat: {repeats}", f"position: {self.position}, axes {', '.join(self.axes)}", "", table.text(), ""]
+        place = self.passes[self.best].place
+        at = ", ".join(f"{axis.upper()} {figure(round(value, 7), 'mm')}" for axis, value in zip(self.axes, place, strict=True))
+        within = figure(1.0 / self.cutoff, "ms")
+        rule = f"Share: of the squared error, from within {within} around it. Best: the least sum of rms and largest, each over pass 0."
+        lines.append(paragraphs([f"The largest error of pass {self.best} lies at {at}. {rule}"]))
         if self.written:
             size, cutoff = figure(self.correction, "um"), figure(self.cutoff, "Hz")
             what = f"{self.lines} lines, path displaced by up to {size}, filtered at {cutoff}"
             lines.append(f"\nwritten: {self.out}, pass {self.written}: {what}")
         else:
             lines.insert(0, "No pass is better than the program itself: nothing is written.\n")
-        more = paragraphs(map(str, self.findings))
-        return "\n".join([*lines, *(["", more] if more else [])])
+        first, more = (paragraphs(str(one) for one in self.findings if (one.code == "CL919") == at_top) for at_top in (True, False))
+        return "\n".join([*([first, ""] if first else []), *lines, *(["", more] if more else [])])
 
 
 # --- the question ---
@@ -455,6 +613,7 @@ def precompensate(part: str | Path, *, settings: Precompensate, session: Session
     reading_findings = {str(one): one for _, _, log in opened for one in log.findings}
     findings = [*reading_findings.values(), *_log_findings(measured, runs[0], rest, machine)]
     findings += work.learn(measured, runs)
+    findings += work.settle(runs[0], measured)
     work.passes = replace(work.passes, logs=(*work.passes.logs, *digests))
     proceed = work.passes.helps
     if proceed:
@@ -488,6 +647,10 @@ def _simulated(part: Path, settings: Precompensate, reading: Reading, session: S
     rest: float | None = None
     stages = session.stages()
     stages.expect(settings.repeat + 1)
+
+    def probe(text: str) -> Measured:
+        return simulated(parse_blocks(text, part.name, work.reading, axes).program, machine, controller, settings.seed, 0)
+
     for k in range(settings.repeat + 1):
         stages.begin(f"pass {k}")
         numbers = (0, 1) if k == 0 else (k + 1,)
@@ -495,7 +658,10 @@ def _simulated(part: Path, settings: Precompensate, reading: Reading, session: S
         runs = [work.run(one) for one in trials]
         rest = spread(runs) if k == 0 else rest
         more = work.learn(trials[0], runs)
-        if k == settings.repeat or not work.passes.helps:
+        last = k == settings.repeat or not work.passes.helps
+        if last != work.lead_in:  # dwells are offered after the last pass, and written before
+            more += work.settle(runs[0], trials[0], probe)
+        if last:
             findings += more
             break
         more += work.propose()

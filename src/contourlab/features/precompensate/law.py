@@ -38,6 +38,8 @@ NEAR = 0.5
 """Time over which an error counts for its place, times the cutoff."""
 RESTS = 1.0 / 10.0
 """Error over the first error, both rms, up to which a place is left as it is."""
+FORGOTTEN = 1e-6
+"""Mean square of the error where nothing is known [m^2]: any run is better."""
 STEEPEST = 0.5
 """Displacement near the end of a corrected part over the distance from it."""
 STICKING = 1e-4
@@ -290,6 +292,13 @@ def proposed(learned: Learned, cap: float, room: Array | float = np.inf) -> tupl
     capped = size > cap
     most = np.minimum(cap, STEEPEST * room)
     return tried * np.minimum(1.0, most / np.maximum(size, 1e-300))[:, None], capped
+
+
+def forgotten(learned: Learned, nodes: Array, begin: float, end: float, after: float) -> Learned:
+    """Return what is learned without a part of the path [m] in which the next run will differ; from `after` on the correction is whole."""
+    weight = np.where(nodes < begin, 1.0, np.clip((nodes - end) / max(after - end, 1e-12), 0.0, 1.0))
+    error = np.where(weight < 1.0, FORGOTTEN, learned.error)
+    return replace(learned, kept=learned.kept * weight[:, None], step=learned.step * weight[:, None], error=error)
 
 
 def smoother(learned: Learned, run: Run, nodes: Array, cutoff: float) -> Learned:

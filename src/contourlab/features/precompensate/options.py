@@ -21,6 +21,7 @@ class Precompensate(Seeded, Plugins, Dialect, LogAxes):
     repeat: int = option(5, "Passes to simulate.", least=1)
     tolerance: str = option("0.5 um", "Largest distance of a written line from the corrected path.", unit="m")
     cap: str = option("1 mm", "Largest displacement of the path.", unit="m")
+    lead_in: bool = option(False, "Write a dwell before cuts that begin while the axes still settle.")
     band: str = option("2 %", "By how much cycle time and local speed may grow.")
 
     def __post_init__(self) -> None:

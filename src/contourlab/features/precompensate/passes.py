@@ -36,7 +36,15 @@ class PassFigures:
     velocity, acceleration : tuple of float [m/s, m/s^2]
         Largest values of each axis' command.
     in_time : bool
-        Whether the cycle time is within the band.
+        Whether the cycle time, without added dwells, is within the band.
+    dwell : float [s]
+        Added dwells.
+    line : int
+        Of the program, in which the largest error lies.
+    place : tuple of float [m]
+        Axis positions there.
+    share : float
+        Of the summed squared error, from within the time of the filter, 1/cutoff, around it.
     """
 
     number: int
@@ -46,6 +54,29 @@ class PassFigures:
     velocity: tuple[float, ...]
     acceleration: tuple[float, ...]
     in_time: bool
+    dwell: float
+    line: int
+    place: tuple[float, ...]
+    share: float
+
+
+@dataclass(frozen=True)
+class AddedDwell:
+    """A dwell before a cut.
+
+    Attributes
+    ----------
+    block : int
+        Number of the block after it.
+    seconds : float [s]
+        0 where it did not help.
+    error : float [m]
+        At the start of the cut without it.
+    """
+
+    block: int
+    seconds: float
+    error: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,6 +96,8 @@ class Passes:
         The programs of passes 1, 2, ...
     logs : tuple of str
         Digests of the logs.
+    dwells : tuple of AddedDwell
+        Of the next program.
     """
 
     digest: str
@@ -75,11 +108,13 @@ class Passes:
     learned: Learned | None = None
     written: tuple[Written, ...] = ()
     logs: tuple[str, ...] = ()
+    dwells: tuple[AddedDwell, ...] = ()
 
     @property
     def best(self) -> int:
-        """The pass with the smallest rms error among those within the band of cycle time."""
-        return min((one for one in self.figures if one.in_time), key=lambda one: one.rms).number
+        """The pass within the band of cycle time with the least sum of rms and largest error, each over that of the program itself."""
+        first, kept = self.figures[0], [one for one in self.figures if one.in_time]
+        return min(kept, key=lambda one: one.rms / (first.rms or 1.0) + one.largest / (first.largest or 1.0)).number
 
     @property
     def helps(self) -> bool:
@@ -131,10 +166,10 @@ def load(folder: Path, none: Passes) -> Passes:
             raise ResultError(f"{kept.home}: {error_text(error)}: {cure}") from error
     refuse(older.exists(), ResultError, f"{older}: is of an older version, which wrote no digest: {cure}")
     refuse(kept.damaged, ResultError, f"{kept.home}: is damaged: {cure}")
-    other = "a new folder: this one holds passes of another program, or of other options"
+    other = "a new folder: this one holds passes of another program, of other options or of an older version"
     refuse(kept.others, ParameterError, "--passes", repr(str(folder)), other)
     return none
 
 
 def _kept(folder: Path, passes: Passes) -> Checkpoint:
-    return Checkpoint(folder, f"contourlab-passes/2 {passes.digest}")
+    return Checkpoint(folder, f"contourlab-passes/3 {passes.digest}")

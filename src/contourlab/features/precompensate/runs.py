@@ -19,7 +19,7 @@ from contourlab.features.measure.measured_path import moving, progress_along
 from contourlab.features.measure.plausibility import known_signal
 from contourlab.features.precompensate.law import Run
 from contourlab.features.precompensate.writing import Contour, Written
-from contourlab.feed import LimitReport, Reference, limit_report
+from contourlab.feed import AxisLimits, LimitReport, Reference, Route, blended, limit_report, plan
 from contourlab.logs import Column, Log, Record
 from contourlab.logs.load import LONG_GAP, about
 from contourlab.loop import Controller, Machine, simulate
@@ -227,6 +227,12 @@ def planned(program: Program, machine: Machine) -> Reference:
         If it cannot be planned.
     """
     return program_motion(program, machine.axis_names, machine.planner_limits(), machine.servo_period)
+
+
+def cycle_time(route: Route, velocity: Sequence[float], acceleration: Sequence[float], period: float) -> float:
+    """Return the time [s] of a route, planned with the largest speeds [m/s] and accelerations [m/s^2] that a control used."""
+    limits = AxisLimits(np.maximum(velocity, 1e-3), np.maximum(acceleration, 1e-2))
+    return plan(blended(route, limits), limits, period).duration
 
 
 def limits_of(program: Program, machine: Machine) -> LimitReport:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import itertools
 import math
 import re
-from collections.abc import Iterable, Sequence
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from pathlib import Path
@@ -17,13 +18,15 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import ProgramError
 from contourlab.feed import Route, route_from_program
 from contourlab.geometry.thinning import polygon_corners
-from contourlab.program import Arc, Dwell, Feed, Mode, Move, Point, Program, Reader, Reading, Spline
+from contourlab.program import Arc, Dwell, Feed, Move, Point, Program, Reader, Reading, Spline, Traverse
 from contourlab.program.block import Block as Executed
 from contourlab.program.block import Key
+from contourlab.program.dialects import Rules
 from contourlab.program.moves import PLANE_AXES
 from contourlab.program.reader import read_text, split_lines
 from contourlab.program.state import Frame
 from contourlab.program.vocabulary import CYCLES, G_GROUPS
+from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 
 COMMENT = re.compile(r"\([^()]*\)|;.*")
 _COMPUTED = re.compile(r"[#\[]|M\s*0*9[89](?!\d)", re.IGNORECASE)
@@ -169,12 +172,17 @@ class Block:
     def feed_word(self) -> str:
         """The feed of a cutting move as a word of the program, per minute."""
         feed = self.move.feedrate * 60.0 * self.scale  # type: ignore[union-attr]
-        return f"F{feed:.6f}".rstrip("0").rstrip(".")
+        return f"F{feed:.6f}".rstrip("0")
 
     def shown(self, axes: Point) -> Point:
         """Return an axis position [m] in the numbers of the program."""
         x, y, z = self.frame.point(axes)
         return (x * self.scale, y * self.scale, z * self.scale)
+
+    def axes(self, shown: Array) -> Array:
+        """Return the axis position [m] of numbers (3,) of the program."""
+        x, y, z = (shown / self.scale).tolist()
+        return np.array(self.frame.axes((x, y, z)))
 
 
 @dataclass(frozen=True)
@@ -188,11 +196,14 @@ class Source:
         One for each move.
     numbers : sequence of int
         Number of each line in the file; they differ where loops and calls were unrolled.
+    rules : Rules
+        Of its dialect.
     """
 
     program: Program
     blocks: tuple[Block, ...]
     numbers: Sequence[int]
+    rules: Rules
 
 
 def read_blocks(file: Path, reading: Reading, axes: Sequence[str]) -> Source:
@@ -268,7 +279,7 @@ def _source(lines: list[str], name: str | Path, reading: Reading, axes: Sequence
         count[line] = count.get(line, 0) + 1
     blocks = [replace(b, reason=b.reason or "several moves in a line") if count[b.lines[1]] > 1 else b for b in blocks]
     program = Program(str(name), tuple(b.move for b in blocks), tuple(lines), tuple(reader.state.events), tuple(reader.notices))
-    return Source(program, tuple(blocks), range(1, len(lines) + 1)), regions
+    return Source(program, tuple(blocks), range(1, len(lines) + 1), reader.state.rules), regions
 
 
 def _reason(move: Move, columns: Sequence[int], lines: Sequence[str], motion: int | None) -> str:
@@ -401,6 +412,20 @@ class Contour:
             ranges.append((ranges.pop()[0] if joins else k, k + 1))
         return ranges
 
+    @cached_property
+    def starts(self) -> list[tuple[int, int]]:
+        """The first curve of each corrected part after a rapid, and the block before which its axes may settle: that of a plunge."""
+        blocks, starts = self.source.blocks, list[tuple[int, int]]()
+        count = Counter(block.lines[0] for block in blocks)
+        waits = [isinstance(b.move, Feed | Dwell) and b.reason == "-" and count[b.lines[0]] == 1 for b in blocks]
+        for first, _ in self.chunks:
+            at = int(self.route.source_line[first]) - 1
+            while at and waits[at - 1]:
+                at -= 1
+            if at and isinstance(blocks[at - 1].move, Traverse):
+                starts.append((first, at))
+        return starts
+
     @property
     def room(self) -> Array:
         """Distance (n_node,) [m] along the path of each node from the nearer end of its corrected part; 0 outside."""
@@ -443,7 +468,7 @@ def contour_of(source: Source, axes: Sequence[str], period: float) -> Contour:
     """
     columns = ["xyz".index(axis) for axis in axes]
     moves = tuple(_flat(replace(block.move, source_line=k + 1), columns) for k, block in enumerate(source.blocks))
-    route = route_from_program(replace(source.program, moves=moves), tuple(axes))
+    route = route_from_program(replace(source.program, moves=moves), tuple(axes), default_tolerance=DEFAULT_CORNER_TOLERANCE)
     return Contour(source, tuple(axes), route, period)
 
 
@@ -467,7 +492,6 @@ MARK = "(contourlab precompensate: pass "
 """How a corrected program begins."""
 STEP = 1.25
 """Speeds of the control along a line, largest over smallest; between them, a line may be faster than the control was."""
-_CONTROLS = {"exact_path": "G61", "exact_stop": "G61.1"}
 _SMOOTH = 1e-9
 _PLAIN = re.compile(r"\s*((N\d+|G0*[0123]|[XYZIJKRF][-+]?[\d.]+)\s*)+", re.IGNORECASE)
 """A line of motion only: between two corrected moves it is one without length, to a point that moved away."""
@@ -499,16 +523,29 @@ class Written:
 
 @dataclass(eq=False)
 class _Lines:
-    """Lines that replace a block, the places where they end, and whether a feed below the programmed one is in force behind them."""
+    """Lines that replace a block, where they end, how far the control may round them, and what is in force behind them.
+
+    That is: whether a feed below the programmed one, and a line with G64.
+    """
 
     end: Array
+    blend: float
     text: list[str] = field(default_factory=list)
     points: list[Array] = field(default_factory=list)
     places: list[float] = field(default_factory=list)
     slowed: bool = False
+    control: str = ""
 
 
-def write_corrected(contour: Contour, correction: Array, tolerance: float, fastest: Array | float = np.inf) -> Written:
+def write_corrected(
+    contour: Contour,
+    correction: Array,
+    tolerance: float,
+    fastest: Array | float = np.inf,
+    blend: float | None = None,
+    dwells: Mapping[int, float] | None = None,
+    stops: bool = False,
+) -> Written:
     """Return the program whose path is the programmed one plus a correction.
 
     Parameters
@@ -520,18 +557,27 @@ def write_corrected(contour: Contour, correction: Array, tolerance: float, faste
         Largest distance of a written line from the corrected path.
     fastest : ndarray (n_node,) [m/s], optional
         Largest speed at each node along the programmed path; lines that could be faster get a feed word.
+    blend : float [m], optional
+        By how much the control may round and smooth the written lines, as P or Q of G64; twice the tolerance, if it is not given.
+    dwells : mapping of int to float [s], optional
+        Dwells to add, by the number of the block after each.
+    stops : bool
+        Whether the control stops at corners where the program sets no path control; G64 is then set from the first corrected line on.
     """
-    fastest = np.broadcast_to(fastest, len(contour.nodes))
+    fastest, blend = np.broadcast_to(fastest, len(contour.nodes)), blend or 2.0 * tolerance
     replaced: dict[int, _Lines] = {}
     blocks, shortest = contour.source.blocks, np.inf
     for first, last in contour.chunks:
-        lines = _Lines(contour.path.position(contour.path.breaks[first : first + 1])[0])
+        lines = _Lines(contour.path.position(contour.path.breaks[first : first + 1])[0], blend)
         numbers = contour.route.source_line[first:last]
         for k in np.unique(numbers).tolist():
             curves = first + np.flatnonzero(numbers == k)
             index = contour.node_range(int(curves[0]), int(curves[-1]))
             ends, start = curves[-1] == last - 1, lines.end
             lines = _replacing(contour, blocks[k - 1], index, correction, lines, tolerance, ends, fastest)
+            if stops and blocks[k - 1].move.mode.control is None:
+                lines.text = [*_blending(contour.source.rules, blend * blocks[k - 1].scale), *lines.text]
+                stops = False
             steps = np.linalg.norm(np.diff(np.vstack([start, *lines.points]), axis=0), axis=1)
             shortest = min(shortest, float(steps.min(initial=np.inf)) / float(contour.route.feedrate[curves[0]]))
             replaced[k - 1] = lines
@@ -551,7 +597,7 @@ def write_corrected(contour: Contour, correction: Array, tolerance: float, faste
                 places.append(place)
                 at = point
     n_line = sum(len(lines.points) for lines in replaced.values())
-    return Written(_text(contour, replaced), np.array(arcs), np.array(places), n_line, shortest)
+    return Written(with_dwells(contour, dwells or {}, replaced), np.array(arcs), np.array(places), n_line, shortest)
 
 
 def _replacing(
@@ -567,29 +613,31 @@ def _replacing(
     if ends:
         index, points, places = np.append(index, index[-1]), np.vstack([points, points[-1:]]), np.append(places, places[-1])
         points[-1, columns] = contour.positions[index[-1]]
-    digits = 6 if block.millimetres else 8
-    shown = np.round([block.shown(tuple(point)) for point in points.tolist()], digits) + 0.0  # no -0
+    rules = contour.source.rules
+    digits = rules.decimals[0 if block.millimetres else 1]
+    exact = np.array([block.shown(tuple(point)) for point in points.tolist()])
+    shown = np.round(exact, digits) + 0.0  # no -0
     moved = np.append(True, (np.diff(shown[:, columns], axis=0) != 0.0).any(axis=1))
     shown, points, places, fastest = shown[moved], points[moved], places[moved], fastest[index[moved]]
-    corners = polygon_corners(shown, tolerance * block.scale)
+    corners = polygon_corners(exact[moved], tolerance * block.scale)
     if block.feed_mode == "per_minute":
         fastest = np.maximum(fastest, 1e-3 * move.feedrate)  # type: ignore[union-attr]
         level = np.rint(np.log(np.minimum(fastest, move.feedrate)) / math.log(STEP))  # type: ignore[union-attr]
         corners = np.union1d(corners, 1 + np.flatnonzero(np.diff(level)))
     kept = corners[1:]
-    lines = _Lines(points[-1, columns], slowed=before.slowed)
+    lines = _Lines(points[-1, columns], before.blend, slowed=before.slowed, control=before.control)
     varies = np.ptp(shown, axis=0) > 0.0
     for k in kept.tolist():
-        words = [f"{'XYZ'[j]}{shown[k, j]:.{digits}f}".rstrip("0").rstrip(".") for j in np.flatnonzero(varies)]
+        words = [f"{'XYZ'[j]}{shown[k, j]:.{digits}f}".rstrip("0") for j in np.flatnonzero(varies)]
         lines.text.append("G1 " + " ".join(words))
-        lines.points.append(points[k, columns])
+        lines.points.append(block.axes(shown[k])[columns])
         lines.places.append(float(places[k]))
     if block.feed_mode == "per_minute" and len(kept):
         speed = np.maximum(np.maximum.reduceat(fastest, corners[:-1]), fastest[kept])
         length = np.linalg.norm(np.diff(points[corners], axis=0), axis=1)
         _with_feeds(lines, block, speed * length / np.maximum(np.diff(places[corners]), 1e-12))
     turns = ends or bool((np.abs(np.asarray(contour.path.corners) - places[-1]) < _SMOOTH).any())
-    _with_modes(lines, block, move.mode, turns, tolerance)  # type: ignore[union-attr]
+    _with_modes(lines, block, rules, turns, ends)
     if lines.slowed and ends:
         lines.text.append(block.feed_word)
     return lines
@@ -606,22 +654,34 @@ def _with_feeds(lines: _Lines, block: Block, largest: Array) -> None:
     lines.slowed = in_force != feed
 
 
-def _with_modes(lines: _Lines, block: Block, mode: Mode, corner: bool, tolerance: float) -> None:
-    """Add the codes that let short lines run as one move, and those that restore the modes of the program."""
-    code = _CONTROLS.get(mode.control or "")
-    if code is not None and len(lines.text) > 1:
-        blend = 2.0 * tolerance * block.scale
-        stops = corner or mode.control == "exact_stop"
-        lines.text.insert(0, f"G64 P{blend:.6f}")
-        lines.text.insert(len(lines.text) - int(stops), code)
+def _with_modes(lines: _Lines, block: Block, rules: Rules, corner: bool, ends: bool) -> None:
+    """Add the codes that let short lines run as one move and stay as they are, and those that restore the modes of the program."""
+    mode, fine = block.move.mode, lines.blend * block.scale  # type: ignore[union-attr]
+    if mode.control in ("exact_path", "exact_stop"):
+        if len(lines.text) > 1 and rules.blend is not None:
+            code = "G61.1" if mode.control == "exact_stop" and not rules.stops_at_g61 else "G61"
+            lines.text.insert(len(lines.text) - int(corner or mode.control == "exact_stop"), code)
+            lines.text = [*_blending(rules, fine), *lines.text]
+    elif mode.tolerance and mode.merge and mode.merge > lines.blend and rules.blend:
+        # With Q as large as P, by default, the control may smooth the correction away.
+        (own,), (closer,) = (_blending(rules, mode.tolerance * block.scale, q) for q in (mode.merge * block.scale, fine))
+        lines.text = [*([closer] if lines.control != closer else []), *lines.text, *([own] if ends else [])]
+        lines.control = closer
     if not block.absolute:
         lines.text = ["G90", *lines.text, "G91"]
     if block.feed_mode == "inverse_time":
         lines.text = [f"G94 {block.feed_word}", *lines.text, "G93"]
 
 
-def _text(contour: Contour, replaced: dict[int, _Lines]) -> str:
-    """Return the program with the lines of some blocks replaced."""
+def _blending(rules: Rules, tolerance: float, merge: float | None = None) -> list[str]:
+    """Return the line that sets G64 with a P and a Q in the unit of the program, as far as a dialect has them."""
+    given = [(letter, value) for letter, value in (("P", tolerance), ("Q", merge)) if value is not None and letter in (rules.blend or "")]
+    return [] if rules.blend is None else [" ".join(["G64", *(f"{letter}{value:.6f}".rstrip("0") for letter, value in given)])]
+
+
+def with_dwells(contour: Contour, dwells: Mapping[int, float], replaced: Mapping[int, _Lines] | None = None) -> str:
+    """Return the program with dwells [s] before some blocks, and the lines of others replaced."""
+    replaced = replaced or {}
     source, typed = contour.source, contour.source.program.lines
     by_line: dict[int, list[str]] = {}
     for k, lines in replaced.items():
@@ -639,11 +699,16 @@ def _text(contour: Contour, replaced: dict[int, _Lines]) -> str:
                 if _PLAIN.fullmatch(COMMENT.sub("", typed[number - 1])):
                     text = without_motion(typed[number - 1])
                     by_line[number] = [text] if text else []
+    for k, seconds in dwells.items():
+        number = source.blocks[k].lines[0]
+        dwell = f"G4 P{seconds / source.rules.dwell:.3f}".rstrip("0").rstrip(".")
+        by_line[number] = [dwell, *by_line.get(number, [typed[number - 1]])]
     return "".join(f"{text}\n" for number, line in enumerate(typed, 1) for text in by_line.get(number, [line]))
 
 
 def marked(text: str, number: int, name: str) -> str:
-    """Return a program with a comment that says what it is, after an opening %."""
+    """Return a program with a comment that says what it is, after an opening % and O-number."""
     plain = "".join(letter if letter.isalnum() or letter in "._-" else "_" for letter in name)
-    head, rest = ("%\n", text[2:]) if text.startswith("%\n") else ("", text)
-    return f"{head}{MARK}{number} of {plain})\n{rest}"
+    opening = re.match(r"(%.*\n)?([O:][0-9]+[ \t]*(\([^()\n]*\))?[ \t]*\n)?", text, re.IGNORECASE)
+    at = opening.end() if opening else 0
+    return f"{text[:at]}{MARK}{number} of {plain})\n{text[at:]}"

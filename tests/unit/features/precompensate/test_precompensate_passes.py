@@ -8,12 +8,12 @@ import pytest
 
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.precompensate.law import Learned, Loop
-from contourlab.features.precompensate.passes import Passes, PassFigures, load, save
+from contourlab.features.precompensate.passes import AddedDwell, Passes, PassFigures, load, save
 from contourlab.features.precompensate.writing import Written
 
 
 def figures(number: int, rms: float, in_time: bool) -> PassFigures:
-    return PassFigures(number, rms, rms, 1.0, (), (), in_time)
+    return PassFigures(number, rms, rms, 1.0, (), (), in_time, 0.0, 1, (), 0.1)
 
 
 @pytest.mark.parametrize(
@@ -35,12 +35,23 @@ def test_passes_stop_when_they_no_longer_help(rms: tuple[float, ...], in_time: s
     assert passes.best == best
 
 
+@pytest.mark.parametrize(
+    ("largest", "best"),
+    [((9, 9, 9), 2), ((9, 3, 8), 1), ((9, 3, 5), 2), ((9, 20, 14), 2), ((9, 20, 15), 0)],
+)
+def test_the_best_pass_has_the_least_sum_of_both_errors(largest: tuple[float, ...], best: int) -> None:
+    rms = (10, 7, 4)
+    passes = Passes("", figures=tuple(replace(figures(k, one, True), largest=largest[k]) for k, one in enumerate(rms)))
+    assert passes.best == best
+
+
 def test_a_folder_gives_back_what_was_saved_and_refuses_anything_else(tmp_path: Path) -> None:
     rows, one = np.random.default_rng(0).normal(size=(5, 2)), np.array([0.0, np.nan, np.inf, -1.0, 1e-300])
     learned = Learned(rows, -rows, one, one, rows, one, 1e-6, 30.0)
-    ran = PassFigures(0, 1e-5, 2e-5, 1.0, (0.1, 0.2), (1.0, 2.0), True)
+    ran = PassFigures(0, 1e-5, 2e-5, 1.0, (0.1, 0.2), (1.0, 2.0), True, 0.3, 7, (0.01, -0.02), 0.125)
+    written, loops = (Written("G1 X1", one, one, 3, 0.1),), (Loop(), Loop(1e-3, bandwidth=40.0))
     passes = Passes(
-        "mine", ("x", "y"), (Loop(), Loop(1e-3, bandwidth=40.0)), 30.0, (ran,), learned, (Written("G1 X1", one, one, 3, 0.1),), ("a",)
+        "mine", ("x", "y"), loops, 30.0, (ran,), learned, written, ("a",), (AddedDwell(4, 0.25, 4e-5), AddedDwell(9, 0.01, 1e-6))
     )
     assert load(tmp_path / "none", passes) is passes
     for kept in (passes, replace(passes, cutoff=20.0, learned=None)):  # the second replaces the first

@@ -1,13 +1,14 @@
 """Corrected programs: only the path of cutting moves changes."""
 
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from contourlab.errors import ProgramError
-from contourlab.features.precompensate.writing import contour_of, parse_blocks, read_blocks, without_motion, write_corrected
-from contourlab.program import Feed, Reading, parse_program
+from contourlab.features.precompensate.writing import contour_of, marked, parse_blocks, read_blocks, without_motion, write_corrected
+from contourlab.program import Dwell, Feed, Reading, parse_program
 
 READING = Reading(require_end=False)
 AXES = ("x", "y")
@@ -133,3 +134,56 @@ def test_a_corrected_program_is_recognised_by_its_moves(tmp_path: Path) -> None:
 def test_a_line_to_the_same_point_between_two_cuts_moves_with_them() -> None:
     text, _ = corrected("G21 G90 G64 P0.002\nG1 X10 Y0 F1500\nN5 G1 X10 Y0 (again)\nG1 X10 Y10\nG0 X0 Y0\nM2\n")
     assert "N5 (again)" in text.splitlines()
+
+
+PROGRAMS = {
+    "linuxcnc": "%\nG21 G90 G64 P0.02\nG0 X0 Y0\nG1 X20 F1500\nG3 X20 Y0 I-10 J0\nG0 X0\nG61\nG1 Y9.5\nG64 P0.02 Q0.01\nG1 X9\nM2\n%\n",
+    "grbl": "G21 G90\nG0 X0 Y0\nG1 X20 F1500\nG3 X20 Y0 I-10 J0 K0\nG0 X0\nG61\nG1 Y9.5\nG1 X9\nM30\n",
+    "fanuc": "%\nO1001 (PART)\nG21 G90\nG0 X0. Y0.\nG1 X20. F1500\nG3 X20. Y0. I-10.\nG0 X0.\nG61\nG1 Y9.5\nG64\nX9.\nG28 Z0.\nM30\n%\n",
+    "mach3": "(Mach3)\nG21 G90 G91.1\nG0 X0 Y0\nG1 X20 F1500\nG3 X20 Y0 I-10 J0\nG0 X0\nG61\nG1 Y9.5\nG64\nX9\nM30\n",
+}
+
+FINE = "G64 P0.02 Q0.001"
+
+
+@pytest.mark.parametrize(
+    ("dialect", "controls", "dwell", "decimals"),
+    [
+        ("linuxcnc", [FINE, "G64 P0.02 Q0.02", "G61", "G64 P0.001", "G61", "G64 P0.02 Q0.01", FINE, "G64 P0.02 Q0.01"], "G4 P0.25", 6),
+        ("grbl", ["G61"], "G4 P0.25", 6),
+        ("grblhal", ["G61"], "G4 P0.25", 6),
+        ("fanuc", ["G64", "G61", "G64", "G61", "G64"], "G4 P250", 3),
+        ("mach3", ["G64", "G61", "G64", "G61", "G64"], "G4 P0.25", 6),
+    ],
+)  # fmt: skip
+def test_each_dialect_is_written_as_its_control_reads_it(dialect: str, controls: list[str], dwell: str, decimals: int) -> None:
+    text = PROGRAMS[dialect.removesuffix("hal")]
+    reading = Reading(dialect=dialect, require_end=False)  # type: ignore[arg-type]
+    contour = contour_of(parse_blocks(text, "part", reading, AXES), AXES, 1e-3)
+    block = contour.starts[0][1]
+    written = write_corrected(contour, np.full((len(contour.nodes), 2), 50e-6), TOLERANCE, dwells={block: 0.25}, stops=True)
+    again = contour_of(parse_blocks(marked(written.text, 2, "part"), "again", reading, AXES), AXES, 1e-3)
+    np.testing.assert_allclose(again.path.breaks, written.corrected_arc, atol=1e-8)
+    assert again.events == contour.events
+    lines = written.text.splitlines()
+    assert [line.split(" G90 ")[-1] for line in lines if re.search(r"G6[14]", line)][dialect == "linuxcnc" :] == controls
+    assert lines[lines.index(dwell) - 2].startswith("G0 X0")
+    assert sum(isinstance(move, Dwell) and move.seconds == 0.25 for move in again.source.program.moves) == 1
+    numbers = re.findall(r"[XYZ]-?[0-9]+\.([0-9]*)", "\n".join(line for line in lines if line.startswith("G1 ")))
+    assert numbers and max(map(len, numbers)) == decimals
+    # A Fanuc reads a length without a point in micrometres.
+    assert not re.search(r"^G1 .*[XYZF]-?[0-9]+( |$)", written.text, re.MULTILINE) or dialect != "fanuc"
+
+
+def test_the_mark_stands_behind_the_number_of_a_program() -> None:
+    assert marked("%\nO1001 (PART)\nG1\n", 2, "a b").splitlines()[:3] == ["%", "O1001 (PART)", "(contourlab precompensate: pass 2 of a_b)"]
+    assert marked("o100 sub\nG1\n", 1, "a").startswith("(contourlab")
+
+
+def test_g64_is_set_once_where_the_program_sets_no_path_control() -> None:
+    contour = contour_of(parse_blocks("G21 G90\nG0 X1\nG1 X10 F600\nG0 X0\nG1 X-9\nM2\n", "part", READING, AXES), AXES, 1e-3)
+    for stops in (False, True):
+        written = write_corrected(contour, np.zeros((len(contour.nodes), 2)), TOLERANCE, stops=stops)
+        moves = parse_program(written.text).moves
+        assert [line for line in written.text.splitlines() if "G64" in line] == ["G64 P0.001"] * stops
+        assert {move.mode.tolerance for move in moves if isinstance(move, Feed)} == ({1e-6} if stops else {None})
