@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from contourlab.arrays import Array, Flags, Index
+from contourlab.arrays import BLOCK, Array, Flags, Index
 from contourlab.components.sensor.encoder import (
     DERIVED,
     LEAST_COVARIANCE,
@@ -205,7 +205,6 @@ ROUNDEST = 0.2
 """Largest scatter (rms, over the radius) of points about a fitted ellipse."""
 SINGULAR = 1e12
 ORDERS = 8
-BLOCK = 1 << 16
 
 
 @dataclass(frozen=True)

@@ -326,9 +326,9 @@ class Reference:
             return Judged(self.between(self.path.breaks, ~self.rapid), CUTTING)
         return Judged(((0, self.n_sample),), WHOLE)
 
-    def blocks(self) -> Iterator[tuple[int, int]]:
-        """Yield the samples [start, stop) of all blocks."""
-        return pairwise([*range(0, self.n_sample, BLOCK), self.n_sample])
+    def blocks(self, size: int | None = None) -> Iterator[tuple[int, int]]:
+        """Yield the samples [start, stop) of all blocks of at most `size` samples, by default `contourlab.arrays.BLOCK`."""
+        return pairwise([*range(0, self.n_sample, size or BLOCK), self.n_sample])
 
     def between(self, breaks: Array, chosen: Flags) -> tuple[tuple[int, int], ...]:
         """Return the sample ranges of chosen stretches (n,) between breaks [m] of a planned lap; a rest belongs to the stretch before."""

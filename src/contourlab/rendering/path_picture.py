@@ -166,9 +166,8 @@ def path_scene(data: ReportData, points: int) -> PathScene | None:
     runs = tuple(_scene_run(data, scheme, column, points) for scheme in data.schemes)
     calm = [largest_magnitude(run.error) / UM for run, scheme in zip(runs, data.schemes, strict=True) if scheme.result.status.ok]
     part = first.metrics.judged
-    place = first.reference.programmed_arc_length(
-        first.result.at("arc_length", np.ravel([(start, stop - 1) for start, stop in part.ranges]))
-    )
+    ends = np.ravel([(start, stop - 1) for start, stop in part.ranges])
+    place = first.reference.programmed_arc_length(first.result.at("arc_length", ends))
     begun, ended = place[::2].searchsorted(s, side="right"), place[1::2].searchsorted(s)
     judged = (begun > ended) | (part.basis in (LAST_LAP, WHOLE))
     caption = f"The path is to scale, the error is magnified and drawn from the nearest point of the path. Shown: {judged_words(first)}."
@@ -204,12 +203,8 @@ def _scene_run(data: ReportData, scheme: JudgedRun, column: Callable[[Array], Ar
     ends = [place for first, last in ranges for place in (first, last - 1)] if 2 * len(ranges) <= points else []
     kept = np.union1d(np.union1d(kept, step * changes) + start, [*ends, scheme.metrics.part_error.worst.sample - result.start])
     kept = kept[np.isfinite(result.at("foot_arc_length", kept)) & np.isfinite(result.at("part_error", kept))]
-    along, size, time, lines = (
-        result.at("foot_arc_length", kept),
-        np.abs(result.at("part_error", kept)),
-        times(result, kept),
-        scheme.lines(kept),
-    )
+    along, size = result.at("foot_arc_length", kept), np.abs(result.at("part_error", kept))
+    time, lines = times(result, kept), scheme.lines(kept)
     foot, stretch = column(data.asked.position(along)), range_of(scheme.metrics.judged, kept)
     off = column(result.at("tool_position", kept)) - foot
     following = result.at("foot_arc_length", np.minimum(kept + 1, result.n_sample - 1))

@@ -107,9 +107,9 @@ class Result:
             for part in self.blocks():
                 more.append(compute(part))
             return replace(self, signals=self.signals.part(columns=self.signals.columns | more.columns))
-        first, *others = map(compute, self.blocks())
-        joined = {name: replace(one, data=np.concatenate([one.data, *(o[name].data for o in others)])) for name, one in first.items()}
-        return self.with_signals(**(joined if others else first))
+        parts = list(map(compute, self.blocks()))
+        joined = {name: replace(one, data=np.concatenate([part[name].data for part in parts])) for name, one in parts[0].items()}
+        return self.with_signals(**joined)
 
     def only(self, names: Sequence[str]) -> Result:
         """Return the result with some of its signals; ResultError if it lacks one."""

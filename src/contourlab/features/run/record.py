@@ -97,7 +97,7 @@ def simulate_stored(
     `given` are options of `contourlab.loop.simulate_blocks`.
     """
     # The judge will add five signals, and the tracking error of each axis.
-    stored = Stored(reference.n_sample, spare=8 * (5 + reference.n_axis))
+    stored = Stored(given.get("stop") or reference.n_sample, spare=8 * (5 + reference.n_axis))
     for signals, status in simulate_blocks(machine, controller, reference, **given):
         part = result_of(machine, reference, signals, status, scheme=scheme, seed=given.get("seed", 0))
         stored.append(part.signals)
