@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from typing import Literal, TypeAlias
 
 import numpy as np
 
@@ -19,10 +20,13 @@ from contourlab.components.plant.plant import Plant
 from contourlab.controls.contract import ControlFile
 from contourlab.errors import FeedError, ParameterError, refuse
 from contourlab.feed import AxisLimits
-from contourlab.feed.bounds import RANGES
+from contourlab.feed.bounds import RANGES, Grbl
 from contourlab.figures import listing
 from contourlab.notebook import facts_line
 from contourlab.units import setting
+
+Planner: TypeAlias = Literal["jerk", "grbl"]
+"""How a control plans."""
 
 
 @dataclass(frozen=True)
@@ -251,6 +255,12 @@ class Machine:
         The control's own file from which it was read.
     path_velocity : float [m/s], > 0
         Largest velocity along a planned path, rapids included.
+    planner : {"jerk", "grbl"} or None
+        How the control plans, see `contourlab.feed.bounds.Grbl`; None stands for ``"jerk"``.
+    junction_deviation, arc_tolerance : float [m], or None
+        Of the planner of grbl; None stands for its defaults.
+    planner_blocks : int or None
+        The same.
 
     Raises
     ------
@@ -266,6 +276,10 @@ class Machine:
     correlations: tuple[tuple[str, str, float], ...] = field(default=(), compare=False, repr=False)
     control: ControlFile | None = field(default=None, compare=False, repr=False)
     path_velocity: float = field(default=math.inf, metadata=setting("m/s", "mm/min", *RANGES["velocity"]))
+    planner: Planner | None = None
+    junction_deviation: float | None = field(default=None, metadata=setting("m", "um", minimum=0.0, maximum=1.0))
+    arc_tolerance: float | None = field(default=None, metadata=setting("m", "um", minimum=1e-9, maximum=1.0))
+    planner_blocks: int | None = field(default=None, metadata=setting(minimum=3, maximum=1000))
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.servo_period) and self.servo_period > 0.0):
@@ -302,6 +316,12 @@ class Machine:
             bound = f"given in a scenario, with {given}: {why}"
             raise ParameterError("plant", f"unknown for {listing(names)}", bound)
 
+    @property
+    def grbl(self) -> Grbl | None:
+        """The planner of grbl, if the control has it."""
+        given = {name: value for name in Grbl.__annotations__ if (value := getattr(self, name)) is not None}
+        return Grbl(**given) if self.planner == "grbl" else None
+
     def planner_limits(self) -> AxisLimits:
         """Return the limits of the axes and of the path, for the planner.
 
@@ -314,7 +334,7 @@ class Machine:
         if free:
             raise FeedError(f"{self._place(free[0])} has no velocity limit: set limits.velocity")
         per_axis = [axis.limits for axis in self.axes]
-        limits = AxisLimits(*([getattr(x, kind) for x in per_axis] for kind in RANGES), path_velocity=self.path_velocity)
+        limits = AxisLimits(*([getattr(x, kind) for x in per_axis] for kind in RANGES), path_velocity=self.path_velocity, planner=self.grbl)
         if limits.unbounded.any():
             steep = self.axes[int(np.argmax(limits.unbounded))]
             raise FeedError(f"{self._place(steep)} has no acceleration or jerk limit: set limits.acceleration, limits.jerk, or both")

@@ -20,6 +20,7 @@ from contourlab.feed.reference import WHOLE, Judged
 from contourlab.feed.route import PathControl, controlled
 from contourlab.geometry import Path, contour
 from contourlab.loop import Change, Controller, Machine
+from contourlab.loop.machine import Planner
 from contourlab.loop.simulate import UNITS
 from contourlab.notebook import facts_line
 from contourlab.program import Program, Reading
@@ -184,6 +185,8 @@ class FeedSettings:
         Allowed step of an axis acceleration, as a share of its limit, where the curvature jumps; 0 stops there.
     path_velocity : float [m/s], > 0, or None
         Largest velocity along a planned path, rapids included; by default that of the machine.
+    planner : {"jerk", "grbl"} or None
+        How the control plans, in place of the machine's key.
     """
 
     law: Literal["planned", "uniform"] = "planned"
@@ -196,6 +199,7 @@ class FeedSettings:
     merge_tolerance: float | None = field(default=None, metadata=setting("m", "um", minimum=0.0))
     curvature_step: float = field(default=1.0, metadata=setting(minimum=0.0, maximum=1.0))
     path_velocity: float | None = field(default=None, metadata=setting("m/s", "mm/min", minimum=0.0, exclusive=True))
+    planner: Planner | None = None
 
     @property
     def default_tolerance(self) -> float:
@@ -380,7 +384,7 @@ class Case:
         tolerance : float [m], > 0
             Corner tolerance of a blend.
         """
-        if self.feed.law == "uniform":
+        if self.feed.law == "uniform" or self.machine.grbl is not None:
             return {}
         microns = f"{tolerance * 1e6:.3g}"
         is_program = isinstance(self.motion, PartProgram)

@@ -415,7 +415,7 @@ def _remarks(case: Case, reference: Reference, foretold: LearningAnalysis | None
             yield finding("CL105", feed=float(route.feedrate[curve[best]]), reached=float(profile.v0[best]))
     if case.motion.file is not None or case.machine.control:
         yield from about_machine(case.machine, case.motion.reading if isinstance(case.motion, PartProgram) else None)
-    if isinstance(case.motion, PartProgram) and case.feed.path_control == "program":
+    if isinstance(case.motion, PartProgram) and case.feed.path_control == "program" and case.machine.grbl is None:
         modes = PathModes()
         modes.add(case.motion.program.moves)
         yield from modes.findings(case.feed.default_tolerance)
@@ -449,7 +449,7 @@ def limits_of(case: Case, reference: Reference) -> LimitReport | None:
     if case.route() is None:
         return None
     limits = case.machine.planner_limits()
-    key = (reference.digest, limits.velocity.tobytes(), limits.acceleration.tobytes(), limits.jerk.tobytes())
+    key = (reference.digest, limits.planner, limits.velocity.tobytes(), limits.acceleration.tobytes(), limits.jerk.tobytes())
     if key not in _REPORTS:
         while len(_REPORTS) >= KEPT_REPORTS:
             del _REPORTS[next(iter(_REPORTS))]
