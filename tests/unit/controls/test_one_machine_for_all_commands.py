@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from made_controls import GRBL, LINUXCNC
+from made_controls import GRBL, LINUXCNC, made_control
 from typed_commands import invoke
 
 import contourlab as cl
@@ -16,8 +17,11 @@ from contourlab.controls.linuxcnc import machine as reader
 from contourlab.errors import ParameterError, ProgramError, ScenarioError
 from contourlab.features.check.program_check import about_machine, check
 from contourlab.features.limits.command import limits
+from contourlab.features.run.options import Run
 from contourlab.features.run.outcome import run_case
+from contourlab.features.run.source import scenario_of
 from contourlab.features.sweep.study import load_study
+from contourlab.feed.bounds import Grbl
 from contourlab.program import Reading, parse_program
 from contourlab.scenario import load_machine, load_scenario, save
 from contourlab.scenario.load import reading_on, scenario_from_parts
@@ -252,6 +256,57 @@ def test_a_number_that_stands_for_no_limit_is_none_in_every_command(tmp_path: Pa
             ini.number("JOINT_0", key, positive=positive)
     with pytest.raises(ScenarioError):
         load_machine(made(tmp_path, ("SERVO_PERIOD = 1000000", "SERVO_PERIOD = 1e10"))[0])
+
+
+@pytest.mark.parametrize(
+    ("change", "planner"),
+    [
+        (("$13=0", "$13=0"), Grbl(1e-5, 2e-6, 16)),
+        (("$11=0.010\n$12=0.002", "$11=0.05\n$12=0.01"), Grbl(5e-5, 1e-5, 16)),
+        (("$13=0", "$160=0"), Grbl(1e-5, 2e-6, 100)),
+        (("$13=0", "$160=0\n$398=35"), Grbl(1e-5, 2e-6, 35)),
+        (("$13=0", "$800=10"), None),
+    ],
+)
+def test_a_dump_says_how_its_control_plans(tmp_path: Path, change: tuple[str, str], planner: Grbl | None) -> None:
+    """grblHAL with a limit of jerk is planned with it; its buffer is that of $398, by default 100."""
+    machine, part = made(tmp_path, change, text=GRBL, name="grbl.txt", program="G0 X4 Y4\nG1 X9 F900\nG2 X9 Y9 I1 J2.5\nM2\n")
+    loaded = load_machine(machine)
+    assert loaded.planner_limits().planner == planner
+    saved = tmp_path / "saved.toml"
+    save(loaded, saved)
+    assert load_machine(saved).planner_limits().planner == planner
+    run, *others = times(machine, part)
+    assert others == pytest.approx([run] * 2, rel=1e-12)
+    assert ("CL995" in codes(check(part, machine=str(machine)))) == (planner is not None)
+
+
+def test_a_configuration_of_fluidnc_says_how_it_plans(tmp_path: Path) -> None:
+    machine = made_control(tmp_path, "fluidnc", ("name: a router\n", "name: a router\njunction_deviation_mm: 0.03\nplanner_blocks: 40\n"))
+    assert vars(load_machine(machine).grbl) == pytest.approx(vars(Grbl(3e-5, 2e-6, 40)), rel=1e-12)
+
+
+def test_the_planner_is_that_of_the_option_then_of_the_scenario_then_of_the_file(tmp_path: Path) -> None:
+    """A corner without a stop is quicker than with one; `check`, `limits` and `run` agree."""
+    machine, part = made(tmp_path, text=GRBL, name="grbl.txt", program="G1 X4 F900\nG1 X9 Y1\nM2\n")
+    own, _, _ = times(machine, part)
+    stopping = [one(part, machine=str(machine), planner="jerk").cycle_time for one in (check, limits)]
+    assert stopping[0] == stopping[1] and stopping[0] > 1.01 * own
+    text = 'machine = "grbl.txt"\nprogram = "part.ngc"\n[feed]\nplanner = "jerk"\n'
+    (tmp_path / "s.toml").write_text(text)
+    settings = Run()
+    assert scenario_of(tmp_path / "s.toml", settings).base.reference().duration == stopping[0]
+    for file, more in ((tmp_path / "s.toml", {}), (part, {"machine": str(machine)})):
+        assert scenario_of(file, replace(settings, planner="grbl", **more)).base.reference().duration == own
+    case = load_scenario(tmp_path / "s.toml").base
+    save(scenario_of(tmp_path / "s.toml", settings), tmp_path / "again.toml")
+    assert load_scenario(tmp_path / "again.toml").base.machine.planner == case.machine.planner == "jerk"
+    (tmp_path / "s.toml").write_text(text.replace("jerk", "grbl") + 'path_control = "blend"\n')
+    with pytest.raises(ScenarioError, match="path_control"):
+        load_scenario(tmp_path / "s.toml")
+    (tmp_path / "log.csv").write_text("time [s],command.x [mm]\n" + "".join(f"{k / 1000},{k}\n" for k in range(9)))
+    with pytest.raises(ParameterError, match="--planner"):
+        limits(tmp_path / "log.csv", planner="grbl")
 
 
 def test_a_machine_takes_the_place_of_that_of_a_scenario(tmp_path: Path) -> None:
