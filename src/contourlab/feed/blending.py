@@ -42,7 +42,7 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.feed.bounds import AxisLimits, Samples, Share, peak_speed, ramps, speed_limit
 from contourlab.feed.fitting import Quintics, fitted, replaced
 from contourlab.feed.route import Correspondence, Route
-from contourlab.feed.trapezoids import chords
+from contourlab.feed.trapezoids import commanded
 from contourlab.geometry import Path
 from contourlab.geometry.blend import Blends, halves, quintic_bezier, shapes
 from contourlab.geometry.curve import Curves, angle_between
@@ -380,7 +380,7 @@ def blended(route: Route, limits: AxisLimits | None = None) -> Route:
         With `merge_tolerance` and `corner_tolerance`; returned unchanged where both are 0 everywhere.
     limits : AxisLimits, optional
         If given, the route keeps to their velocity along the path, and a corner is not rounded where a stop takes less time than the
-        blend; see `quicker_blended`. If they name a planner, arcs become its chords, and nothing else changes.
+        blend; see `quicker_blended`. If they name a planner, the lines that it commands.
 
     Returns
     -------
@@ -396,7 +396,7 @@ def blended(route: Route, limits: AxisLimits | None = None) -> Route:
     of the blend.
     """
     if limits is not None and limits.planner is not None:
-        return chords(route.within(limits.path_velocity), limits.planner.arc_tolerance)
+        return commanded(route.within(limits.path_velocity), limits.planner)
     route = merged(fitted(route if limits is None else route.within(limits.path_velocity)))
     corners = _corners(route)
     if not corners.before.size:

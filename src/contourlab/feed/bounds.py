@@ -67,11 +67,14 @@ class Grbl:
         ``$12``: distance of the chords of an arc from it.
     planner_blocks : int, > 2
         Size of the buffer, which holds one line less.
+    steps : tuple of float [m], >= 0
+        Travel per step of each axis: ends of lines are rounded to steps; 0 or nothing for none.
     """
 
     junction_deviation: float = 1e-5
     arc_tolerance: float = 2e-6
     planner_blocks: int = 16
+    steps: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

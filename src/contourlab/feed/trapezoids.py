@@ -9,7 +9,8 @@ s = sqrt((1 + u.w)/2), the junction deviation d, and the least acceleration A of
 and at most the feedrate of both lines; a reversal is a stop (`plan_buffer_line` in planner.c). A line has the feedrate and the acceleration
 with which no axis exceeds its own. The control sees as many lines ahead as its buffer holds, and plans to rest at the end of the last.
 
-Not modelled: positions rounded to steps before directions are computed, and a buffer that runs empty because lines come too slowly.
+Ends of lines are rounded to steps first: short lines turn more than programmed. Not modelled is a buffer that runs empty because lines come
+too slowly.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
@@ -34,37 +35,47 @@ SLOWEST = 1e-3 / 60.0
 """Lowest feedrate of grbl [m/s]."""
 
 
-def chords(route: Route, arc_tolerance: float) -> Route:
-    """Return a route with chords in place of its arcs; a dwell or a stop stays at the end of the last.
+def commanded(route: Route, grbl: Grbl) -> Route:
+    """Return the lines that grbl commands for a route: chords in place of arcs, ends rounded to steps, no lines of no step.
+
+    A dwell or a stop stays at the end of the last chord, or of the line before.
 
     Raises
     ------
     FeedError
-        If the route has curves other than lines, arcs and helices.
+        If the route has curves other than lines, arcs and helices, or moves no step.
     """
-    path, count = route.path, np.ones(route.n_curve, dtype=np.int64)
+    path, count, step = route.path, np.ones(route.n_curve, dtype=np.int64), np.array(grbl.steps)
     if not path.of_kind(Lines, Arcs).all():
         raise FeedError('grbl moves along lines and arcs only: write planner = "jerk", or lines in place of the other curves')
+    if path.of_kind(Lines).all() and not step.any():
+        return route
     for batch, numbers in path.kinds:
         if isinstance(batch, Arcs):
             radius, swept = batch.radius, 0.5 * np.abs(batch.rate) * batch.length * batch.radius
-            room = arc_tolerance * (2.0 * radius - arc_tolerance)
+            room = grbl.arc_tolerance * (2.0 * radius - grbl.arc_tolerance)
             count[numbers] = np.where(room > 0.0, np.maximum(swept / np.sqrt(np.maximum(room, 1e-300)), 1.0), 1.0)
-    if path.of_kind(Lines).all():
-        return route
     curve, part = np.repeat(np.arange(route.n_curve), count), ranges(np.zeros_like(count), count)
     along = np.diff(path.breaks)[curve] * part / count[curve]
-    start, last = np.asarray(path.at(curve, along, 0)[0]), part == count[curve] - 1
-    end = np.roll(start, -1, axis=0)
-    end[last] = path.ends[0]
-    chord = Path(Curves([(Lines.between(start, end), np.arange(curve.size))]), path.closed)
-    places = Correspondence(chord.breaks, np.append(path.breaks[curve] + along, path.length))
+    points = np.vstack([path.at(curve, along, 0)[0], path.starts[0][:1] if path.closed else path.ends[0][-1:]])
+    if step.any():
+        whole = np.where(step > 0.0, step, 1.0)
+        points = np.where(step > 0.0, np.round(points / whole) * whole, points)
+    moves = np.any(points[1:] != points[:-1], axis=1)
+    refuse(not moves.any(), FeedError, "the motion is shorter than a step of the control")
+    first, line = int(np.argmax(moves)), np.maximum(np.cumsum(moves) - 1, 0)
+    dwell, stop = (part == count[curve] - 1) * route.dwell[curve], (part == count[curve] - 1) & route.exact_stop[curve]
+    lines = Path(Curves([(Lines.between(points[:-1][moves], points[1:][moves]), np.arange(line[-1] + 1))]), path.closed)
+    places = (path.breaks[curve] + along)[moves]
+    map_ = Correspondence(lines.breaks, np.concatenate([[0.0], places[1:], [path.length]]))
     return replace(
         route,
-        path=chord,
-        correspondence=places if route.correspondence is None else route.correspondence.after(places),
-        **{name: getattr(route, name)[curve] for name in ("feedrate", "rapid", "corner_tolerance", "merge_tolerance")},
-        **{name: getattr(route, name)[curve] * last for name in ("dwell", "exact_stop")},
+        path=lines,
+        correspondence=map_ if route.correspondence is None else route.correspondence.after(map_),
+        dwell=np.bincount(line[first:], dwell[first:]),
+        dwell_before=route.dwell_before + float(dwell[:first].sum()),
+        exact_stop=np.bincount(line[first:], stop[first:]) > 0.0,
+        **{name: getattr(route, name)[curve[moves]] for name in ("feedrate", "rapid", "corner_tolerance", "merge_tolerance")},
     )
 
 

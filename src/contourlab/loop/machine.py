@@ -25,6 +25,8 @@ from contourlab.figures import listing
 from contourlab.notebook import facts_line
 from contourlab.units import setting
 
+GRBL = ("junction_deviation", "arc_tolerance", "planner_blocks")
+"""Keys of the planner of grbl."""
 Planner: TypeAlias = Literal["jerk", "grbl"]
 """How a control plans."""
 
@@ -319,8 +321,9 @@ class Machine:
     @property
     def grbl(self) -> Grbl | None:
         """The planner of grbl, if the control has it."""
-        given = {name: value for name in Grbl.__annotations__ if (value := getattr(self, name)) is not None}
-        return Grbl(**given) if self.planner == "grbl" else None
+        given = {name: value for name in GRBL if (value := getattr(self, name)) is not None}
+        steps = tuple(getattr(axis.plant, "pulse", 0.0) for axis in self.axes)
+        return Grbl(**given, steps=steps) if self.planner == "grbl" else None
 
     def planner_limits(self) -> AxisLimits:
         """Return the limits of the axes and of the path, for the planner.

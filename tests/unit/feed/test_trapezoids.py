@@ -4,6 +4,7 @@ import ctypes
 import math
 import shutil
 import subprocess
+from dataclasses import replace
 from pathlib import Path as File
 
 import numpy as np
@@ -45,11 +46,13 @@ def streamed(points: Array, feed: float, blocks: int, deviation: float) -> float
     length = np.sqrt((leg**2).sum(axis=1))
     unit = leg / length[:, None]
     n, entry, total = len(leg), 0.0, 0.0
-    steep = [min(a / abs(u) for a, u in zip(ACCELERATION, row, strict=True)) for row in unit]
-    nominal = [min(feed, *(v / abs(u) for v, u in zip(VELOCITY, row, strict=True))) for row in unit]
+    steep = [min(a / abs(u) for a, u in zip(ACCELERATION, row, strict=True) if u) for row in unit]
+    nominal = [min(feed, *(v / abs(u) for v, u in zip(VELOCITY, row, strict=True) if u)) for row in unit]
 
     def ceiling(k: int) -> float:
         cosine, change = -float(unit[k - 1] @ unit[k]), unit[k] - unit[k - 1]
+        if abs(cosine) > 0.999999:
+            return 0.0 if cosine > 0.0 else min(nominal[k - 1] ** 2, nominal[k] ** 2)
         change /= np.linalg.norm(change)
         half = math.sqrt(0.5 * (1.0 - cosine))
         least = min(a / abs(u) for a, u in zip(ACCELERATION, change, strict=True) if u)
@@ -133,6 +136,27 @@ def test_arcs_become_chords_within_their_tolerance() -> None:
     assert 1.5e-6 < off.max() < 2e-6 * (n + 1) ** 2 / n**2
     tiny = blended(route_from_path(Path([Arc((0.0, 0.0, 0.0), 9e-7, 0.0, 3.0)]), 0.02), limits_of())
     assert tiny.n_curve == 1
+
+
+def test_ends_are_rounded_to_steps_and_lines_of_no_step_left_out() -> None:
+    """Steps of 10 um; the dwell of a line of 2 um comes before the motion, or after the line before; what turns is planned as commanded."""
+    points = np.array([[0.0, 0, 0], [2e-6, 0, 0], [1.0031e-2, 0, 0], [1.0032e-2, 2e-6, 0], [1.0032e-2, 5.006e-3, 0]])
+    planner = Grbl(steps=(1e-5, 1e-5, 0.0))
+    limits = AxisLimits(VELOCITY, ACCELERATION, planner=planner)
+    route = of_points(points)
+    route = blended(replace(route, dwell=np.array([0.1, 0.0, 0.2, 0.0])), limits)
+    corner = np.array([[0.0, 0, 0], [0.01003, 0, 0], [0.01003, 0.00501, 0]])
+    assert route.path.position(route.path.breaks) == pytest.approx(corner, abs=1e-15)
+    assert route.dwell_before == 0.1 and route.dwell.tolist() == [0.2, 0.0]
+    assert route.programmed_arc_length(route.path.breaks) == pytest.approx([0.0, 0.010031 + math.hypot(1e-6, 2e-6), 0.015037236], abs=1e-8)
+    walked = walk(200, 5e-5, 0.1, 3) * np.array([1.0, 1.0, 0.0])
+    rounded = np.round(walked / 1e-5) * 1e-5
+    moved = np.append(True, np.any(np.diff(rounded, axis=0), axis=1))
+    duration = plan_profile(blended(of_points(walked), limits), limits).duration
+    assert duration == pytest.approx(streamed(rounded[moved], 0.04, 16, 1e-5), rel=1e-9)
+    assert duration > 1.2 * plan_profile(of_points(walked), limits_of()).duration
+    with pytest.raises(FeedError, match="step"):
+        blended(of_points(points[:2]), limits)
 
 
 def test_other_curves_are_refused() -> None:

@@ -435,6 +435,7 @@ class Remarks:
 
 def about_machine(machine: Machine, reading: Reading | None) -> Iterator[Finding]:
     """Yield what its own file says of a machine, which axes have no travel, and whether the zero of a program read so is unknown."""
+    from contourlab.loop.machine import GRBL
     from contourlab.scenario.placing import zero_known
 
     if machine.control:
@@ -445,7 +446,7 @@ def about_machine(machine: Machine, reading: Reading | None) -> Iterator[Finding
         if free and machine.grbl is None:
             yield finding("CL991", axes=free, control=machine.control.control)
     if machine.grbl is not None:
-        yield finding("CL995", **vars(machine.grbl))
+        yield finding("CL995", **{name: getattr(machine.grbl, name) for name in GRBL})
     yield from about_reading(reading)
     if unknown := [axis.name for axis in machine.axes if not axis.limits.bounded]:
         yield finding("CL479", axes=unknown, machine=machine.name)
