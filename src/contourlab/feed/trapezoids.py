@@ -72,7 +72,7 @@ def commanded(route: Route, grbl: Grbl) -> Route:
         route,
         path=lines,
         correspondence=map_ if route.correspondence is None else route.correspondence.after(map_),
-        dwell=np.bincount(line[first:], dwell[first:]),
+        dwell=np.bincount(line[first:], dwell[first:]).astype(float),
         dwell_before=route.dwell_before + float(dwell[:first].sum()),
         exact_stop=np.bincount(line[first:], stop[first:]) > 0.0,
         **{name: getattr(route, name)[curve[moves]] for name in ("feedrate", "rapid", "corner_tolerance", "merge_tolerance")},
@@ -103,7 +103,7 @@ def corner_speed(route: Route, limits: AxisLimits, grbl: Grbl) -> Array:
     speed[(route.dwell > 0.0) | route.exact_stop] = 0.0
     if not route.path.closed:
         speed[-1] = 0.0
-    return np.minimum(speed, np.minimum(nominal, np.roll(nominal, -1)))
+    return np.asarray(np.minimum(speed, np.minimum(nominal, np.roll(nominal, -1))))
 
 
 def trapezoids(route: Route, limits: AxisLimits, grbl: Grbl, laps: int) -> Array:

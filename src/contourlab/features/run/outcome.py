@@ -449,7 +449,7 @@ def limits_of(case: Case, reference: Reference) -> LimitReport | None:
     if case.route() is None:
         return None
     limits = case.machine.planner_limits()
-    key = (reference.digest, limits.planner, limits.velocity.tobytes(), limits.acceleration.tobytes(), limits.jerk.tobytes())
+    key = (reference.digest, limits.velocity.tobytes(), limits.acceleration.tobytes(), limits.jerk.tobytes())
     if key not in _REPORTS:
         while len(_REPORTS) >= KEPT_REPORTS:
             del _REPORTS[next(iter(_REPORTS))]
