@@ -136,7 +136,9 @@ class Dialect(ProgramReading):
 class Planned(Options):
     """How a motion is planned."""
 
-    planner: str | None = option(None, "How the control plans, jerk or grbl; by default as its file says.", choices=("jerk", "grbl"))
+    planner: str | None = option(
+        None, "How the control plans: jerk, grbl or linuxcnc; by default as its file says.", choices=("jerk", "grbl", "linuxcnc")
+    )
 
 
 @options

@@ -77,6 +77,24 @@ class Grbl:
     steps: tuple[float, ...] = ()
 
 
+@dataclass(frozen=True)
+class LinuxCNC:
+    """Planner of LinuxCNC in exact path mode, see `contourlab.feed.trapezoids`; the defaults are LinuxCNC's.
+
+    Parameters
+    ----------
+    cycle : float [s], > 0
+    kink_ratio : float, 0.001 to 0.7071
+        ``ARC_BLEND_KINK_RATIO``.
+    planner_blocks : int, > 2
+        ``ARC_BLEND_OPTIMIZATION_DEPTH`` and two.
+    """
+
+    cycle: float = 1e-3
+    kink_ratio: float = 0.1
+    planner_blocks: int = 52
+
+
 @dataclass(frozen=True, eq=False)
 class AxisLimits:
     """Limits of each axis, and of the velocity along the path; a single number applies to all axes.
@@ -89,7 +107,7 @@ class AxisLimits:
     jerk : array_like (n_axis,) [m/s^3], 1e-6 to 1e12, inf for no limit
     path_velocity : float [m/s], > 0
         Along the path, in rapid moves too; inf for no limit.
-    planner : Grbl or None
+    planner : Grbl, LinuxCNC or None
         Plan as this control does, without limits of jerk; None for the jerk-limited planner.
 
     Raises
@@ -105,7 +123,7 @@ class AxisLimits:
     acceleration: Array
     jerk: Array
     path_velocity: float
-    planner: Grbl | None
+    planner: Grbl | LinuxCNC | None
 
     def __init__(
         self,
@@ -114,7 +132,7 @@ class AxisLimits:
         jerk: ArrayLike = np.inf,
         *,
         path_velocity: float = math.inf,
-        planner: Grbl | None = None,
+        planner: Grbl | LinuxCNC | None = None,
     ) -> None:
         object.__setattr__(self, "path_velocity", path_velocity)
         object.__setattr__(self, "planner", planner)

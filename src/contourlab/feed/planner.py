@@ -21,7 +21,7 @@ from contourlab.feed.pieces import Pieces, Segments, Survey, cut, sample_segment
 from contourlab.feed.reference import Profile, Reference, lap_ranges, whole_samples
 from contourlab.feed.route import Route, junction_speed, junctions
 from contourlab.feed.smooth import smooth_motions
-from contourlab.feed.trapezoids import corner_speed, trapezoids
+from contourlab.feed.trapezoids import course, trapezoids
 
 N_SHORT = 200  # segments of up to this many curves are planned in closed form as well
 
@@ -134,7 +134,7 @@ def plan_profile(route: Route, limits: AxisLimits, *, laps: int = 1, curvature_s
     if limits.planner is None:
         rows = _motions(route, survey(route, limits, curvature_step), limits, laps)
     else:
-        rows = trapezoids(route, limits, limits.planner, laps)
+        rows = trapezoids(route, limits, laps)
     rows = np.concatenate([[[route.dwell_before, 0.0, 0.0, 0.0, 0.0]], rows])
     duration, s0, v0, a0, j = np.ascontiguousarray(rows[rows[:, 0] > 0.0].T)
     ends = np.cumsum(duration)
@@ -265,8 +265,5 @@ def _junction_ceiling(route: Route, limits: AxisLimits, place: Array, curvature_
     breaks = np.asarray(route.path.breaks)
     within = np.mod(place, route.path.length) if route.path.closed else place
     junction = np.clip(np.searchsorted(0.5 * (breaks[1:] + breaks[:-1]), within), 0, breaks.size - 1)
-    if limits.planner is None:
-        ceiling = junction_speed(junctions(route), limits, curvature_step)
-    else:
-        ceiling = corner_speed(route, limits, limits.planner)
+    ceiling = junction_speed(junctions(route), limits, curvature_step) if limits.planner is None else course(route, limits).corner
     return np.asarray(np.where(np.abs(within - breaks[junction]) <= MARGIN, ceiling[junction - 1], np.inf))

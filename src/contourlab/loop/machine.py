@@ -20,14 +20,14 @@ from contourlab.components.plant.plant import Plant
 from contourlab.controls.contract import ControlFile
 from contourlab.errors import FeedError, ParameterError, refuse
 from contourlab.feed import AxisLimits
-from contourlab.feed.bounds import RANGES, Grbl
+from contourlab.feed.bounds import RANGES, Grbl, LinuxCNC
 from contourlab.figures import listing
 from contourlab.notebook import facts_line
 from contourlab.units import setting
 
 GRBL = ("junction_deviation", "arc_tolerance", "planner_blocks")
 """Keys of the planner of grbl."""
-Planner: TypeAlias = Literal["jerk", "grbl"]
+Planner: TypeAlias = Literal["jerk", "grbl", "linuxcnc"]
 """How a control plans."""
 
 
@@ -257,8 +257,8 @@ class Machine:
         The control's own file from which it was read.
     path_velocity : float [m/s], > 0
         Largest velocity along a planned path, rapids included.
-    planner : {"jerk", "grbl"} or None
-        How the control plans, see `contourlab.feed.bounds.Grbl`; None stands for ``"jerk"``.
+    planner : {"jerk", "grbl", "linuxcnc"} or None
+        How the control plans, see `contourlab.feed.trapezoids`; None stands for ``"jerk"``.
     junction_deviation, arc_tolerance : float [m], or None
         Of the planner of grbl; None stands for its defaults.
     planner_blocks : int or None
@@ -319,8 +319,10 @@ class Machine:
             raise ParameterError("plant", f"unknown for {listing(names)}", bound)
 
     @property
-    def grbl(self) -> Grbl | None:
-        """The planner of grbl, if the control has it."""
+    def own_planner(self) -> Grbl | LinuxCNC | None:
+        """The planner of the control, if it has no limits of jerk."""
+        if self.planner == "linuxcnc":
+            return LinuxCNC(cycle=self.servo_period)
         given = {name: value for name in GRBL if (value := getattr(self, name)) is not None}
         steps = tuple(getattr(axis.plant, "pulse", 0.0) for axis in self.axes)
         return Grbl(**given, steps=steps) if self.planner == "grbl" else None
@@ -337,7 +339,9 @@ class Machine:
         if free:
             raise FeedError(f"{self._place(free[0])} has no velocity limit: set limits.velocity")
         per_axis = [axis.limits for axis in self.axes]
-        limits = AxisLimits(*([getattr(x, kind) for x in per_axis] for kind in RANGES), path_velocity=self.path_velocity, planner=self.grbl)
+        limits = AxisLimits(
+            *([getattr(x, kind) for x in per_axis] for kind in RANGES), path_velocity=self.path_velocity, planner=self.own_planner
+        )
         if limits.unbounded.any():
             steep = self.axes[int(np.argmax(limits.unbounded))]
             raise FeedError(f"{self._place(steep)} has no acceleration or jerk limit: set limits.acceleration, limits.jerk, or both")

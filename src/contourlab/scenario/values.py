@@ -185,7 +185,7 @@ class FeedSettings:
         Allowed step of an axis acceleration, as a share of its limit, where the curvature jumps; 0 stops there.
     path_velocity : float [m/s], > 0, or None
         Largest velocity along a planned path, rapids included; by default that of the machine.
-    planner : {"jerk", "grbl"} or None
+    planner : {"jerk", "grbl", "linuxcnc"} or None
         How the control plans, in place of the machine's key.
     """
 
@@ -384,7 +384,7 @@ class Case:
         tolerance : float [m], > 0
             Corner tolerance of a blend.
         """
-        if self.feed.law == "uniform" or self.machine.grbl is not None:
+        if self.feed.law == "uniform" or self.machine.own_planner is not None:
             return {}
         microns = f"{tolerance * 1e6:.3g}"
         is_program = isinstance(self.motion, PartProgram)

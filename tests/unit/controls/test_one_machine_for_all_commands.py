@@ -283,7 +283,7 @@ def test_a_dump_says_how_its_control_plans(tmp_path: Path, change: tuple[str, st
 
 def test_a_configuration_of_fluidnc_says_how_it_plans(tmp_path: Path) -> None:
     machine = made_control(tmp_path, "fluidnc", ("name: a router\n", "name: a router\njunction_deviation_mm: 0.03\nplanner_blocks: 40\n"))
-    assert astuple(load_machine(machine).grbl)[:3] == pytest.approx((3e-5, 2e-6, 40), rel=1e-12)
+    assert astuple(load_machine(machine).own_planner)[:3] == pytest.approx((3e-5, 2e-6, 40), rel=1e-12)
 
 
 def test_the_planner_is_that_of_the_option_then_of_the_scenario_then_of_the_file(tmp_path: Path) -> None:

@@ -14,9 +14,10 @@ from reference_data import reference_file
 from contourlab.arrays import Array
 from contourlab.errors import FeedError
 from contourlab.feed import AxisLimits, Route, blended, limit_report, plan, route_from_path
-from contourlab.feed.bounds import Grbl
+from contourlab.feed.bounds import Grbl, LinuxCNC
 from contourlab.feed.planner import Binding, limiting, plan_profile
-from contourlab.feed.trapezoids import corner_speed
+from contourlab.feed.route import controlled
+from contourlab.feed.trapezoids import course
 from contourlab.geometry import Arc, Line, Path, contour
 from contourlab.geometry.line_and_arc import Lines
 
@@ -83,9 +84,9 @@ def test_a_corner_is_passed_at_the_speed_of_its_junction_deviation() -> None:
     """A right angle of x and y: s = sqrt(1/2), and the slower axis y has 0.4 sqrt(2) along the bisector. Straight on: the feedrate."""
     route = of_points(np.array([[0.0, 0, 0], [0.05, 0, 0], [0.05, 0.05, 0], [0.05, 0.1, 0], [0.05, 0.0, 0]]))
     half = math.sqrt(0.5)
-    speed = corner_speed(route, limits_of(), Grbl())
+    speed = course(route, limits_of()).corner
     assert speed == pytest.approx([math.sqrt(0.4 * math.sqrt(2.0) * 1e-5 * half / (1.0 - half)), 0.04, 0.0, 0.0], rel=1e-12)
-    assert corner_speed(route, limits_of(), Grbl(junction_deviation=0.0))[0] == 0.0
+    assert course(route, limits_of(deviation=0.0)).corner[0] == 0.0
     profile = plan_profile(route, limits_of())
     assert limiting(route, limits_of(), profile, [0.05, 0.02])[:].tolist() == [Binding.CORNER, Binding.FEEDRATE]
 
@@ -186,12 +187,54 @@ def test_the_command_stays_on_the_lines_and_within_the_limits() -> None:
     assert max(worst.value for worst in report.kink) == pytest.approx(jump, rel=0.2) and jump > 10.0 * period * ACCELERATION.max()
 
 
+def _square() -> Path:
+    corners = 0.01 * np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 0]])
+    return Path(Line.many(corners[:-1], corners[1:]))
+
+
+def _bent() -> Path:
+    angle = 5e-4 * np.arange(50)
+    points = np.cumsum(np.vstack([np.zeros(3), 5e-4 * np.stack([np.cos(angle), np.sin(angle), 0.0 * angle], axis=1)]), axis=0)
+    return Path(Line.many(points[:-1], points[1:]))
+
+
+def _slot() -> Path:
+    turn = Arc((0.02, 0.005, 0.0), 0.005, -0.5 * math.pi, math.pi)
+    return Path([Line((0.0, 0.0, 0.0), (0.02, 0.0, 0.0)), turn, Line((0.02, 0.01, 0.0), (0.0, 0.01, 0.0))])
+
+
+def _helix() -> Path:
+    around = Arc((0.0, 0.0, 0.002), 0.005, 0.0, -2.0 * math.pi, rise=(0.0, 0.0, -0.006))
+    return Path([Line((0.0, 0.0, 0.0), (0.005, 0.0, 0.002)), around, Line((0.005, 0.0, -0.004), (0.005, 0.0, -0.005))])
+
+
+@pytest.mark.parametrize(
+    ("path", "feed", "exact_path", "exact_stop"),
+    [
+        (_square(), [0.04], 1.403, 1.361),
+        (_bent(), [0.04], 0.719, 3.201),
+        (_slot(), [0.08], 1.076, 1.407),
+        (_helix(), [math.inf, 0.02, 0.02], 2.010, 1.995),
+    ],
+)
+def test_the_times_of_linuxcnc(path: Path, feed: list[float], exact_path: float, exact_stop: float) -> None:
+    """Measured with its planner (tp.c of commit f1270d6ed7), fed with these moves under G61 and G61.1; it rests one cycle at the end."""
+    limits = AxisLimits(VELOCITY, ACCELERATION, planner=LinuxCNC())
+    route = Route(path, np.array(feed), np.isinf(feed), np.array(0.0), np.array(0), path)
+    for control, measured in (("exact_path", exact_path), ("exact_stop", exact_stop)):
+        planned = plan(blended(controlled(route, control, 0.0), limits), limits, 1e-3)
+        assert planned.duration == pytest.approx(measured - 1e-3, abs=2e-3)
+        assert limit_report(planned, limits).velocity[0].ratio <= 1.0 + 1e-9
+    with pytest.raises(FeedError, match="G64"):
+        blended(controlled(route, "blend", 1e-5), limits)
+
+
 def test_laps_of_a_closed_path_pass_its_first_point() -> None:
     square = np.array([[0.0, 0.0], [0.02, 0.0], [0.02, 0.02], [0.0, 0.02], [0.0, 0.0]])
     route = route_from_path(Path(Line.many(square[:-1], square[1:]), closed=True), 0.02)
     limits = AxisLimits(0.1, 0.5, planner=Grbl())
     one, three = (plan(route, limits, 1e-3, laps=laps) for laps in (1, 3))
-    corner = corner_speed(route, limits, Grbl())
+    corner = course(route, limits).corner
     assert corner == pytest.approx(corner[0]) and corner[0] > 0.0
     lost = 2.0 * (0.02 / 0.5 - (0.02 - corner[0]) / 0.5 - 0.5 * (corner[0] / 0.5) * corner[0] / 0.02)
     assert 3.0 * one.duration - three.duration == pytest.approx(2.0 * lost, rel=1e-9)

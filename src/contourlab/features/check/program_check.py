@@ -429,12 +429,13 @@ class Remarks:
             values |= dict(zip(("low", "high", "start", "stop"), (travel.low[j], travel.high[j], *limits.ends), strict=True))
             yield finding("CL470" if self.named else "CL471", f"axis {name}", **values)
         yield from about_machine(machine, self.reading)
-        if machine.grbl is None:
+        if machine.own_planner is None:
             yield from self.modes.findings(DEFAULT_CORNER_TOLERANCE)
 
 
 def about_machine(machine: Machine, reading: Reading | None) -> Iterator[Finding]:
     """Yield what its own file says of a machine, which axes have no travel, and whether the zero of a program read so is unknown."""
+    from contourlab.feed.bounds import Grbl
     from contourlab.loop.machine import GRBL
     from contourlab.scenario.placing import zero_known
 
@@ -443,10 +444,12 @@ def about_machine(machine: Machine, reading: Reading | None) -> Iterator[Finding
         free = [axis.name for axis in machine.axes if math.isinf(axis.limits.jerk)]
         if bounded := {axis.name: axis.limits.jerk for axis in machine.axes if axis.name not in free}:
             yield finding("CL990", axes=list(bounded), jerk=min(bounded.values()))
-        if free and machine.grbl is None:
+        if free and machine.own_planner is None:
             yield finding("CL991", axes=free, control=machine.control.control)
-    if machine.grbl is not None:
-        yield finding("CL995", **{name: getattr(machine.grbl, name) for name in GRBL})
+    if isinstance(machine.own_planner, Grbl):
+        yield finding("CL995", **{name: getattr(machine.own_planner, name) for name in GRBL})
+    elif machine.own_planner is not None:
+        yield finding("CL996", cycle=machine.own_planner.cycle)
     yield from about_reading(reading)
     if unknown := [axis.name for axis in machine.axes if not axis.limits.bounded]:
         yield finding("CL479", axes=unknown, machine=machine.name)

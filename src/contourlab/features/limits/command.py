@@ -111,7 +111,7 @@ def _planned(file: Path, options: Limits, tolerance: float, reading: Reading) ->
     refuse_drawing(file)
     named, machine = options.machine is not None, machine_for(options, reading)
     asked = _limits(options, machine.axis_names, machine)
-    limits = AxisLimits(*(asked[kind] for kind in KINDS), planner=machine.grbl)
+    limits = AxisLimits(*(asked[kind] for kind in KINDS), planner=machine.own_planner)
     given = tuple(kind for kind in KINDS if getattr(options, kind) is not None)
     within = limits if not named else machine.planner_limits()
     program = read_program(file, reading=reading)
