@@ -59,12 +59,12 @@ def commanded(route: Route, planner: Grbl | LinuxCNC) -> Route:
     FeedError
         If the route has curves other than lines, arcs and helices, or moves no step.
     """
+    if not route.path.of_kind(Lines, Arcs).all():
+        raise FeedError('the control moves along lines and arcs only: write planner = "jerk", or lines in place of the other curves')
     if isinstance(planner, LinuxCNC):
         refuse(bool(route.corner_tolerance.any()), FeedError, 'G64 is not planned as LinuxCNC does: write path_control = "exact_path"')
         return route
     path, count, step = route.path, np.ones(route.n_curve, dtype=np.int64), np.array(planner.steps)
-    if not path.of_kind(Lines, Arcs).all():
-        raise FeedError('grbl moves along lines and arcs only: write planner = "jerk", or lines in place of the other curves')
     if path.of_kind(Lines).all() and not step.any():
         return route
     for batch, numbers in path.kinds:

@@ -339,9 +339,10 @@ class Machine:
         if free:
             raise FeedError(f"{self._place(free[0])} has no velocity limit: set limits.velocity")
         per_axis = [axis.limits for axis in self.axes]
-        limits = AxisLimits(
-            *([getattr(x, kind) for x in per_axis] for kind in RANGES), path_velocity=self.path_velocity, planner=self.own_planner
-        )
+        planner = self.own_planner
+        jerk = np.inf if planner is not None else [x.jerk for x in per_axis]
+        moving = [x.velocity for x in per_axis], [x.acceleration for x in per_axis]
+        limits = AxisLimits(*moving, jerk, path_velocity=self.path_velocity, planner=planner)
         if limits.unbounded.any():
             steep = self.axes[int(np.argmax(limits.unbounded))]
             raise FeedError(f"{self._place(steep)} has no acceleration or jerk limit: set limits.acceleration, limits.jerk, or both")

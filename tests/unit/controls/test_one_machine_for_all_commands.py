@@ -281,6 +281,16 @@ def test_a_dump_says_how_its_control_plans(tmp_path: Path, change: tuple[str, st
     assert ("CL995" in codes(check(part, machine=str(machine)))) == (planner is not None)
 
 
+@pytest.mark.parametrize("planner", ["grbl", "linuxcnc"])
+def test_a_plan_without_limits_of_jerk_keeps_the_other_limits(tmp_path: Path, planner: str) -> None:
+    """On a machine that has limits of jerk: those of velocity and acceleration hold, and no jerk is asked for."""
+    (tmp_path / "part.ngc").write_text("G61\nG1 X4 F900\nG1 X9 Y1\nG2 X19 Y11 I10\nM2\n")
+    asked = limits(tmp_path / "part.ngc", machine="xyz", planner=planner)
+    assert asked.passed and [peak.use for peak in asked.peaks if peak.kind == "jerk"] == [None] * 3
+    assert limits(tmp_path / "part.ngc", machine="xyz", planner=planner, jerk="1 m/s^3").passed is False
+    assert check(tmp_path / "part.ngc", planner=planner).cycle_time == asked.cycle_time
+
+
 def test_a_configuration_of_fluidnc_says_how_it_plans(tmp_path: Path) -> None:
     machine = made_control(tmp_path, "fluidnc", ("name: a router\n", "name: a router\njunction_deviation_mm: 0.03\nplanner_blocks: 40\n"))
     assert astuple(load_machine(machine).own_planner)[:3] == pytest.approx((3e-5, 2e-6, 40), rel=1e-12)

@@ -442,7 +442,8 @@ def about_machine(machine: Machine, reading: Reading | None) -> Iterator[Finding
     if machine.control:
         yield from machine.control.findings
         free = [axis.name for axis in machine.axes if math.isinf(axis.limits.jerk)]
-        if bounded := {axis.name: axis.limits.jerk for axis in machine.axes if axis.name not in free}:
+        bounded = {axis.name: axis.limits.jerk for axis in machine.axes if axis.name not in free}
+        if bounded and machine.own_planner is None:
             yield finding("CL990", axes=list(bounded), jerk=min(bounded.values()))
         if free and machine.own_planner is None:
             yield finding("CL991", axes=free, control=machine.control.control)
