@@ -84,7 +84,7 @@ class LinuxCNC:
     Parameters
     ----------
     cycle : float [s], > 0
-    kink_ratio : float, 0.001 to 0.7071
+    kink_ratio : float [1], 0.001 to 0.7071
         ``ARC_BLEND_KINK_RATIO``.
     planner_blocks : int, > 2
         ``ARC_BLEND_OPTIMIZATION_DEPTH`` and two.
