@@ -19,7 +19,7 @@ BUDGETS = {
     "controls": 662,
     "engine": 3404,
     "features": 18562,
-    "feed": 2611,
+    "feed": 2615,
     "findings": 55,
     "geometry": 2220,
     "logs": 1922,
@@ -27,12 +27,12 @@ BUDGETS = {
     "metrics": 1130,
     "native": 320,
     "papers": 3363,
-    "program": 2601,
+    "program": 2603,
     "rendering": 2554,
-    "result": 516,
+    "result": 539,
     "scenario": 2032,
     "study": 1405,
-    "without papers": 55932,
+    "without papers": 55961,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

@@ -143,7 +143,7 @@ def check(seed: int) -> None:
     ends = [path.position([0.0, path.length]) for path in (found.path, given.path)]
     np.testing.assert_allclose(ends[0], ends[1], rtol=0.0, atol=1e-14)
     np.testing.assert_array_equal(found.dwell[found.dwell > 0.0], given.dwell[given.dwell > 0.0])
-    assert limit_report(plan(found, limits, 1e-3), limits).ok()
+    assert limit_report(plan(found, limits, 2e-4), limits).ok()  # samples of 1 ms miss peaks
 
 
 if __name__ == "__main__":

@@ -235,9 +235,10 @@ def test_a_stepper_has_sliders(browsing, tmp_path):
     """It has no gains and no friction; its planner has no jerk limit, and then makes more spans along an arc than there are samples."""
     settings = [f"$10{i}={steps}\n$11{i}=5000\n$12{i}=250\n$13{i}=400\n" for i, steps in enumerate((250, 250, 400))]
     (tmp_path / "grbl.txt").write_text("$0=10\n" + "".join(settings))
-    (tmp_path / "part.ngc").write_text(PROGRAM.replace("G64 P0.002", ""))
-    assert main(["run", str(tmp_path / "part.ngc"), "--machine", str(tmp_path / "grbl.txt"), "--no-interval", "--out", str(tmp_path / "out")]) == 0
-    page = browsing.open(tmp_path / "out" / "report.html")
+    part, machine, out = tmp_path / "part.ngc", tmp_path / "grbl.txt", tmp_path / "out"
+    part.write_text(PROGRAM.replace("G64 P0.002", ""))
+    assert main(["run", str(part), "--machine", str(machine), "--no-interval", "--out", str(out)]) == 0
+    page = browsing.open(out / "report.html")
     drawn(page, "live").hover()
     page.locator("#live tbody").wait_for()
     drag(page, "plant natural frequency", -0.5)

@@ -6,8 +6,8 @@ stay corners between lines.
 
 Sites p along a run are smoothed (Whittaker and Henderson): x minimises the integral of |x - p|^2 + l^6 |x'''|^2 by arc length. Ripples
 shorter than l vanish; arcs of a radius of some l stay. The length l begins large. It is lowered around each site that leaves half of the
-tolerance, and once it is as small as the chords, around each that leaves the tolerance. Position and two derivatives at some sites give
-quintic curves, so curvature does not jump.
+tolerance, and, where it is as small as the chords, around each site that leaves the whole tolerance. Position and two derivatives at some
+sites give quintic curves, so curvature does not jump.
 
 Each quintic is compared with the programmed path at equal arc length, so neither cuts anything short. The difference on a line is a quintic
 too: the control points of its Bezier form bound it.
@@ -32,7 +32,7 @@ from contourlab.geometry.path import CORNER_ANGLE
 from contourlab.native.kernel import kernel
 
 _RATIO = 64.0
-"""A curve more times as long as a neighbour is not short."""
+"""A curve more than this many times as long as a neighbour is not short."""
 _FEWEST = 3
 """Least number of short curves in a run."""
 _TAKE = 1000.0
@@ -461,7 +461,7 @@ class Quintics(NamedTuple):
 
 
 def replaced(route: Route, quintics: Quintics, low: Array, high: Array, start: Array, end: Array) -> Route:
-    """Return a route with quintic curves in place of what does not stay of its curves.
+    """Return a route with quintic curves in place of the parts of its curves that do not stay.
 
     Parameters
     ----------

@@ -25,7 +25,8 @@ Kinds = NDArray[np.int8]
 
 GROUP = 1.15  # largest factor between permitted speeds within a piece of a general curve
 NODES_ARC = 128  # samples per turn of an arc: the worst direction is met within 0.03 %
-NODES_BLEND = 17  # samples of a blend, which bends once
+NODES_BLEND = 17  # samples of a blend; the motion along it is checked between them
+NODES_BOUNDS = 33  # of a blend that is planned by bounds, which nothing checks
 NODES_FIRST = 65  # samples of a general curve before refinement
 TURN = 0.05  # [rad] largest turn between samples of a general curve
 STEP = 1.06  # largest factor between permitted speeds of neighbouring samples
@@ -91,21 +92,21 @@ def evaluate_nodes(route: Route, curve: Index, place: Array) -> Nodes:
     return Nodes(curve, place, *route.path.derivatives(begin + (end - begin) * np.clip(place, NUDGE, 1.0 - NUDGE), 3)[1:])
 
 
-def _first_nodes(route: Route, kind: Kinds, curves: Index) -> Nodes:
+def _first_nodes(route: Route, kind: Kinds, curves: Index, of_blend: int) -> Nodes:
     """Sample curves before any refinement."""
     middle = evaluate_nodes(route, curves, np.full(curves.size, 0.5))
     sweep = np.linalg.norm(middle.second, axis=1) * (route.path.breaks[curves + 1] - route.path.breaks[curves])
     of_arc = np.maximum(6, 2 + np.ceil(NODES_ARC * sweep / (2.0 * np.pi)))
-    count = np.choose(kind[curves], [2, of_arc, NODES_FIRST, NODES_BLEND]).astype(np.intp)
+    count = np.choose(kind[curves], [2, of_arc, NODES_FIRST, of_blend]).astype(np.intp)
     return evaluate_nodes(route, np.repeat(curves, count), ranges(np.zeros_like(count), count) / np.repeat(count - 1.0, count))
 
 
-def sample_nodes(route: Route, kind: Kinds, limits: AxisLimits, curves: Index) -> Nodes:
+def sample_nodes(route: Route, kind: Kinds, limits: AxisLimits, curves: Index, of_blend: int = NODES_BLEND) -> Nodes:
     """Sample curves (rising numbers), both ends included; general curves more densely where they turn more.
 
     The samples of a curve do not depend on the other curves.
     """
-    nodes = _first_nodes(route, kind, curves)
+    nodes = _first_nodes(route, kind, curves, of_blend)
     for _ in range(DEPTH if np.any(kind[nodes.curve] == GENERAL) else 0):
         permitted = speed_limit(_samples(route, nodes), limits, SHARES[0])
         high, low = np.maximum(permitted[1:], permitted[:-1]), np.minimum(permitted[1:], permitted[:-1])
@@ -177,7 +178,7 @@ def cut(route: Route, surveyed: Survey, limits: AxisLimits, wanted: Flags) -> Pi
         Curves to cut; between two stops either all curves or none.
     """
     junction, kind = surveyed.junctions, surveyed.kind
-    nodes = sample_nodes(route, kind, limits, np.flatnonzero(wanted))
+    nodes = sample_nodes(route, kind, limits, np.flatnonzero(wanted), NODES_BOUNDS)
     samples, line = _samples(route, nodes), kind == LINE
     joined = ~junction.stop & ~np.any(junction.kink != 0.0, axis=1) & line & np.roll(line, -1)
     joined &= route.feedrate == np.roll(route.feedrate, -1)

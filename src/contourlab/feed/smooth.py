@@ -40,8 +40,8 @@ ROUNDS = 60  # most corrections
 BEND = 4000.0  # stretching a block of duration D by one step h adds 6 v h/D^2: blocks are so long that this is below 6/BEND of the limit
 BLOCK = 50  # periods in a block; each block has its own time grid, which stretches it by half a step on average
 HASTE = 2.5  # rounds after which the exponent of a correction grows by 1
-PER_SPAN = 4  # places checked in each span, besides the samples
-PER_SPAN_MOST = 24  # most places in a span at which the path is evaluated
+PER_SPAN = 16  # places checked in each span, besides the samples
+PER_SPAN_MOST = 48  # most places in a span at which the path is evaluated
 MOST_SPANS = (8, 10_000)  # per sample, and in addition; this bounds T from below where the jerk limit is high
 FEW = 2_000  # with fewer samples, starting threads takes longer than they save
 MANY = (5_000, 200_000)  # with more samples, only the two most promising periods, or only the best one, are tried
@@ -240,19 +240,21 @@ class _Planner:
 def _check_on_path(planner: _Planner, spans: Array, begin: Index, watched: Index) -> tuple[Array, Array]:
     """Check like `_Planner.check`, with the derivatives of the path instead of those of the samples."""
     samples, segment = planner.samples, np.repeat(np.arange(begin.size - 1), np.diff(begin))
-    per_span = min(PER_SPAN + 2 * samples.arc_length.size // len(spans), PER_SPAN_MOST) if planner.period > 0.0 else 2 * PER_SPAN
+    per_span = min(PER_SPAN + 2 * samples.arc_length.size // len(spans), PER_SPAN_MOST) if planner.period > 0.0 else PER_SPAN // 2
 
     def before(place: Array, segment: Index) -> Index:
         at = np.searchsorted(samples.arc_length, place, side="right") - 1
         return np.clip(at, samples.begin[segment], samples.begin[segment + 1] - 2)
 
     some, rows, peak = np.flatnonzero(watched[before(spans[:, 1], segment)]), max(CHUNK // per_span, 1), np.zeros(begin.size - 1)
-    parts = [_needed(planner, spans[some[i : i + rows]], per_span) for i in range(0, some.size, rows)]
-    found, segment = np.concatenate([np.empty((0, 6)), *parts]), segment[some]
-    worst = across(np.maximum, found[:, 2:5])
-    np.maximum.at(peak, segment, worst)
-    bad = np.flatnonzero(worst > 1.0 + CLOSE)
-    return peak, np.column_stack([before(found[bad, 0], segment[bad]), found[bad]])
+    faults = [np.empty((0, 7))]
+    for part in (some[i : i + rows] for i in range(0, some.size, rows)):
+        found = _needed(planner, spans[part], per_span)
+        worst = across(np.maximum, found[:, 2:5])
+        np.maximum.at(peak, segment[part], worst)
+        bad = np.flatnonzero(worst > 1.0 + CLOSE)
+        faults.append(np.column_stack([before(found[bad, 0], segment[part[bad]]), found[bad]]))
+    return peak, np.concatenate(faults)
 
 
 def _needed(planner: _Planner, spans: Array, per_span: int) -> Array:
@@ -267,12 +269,13 @@ def _needed(planner: _Planner, spans: Array, per_span: int) -> Array:
 
 def _corrected(planner: _Planner) -> SmoothMotion:
     """Lower the limits around violations until none is left, in at most `ROUNDS` rounds."""
-    faults, stale = np.empty((0, 7)), np.zeros_like(planner.flags)
+    faults, stale = np.empty((0, 7)), np.zeros(planner.flags.size, dtype=bool)
     for round_ in range(ROUNDS):
         spans, begin = planner.spans(planner.square())
-        changed = planner.changed(faults) if round_ else np.ones_like(stale)
-        stale |= changed
+        changed = planner.changed(faults) if round_ else np.ones_like(planner.flags)
+        stale |= changed != 0
         peak, faults = planner.check(spans, begin, changed)
+        del changed  # long routes need the memory
         if len(faults) == 0 or round_ == ROUNDS - 1:
             # The check at the samples is cheap; the check on the path itself decides. What has not changed has passed both before.
             by_path, more = _check_on_path(planner, spans, begin, stale)

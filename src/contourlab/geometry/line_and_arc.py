@@ -51,7 +51,7 @@ class Lines(CurveBatch):
 
     def curve(self, slot: int) -> Line:
         line = Line.__new__(Line)
-        line.start, line.end, line.direction = (part[:, slot] for part in (self.start, self.end, self.direction))
+        line.start, line.end, line.direction = (part[:, slot].copy() for part in (self.start, self.end, self.direction))
         line.length, line.n_axis = float(self.length[slot]), self.n_axis
         return line
 

@@ -86,7 +86,7 @@ class Path(CurveSequence):
         if len(self._sets) == 1:
             return super().at(index, along, order)
         found, plain = np.empty((order + 1, self.n_axis, along.size)), self._plain
-        _evaluate(np.ascontiguousarray(index), np.ascontiguousarray(along), order, *plain, found)
+        _evaluate(np.ascontiguousarray(index, dtype=np.int64), np.ascontiguousarray(along, dtype=np.float64), order, *plain, found)
         others = np.flatnonzero(plain[0][index] == 2) if any(not isinstance(batch, Lines | Blends) for batch in self._sets) else ()
         if len(others):
             found[:, :, others] = super().at(index[others], along[others], order).transpose(0, 2, 1)

@@ -33,6 +33,8 @@ class Rules(NamedTuple):
         Codes that it has, but that are not read.
     last_counts : frozenset of str
         Modal groups in which the last of several codes of a block counts; of other groups a block has one.
+    needs_end : bool
+        Whether a program without M2, M30 or % at its end is refused.
     lone_g80 : bool
         Whether G80 cannot share a block with another motion.
     paths_apart : bool
@@ -74,6 +76,7 @@ class Rules(NamedTuple):
     letters: frozenset[str] = USED_LETTERS
     meanings: Mapping[str, str] = {}
     last_counts: frozenset[str] = frozenset()
+    needs_end: bool = True
     lone_g80: bool = False
     paths_apart: bool = False
     keeps_feedrate: bool = False
@@ -114,6 +117,7 @@ GRBL = Rules(
     g=_groups(G_GROUPS, _COMMON + "28.1 30.1 43.1 91.1 92.1", 10),
     m=_groups(M_GROUPS, "0 1 2 3 4 5 7 8 9 30"),
     letters=frozenset("FIJKLPRSTXYZ"),
+    needs_end=False,
     lone_g80=True,
     keeps_feedrate=True,
     new_units=True,

@@ -76,7 +76,7 @@ def make_arc(block: Block, state: ModalState, end: Point, line: int) -> Arc:
 def _check_words(block: Block, state: ModalState) -> None:
     words, (first, second, normal) = block.words, PLANE_AXES[state.plane]
     plane = f"{state.plane} plane"
-    if "IJK"[normal] in words and not (state.rules.stray_offsets and "R" not in words):
+    if "IJK"[normal] in words and ("R" in words or not state.rules.stray_offsets):
         stray = words["IJK"[normal]]
         raise BlockError(f"CL811 {stray.letter} has no meaning for an arc in the {plane}: delete it", stray.column)
     offsets = "IJK"[first], "IJK"[second]

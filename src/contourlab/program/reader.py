@@ -368,7 +368,7 @@ class Reader:
         if self._ended or self._closed:
             return
         line = self.walker.place[1]
-        if self.reading.dialect in ("grbl", "grblhal") or not self.reading.require_end:
+        if not (self.state.rules.needs_end and self.reading.require_end):
             self.notices.append(Notice(f"{NO_END} (M2 or M30): its last line ends it", max(line, 1), 1))
         else:
             cure = "add a line with % at the end" if self._open else "add M2 or M30 at the end"

@@ -86,8 +86,8 @@ def _undisturbed() -> Iterator[None]:
         yield
     finally:
         on_signal(SIGINT, before or SIG_DFL)
-    if held:
-        raise KeyboardInterrupt
+        if held:
+            raise KeyboardInterrupt
 
 
 _CHUNK = 1 << 14

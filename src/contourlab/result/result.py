@@ -107,7 +107,7 @@ class Result:
     def with_blocks(self, compute: Callable[[Result], Mapping[str, Signal]]) -> Result:
         """Return the result with signals added that are computed block by block, and stored as the others are."""
         if isinstance(self.signals, Stored) and self.signals.start == 0:
-            store = Store(self.n_sample)
+            store = Store(self.n_sample, self.signals)
             for part in self.blocks():
                 store.append(compute(part))
             return replace(self, signals=self.signals.beside(store.signals))

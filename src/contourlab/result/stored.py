@@ -8,6 +8,9 @@ import shutil
 import tempfile
 import weakref
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
+from threading import Lock
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -26,20 +29,53 @@ def free_scratch() -> float:
     return float(shutil.disk_usage(scratch()).free)
 
 
+class _File:
+    """A temporary file; it is removed with the last signal that is in it."""
+
+    def __init__(self) -> None:
+        with _named():
+            self.open = tempfile.TemporaryFile(dir=scratch())  # noqa: SIM115  # open as long as its signals are used
+        weakref.finalize(self, self.open.close)
+        self.end, self.alone = 0, Lock()
+
+    def taken(self, size: int) -> int:
+        """Return where `size` free bytes begin, and keep them."""
+        with self.alone:
+            self.end += size
+            return self.end - size
+
+    def write(self, offset: int, data: Any) -> None:
+        """Write bytes at some place; OutputError if they cannot be written, e.g. on a full disk."""
+        with self.alone, _named():
+            self.open.seek(offset)
+            self.open.write(data)
+            self.open.flush()
+
+
+@contextmanager
+def _named() -> Iterator[None]:
+    """Say what to do if a temporary file cannot be written."""
+    try:
+        yield
+    except OSError as error:
+        raise OutputError(f"{scratch()}: cannot be written: {error.strerror}: set TMPDIR to a folder with more room") from error
+
+
 class Store:
-    """A temporary file that takes blocks of signals; it is removed with the last of its signals.
+    """Takes signals block by block, into a temporary file of its own or that of other signals.
 
     Parameters
     ----------
     n_sample : int
         Most samples.
+    beside : Stored, optional
+        Signals whose file takes these too.
     """
 
-    def __init__(self, n_sample: int) -> None:
+    def __init__(self, n_sample: int, beside: Stored | None = None) -> None:
         self._columns: dict[str, _Column] = {}
-        self._n_sample, self._length, self._end = n_sample, 0, 0
-        self.file = tempfile.TemporaryFile(dir=scratch())  # noqa: SIM115  # open as long as its signals are used
-        weakref.finalize(self, self.file.close)
+        self._n_sample, self._length = n_sample, 0
+        self._file = _File() if beside is None else beside.file
 
     def append(self, signals: Mapping[str, Signal]) -> None:
         """Write the next samples; every call needs the same signals.
@@ -49,17 +85,12 @@ class Store:
         OutputError
             If they cannot be written, e.g. on a full disk.
         """
-        try:
-            for name, signal in signals.items():
-                data, column = np.ascontiguousarray(signal.data), self._columns.get(name)
-                if column is None:
-                    column = self._columns[name] = _Column(self, self._end, data.shape[1:], signal.dims, signal.unit)
-                    self._end += self._n_sample * column.row
-                self.file.seek(column.offset + self._length * column.row)
-                self.file.write(data.data)
-            self.file.flush()
-        except OSError as error:
-            raise OutputError(f"{scratch()}: cannot be written: {error.strerror}: set TMPDIR to a folder with more room") from error
+        for name, signal in signals.items():
+            data, column = np.ascontiguousarray(signal.data), self._columns.get(name)
+            if column is None:
+                column = _Column(self._file, 0, data.shape[1:], signal.dims, signal.unit)
+                column = self._columns[name] = column._replace(offset=self._file.taken(self._n_sample * column.row))
+            self._file.write(column.offset + self._length * column.row, data.data)
         self._length += len(data)
 
     @property
@@ -71,7 +102,7 @@ class Store:
 class _Column(NamedTuple):
     """Where a signal begins in its file, the shape of a sample, dimensions and unit."""
 
-    store: Store
+    file: _File
     offset: int
     shape: tuple[int, ...]
     dims: tuple[str, ...]
@@ -92,7 +123,7 @@ class Stored(Mapping[str, Signal]):
     def __getitem__(self, name: str) -> Signal:
         column, n = self._columns[name], self.stop - self.start
         given: dict[str, Any] = {"offset": column.offset + self.start * column.row, "shape": (n, *column.shape)}
-        data = np.memmap(column.store.file, np.float64, "r", **given) if n else np.empty(given["shape"])
+        data = np.memmap(column.file.open, np.float64, "r", **given) if n else np.empty(given["shape"])
         return Signal(data, column.dims, column.unit)
 
     def __iter__(self) -> Iterator[str]:
@@ -100,6 +131,15 @@ class Stored(Mapping[str, Signal]):
 
     def __len__(self) -> int:
         return len(self._columns)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Copies, and what another process gets, are in memory."""
+        return dict, ({name: replace(signal, data=np.array(signal.data)) for name, signal in self.items()},)
+
+    @property
+    def file(self) -> _File:
+        """The file of these signals."""
+        return next(iter(self._columns.values())).file
 
     def window(self, start: int, stop: int) -> Stored:
         """Return samples [start, stop) of these."""

@@ -84,6 +84,7 @@ def test_the_work_grows_with_the_lines(work: dict[str, int]) -> None:
 
 def test_only_what_has_changed_is_checked_again_with_the_same_result(work: dict[str, int], monkeypatch: pytest.MonkeyPatch) -> None:
     route = blended(relief(800), LIMITS)
+    monkeypatch.setattr(smooth, "PER_SPAN", 4)  # so coarse that one check on the path is not enough
     short, least = plan_profile(route, LIMITS), dict(work)
     monkeypatch.setattr(smooth._Planner, "changed", lambda planner, faults: np.ones_like(planner.flags))
     work.update(demand=0, needed=0)

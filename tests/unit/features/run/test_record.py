@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import copy
 import csv
 import errno
+import pickle
 import subprocess
 import sys
 from collections.abc import Mapping
@@ -154,6 +156,13 @@ def test_signals_in_a_file_can_be_cut_and_outlive_their_run() -> None:
     kept = part["position"]
     del run, part
     np.testing.assert_array_equal(kept, whole[350:900])
+
+
+def test_copies_of_signals_in_a_file_are_in_memory() -> None:
+    run = cl.judge(simulate_stored(*rig(), reference(1)), reference(1))
+    for copied in (copy.deepcopy(run.window(100, 300)), pickle.loads(pickle.dumps(run.window(100, 300)))):
+        assert set(copied.signals) == set(run.signals) and copied.start == 100
+        np.testing.assert_array_equal(copied["part_error"], run["part_error"][100:300])
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a full disk")
