@@ -79,7 +79,7 @@ class Grbl:
 
 @dataclass(frozen=True)
 class LinuxCNC:
-    """Planner of LinuxCNC in exact path mode, see `contourlab.feed.trapezoids`; the defaults are LinuxCNC's.
+    """Planner of LinuxCNC, see `contourlab.feed.linuxcnc`; the defaults are LinuxCNC's.
 
     Parameters
     ----------
@@ -88,11 +88,17 @@ class LinuxCNC:
         ``ARC_BLEND_KINK_RATIO``.
     planner_blocks : int, > 2
         ``ARC_BLEND_OPTIMIZATION_DEPTH`` and two.
+    gap_cycles : float [1], >= 0
+        ``ARC_BLEND_GAP_CYCLES``.
+    override : float [1], > 0
+        ``MAX_FEED_OVERRIDE``: corners are planned for this.
     """
 
     cycle: float = 1e-3
     kink_ratio: float = 0.1
     planner_blocks: int = 52
+    gap_cycles: float = 4.0
+    override: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)

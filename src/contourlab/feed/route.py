@@ -125,6 +125,31 @@ def _per_curve(name: str, value: ArrayLike, n_curve: int, dtype: Any) -> NDArray
     return array
 
 
+class Fixed(NamedTuple):
+    """Curves (m,) whose speed is given from end to end: rows (m, k, 5) of duration, s0 from their start, v0, a0, j."""
+
+    curve: Index
+    rows: Array
+
+
+class Course(NamedTuple):
+    """What the planner of a control makes of each curve of a route (n_curve,).
+
+    nominal : ndarray [m/s]
+        Speed without the neighbours.
+    steep : ndarray [m/s^2]
+        Acceleration along the curve.
+    corner : ndarray [m/s]
+        Largest speed at the end of the curve, 0 at stops.
+    fixed : Fixed or None
+    """
+
+    nominal: Array
+    steep: Array
+    corner: Array
+    fixed: Fixed | None = None
+
+
 @dataclass(frozen=True, eq=False)
 class Route:
     """A path and how to drive along each of its curves.
@@ -152,6 +177,8 @@ class Route:
         Whether the motion stops at the end of each curve even where the path is smooth (G61.1).
     correspondence : Correspondence, optional
         Map from `path` to `programmed`, where they differ.
+    course : Course, optional
+        What the planner of a control makes of it, where `blended` has found that.
 
     Raises
     ------
@@ -170,6 +197,7 @@ class Route:
     merge_tolerance: Array = 0.0  # type: ignore[assignment]
     exact_stop: Flags = False  # type: ignore[assignment]
     correspondence: Correspondence | None = None
+    course: Course | None = None
 
     def __post_init__(self) -> None:
         n_curve = len(self.path.curves)
@@ -190,7 +218,7 @@ class Route:
             raise FeedError("dwell: each must be finite and >= 0 s")
         for name in ("corner_tolerance", "merge_tolerance"):
             values = getattr(self, name)
-            refuse(not np.all(np.isfinite(values) & (values >= 0.0)), FeedError, f"{name}: each must be finite and >= 0 m")
+            refuse(not np.all(values >= 0.0), FeedError, f"{name}: each must be >= 0 m")
 
     @property
     def n_curve(self) -> int:

@@ -1,4 +1,4 @@
-"""The motion that controls without jerk limits command: each move a trapezoid of speed, as grbl plans it, or LinuxCNC in exact path mode.
+"""The motion that controls without jerk limits command: each move a trapezoid of speed, as grbl and LinuxCNC plan it.
 
 grbl: an arc becomes n = floor(|sweep| R / (2 sqrt(e (2 R - e)))) chords with the arc tolerance e (`mc_arc` in grbl's motion_control.c). The
 command follows the chords exactly. A corner is not rounded: there the velocity jumps. With the directions u before and w after it,
@@ -12,45 +12,37 @@ with which no axis exceeds its own. The control sees as many lines ahead as its 
 Ends of lines are rounded to steps first: short lines turn more than programmed. Not modelled is a buffer that runs empty because lines come
 too slowly.
 
-LinuxCNC 2.9 (tp.c, blendmath.c, emccanon.cc): arcs stay. A corner from the direction u to w is passed if the share
-
-    max over the axes of |w - u| (v / cycle + a) / A        (twice that at an arc)
-
-of the axes' acceleration A is less than `kink_ratio`; v is the lower speed of both moves, a the acceleration of the second. Both lose this
-share of theirs, at other corners `kink_ratio`. On an arc turning takes at most root(3/4) of it; what is left, or a half, is
-along it. From stop to stop a motion takes whole cycles. Rapids stop before and after a cut.
+LinuxCNC: `contourlab.feed.linuxcnc`. From stop to stop a motion takes whole cycles.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-import math
 from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
 
 from contourlab.arrays import Array, ranges
 from contourlab.errors import FeedError, refuse
 from contourlab.feed.bounds import AxisLimits, Grbl, LinuxCNC
-from contourlab.feed.route import Correspondence, Route
+from contourlab.feed.linuxcnc import least_along, rounded
+from contourlab.feed.route import Correspondence, Course, Route, controlled
 from contourlab.geometry import Path
 from contourlab.geometry.curve import Curves
 from contourlab.geometry.line_and_arc import Arcs, Lines
 from contourlab.native.kernel import kernel
 
+_ROUNDS = 100
 STRAIGHT = 0.999999
 """Cosine of an angle that grbl takes for none."""
-NORMAL, SEGMENT, REVERSAL = math.sqrt(0.75), 1.02, math.radians(2.0)
-"""Of LinuxCNC: share of the acceleration for turning, fewest cycles of a move, largest sum of two directions that are a reversal."""
 SLOWEST = 1e-3 / 60.0
 """Lowest feedrate of grbl [m/s]."""
 
 
-def commanded(route: Route, planner: Grbl | LinuxCNC) -> Route:
-    """Return the curves that a control commands for a route.
+def commanded(route: Route, limits: AxisLimits) -> Route:
+    """Return the curves that the control of the limits commands for a route.
 
-    LinuxCNC: those of the route. grbl: chords in place of arcs, ends rounded to steps, no lines of no step.
+    LinuxCNC: those of the route, with its blends. grbl: chords in place of arcs, ends rounded to steps, no lines of no step.
 
     A dwell or a stop stays at the end of the last chord, or of the line before.
 
@@ -61,9 +53,10 @@ def commanded(route: Route, planner: Grbl | LinuxCNC) -> Route:
     """
     if not route.path.of_kind(Lines, Arcs).all():
         raise FeedError('the control moves along lines and arcs only: write planner = "jerk", or lines in place of the other curves')
+    planner = limits.planner
     if isinstance(planner, LinuxCNC):
-        refuse(bool(route.corner_tolerance.any()), FeedError, 'G64 is not planned as LinuxCNC does: write path_control = "exact_path"')
-        return route
+        return rounded(route, limits.for_axes(route.path.n_axis)) if route.course is None else route
+    assert planner is not None
     path, count, step = route.path, np.ones(route.n_curve, dtype=np.int64), np.array(planner.steps)
     if path.of_kind(Lines).all() and not step.any():
         return route
@@ -96,38 +89,19 @@ def commanded(route: Route, planner: Grbl | LinuxCNC) -> Route:
     )
 
 
-def _along(limit: Array, direction: Array) -> Array:
-    """Return the limit along each direction (n, n_axis) at which no axis exceeds its own (n_axis,)."""
-    with np.errstate(divide="ignore"):
-        return np.asarray((limit / np.abs(direction)).min(axis=1))
-
-
-class Course(NamedTuple):
-    """What the planner of a control makes of each curve of a route (n_curve,).
-
-    nominal : ndarray [m/s]
-        Speed without the neighbours.
-    steep : ndarray [m/s^2]
-        Acceleration along the curve.
-    corner : ndarray [m/s]
-        Largest speed at the end of the curve, 0 at stops.
-    """
-
-    nominal: Array
-    steep: Array
-    corner: Array
-
-
 def course(route: Route, limits: AxisLimits) -> Course:
     """Return how the planner of the limits runs along the curves of a route that it commands."""
     planner = limits.planner
-    assert planner is not None
-    nominal, steep, corner = _as_grbl(route, limits, planner) if isinstance(planner, Grbl) else _as_linuxcnc(route, limits, planner)
+    if isinstance(planner, LinuxCNC):
+        nominal, steep, corner, fixed = route.course or rounded(controlled(route, "exact_path", 0.0), limits).course or ()
+    else:
+        assert planner is not None
+        (nominal, steep, corner), fixed = _as_grbl(route, limits, planner), None
     corner = np.minimum(corner, np.minimum(nominal, np.roll(nominal, -1)))
     corner[(route.dwell > 0.0) | route.exact_stop] = 0.0
     if not route.path.closed:
         corner[-1] = 0.0
-    return Course(nominal, steep, corner)
+    return Course(nominal, steep, corner, fixed)
 
 
 def _as_grbl(route: Route, limits: AxisLimits, grbl: Grbl) -> tuple[Array, Array, Array]:
@@ -138,45 +112,10 @@ def _as_grbl(route: Route, limits: AxisLimits, grbl: Grbl) -> tuple[Array, Array
     cosine = 1.0 - 0.5 * size**2  # of the turning angle
     half = np.sqrt(0.5 * (1.0 + cosine))
     with np.errstate(divide="ignore", invalid="ignore"):
-        square = _along(limits.acceleration, turn / size[:, None]) * grbl.junction_deviation * half / (1.0 - half)
+        square = least_along(limits.acceleration, turn / size[:, None]) * grbl.junction_deviation * half / (1.0 - half)
     corner = np.select([cosine > STRAIGHT, cosine < -STRAIGHT], [np.inf, 0.0], np.sqrt(square))
-    nominal = np.maximum(np.minimum(route.feedrate, _along(limits.velocity, before)), SLOWEST)
-    return nominal, _along(limits.acceleration, before), corner
-
-
-def _as_linuxcnc(route: Route, limits: AxisLimits, linuxcnc: LinuxCNC) -> tuple[Array, Array, Array]:
-    path, length = route.path, np.diff(route.path.breaks)
-    before, after = path.ends[1], np.roll(path.starts[1], -1, axis=0)
-    speed, steep = _along(limits.velocity, path.starts[1]), _along(limits.acceleration, path.starts[1])
-    bent, radius = np.zeros(length.size, dtype=bool), np.ones(length.size)
-    for batch, numbers in path.kinds:
-        if isinstance(batch, Arcs):
-            # The limits of its plane, those of the straight move between its ends, and the normal acceleration.
-            flat = np.abs(batch.rate) * batch.length * batch.radius
-            moves = (np.abs(batch.u) + np.abs(batch.v) > 1e-9).T
-            v, a = (np.where(moves, limit, np.inf).min(axis=1) for limit in (limits.velocity, limits.acceleration))
-            straight = np.abs(path.ends[0] - path.starts[0])[numbers]
-            v = np.minimum(v, np.sqrt(a * NORMAL * batch.radius))
-            speed[numbers] = batch.length / np.maximum((straight / limits.velocity).max(axis=1), flat / v)
-            steep[numbers] = batch.length / np.maximum((straight / limits.acceleration).max(axis=1), flat / a)
-            bent[numbers], radius[numbers] = True, batch.radius + (batch.rise**2).sum(axis=0) / batch.radius  # the whole rise, as there
-    speed = np.minimum(speed, length / linuxcnc.cycle)
-    asked = np.minimum(route.feedrate, speed)
-    # Nearly tangent: the velocity may jump by a share of what the axes' acceleration gives in a cycle. Both curves lose that share.
-    pace = np.minimum(asked, np.roll(asked, -1))
-    jump = np.abs(after - before) * (pace / linuxcnc.cycle + np.roll(steep, -1))[:, None]
-    share = (jump / limits.acceleration).max(axis=1) * np.where(bent | np.roll(bent, -1), 2.0, 1.0)
-    tangent = share < linuxcnc.kink_ratio
-    stops = route.exact_stop | (route.rapid != np.roll(route.rapid, -1)) | (np.linalg.norm(after + before, axis=1) < REVERSAL)
-    stops[-1] |= not path.closed
-    lost = np.where(stops, 0.0, np.minimum(share, linuxcnc.kink_ratio))
-    steep *= 1.0 - np.maximum(lost, np.roll(lost, 1))
-    # An arc leaves half of the acceleration to the tangent, or what turning does not take.
-    turning = speed**2 / radius / steep
-    speed = np.where(bent & (turning > NORMAL), np.sqrt(NORMAL * steep * radius), speed)
-    steep *= np.where(bent, np.where(turning > NORMAL, 0.5, np.sqrt(1.0 - np.minimum(turning, 1.0) ** 2)), 1.0)
-    speed = np.minimum(speed, length / (SEGMENT * linuxcnc.cycle))
-    return np.minimum(route.feedrate, speed), steep, np.where(tangent & ~stops, pace, 0.0)
+    nominal = np.maximum(np.minimum(route.feedrate, least_along(limits.velocity, before)), SLOWEST)
+    return nominal, least_along(limits.acceleration, before), corner
 
 
 def trapezoids(route: Route, limits: AxisLimits, laps: int) -> Array:
@@ -189,28 +128,53 @@ def trapezoids(route: Route, limits: AxisLimits, laps: int) -> Array:
     """
     assert limits.planner is not None
     once = course(route, limits)
-    length, dwell, nominal, steep, corner = (np.tile(part, laps) for part in (np.diff(route.path.breaks), route.dwell, *once))
+    length, dwell, nominal, steep, corner = (np.tile(part, laps) for part in (np.diff(route.path.breaks), route.dwell, *once[:3]))
     square, gain = np.empty(length.size + 1), 2.0 * steep * length
-    if isinstance(limits.planner, LinuxCNC):  # the last move that it knows may lose a half to a blend: it plans to rest in its middle
-        gain[np.append(dwell[:-1] > 0.0, True)] *= 0.5
-    _squares(gain, corner**2, limits.planner.planner_blocks - 2, square)
+    rows, number, slower = np.empty((0, 1, 5)), np.zeros(0, dtype=np.int64), np.ones(0)
+    if once.fixed is not None:
+        rows = np.tile(once.fixed.rows, (laps, 1, 1))
+        number = np.concatenate([once.fixed.curve + lap * route.n_curve for lap in range(laps)])
+        slower = np.ones(number.size)
+    if isinstance(limits.planner, LinuxCNC):
+        # The last move that it knows may lose a half to a blend: where another joins it without one, it plans to rest in its middle.
+        waits = (dwell > 0.0) | np.tile(route.exact_stop, laps)
+        waits[-1], waits[(number + 1) % length.size] = True, False
+        gain[waits] *= 0.5
+        gain[number] = np.inf
+    for _ in range(_ROUNDS):
+        _squares(gain, corner**2, limits.planner.planner_blocks - 2, square)
+        # What is driven from end to end is driven slower where its neighbours do not reach the speed of its ends.
+        entry, end = corner[number - 1], corner[number]
+        share = np.minimum(1.0, np.minimum(np.sqrt(square[number]) / entry, np.sqrt(square[number + 1]) / end))
+        corner[number - 1], corner[number], slower = entry * share, end * share, slower * share
+        if (share > 1.0 - 1e-9).all():
+            break
     enter, leave = square[:-1], square[1:]
     top = np.minimum(nominal**2, 0.5 * (enter + leave) + steep * length)
     peak, v0, v1 = np.sqrt(top), np.sqrt(enter), np.sqrt(leave)
     up, down = (top - enter) / (2.0 * steep), (top - leave) / (2.0 * steep)
     end = np.cumsum(length)
+    start = end - length
+    own = rows.copy()
+    for power, column in ((-1, 0), (1, 2), (2, 3), (3, 4)):
+        own[:, :, column] *= slower[:, None] ** power
+    own[:, :, 1] += start[number][:, None]
     zero, rise, cruise, fall = np.zeros_like(end), (peak - v0) / steep, np.maximum(length - up - down, 0.0) / peak, (peak - v1) / steep
+    rise[number], cruise[number], fall[number] = own[:, :, 0].sum(axis=1), 0.0, 0.0
     if isinstance(limits.planner, LinuxCNC):  # from stop to stop in whole cycles
         stops = np.flatnonzero(leave == 0.0)
         cycles = np.diff(np.cumsum(rise + cruise + fall)[stops], prepend=0.0) / limits.planner.cycle
         dwell[stops] += (np.ceil(cycles - 1e-6) - cycles) * limits.planner.cycle
     spans = [
-        (rise, end - length, v0, steep, zero),
-        (cruise, end - length + up, peak, zero, zero),
+        (rise, start, v0, steep, zero),
+        (cruise, start + up, peak, zero, zero),
         (fall, end - down, peak, -steep, zero),
         (np.maximum(dwell, 0.0), end, zero, zero, zero),
     ]
-    return np.array(spans).transpose(2, 0, 1).reshape(-1, 5)
+    every = np.array(spans).transpose(2, 0, 1)
+    every[number, :3, 0] = 0.0  # leaves the dwell
+    order = np.argsort(np.concatenate([np.repeat(number, rows.shape[1]), np.repeat(np.arange(length.size), 4)]), kind="stable")
+    return np.concatenate([own.reshape(-1, 5), every.reshape(-1, 5)])[order]
 
 
 @kernel("f8[:] f8[:] i8 f8[:]")

@@ -225,8 +225,6 @@ def test_the_times_of_linuxcnc(path: Path, feed: list[float], exact_path: float,
         planned = plan(blended(controlled(route, control, 0.0), limits), limits, 1e-3)
         assert planned.duration == pytest.approx(measured - 1e-3, abs=2e-3)
         assert limit_report(planned, limits).velocity[0].ratio <= 1.0 + 1e-9
-    with pytest.raises(FeedError, match="G64"):
-        blended(controlled(route, "blend", 1e-5), limits)
 
 
 def test_laps_of_a_closed_path_pass_its_first_point() -> None:
