@@ -90,7 +90,7 @@ class LinuxCNC:
         ``ARC_BLEND_OPTIMIZATION_DEPTH`` and two.
     gap_cycles : float [1], >= 0
         ``ARC_BLEND_GAP_CYCLES``.
-    override : float [1], > 0
+    largest_override : float [1], > 0
         ``MAX_FEED_OVERRIDE``: corners are planned for this.
     """
 
@@ -98,7 +98,7 @@ class LinuxCNC:
     kink_ratio: float = 0.1
     planner_blocks: int = 52
     gap_cycles: float = 4.0
-    override: float = 1.0
+    largest_override: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)

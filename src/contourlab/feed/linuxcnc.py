@@ -25,8 +25,9 @@ Rapids stop before and after a cut.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -35,7 +36,7 @@ from contourlab.feed.bounds import AxisLimits, LinuxCNC
 from contourlab.feed.fitting import spliced
 from contourlab.feed.route import Correspondence, Course, Fixed, Route
 from contourlab.geometry import Arc, Path
-from contourlab.geometry.blend import Blends, blends, quintic_bezier, shapes
+from contourlab.geometry.blend import blends, quintic_bezier, shapes
 from contourlab.geometry.curve import CurveBatch, Curves, angle_between
 from contourlab.geometry.line_and_arc import Arcs, Lines
 from contourlab.native.kernel import kernel
@@ -263,9 +264,7 @@ def _arcs(
     return _Blends(reach, centre, np.where(possible, speed, 0.0), steep, possible, alone)
 
 
-def _parabola(
-    route: Route, moves: _Moves, i: Index, j: Index, steep: tuple[Array, Array], top: tuple[Array, Array], left: tuple[Array, Array]
-):
+def _parabola(route: Route, moves: _Moves, i: Index, j: Index, steep: Sequence[Array], top: Sequence[Array], left: Sequence[Array]):
     """Return the speeds of both moves between which they are added, and the speed along the corner; arrays (m,).
 
     `steep` and `top` are acceleration and speed of the moves, `left` their lengths; a shorter one is reached at most half way.
@@ -293,7 +292,7 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
     moves = _moves(route, limits, cycle)
     before, after = path.ends[1], np.roll(path.starts[1], -1, axis=0)
     asked = np.minimum(route.feedrate, moves.speed)
-    pace = np.minimum(planner.override * route.feedrate, moves.speed)
+    pace = np.minimum(planner.largest_override * route.feedrate, moves.speed)
     low = np.minimum(pace, np.roll(pace, -1))
     jump = np.abs(after - before) * (low / cycle + np.roll(moves.steep, -1))[:, None]
     share = (jump / limits.acceleration).max(axis=1) * np.where(moves.bent | np.roll(moves.bent, -1), 2.0, 1.0)
@@ -414,10 +413,11 @@ def _assembled(
     made = [Arc.through(first[k], second[k], arcs.centre[k, : path.n_axis], turn[k], inner[k], u[k]) for k in arc.tolist()]
     rounds: list[tuple[CurveBatch, Array]] = [(Arcs(made), begin[arc])] if made else []
     part, fixed = np.zeros(0, dtype=np.int64), None
-    own = arcs.speed[arc], TANGENTIAL * arcs.steep[arc], np.full(arc.size, np.inf)
+    own = np.array([arcs.speed[arc], TANGENTIAL * arcs.steep[arc], np.full(arc.size, np.inf)])
     if parabola.size:
         curves, piece = blends(parabolas.powers)
-        batch, part = Curves.of(curves).batches[0], parabolas.owner[piece]
+        batch: Any = Curves.of(curves).batches[0]
+        part = parabolas.owner[piece]
         # A part of a divided piece takes the time in which its acceleration, almost constant, gives its second derivative.
         time = np.sqrt(np.linalg.norm(batch.coefficients[:, 2], axis=1))
         time *= (parabolas.duration / np.bincount(piece, weights=time))[piece]
@@ -426,17 +426,17 @@ def _assembled(
         rounds.append((batch, begin[parabola][part] + share * parabolas.reach.sum(axis=0)[part]))
         fixed = _spans(batch, time)
         leave = np.where(np.diff(part, append=-1) != 0, parabolas.leave[part], np.roll(fixed.rows[:, 0, 2], -1))
-        own = tuple(np.append(a, b) for a, b in zip(own, (np.full(part.size, np.inf), np.ones(part.size), leave), strict=True))
+        own = np.append(own, [np.full(part.size, np.inf), np.ones(part.size), leave], axis=1)
     which, last = np.append(arc, parabola[part]), np.append(arc >= 0, np.diff(part, append=-1) != 0)
     data = np.where(route.feedrate[i] >= route.feedrate[j], i, j)[which]
     changed, source = spliced(route, rounds, (data, i[which], last), *stays, start, end)
     if fixed is not None:
         fixed = fixed._replace(curve=np.argsort(source)[-part.size :])
-    joined = (np.append(old, new)[source] for old, new in zip(course[:3], own, strict=True))
-    return replace(changed, corner_tolerance=np.asarray(0.0), merge_tolerance=np.asarray(0.0), course=Course(*joined, fixed))
+    nominal, steep, corner = np.append(np.array(course[:3]), own, axis=1)[:, source]
+    return replace(changed, corner_tolerance=np.asarray(0.0), merge_tolerance=np.asarray(0.0), course=Course(nominal, steep, corner, fixed))
 
 
-def _spans(batch: Blends, time: Array) -> Fixed:
+def _spans(batch: Any, time: Array) -> Fixed:
     """Return the spans of curves that are driven in a time (n,) [s], with the share of the time as their parameter."""
     speed = shapes(batch.coefficients, np.linspace(0.0, 1.0, 2 * STEPS + 1))[1] / time[:, None]
     step = (time / STEPS)[:, None]

@@ -311,16 +311,23 @@ class _Row(NamedTuple):
     dwell: float = 0.0
 
 
-def _row(move: Any, default_tolerance: float) -> _Row:
+def _merge(corner_tolerance: float) -> float:
+    """Return the tolerance of merged lines that goes with one of corners: none is merged where corners have no bound."""
+    return corner_tolerance if corner_tolerance < np.inf else 0.0
+
+
+def _row(move: Any, default_tolerance: float, default_control: str) -> _Row:
     mode, rapid = move.mode, isinstance(move, Traverse)
     corner = merge = 0.0
-    if mode.control == "blend":
+    if (mode.control or default_control) == "blend":
         corner = default_tolerance if mode.tolerance is None else mode.tolerance
-        merge = default_tolerance if mode.tolerance is None else mode.merge or 0.0
+        merge = _merge(default_tolerance) if mode.tolerance is None else mode.merge or 0.0
     return _Row(np.inf if rapid else move.feedrate, rapid, move.source_line, corner, merge, mode.control == "exact_stop")
 
 
-def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), *, default_tolerance: float = 0.0) -> Route:
+def route_from_program(
+    program: Program, axes: Sequence[str] = ("x", "y", "z"), *, default_tolerance: float = 0.0, default_control: PathControl = "exact_path"
+) -> Route:
     """Return the route of a part program, as programmed; `blended` then rounds its corners.
 
     A traverse (G0) is a straight line at rapid rate. The move that ends at a corner sets its tolerance. The motion stops for spindle, tool,
@@ -332,7 +339,9 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
     axes : sequence of str
         The machine's linear axes in their order: ``x``, ``y``, ``z`` or some of them.
     default_tolerance : float [m], >= 0
-        For corners and merged lines under G64 without P.
+        For corners and merged lines under G64 without P; inf, as LinuxCNC plans, for corners without a bound and no merged lines.
+    default_control : {"exact_path", "blend"}
+        For moves before the first G61 or G64.
 
     Returns
     -------
@@ -364,7 +373,7 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
                 before += move.seconds
             continue
         _check_axes(program, move, columns)
-        row = _row(move, default_tolerance)
+        row = _row(move, default_tolerance, default_control)
         try:
             bent = _bent_curves(move, columns)
         except GeometryError as error:
@@ -409,7 +418,7 @@ def controlled(route: Route, control: PathControl, corner_tolerance: float, merg
     if control == "program":
         return route
     corner = corner_tolerance if control == "blend" else 0.0
-    merge = corner if merge_tolerance is None or control != "blend" else merge_tolerance
+    merge = _merge(corner) if merge_tolerance is None or control != "blend" else merge_tolerance
     stop = np.asarray(control == "exact_stop")
     return replace(route, corner_tolerance=np.asarray(corner), merge_tolerance=np.asarray(merge), exact_stop=stop)
 

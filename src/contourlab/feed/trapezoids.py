@@ -93,7 +93,9 @@ def course(route: Route, limits: AxisLimits) -> Course:
     """Return how the planner of the limits runs along the curves of a route that it commands."""
     planner = limits.planner
     if isinstance(planner, LinuxCNC):
-        nominal, steep, corner, fixed = route.course or rounded(controlled(route, "exact_path", 0.0), limits).course or ()
+        own = route.course or rounded(controlled(route, "exact_path", 0.0), limits).course
+        assert own is not None
+        nominal, steep, corner, fixed = own
     else:
         assert planner is not None
         (nominal, steep, corner), fixed = _as_grbl(route, limits, planner), None

@@ -27,6 +27,8 @@ from contourlab.units import setting
 
 GRBL = ("junction_deviation", "arc_tolerance", "planner_blocks")
 """Keys of the planner of grbl."""
+LINUXCNC = ("kink_ratio", "planner_blocks", "gap_cycles", "largest_override")
+"""Keys of the planner of LinuxCNC."""
 Planner: TypeAlias = Literal["jerk", "grbl", "linuxcnc"]
 """How a control plans."""
 
@@ -261,8 +263,10 @@ class Machine:
         How the control plans, see `contourlab.feed.trapezoids`; None stands for ``"jerk"``.
     junction_deviation, arc_tolerance : float [m], or None
         Of the planner of grbl; None stands for its defaults.
+    kink_ratio, gap_cycles, largest_override : float or None
+        Of the planner of LinuxCNC; the same.
     planner_blocks : int or None
-        The same.
+        Of either; the same.
 
     Raises
     ------
@@ -282,6 +286,9 @@ class Machine:
     junction_deviation: float | None = field(default=None, metadata=setting("m", "um", minimum=0.0, maximum=1.0))
     arc_tolerance: float | None = field(default=None, metadata=setting("m", "um", minimum=1e-9, maximum=1.0))
     planner_blocks: int | None = field(default=None, metadata=setting(minimum=3, maximum=1000))
+    kink_ratio: float | None = field(default=None, metadata=setting(minimum=0.001, maximum=0.7071))
+    gap_cycles: float | None = field(default=None, metadata=setting(minimum=0.0, maximum=1000.0))
+    largest_override: float | None = field(default=None, metadata=setting(minimum=0.01, maximum=100.0))
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.servo_period) and self.servo_period > 0.0):
@@ -321,9 +328,10 @@ class Machine:
     @property
     def own_planner(self) -> Grbl | LinuxCNC | None:
         """The planner of the control, if it has no limits of jerk."""
+        own = LINUXCNC if self.planner == "linuxcnc" else GRBL
+        given = {name: value for name in own if (value := getattr(self, name)) is not None}
         if self.planner == "linuxcnc":
-            return LinuxCNC(cycle=self.servo_period)
-        given = {name: value for name in GRBL if (value := getattr(self, name)) is not None}
+            return LinuxCNC(cycle=self.servo_period, **given)
         steps = tuple(getattr(axis.plant, "pulse", 0.0) for axis in self.axes)
         return Grbl(**given, steps=steps) if self.planner == "grbl" else None
 

@@ -57,9 +57,8 @@ def read_feed(table: Table, motion: Motion, machine: Machine) -> FeedSettings:
         rules += [("laps", plain.laps != 1, "a program runs once: leave this out")]
     else:
         rules = _one_rate(table, "feedrate", '"8000 mm/min"', "frequency", "a planned contour")
-    own = plain.planner or machine.planner
-    sharp = own in ("grbl", "linuxcnc") and plain.path_control == "blend"
-    rules += [("path_control", sharp, f'planner = "{own}" rounds no corner: leave this out, or write planner = "jerk"')]
+    sharp = (plain.planner or machine.planner) == "grbl" and plain.path_control == "blend"
+    rules += [("path_control", sharp, 'planner = "grbl" rounds no corner: leave this out, or write planner = "jerk"')]
     _refuse(table, rules + _idle_corners(table, plain, is_program))
     return plain
 

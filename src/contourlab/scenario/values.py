@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -16,6 +17,7 @@ from contourlab.components.registry import component
 from contourlab.contours import ContourReading, study_contour
 from contourlab.errors import FeedError, ParameterError, ProgramError, ScenarioError, hint, refuse
 from contourlab.feed import AxisLimits, Reference, Route, blended, plan, route_from_path, route_from_program, uniform
+from contourlab.feed.bounds import Grbl, LinuxCNC
 from contourlab.feed.reference import WHOLE, Judged
 from contourlab.feed.route import PathControl, controlled
 from contourlab.geometry import Path, contour
@@ -34,9 +36,11 @@ DEFAULT_CORNER_TOLERANCE = 1e-5
 """Corner tolerance of G64 without P [m]."""
 
 
-def program_route(program: Program, axes: Sequence[str], tolerance: float = DEFAULT_CORNER_TOLERANCE) -> Route:
-    """Return the path of a program with its feedrates; `tolerance` [m] is that of G64 without P."""
-    return route_from_program(program, axes, default_tolerance=tolerance)
+def program_route(program: Program, axes: Sequence[str], tolerance: float | None = None, planner: Grbl | LinuxCNC | None = None) -> Route:
+    """Return the path of a program with its feedrates; `tolerance` [m] is that of G64 without P, by default the one of the planner."""
+    own = isinstance(planner, LinuxCNC)
+    allowed = (math.inf if own else DEFAULT_CORNER_TOLERANCE) if tolerance is None else tolerance
+    return route_from_program(program, axes, default_tolerance=allowed, default_control="blend" if own else "exact_path")
 
 
 def program_motion(program: Program, axes: Sequence[str], limits: AxisLimits, servo_period: float) -> Reference:
@@ -47,7 +51,7 @@ def program_motion(program: Program, axes: Sequence[str], limits: AxisLimits, se
     ProgramError, FeedError
         If it cannot be planned.
     """
-    return plan(blended(program_route(program, axes), limits), limits, servo_period)
+    return plan(blended(program_route(program, axes, planner=limits.planner), limits), limits, servo_period)
 
 
 MOST_NOTICES = 5
@@ -136,13 +140,14 @@ class PartProgram:
     reading: Reading = field(default_factory=Reading)
     fit: bool = False
     note: str = ""
-    _routes: dict[float, Route] = field(default_factory=dict, init=False, repr=False, compare=False)
+    _routes: dict[Any, Route] = field(default_factory=dict, init=False, repr=False, compare=False)
 
-    def route(self, corner_tolerance: float) -> Route:
-        """Return the path of the program with its feedrates; `corner_tolerance` [m] is that of G64 without P."""
-        if corner_tolerance not in self._routes:
-            self._routes[corner_tolerance] = program_route(self.program, self.letters, corner_tolerance)
-        return self._routes[corner_tolerance]
+    def route(self, corner_tolerance: float | None, planner: Grbl | LinuxCNC | None = None) -> Route:
+        """Return the path of the program with its feedrates, as `program_route`."""
+        key = corner_tolerance, planner
+        if key not in self._routes:
+            self._routes[key] = program_route(self.program, self.letters, *key)
+        return self._routes[key]
 
     @property
     def n_axis(self) -> int:
@@ -425,12 +430,14 @@ class Case:
         return self._route(self.feed.override)
 
     def _route(self, factor: float) -> Route:
-        tolerance = self.feed.default_tolerance
+        planner, tolerance = self.machine.own_planner, self.feed.default_tolerance
+        if isinstance(planner, LinuxCNC) and self.feed.corner_tolerance is None:
+            tolerance = math.inf
         if isinstance(self.motion, Contour):
             assert self.feed.feedrate is not None  # checked by the reader
             route = route_from_path(self.motion.path, self.feed.feedrate)
         else:
-            route = self.motion.route(tolerance)
+            route = self.motion.route(tolerance, planner)
         if factor != 1.0:
             route = replace(route, feedrate=np.where(route.rapid, route.feedrate, route.feedrate * factor))
         return blended(controlled(route, self.feed.path_control, tolerance, self.feed.merge_tolerance), self.limits)

@@ -347,7 +347,8 @@ class PlannedMotion:
         from contourlab.feed.planner import plan_profile
         from contourlab.scenario.values import program_route
 
-        route, limits = program_route(program, machine.axis_names), machine.planner_limits()
+        limits = machine.planner_limits()
+        route = program_route(program, machine.axis_names, planner=limits.planner)
         route = route.within(limits.path_velocity)
         cycle_time = plan_profile(blended(route, limits), limits).duration
         self.remarks.add(program, route)
@@ -450,7 +451,7 @@ def about_machine(machine: Machine, reading: Reading | None) -> Iterator[Finding
     if isinstance(machine.own_planner, Grbl):
         yield finding("CL995", **{name: getattr(machine.own_planner, name) for name in GRBL})
     elif machine.own_planner is not None:
-        yield finding("CL996", cycle=machine.own_planner.cycle)
+        yield finding("CL996", cycle=machine.own_planner.cycle, override=machine.own_planner.largest_override)
     yield from about_reading(reading)
     if unknown := [axis.name for axis in machine.axes if not axis.limits.bounded]:
         yield finding("CL479", axes=unknown, machine=machine.name)

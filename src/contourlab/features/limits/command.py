@@ -115,7 +115,7 @@ def _planned(file: Path, options: Limits, tolerance: float, reading: Reading) ->
     given = tuple(kind for kind in KINDS if getattr(options, kind) is not None)
     within = limits if not named else machine.planner_limits()
     program = read_program(file, reading=reading)
-    route, remarks = program_route(program, machine.axis_names), Remarks(machine, reading, named=named)
+    route, remarks = program_route(program, machine.axis_names, planner=machine.own_planner), Remarks(machine, reading, named=named)
     remarks.add(program, route)
     reference = plan(blended(route, within), within, machine.servo_period)
     report, use = limit_report_by_line(reference, limits)
