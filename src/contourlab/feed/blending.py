@@ -39,6 +39,7 @@ from typing import NamedTuple
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
+from contourlab.errors import FeedError, refuse
 from contourlab.feed.bounds import AxisLimits, LinuxCNC, Samples, Share, peak_speed, ramps, speed_limit
 from contourlab.feed.fitting import Quintics, fitted, replaced
 from contourlab.feed.linuxcnc import chorded, run_chains
@@ -402,6 +403,7 @@ def blended(route: Route, limits: AxisLimits | None = None) -> Route:
     if limits is not None and limits.planner is not None:
         route = route.within(limits.path_velocity)
         return commanded(merged(chorded(route), chains=True) if isinstance(limits.planner, LinuxCNC) else route, limits)
+    refuse(bool(np.isinf(route.corner_tolerance).any()), FeedError, "corner_tolerance: without a bound for LinuxCNC's planner only")
     route = merged(fitted(route if limits is None else route.within(limits.path_velocity)))
     corners = _corners(route)
     if not corners.before.size:

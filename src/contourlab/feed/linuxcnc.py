@@ -339,12 +339,16 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
     corner[i] = by_kink
     corner[stops] = 0.0
     if not i.size or not (arc | parabola).any():
-        return replace(route, corner_tolerance=np.asarray(0.0), merge_tolerance=np.asarray(0.0), course=Course(nominal, steep, corner))
+        return replace(
+            route, corner_tolerance=np.asarray(0.0), merge_tolerance=np.asarray(0.0), course=Course(nominal, steep, corner, np.ones(n))
+        )
     assert arcs is not None
     sole = np.flatnonzero(arc & arcs.alone)
     quick = np.minimum(np.maximum(asked[i], asked[j]), arcs.speed)
     nominal[i[sole]], steep[i[sole]] = quick[sole], TANGENTIAL * arcs.steep[sole]
     corner[i[arc]] = np.inf
+    counts = np.ones(n)
+    counts[i[sole]] = 0.0
     on = np.flatnonzero(parabola)
     known = length * np.where(waits, 0.5, 1.0)
     parabolas = _added(route, moves, i[on], j[on], nominal, steep, length, known)
@@ -352,7 +356,7 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
     low_end[j[on]], high_end[i[on]] = low_end[j[on]] + reach[1, on], high_end[i[on]] - reach[0, on]
     corner[i[on]] = parabolas.entry
     arcs = arcs._replace(reach=reach, speed=quick)
-    return _assembled(route, (i, j), (low_end, high_end), arcs, np.flatnonzero(arc), parabolas, on, Course(nominal, steep, corner))
+    return _assembled(route, (i, j), (low_end, high_end), arcs, np.flatnonzero(arc), parabolas, on, Course(nominal, steep, corner, counts))
 
 
 class _Added(NamedTuple):
@@ -413,7 +417,7 @@ def _assembled(
     made = [Arc.through(first[k], second[k], arcs.centre[k, : path.n_axis], turn[k], inner[k], u[k]) for k in arc.tolist()]
     rounds: list[tuple[CurveBatch, Array]] = [(Arcs(made), begin[arc])] if made else []
     part, fixed = np.zeros(0, dtype=np.int64), None
-    own = np.array([arcs.speed[arc], TANGENTIAL * arcs.steep[arc], np.full(arc.size, np.inf)])
+    own = np.array([arcs.speed[arc], TANGENTIAL * arcs.steep[arc], np.full(arc.size, np.inf), np.ones(arc.size)])
     if parabola.size:
         curves, piece = blends(parabolas.powers)
         batch: Any = Curves.of(curves).batches[0]
@@ -426,14 +430,16 @@ def _assembled(
         rounds.append((batch, begin[parabola][part] + share * parabolas.reach.sum(axis=0)[part]))
         fixed = _spans(batch, time)
         leave = np.where(np.diff(part, append=-1) != 0, parabolas.leave[part], np.roll(fixed.rows[:, 0, 2], -1))
-        own = np.append(own, [np.full(part.size, np.inf), np.ones(part.size), leave], axis=1)
+        own = np.append(own, [np.full(part.size, np.inf), np.ones(part.size), leave, np.zeros(part.size)], axis=1)
     which, last = np.append(arc, parabola[part]), np.append(arc >= 0, np.diff(part, append=-1) != 0)
     data = np.where(route.feedrate[i] >= route.feedrate[j], i, j)[which]
     changed, source = spliced(route, rounds, (data, i[which], last), *stays, start, end)
     if fixed is not None:
         fixed = fixed._replace(curve=np.argsort(source)[-part.size :])
-    nominal, steep, corner = np.append(np.array(course[:3]), own, axis=1)[:, source]
-    return replace(changed, corner_tolerance=np.asarray(0.0), merge_tolerance=np.asarray(0.0), course=Course(nominal, steep, corner, fixed))
+    nominal, steep, corner, counts = np.append(np.array(course[:4]), own, axis=1)[:, source]
+    return replace(
+        changed, corner_tolerance=np.asarray(0.0), merge_tolerance=np.asarray(0.0), course=Course(nominal, steep, corner, counts, fixed)
+    )
 
 
 def _spans(batch: Any, time: Array) -> Fixed:

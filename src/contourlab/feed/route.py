@@ -126,27 +126,39 @@ def _per_curve(name: str, value: ArrayLike, n_curve: int, dtype: Any) -> NDArray
 
 
 class Fixed(NamedTuple):
-    """Curves (m,) whose speed is given from end to end: rows (m, k, 5) of duration, s0 from their start, v0, a0, j."""
+    """Curves whose speed is given from end to end.
+
+    Parameters
+    ----------
+    curve : ndarray (m,) of int
+    rows : ndarray (m, k, 5) [s, m, m/s, m/s^2, m/s^3]
+        Duration, s0 from the start of the curve, v0, a0, j of k spans.
+    """
 
     curve: Index
     rows: Array
 
 
 class Course(NamedTuple):
-    """What the planner of a control makes of each curve of a route (n_curve,).
+    """What the planner of a control makes of each curve of a route.
 
-    nominal : ndarray [m/s]
+    Parameters
+    ----------
+    nominal : ndarray (n_curve,) [m/s]
         Speed without the neighbours.
-    steep : ndarray [m/s^2]
+    steep : ndarray (n_curve,) [m/s^2]
         Acceleration along the curve.
-    corner : ndarray [m/s]
+    corner : ndarray (n_curve,) [m/s]
         Largest speed at the end of the curve, 0 at stops.
+    counts : ndarray (n_curve,)
+        1 for a move in the buffer of the control, 0 for what belongs to another.
     fixed : Fixed or None
     """
 
     nominal: Array
     steep: Array
     corner: Array
+    counts: Array
     fixed: Fixed | None = None
 
 
@@ -170,7 +182,8 @@ class Route:
     dwell_before : float [s], >= 0
         Time at rest before the first curve.
     corner_tolerance : array_like (n_curve,) [m], >= 0
-        Permitted deviation at the corner at the end of each curve (G64 P). See `blended`.
+        Permitted deviation at the corner at the end of each curve (G64 P); inf for G64 without a bound, as LinuxCNC alone plans it. See
+        `blended`.
     merge_tolerance : array_like (n_curve,) [m], >= 0
         Permitted deviation of points between merged lines (G64 Q).
     exact_stop : array_like (n_curve,) of bool
@@ -218,7 +231,8 @@ class Route:
             raise FeedError("dwell: each must be finite and >= 0 s")
         for name in ("corner_tolerance", "merge_tolerance"):
             values = getattr(self, name)
-            refuse(not np.all(values >= 0.0), FeedError, f"{name}: each must be >= 0 m")
+            bounded = np.isfinite(values) | (name == "corner_tolerance")
+            refuse(not np.all(bounded & (values >= 0.0)), FeedError, f"{name}: each must be finite and >= 0 m")
 
     @property
     def n_curve(self) -> int:

@@ -95,15 +95,15 @@ def course(route: Route, limits: AxisLimits) -> Course:
     if isinstance(planner, LinuxCNC):
         own = route.course or rounded(controlled(route, "exact_path", 0.0), limits).course
         assert own is not None
-        nominal, steep, corner, fixed = own
+        nominal, steep, corner, counts, fixed = own
     else:
         assert planner is not None
-        (nominal, steep, corner), fixed = _as_grbl(route, limits, planner), None
+        (nominal, steep, corner), counts, fixed = _as_grbl(route, limits, planner), np.ones(route.n_curve), None
     corner = np.minimum(corner, np.minimum(nominal, np.roll(nominal, -1)))
     corner[(route.dwell > 0.0) | route.exact_stop] = 0.0
     if not route.path.closed:
         corner[-1] = 0.0
-    return Course(nominal, steep, corner, fixed)
+    return Course(nominal, steep, corner, counts, fixed)
 
 
 def _as_grbl(route: Route, limits: AxisLimits, grbl: Grbl) -> tuple[Array, Array, Array]:
@@ -130,7 +130,7 @@ def trapezoids(route: Route, limits: AxisLimits, laps: int) -> Array:
     """
     assert limits.planner is not None
     once = course(route, limits)
-    length, dwell, nominal, steep, corner = (np.tile(part, laps) for part in (np.diff(route.path.breaks), route.dwell, *once[:3]))
+    length, dwell, nominal, steep, corner, counts = (np.tile(part, laps) for part in (np.diff(route.path.breaks), route.dwell, *once[:4]))
     square, gain = np.empty(length.size + 1), 2.0 * steep * length
     rows, number, slower = np.empty((0, 1, 5)), np.zeros(0, dtype=np.int64), np.ones(0)
     if once.fixed is not None:
@@ -143,8 +143,10 @@ def trapezoids(route: Route, limits: AxisLimits, laps: int) -> Array:
         waits[-1], waits[(number + 1) % length.size] = True, False
         gain[waits] *= 0.5
         gain[number] = np.inf
+    place = np.cumsum(counts)
+    known = np.searchsorted(place, place + limits.planner.planner_blocks - 2)
     for _ in range(_ROUNDS):
-        _squares(gain, corner**2, limits.planner.planner_blocks - 2, square)
+        _squares(gain, corner**2, known, square)
         # What is driven from end to end is driven slower where its neighbours do not reach the speed of its ends.
         entry, end = corner[number - 1], corner[number]
         share = np.minimum(1.0, np.minimum(np.sqrt(square[number]) / entry, np.sqrt(square[number + 1]) / end))
@@ -179,16 +181,16 @@ def trapezoids(route: Route, limits: AxisLimits, laps: int) -> Array:
     return np.concatenate([own.reshape(-1, 5), every.reshape(-1, 5)])[order]
 
 
-@kernel("f8[:] f8[:] i8 f8[:]")
-def _squares(gain, ceiling, window, square):
+@kernel("f8[:] f8[:] i8[:] f8[:]")
+def _squares(gain, ceiling, known, square):
     """Fill the squared speeds (n + 1,) at the ends of n lines; `gain` 2 a l, `ceiling` of the squared speed at the end of each.
 
-    While a line runs, its control plans to rest at the end of the line that is `window` lines after it.
+    While line i runs, its control knows the lines before `known` (n,)[i], and plans to rest at the end of the last.
     """
     n = gain.size
     square[0] = square[n] = 0.0
     for i in range(1, n):
         permitted = 0.0
-        for k in range(min(i + window, n) - 1, i - 1, -1):
+        for k in range(known[i] - 1, i - 1, -1):
             permitted = min(ceiling[k - 1], permitted + gain[k])
         square[i] = min(permitted, square[i - 1] + gain[i - 1])

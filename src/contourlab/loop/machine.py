@@ -263,10 +263,10 @@ class Machine:
         How the control plans, see `contourlab.feed.trapezoids`; None stands for ``"jerk"``.
     junction_deviation, arc_tolerance : float [m], or None
         Of the planner of grbl; None stands for its defaults.
-    kink_ratio, gap_cycles, largest_override : float or None
-        Of the planner of LinuxCNC; the same.
     planner_blocks : int or None
-        Of either; the same.
+        Of this planner or LinuxCNC's; the same.
+    kink_ratio, gap_cycles, largest_override : float [1], or None
+        Of the planner of LinuxCNC; the same.
 
     Raises
     ------

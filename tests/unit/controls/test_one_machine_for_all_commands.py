@@ -21,7 +21,7 @@ from contourlab.features.run.options import Run
 from contourlab.features.run.outcome import run_case
 from contourlab.features.run.source import scenario_of
 from contourlab.features.sweep.study import load_study
-from contourlab.feed.bounds import Grbl
+from contourlab.feed.bounds import Grbl, LinuxCNC
 from contourlab.program import Reading, parse_program
 from contourlab.scenario import load_machine, load_scenario, save
 from contourlab.scenario.load import reading_on, scenario_from_parts
@@ -49,11 +49,11 @@ def times(machine: Path, part: Path) -> list[float]:
 
 
 def test_a_bound_of_the_velocity_along_the_path_holds_in_every_command(tmp_path: Path) -> None:
-    """A diagonal rapid of 4 sqrt(2) inches: at 1 inch/s along the path and 20 inch/s^2 of each axis, in closed form."""
+    """A diagonal rapid of 4 sqrt(2) inches at 1 inch/s along the path and, as it expects a blend, half of 20 inch/s^2 of each axis."""
     machine, part = made(tmp_path, ("[TRAJ]\n", "[TRAJ]\nMAX_LINEAR_VELOCITY = 1\n"), program="G0 X4 Y4\nM2\n")
     bounded = times(machine, part)
     assert bounded[1:] == pytest.approx([bounded[0]] * 2, abs=1e-3)
-    assert bounded[0] == pytest.approx(4 * 2**0.5 / 1.0 + 1.0 / (20 * 2**0.5), rel=1e-6)
+    assert bounded[0] == pytest.approx(4 * 2**0.5 / 1.0 + 1.0 / (10 * 2**0.5), abs=1e-3)
     saved = tmp_path / "saved.toml"
     save(load_machine(machine), saved)
     assert load_machine(saved).planner_limits().path_velocity == pytest.approx(0.0254)
@@ -156,27 +156,41 @@ def test_a_saved_scenario_asks_for_the_zero_too(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("planner", "jerk"),
+    ("planner", "code", "jerk"),
     [
-        ("", None),
-        ("PLANNER_TYPE = 0\nMAX_LINEAR_JERK = 100\n", None),
-        ("PLANNER_TYPE = 1\n", None),
-        ("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 0\n", None),
-        ("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 0.5\n", None),
-        ("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 1e9\n", None),
-        ("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 100\n", 2.54),
+        ("", "CL996", None),
+        ("PLANNER_TYPE = 0\nMAX_LINEAR_JERK = 100\n", "CL996", None),
+        ("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 0\n", "CL996", None),
+        ("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 0.5\n", "CL996", None),
+        ("ARC_BLEND_ENABLE = 0\n", "CL991", None),
+        ("ARC_BLEND_OPTIMIZATION_DEPTH = 1\n", "CL991", None),
+        ("PLANNER_TYPE = 1\n", "CL991", None),
+        ("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 1e9\n", "CL991", None),
+        ("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 100\n", "CL990", 2.54),
     ],
 )
-def test_the_plan_says_which_jerk_it_assumed(tmp_path: Path, planner: str, jerk: float | None) -> None:
+def test_the_plan_says_which_jerk_it_assumed(tmp_path: Path, planner: str, code: str, jerk: float | None) -> None:
     machine, part = made(tmp_path, ("[TRAJ]\n", f"[TRAJ]\n{planner}"))
     assert [axis.limits.jerk for axis in load_machine(machine).axes] == pytest.approx([jerk or np.inf] * 2)
     checked = json.loads(invoke(tmp_path, "check", part, "--machine", machine, "--json").out)
     ran = run_case(scenario_from_parts(part, machine).base, explain=False)
     for findings in (checked["findings"], json_values(ran.findings)):
-        said = {one["code"]: one["values"] for one in findings if one["code"] in ("CL990", "CL991")}
-        assert list(said) == ["CL991" if jerk is None else "CL990"]
-        (values,) = said.values()
-        assert values["axes"] == ["x", "y"] and values.get("jerk") == (None if jerk is None else pytest.approx(jerk))
+        said = {one["code"]: one["values"] for one in findings if one["code"] in ("CL990", "CL991", "CL996")}
+        assert list(said) == [code]
+        assert said[code].get("axes") == (None if code == "CL996" else ["x", "y"])
+        assert said[code].get("jerk") == (None if jerk is None else pytest.approx(jerk))
+
+
+def test_the_file_says_how_linuxcnc_plans(tmp_path: Path) -> None:
+    """Its blends, its look-ahead and the override that corners are planned for; the ratio is bounded as there."""
+    keys = "ARC_BLEND_OPTIMIZATION_DEPTH = 80\nARC_BLEND_KINK_RATIO = 0.9\nARC_BLEND_GAP_CYCLES = 2\n"
+    machine, _ = made(tmp_path, ("[TRAJ]\n", f"[DISPLAY]\nMAX_FEED_OVERRIDE = 1.5\n[TRAJ]\n{keys}"))
+    assert load_machine(machine).own_planner == LinuxCNC(1e-3, 0.7071, 82, 2.0, 1.5)
+    saved = tmp_path / "saved.toml"
+    save(load_machine(machine), saved)
+    assert load_machine(saved).own_planner == LinuxCNC(1e-3, 0.7071, 82, 2.0, 1.5)
+    plain, _ = made(tmp_path)
+    assert load_machine(plain).own_planner == LinuxCNC()
 
 
 @pytest.mark.parametrize("code", ["G17 G99.9", "G0 X1", "G64 P-1 Q", "G17 M22", "g21 g64 m 22"])

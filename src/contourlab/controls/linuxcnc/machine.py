@@ -93,13 +93,12 @@ class _Machine:
         blocks = None if depth is None else min(int(depth) + 2, 1000)
         kink = None if kink is None else min(max(kink, 0.001), 0.7071)
         keys = {
-            "planner_blocks": (blocks, *names["OPTIMIZATION_DEPTH"]),
             "kink_ratio": (kink, *names["KINK_RATIO"]),
             "gap_cycles": (gap, *names["GAP_CYCLES"]),
             "largest_override": (override, "DISPLAY", "MAX_FEED_OVERRIDE"),
         }
         given = {name: self._read(value, *at) for name, (value, *at) in keys.items() if value is not None and value > 0.0}
-        return {"planner": "linuxcnc", **given}
+        return {"planner": "linuxcnc", **({} if blocks is None else {"planner_blocks": blocks}), **given}
 
     def _joints(self) -> dict[str, Joint]:
         """Return the joint of each axis; note those that are left out."""
