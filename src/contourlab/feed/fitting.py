@@ -478,17 +478,11 @@ def replaced(route: Route, quintics: Quintics, low: Array, high: Array, start: A
     share = (done - done[np.searchsorted(piece, piece)]) / np.bincount(piece, weights=rounds.length)[piece]
     begin = quintics.begin[piece] + (quintics.end - quintics.begin)[piece] * share
     last = np.diff(piece, append=-1) != 0
-    return spliced(route, [(rounds, begin)], (quintics.data[piece], quintics.joint[piece], last), low, high, start, end)[0]
+    return spliced(route, [(rounds, begin)], (quintics.data[piece], quintics.joint[piece], last), (low, high, start, end))[0]
 
 
 def spliced(
-    route: Route,
-    rounds: Sequence[tuple[CurveBatch, Array]],
-    of_each: tuple[Index, Index, Flags],
-    low: Array,
-    high: Array,
-    start: Array,
-    end: Array,
+    route: Route, rounds: Sequence[tuple[CurveBatch, Array]], of_each: tuple[Index, Index, Flags], stays: tuple[Array, Array, Array, Array]
 ) -> tuple[Route, Index]:
     """Return a route with curves in place of the parts of its own that do not stay.
 
@@ -498,8 +492,8 @@ def spliced(
         Batches of curves, and where on the path each of their curves begins (n,) [m].
     of_each : tuple
         Their `data` and `joint`, as of `Quintics`, and whether each is the last before that joint, all (n,).
-    low, high, start, end
-        As for `replaced`.
+    stays : tuple
+        `low`, `high`, `start` and `end`, as for `replaced`.
 
     Returns
     -------
@@ -507,10 +501,10 @@ def spliced(
     source : ndarray (n_curve,) of int
         For each curve of the route its number among the old curves or, after these, among the `rounds`.
     """
-    path, span = route.path, np.diff(route.path.breaks)
-    stays = high - low > 1e-9 * span
-    cut, kept, place = stays & ((low > 0.0) | (high < span)), np.flatnonzero(stays), path.breaks[:-1] + low
-    parts = [*rounds, *path.curves.parts(np.where(stays & ~cut, place, -1.0))]
+    path, span, (low, high, start, end) = route.path, np.diff(route.path.breaks), stays
+    stay = high - low > 1e-9 * span
+    cut, kept, place = stay & ((low > 0.0) | (high < span)), np.flatnonzero(stay), path.breaks[:-1] + low
+    parts = [*rounds, *path.curves.parts(np.where(stay & ~cut, place, -1.0))]
     for batch, numbers in path.kinds:
         some = np.flatnonzero(cut[numbers])
         i = numbers[some]

@@ -34,9 +34,9 @@ import numpy as np
 from contourlab.arrays import Array, Flags, Index
 from contourlab.feed.bounds import AxisLimits, LinuxCNC
 from contourlab.feed.fitting import spliced
-from contourlab.feed.route import Correspondence, Course, Fixed, Route
-from contourlab.geometry import Arc, Path
-from contourlab.geometry.blend import blends, quintic_bezier, shapes
+from contourlab.feed.route import Course, Route
+from contourlab.geometry import Arc
+from contourlab.geometry.blend import blends, halves, quintic_bezier
 from contourlab.geometry.curve import CurveBatch, Curves, angle_between
 from contourlab.geometry.line_and_arc import Arcs, Lines
 from contourlab.native.kernel import kernel
@@ -47,10 +47,11 @@ SEGMENT, REVERSAL = 1.02, math.radians(2.0)
 """Fewest cycles of a move; largest sum of two directions that are a reversal."""
 CHAIN = 100
 """Most points within a line of a chain."""
-LEAST_ARC, LEAST_RADIUS, LEAST_TURN, FLAT, ACUTE = 1e-9, 1e-15, 1e-3, 1e-6, math.pi / 12.0
-"""Shortest blend arc [m] and its radius; smallest turn of one [rad] that a tolerance bounds; of planes that are one; between two arcs."""
-STEPS = 8
-"""Spans of a parabola: its speed is exact at their ends."""
+LEAST_ARC, LEAST_TURN, FLAT, ACUTE = 1e-9, 1e-3, 1e-6, math.pi / 12.0
+"""Shortest blend arc [m]; smallest turn of a parabola [rad] that a tolerance bounds; of planes that are one; between two arcs."""
+UNROUNDED: dict[str, Any] = {"corner_tolerance": 0.0, "merge_tolerance": 0.0}
+HALVINGS = 3
+"""Of a parabola: the speed is exact at the ends of its parts."""
 
 
 def run_chains(points: Array, tolerance: Array, linked: Flags) -> Index:
@@ -84,33 +85,20 @@ def _mark_chains(points, tolerance, linked, begins):
 
 def chorded(route: Route) -> Route:
     """Return a route with two lines in place of each arc in the first two axes whose chord lies within the `merge_tolerance`."""
-    path, count = route.path, np.ones(route.n_curve, dtype=np.int64)
+    path, small = route.path, np.zeros(0, dtype=np.int64)
     for batch, numbers in path.kinds:
         if isinstance(batch, Arcs):
-            half = 0.5 * np.abs(batch.rate) * batch.length
             flat = (np.abs(batch.u[2:]) + np.abs(batch.v[2:]) < 1e-9).all(axis=0)
-            count[numbers] += flat & (batch.radius * (1.0 - np.cos(half)) < route.merge_tolerance[numbers])
-    small = np.flatnonzero(count == 2)
+            off = batch.radius * (1.0 - np.cos(0.5 * np.abs(batch.rate) * batch.length))
+            small = numbers[flat & (off < route.merge_tolerance[numbers])]
     if not small.size:
         return route
-    middle, half = path.at(small, 0.5 * np.diff(path.breaks)[small], 0)[0], 0.5 * np.diff(path.breaks)[small]
-    number = np.arange(route.n_curve, dtype=float)
-    number[small] = -1.0
+    span, begin, (low, high) = np.diff(path.breaks), path.breaks[small], (np.zeros(route.n_curve), np.diff(path.breaks))
+    middle, high[small] = path.at(small, 0.5 * span[small], 0)[0], 0.0
     lines = Lines.between(np.vstack([path.starts[0][small], middle]), np.vstack([middle, path.ends[0][small]]))
-    planned = Path(Curves([(lines, np.concatenate([small, small + 0.5])), *path.curves.parts(number)]), path.closed)
-    source = np.repeat(np.arange(route.n_curve), count)
-    first = np.append(source[1:] == source[:-1], False)
-    places = path.breaks[source]
-    places[np.roll(first, 1)] += half
-    map_ = Correspondence(planned.breaks, np.append(places, path.length))
-    return replace(
-        route,
-        path=planned,
-        correspondence=map_ if route.correspondence is None else route.correspondence.after(map_),
-        dwell=np.where(first, 0.0, route.dwell[source]),
-        exact_stop=route.exact_stop[source] & ~first,
-        **{name: getattr(route, name)[source] for name in ("feedrate", "rapid", "corner_tolerance", "merge_tolerance")},
-    )
+    which, last = np.tile(small, 2), np.repeat([False, True], small.size)
+    rounds = [(lines, np.append(begin, begin + 0.5 * span[small]))]
+    return spliced(route, rounds, (which, which, last), (low, high, path.starts[0], path.ends[0]))[0]
 
 
 def least_along(limit: Array, direction: Array) -> Array:
@@ -134,7 +122,7 @@ def _unit(vectors: Array) -> Array:
 
 
 class _Moves(NamedTuple):
-    """The moves of a route (n,) as the canonical interface sends them; `normal`, `centre`, `turn`, `radius` of arcs."""
+    """The moves of a route (n,) as the canonical interface sends them; `normal`, `centre`, `radius` of arcs."""
 
     length: Array
     speed: Array
@@ -145,11 +133,6 @@ class _Moves(NamedTuple):
     centre: Array
     bend: Array
     """Radius of the curvature, with the whole rise of a helix."""
-
-    @property
-    def turn(self) -> Array:
-        """Angles of the arcs."""
-        return self.length / self.radius
 
 
 def _moves(route: Route, limits: AxisLimits, cycle: float) -> _Moves:
@@ -228,7 +211,7 @@ def _arcs(
     speed = np.minimum(np.sqrt(NORMAL * steep * largest), goal)
     stretch = np.minimum(np.sqrt(steep * d), speed) / (TANGENTIAL * steep) * speed
     size = np.maximum(speed**2 / (NORMAL * steep), np.minimum(stretch / turn, largest))
-    possible = (size > LEAST_RADIUS) & (size * turn >= LEAST_ARC)
+    possible = size * turn >= LEAST_ARC
     # Its centre between two lines; then where one of them, or both, is an arc.
     reach, centre = np.stack([size / np.tan(theta)] * 2), corner + inner * (size / np.sin(theta))[:, None]
     grown = [radius[k] + np.where(convex[k], -size, size) for k in (0, 1)]
@@ -339,9 +322,7 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
     corner[i] = by_kink
     corner[stops] = 0.0
     if not i.size or not (arc | parabola).any():
-        return replace(
-            route, corner_tolerance=np.asarray(0.0), merge_tolerance=np.asarray(0.0), course=Course(nominal, steep, corner, np.ones(n))
-        )
+        return replace(route, **UNROUNDED, course=Course(nominal, steep, corner, np.ones(n)))
     assert arcs is not None
     sole = np.flatnonzero(arc & arcs.alone)
     quick = np.minimum(np.maximum(asked[i], asked[j]), arcs.speed)
@@ -356,7 +337,8 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
     low_end[j[on]], high_end[i[on]] = low_end[j[on]] + reach[1, on], high_end[i[on]] - reach[0, on]
     corner[i[on]] = parabolas.entry
     arcs = arcs._replace(reach=reach, speed=quick)
-    return _assembled(route, (i, j), (low_end, high_end), arcs, np.flatnonzero(arc), parabolas, on, Course(nominal, steep, corner, counts))
+    course = Course(nominal, steep, corner, counts)
+    return _assembled(route, (i, j), (low_end, high_end), (arcs, parabolas), (np.flatnonzero(arc), on), course)
 
 
 class _Added(NamedTuple):
@@ -395,28 +377,30 @@ def _added(route: Route, moves: _Moves, i: Index, j: Index, nominal: Array, stee
         points[:, 5 * k], points[:, 1 + 3 * k] = (place := one[0] + two[0] - corner), place + step
         points[:, 2 + k] = place + 2.0 * step + change * duration[:, None] ** 2 / 20.0
     reach = np.stack([0.5 * v * v / took, up * rise[owner] * (times[1] - 0.5 * rise[owner])])[:, last]
-    return _Added(quintic_bezier(points), owner, duration, v[last], (up * rise[owner])[last], reach)
+    leave, powers = (up * rise[owner])[last], quintic_bezier(points)
+    for _ in range(HALVINGS):
+        powers, owner, duration = halves(powers), np.repeat(owner, 2), 0.5 * np.repeat(duration, 2)
+    return _Added(powers, owner, duration, v[last], leave, reach)
 
 
 def _assembled(
     route: Route,
     moves: tuple[Index, Index],
     stays: tuple[Array, Array],
-    arcs: _Blends,
-    arc: Index,
-    parabolas: _Added,
-    parabola: Index,
+    blended: tuple[_Blends, _Added],
+    at: tuple[Index, Index],
     course: Course,
 ) -> Route:
-    """Return the route with its blends, at the corners `arc` and `parabola` of those between the `moves`."""
-    (i, j), path = moves, route.path
+    """Return the route with its blend arcs and parabolas, each `at` some of the corners between the `moves`."""
+    (i, j), (arcs, parabolas), (arc, parabola), path = moves, blended, at, route.path
     start, end, span = path.starts[0].copy(), path.ends[0].copy(), np.diff(path.breaks)
     (first, u), (second, w) = path.at(i, span[i] - arcs.reach[0], 1), path.at(j, arcs.reach[1], 1)
     end[i], start[j], begin, turn = first, second, path.breaks[i] + span[i] - arcs.reach[0], angle_between(u, w)
-    inner = _unit(_dot(u, w)[:, None] * u - w)
-    made = [Arc.through(first[k], second[k], arcs.centre[k, : path.n_axis], turn[k], inner[k], u[k]) for k in arc.tolist()]
-    rounds: list[tuple[CurveBatch, Array]] = [(Arcs(made), begin[arc])] if made else []
-    part, fixed = np.zeros(0, dtype=np.int64), None
+    inner, rounds = _unit(_dot(u, w)[:, None] * u - w), list[tuple[CurveBatch, Array]]()
+    if arc.size:
+        made = [Arc.through(first[k], second[k], arcs.centre[k, : path.n_axis], turn[k], inner[k], u[k]) for k in arc.tolist()]
+        rounds.append((Arcs(made), begin[arc]))
+    part = np.zeros(0, dtype=np.int64)
     own = np.array([arcs.speed[arc], TANGENTIAL * arcs.steep[arc], np.full(arc.size, np.inf), np.ones(arc.size)])
     if parabola.size:
         curves, piece = blends(parabolas.powers)
@@ -425,31 +409,15 @@ def _assembled(
         # A part of a divided piece takes the time in which its acceleration, almost constant, gives its second derivative.
         time = np.sqrt(np.linalg.norm(batch.coefficients[:, 2], axis=1))
         time *= (parabolas.duration / np.bincount(piece, weights=time))[piece]
+        speed = np.linalg.norm(batch.coefficients[:, 1], axis=1) / time
+        leave = np.where(np.diff(part, append=-1) != 0, parabolas.leave[part], np.roll(speed, -1))
+        steep = np.maximum(np.abs(leave**2 - speed**2) / (2.0 * batch.length), 1e-6) * (1.0 + 1e-9)
+        own = np.append(own, [np.maximum(speed, leave), steep, leave, np.zeros(part.size)], axis=1)
         done = np.cumsum(batch.length) - batch.length
         share = (done - done[np.searchsorted(part, part)]) / np.bincount(part, weights=batch.length)[part]
         rounds.append((batch, begin[parabola][part] + share * parabolas.reach.sum(axis=0)[part]))
-        fixed = _spans(batch, time)
-        leave = np.where(np.diff(part, append=-1) != 0, parabolas.leave[part], np.roll(fixed.rows[:, 0, 2], -1))
-        own = np.append(own, [np.full(part.size, np.inf), np.ones(part.size), leave, np.zeros(part.size)], axis=1)
     which, last = np.append(arc, parabola[part]), np.append(arc >= 0, np.diff(part, append=-1) != 0)
     data = np.where(route.feedrate[i] >= route.feedrate[j], i, j)[which]
-    changed, source = spliced(route, rounds, (data, i[which], last), *stays, start, end)
-    if fixed is not None:
-        fixed = fixed._replace(curve=np.argsort(source)[-part.size :])
-    nominal, steep, corner, counts = np.append(np.array(course[:4]), own, axis=1)[:, source]
-    return replace(
-        changed, corner_tolerance=np.asarray(0.0), merge_tolerance=np.asarray(0.0), course=Course(nominal, steep, corner, counts, fixed)
-    )
-
-
-def _spans(batch: Any, time: Array) -> Fixed:
-    """Return the spans of curves that are driven in a time (n,) [s], with the share of the time as their parameter."""
-    speed = shapes(batch.coefficients, np.linspace(0.0, 1.0, 2 * STEPS + 1))[1] / time[:, None]
-    step = (time / STEPS)[:, None]
-    length = (speed[:, :-2:2] + 4.0 * speed[:, 1::2] + speed[:, 2::2]) * step / 6.0
-    length *= (batch.length / length.sum(axis=1))[:, None]
-    v, w = speed[:, :-1:2], speed[:, 2::2]
-    jerk = 6.0 * (w + v) / step**2 - 12.0 * length / step**3
-    acceleration = (w - v) / step - 0.5 * jerk * step
-    rows = step * np.ones_like(v), np.cumsum(length, axis=1) - length, v, acceleration, jerk
-    return Fixed(np.zeros(0, dtype=np.int64), np.stack(rows, axis=2))
+    changed, source = spliced(route, rounds, (data, i[which], last), (*stays, start, end))
+    nominal, steep, corner, counts = np.append(np.array(course), own, axis=1)[:, source]
+    return replace(changed, **UNROUNDED, course=Course(nominal, steep, corner, counts))

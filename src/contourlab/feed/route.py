@@ -125,20 +125,6 @@ def _per_curve(name: str, value: ArrayLike, n_curve: int, dtype: Any) -> NDArray
     return array
 
 
-class Fixed(NamedTuple):
-    """Curves whose speed is given from end to end.
-
-    Parameters
-    ----------
-    curve : ndarray (m,) of int
-    rows : ndarray (m, k, 5) [s, m, m/s, m/s^2, m/s^3]
-        Duration, s0 from the start of the curve, v0, a0, j of k spans.
-    """
-
-    curve: Index
-    rows: Array
-
-
 class Course(NamedTuple):
     """What the planner of a control makes of each curve of a route.
 
@@ -152,14 +138,12 @@ class Course(NamedTuple):
         Largest speed at the end of the curve, 0 at stops.
     counts : ndarray (n_curve,)
         1 for a move in the buffer of the control, 0 for what belongs to another.
-    fixed : Fixed or None
     """
 
     nominal: Array
     steep: Array
     corner: Array
     counts: Array
-    fixed: Fixed | None = None
 
 
 @dataclass(frozen=True, eq=False)

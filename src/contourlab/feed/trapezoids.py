@@ -32,7 +32,6 @@ from contourlab.geometry.curve import Curves
 from contourlab.geometry.line_and_arc import Arcs, Lines
 from contourlab.native.kernel import kernel
 
-_ROUNDS = 100
 STRAIGHT = 0.999999
 """Cosine of an angle that grbl takes for none."""
 SLOWEST = 1e-3 / 60.0
@@ -95,15 +94,15 @@ def course(route: Route, limits: AxisLimits) -> Course:
     if isinstance(planner, LinuxCNC):
         own = route.course or rounded(controlled(route, "exact_path", 0.0), limits).course
         assert own is not None
-        nominal, steep, corner, counts, fixed = own
+        nominal, steep, corner, counts = own
     else:
         assert planner is not None
-        (nominal, steep, corner), counts, fixed = _as_grbl(route, limits, planner), np.ones(route.n_curve), None
+        (nominal, steep, corner), counts = _as_grbl(route, limits, planner), np.ones(route.n_curve)
     corner = np.minimum(corner, np.minimum(nominal, np.roll(nominal, -1)))
     corner[(route.dwell > 0.0) | route.exact_stop] = 0.0
     if not route.path.closed:
         corner[-1] = 0.0
-    return Course(nominal, steep, corner, counts, fixed)
+    return Course(nominal, steep, corner, counts)
 
 
 def _as_grbl(route: Route, limits: AxisLimits, grbl: Grbl) -> tuple[Array, Array, Array]:
@@ -130,55 +129,32 @@ def trapezoids(route: Route, limits: AxisLimits, laps: int) -> Array:
     """
     assert limits.planner is not None
     once = course(route, limits)
-    length, dwell, nominal, steep, corner, counts = (np.tile(part, laps) for part in (np.diff(route.path.breaks), route.dwell, *once[:4]))
+    length, dwell, nominal, steep, corner, counts = (np.tile(part, laps) for part in (np.diff(route.path.breaks), route.dwell, *once))
     square, gain = np.empty(length.size + 1), 2.0 * steep * length
-    rows, number, slower = np.empty((0, 1, 5)), np.zeros(0, dtype=np.int64), np.ones(0)
-    if once.fixed is not None:
-        rows = np.tile(once.fixed.rows, (laps, 1, 1))
-        number = np.concatenate([once.fixed.curve + lap * route.n_curve for lap in range(laps)])
-        slower = np.ones(number.size)
     if isinstance(limits.planner, LinuxCNC):
         # The last move that it knows may lose a half to a blend: where another joins it without one, it plans to rest in its middle.
         waits = (dwell > 0.0) | np.tile(route.exact_stop, laps)
-        waits[-1], waits[(number + 1) % length.size] = True, False
-        gain[waits] *= 0.5
-        gain[number] = np.inf
+        waits[-1] = True
+        gain[waits & (np.roll(counts, 1) > 0.0)] *= 0.5
     place = np.cumsum(counts)
-    known = np.searchsorted(place, place + limits.planner.planner_blocks - 2)
-    for _ in range(_ROUNDS):
-        _squares(gain, corner**2, known, square)
-        # What is driven from end to end is driven slower where its neighbours do not reach the speed of its ends.
-        entry, end = corner[number - 1], corner[number]
-        share = np.minimum(1.0, np.minimum(np.sqrt(square[number]) / entry, np.sqrt(square[number + 1]) / end))
-        corner[number - 1], corner[number], slower = entry * share, end * share, slower * share
-        if (share > 1.0 - 1e-9).all():
-            break
+    _squares(gain, corner**2, np.searchsorted(place, place + limits.planner.planner_blocks - 2), square)
     enter, leave = square[:-1], square[1:]
     top = np.minimum(nominal**2, 0.5 * (enter + leave) + steep * length)
     peak, v0, v1 = np.sqrt(top), np.sqrt(enter), np.sqrt(leave)
     up, down = (top - enter) / (2.0 * steep), (top - leave) / (2.0 * steep)
     end = np.cumsum(length)
-    start = end - length
-    own = rows.copy()
-    for power, column in ((-1, 0), (1, 2), (2, 3), (3, 4)):
-        own[:, :, column] *= slower[:, None] ** power
-    own[:, :, 1] += start[number][:, None]
     zero, rise, cruise, fall = np.zeros_like(end), (peak - v0) / steep, np.maximum(length - up - down, 0.0) / peak, (peak - v1) / steep
-    rise[number], cruise[number], fall[number] = own[:, :, 0].sum(axis=1), 0.0, 0.0
     if isinstance(limits.planner, LinuxCNC):  # from stop to stop in whole cycles
         stops = np.flatnonzero(leave == 0.0)
         cycles = np.diff(np.cumsum(rise + cruise + fall)[stops], prepend=0.0) / limits.planner.cycle
         dwell[stops] += (np.ceil(cycles - 1e-6) - cycles) * limits.planner.cycle
     spans = [
-        (rise, start, v0, steep, zero),
-        (cruise, start + up, peak, zero, zero),
+        (rise, end - length, v0, steep, zero),
+        (cruise, end - length + up, peak, zero, zero),
         (fall, end - down, peak, -steep, zero),
         (np.maximum(dwell, 0.0), end, zero, zero, zero),
     ]
-    every = np.array(spans).transpose(2, 0, 1)
-    every[number, :3, 0] = 0.0  # leaves the dwell
-    order = np.argsort(np.concatenate([np.repeat(number, rows.shape[1]), np.repeat(np.arange(length.size), 4)]), kind="stable")
-    return np.concatenate([own.reshape(-1, 5), every.reshape(-1, 5)])[order]
+    return np.array(spans).transpose(2, 0, 1).reshape(-1, 5)
 
 
 @kernel("f8[:] f8[:] i8[:] f8[:]")
