@@ -158,13 +158,12 @@ def _moves(route: Route, limits: AxisLimits, cycle: float) -> _Moves:
 
 
 class _Blends(NamedTuple):
-    """Blend arcs of corners (m,): length of each move that they use (2, m), centre, speed, acceleration, whether they are possible."""
+    """Blend arcs of corners (m,): length of each move that they use (2, m), centre, speed, 0 where none is possible, acceleration."""
 
     reach: Array
     centre: Array
     speed: Array
     steep: Array
-    possible: Flags
     alone: Flags
     """Whether what is left of the line before is driven like the arc."""
 
@@ -189,16 +188,11 @@ def _arcs(
     half, span = 0.5 * (np.pi - angle_between(u, w)), (moves.length[i] - taken[i], moves.length[j])
     bent, radius, centres = [moves.bent[k] for k in (i, j)], [moves.radius[k] for k in (i, j)], [moves.centre[k] for k in (i, j)]
     convex = bent[0] & (_dot(corner - centres[0], w) < 0.0), bent[1] & (_dot(corner - centres[1], u) >= 0.0)
-    used = [
-        np.minimum(share * span[k] / radius[k], np.where(convex[k], half, 0.5 * np.pi)) for k, share in enumerate((2.0 / 3.0, 1.0 / 3.0))
-    ]
+    used = [np.minimum(span[k] * (2 - k) / 3.0 / radius[k], np.where(convex[k], half, 0.5 * np.pi)) for k in (0, 1)]
     theta = half - 0.25 * np.maximum(convex[0] * used[0], convex[1] * used[1])
-    room = [
-        np.where(bent[k], np.where(convex[k], np.sin(0.25 * used[k]), used[k]) * radius[k], 0.5 * moves.length[of])
-        for k, of in enumerate((i, j))
-    ]
-    quarter = 0.25 * np.minimum(moves.length[i], moves.length[j])
-    bound = np.minimum(quarter, np.minimum(*(np.where(tolerance[k] > 0.0, tolerance[k], np.inf) for k in (i, j))))
+    whole, chord = [moves.length[k] for k in (i, j)], [np.where(convex[k], np.sin(0.25 * used[k]), used[k]) * radius[k] for k in (0, 1)]
+    room = [np.where(bent[k], chord[k], 0.5 * whole[k]) for k in (0, 1)]
+    bound = np.minimum(*(np.minimum(0.25 * whole[k], np.where(tolerance[of] > 0.0, tolerance[of], np.inf)) for k, of in enumerate((i, j))))
     d = np.minimum(np.minimum(*room), bound * np.cos(theta) / (2.0 * np.sin(0.5 * (0.5 * np.pi - theta)) ** 2))
     largest, turn = np.tan(theta) * d, np.pi - 2.0 * theta
     steep, planar = _inscribed(n, limits.acceleration), _inscribed(n, limits.velocity)
@@ -237,14 +231,14 @@ def _arcs(
     for k in (0, 1):
         trim = angle_between(_unit(corner - centres[k]), _unit(centre - centres[k]))
         reach[k] = np.where(bent[k], trim * radius[k], reach[k])
-        plane = np.minimum(((n - moves.normal[(i, j)[k]]) ** 2).sum(axis=1), ((n + moves.normal[(i, j)[k]]) ** 2).sum(axis=1))
-        possible &= (reach[k] <= span[k] * (1.0 + 1e-9)) & (~bent[k] | ((trim <= used[k]) & (plane < FLAT**2)))
+        slant = np.cross(n, moves.normal[(i, j)[k]])
+        possible &= (reach[k] <= span[k] * (1.0 + 1e-9)) & (~bent[k] | ((trim <= used[k]) & (_dot(slant, slant) < FLAT**2)))
     possible &= ~(bent[0] | bent[1]) | (np.sqrt(((centre - corner) ** 2).sum(axis=1)) - size <= bound)
     reach = np.minimum(reach, np.stack(span))
     left = span[0] - reach[0]
     alone = ~bent[0] & (left < planner.gap_cycles * planner.cycle * speed) & ~parabola
     speed = np.minimum(speed, (size * turn + alone * left) / planner.cycle)
-    return _Blends(reach, centre, np.where(possible, speed, 0.0), steep, possible, alone)
+    return _Blends(reach, centre, np.where(possible, speed, 0.0), steep, alone)
 
 
 def _parabola(route: Route, moves: _Moves, i: Index, j: Index, steep: Sequence[Array], top: Sequence[Array], left: Sequence[Array]):
@@ -271,7 +265,7 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
     """Return a route of lines and arcs as LinuxCNC drives it: with its blends, and the `Course` along each curve."""
     planner = limits.planner
     assert isinstance(planner, LinuxCNC)
-    path, n, cycle = route.path, route.n_curve, planner.cycle
+    path, n, cycle, kink = route.path, route.n_curve, planner.cycle, planner.kink_ratio
     moves = _moves(route, limits, cycle)
     before, after = path.ends[1], np.roll(path.starts[1], -1, axis=0)
     asked = np.minimum(route.feedrate, moves.speed)
@@ -285,12 +279,10 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
     # The last move before the control waits still expects a blend.
     waits = (route.exact_stop & (route.corner_tolerance > 0.0)) | (route.dwell > 0.0)
     waits[-1] |= not path.closed
-    kink = planner.kink_ratio
     i = np.flatnonzero(~stops & (share >= kink) & (route.corner_tolerance > 0.0))
-    j, reach, taken = (i + 1) % n, np.zeros((2, i.size)), np.zeros(n)
-    parabola, arc = np.zeros(i.size, dtype=bool), np.zeros(i.size, dtype=bool)
-    by_kink, arcs = low[i] * kink / share[i], None
-    for _ in range(n if i.size else 0):  # what a corner takes of a move changes the next: from the first corner to the last
+    j, taken = (i + 1) % n, np.zeros(n)
+    parabola, by_kink = np.zeros(i.size, dtype=bool), low[i] * kink / share[i]
+    for _ in range(n):  # what a corner takes of a move changes the next: from the first corner to the last
         added = np.zeros(n, dtype=bool)
         added[j] = parabola
         arcs = _arcs(route, moves, i, j, pace, taken, limits, planner, added[i])
@@ -305,7 +297,7 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
         if np.allclose(taken, old, rtol=0.0, atol=1e-12):
             break
     # What is left of each move, and its acceleration.
-    low_end, high_end = taken.copy(), moves.length.copy()
+    low_end, high_end, counts = taken.copy(), moves.length.copy(), np.ones(n)
     high_end[i] -= reach[0]
     lost = np.where(stops, 0.0, np.minimum(share, kink))
     lost[i[parabola | arc]] = 0.0
@@ -321,39 +313,24 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
     corner = np.where(share < kink, low, 0.0)
     corner[i] = by_kink
     corner[stops] = 0.0
-    if not i.size or not (arc | parabola).any():
-        return replace(route, **UNROUNDED, course=Course(nominal, steep, corner, np.ones(n)))
-    assert arcs is not None
+    if not (arc | parabola).any():
+        return replace(route, **UNROUNDED, course=Course(nominal, steep, corner, counts))
     sole = np.flatnonzero(arc & arcs.alone)
     quick = np.minimum(np.maximum(asked[i], asked[j]), arcs.speed)
     nominal[i[sole]], steep[i[sole]] = quick[sole], TANGENTIAL * arcs.steep[sole]
     corner[i[arc]] = np.inf
-    counts = np.ones(n)
     counts[i[sole]] = 0.0
     on = np.flatnonzero(parabola)
     known = length * np.where(waits, 0.5, 1.0)
-    parabolas = _added(route, moves, i[on], j[on], nominal, steep, length, known)
-    reach[:, on] = parabolas.reach
+    parts, (reach[:, on], corner[i[on]], leave) = _added(route, moves, i[on], j[on], nominal, steep, length, known)
     low_end[j[on]], high_end[i[on]] = low_end[j[on]] + reach[1, on], high_end[i[on]] - reach[0, on]
-    corner[i[on]] = parabolas.entry
     arcs = arcs._replace(reach=reach, speed=quick)
     course = Course(nominal, steep, corner, counts)
-    return _assembled(route, (i, j), (low_end, high_end), (arcs, parabolas), (np.flatnonzero(arc), on), course)
-
-
-class _Added(NamedTuple):
-    """Parabolas: powers (k, 6, n_axis) of the share of their durations (k,), their corners (k,); speeds and reaches there (m,), (2, m)."""
-
-    powers: Array
-    owner: Index
-    duration: Array
-    entry: Array
-    leave: Array
-    reach: Array
+    return _assembled(route, (i, j), (low_end, high_end), (arcs, parts, leave), (np.flatnonzero(arc), on), course)
 
 
 def _added(route: Route, moves: _Moves, i: Index, j: Index, nominal: Array, steep: Array, length: Array, known: Array):
-    """Return parabolas as powers (m, 6, n_axis) of the share of their time; the speeds at their ends, their times, their reaches (2, m)."""
+    """Return parabolas: of parts (k,) the powers (k, 6, n_axis) of the share of their time, corner and time; reaches (2, m) and speeds."""
     path = route.path
     left, a = (length[i], length[j]), (steep[i], steep[j])
     top = [np.minimum(np.sqrt(a[k] * known[of]), nominal[of]) for k, of in enumerate((i, j))]
@@ -380,19 +357,14 @@ def _added(route: Route, moves: _Moves, i: Index, j: Index, nominal: Array, stee
     leave, powers = (up * rise[owner])[last], quintic_bezier(points)
     for _ in range(HALVINGS):
         powers, owner, duration = halves(powers), np.repeat(owner, 2), 0.5 * np.repeat(duration, 2)
-    return _Added(powers, owner, duration, v[last], leave, reach)
+    return (powers, owner, duration), (reach, v[last], leave)
 
 
 def _assembled(
-    route: Route,
-    moves: tuple[Index, Index],
-    stays: tuple[Array, Array],
-    blended: tuple[_Blends, _Added],
-    at: tuple[Index, Index],
-    course: Course,
+    route: Route, moves: Sequence[Index], stays: Sequence[Array], blended: tuple[Any, ...], at: Sequence[Index], course: Course
 ) -> Route:
     """Return the route with its blend arcs and parabolas, each `at` some of the corners between the `moves`."""
-    (i, j), (arcs, parabolas), (arc, parabola), path = moves, blended, at, route.path
+    (i, j), (arcs, (powers, owner, duration), leave), (arc, parabola), path = moves, blended, at, route.path
     start, end, span = path.starts[0].copy(), path.ends[0].copy(), np.diff(path.breaks)
     (first, u), (second, w) = path.at(i, span[i] - arcs.reach[0], 1), path.at(j, arcs.reach[1], 1)
     end[i], start[j], begin, turn = first, second, path.breaks[i] + span[i] - arcs.reach[0], angle_between(u, w)
@@ -403,21 +375,21 @@ def _assembled(
     part = np.zeros(0, dtype=np.int64)
     own = np.array([arcs.speed[arc], TANGENTIAL * arcs.steep[arc], np.full(arc.size, np.inf), np.ones(arc.size)])
     if parabola.size:
-        curves, piece = blends(parabolas.powers)
+        curves, piece = blends(powers)
         batch: Any = Curves.of(curves).batches[0]
-        part = parabolas.owner[piece]
+        part = owner[piece]
         # A part of a divided piece takes the time in which its acceleration, almost constant, gives its second derivative.
         time = np.sqrt(np.linalg.norm(batch.coefficients[:, 2], axis=1))
-        time *= (parabolas.duration / np.bincount(piece, weights=time))[piece]
+        time *= (duration / np.bincount(piece, weights=time))[piece]
         speed = np.linalg.norm(batch.coefficients[:, 1], axis=1) / time
-        leave = np.where(np.diff(part, append=-1) != 0, parabolas.leave[part], np.roll(speed, -1))
+        leave = np.where(np.diff(part, append=-1) != 0, leave[part], np.roll(speed, -1))
         steep = np.maximum(np.abs(leave**2 - speed**2) / (2.0 * batch.length), 1e-6) * (1.0 + 1e-9)
         own = np.append(own, [np.maximum(speed, leave), steep, leave, np.zeros(part.size)], axis=1)
         done = np.cumsum(batch.length) - batch.length
         share = (done - done[np.searchsorted(part, part)]) / np.bincount(part, weights=batch.length)[part]
-        rounds.append((batch, begin[parabola][part] + share * parabolas.reach.sum(axis=0)[part]))
+        rounds.append((batch, begin[parabola][part] + share * arcs.reach.sum(axis=0)[parabola][part]))
     which, last = np.append(arc, parabola[part]), np.append(arc >= 0, np.diff(part, append=-1) != 0)
     data = np.where(route.feedrate[i] >= route.feedrate[j], i, j)[which]
-    changed, source = spliced(route, rounds, (data, i[which], last), (*stays, start, end))
+    changed, source = spliced(route, rounds, (data, i[which], last), (stays[0], stays[1], start, end))
     nominal, steep, corner, counts = np.append(np.array(course), own, axis=1)[:, source]
     return replace(changed, **UNROUNDED, course=Course(nominal, steep, corner, counts))

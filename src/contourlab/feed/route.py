@@ -309,17 +309,12 @@ class _Row(NamedTuple):
     dwell: float = 0.0
 
 
-def _merge(corner_tolerance: float) -> float:
-    """Return the tolerance of merged lines that goes with one of corners: none is merged where corners have no bound."""
-    return corner_tolerance if corner_tolerance < np.inf else 0.0
-
-
 def _row(move: Any, default_tolerance: float, default_control: str) -> _Row:
     mode, rapid = move.mode, isinstance(move, Traverse)
     corner = merge = 0.0
     if (mode.control or default_control) == "blend":
         corner = default_tolerance if mode.tolerance is None else mode.tolerance
-        merge = _merge(default_tolerance) if mode.tolerance is None else mode.merge or 0.0
+        merge = np.nan_to_num(default_tolerance, posinf=0.0) if mode.tolerance is None else mode.merge or 0.0
     return _Row(np.inf if rapid else move.feedrate, rapid, move.source_line, corner, merge, mode.control == "exact_stop")
 
 
@@ -416,7 +411,7 @@ def controlled(route: Route, control: PathControl, corner_tolerance: float, merg
     if control == "program":
         return route
     corner = corner_tolerance if control == "blend" else 0.0
-    merge = _merge(corner) if merge_tolerance is None or control != "blend" else merge_tolerance
+    merge = np.nan_to_num(corner, posinf=0.0) if merge_tolerance is None or control != "blend" else merge_tolerance
     stop = np.asarray(control == "exact_stop")
     return replace(route, corner_tolerance=np.asarray(corner), merge_tolerance=np.asarray(merge), exact_stop=stop)
 

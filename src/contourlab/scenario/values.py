@@ -144,8 +144,7 @@ class PartProgram:
 
     def route(self, corner_tolerance: float | None, planner: Grbl | LinuxCNC | None = None) -> Route:
         """Return the path of the program with its feedrates, as `program_route`."""
-        key = corner_tolerance, planner
-        if key not in self._routes:
+        if (key := (corner_tolerance, planner)) not in self._routes:
             self._routes[key] = program_route(self.program, self.letters, *key)
         return self._routes[key]
 
@@ -430,9 +429,8 @@ class Case:
         return self._route(self.feed.override)
 
     def _route(self, factor: float) -> Route:
-        planner, tolerance = self.machine.own_planner, self.feed.default_tolerance
-        if isinstance(planner, LinuxCNC) and self.feed.corner_tolerance is None:
-            tolerance = math.inf
+        planner = self.machine.own_planner
+        tolerance = math.inf if self.feed.corner_tolerance is None and isinstance(planner, LinuxCNC) else self.feed.default_tolerance
         if isinstance(self.motion, Contour):
             assert self.feed.feedrate is not None  # checked by the reader
             route = route_from_path(self.motion.path, self.feed.feedrate)

@@ -85,20 +85,16 @@ class _Machine:
 
     def _planner(self) -> dict[str, Any]:
         """Return how LinuxCNC plans: nothing where it keeps limits of jerk, or has its blend arcs switched off."""
-        names = {key: ("TRAJ", f"ARC_BLEND_{key}") for key in ("ENABLE", "OPTIMIZATION_DEPTH", "KINK_RATIO", "GAP_CYCLES")}
-        enabled, depth, kink, gap = (self.ini.number(*name) for name in names.values())
-        override = self.ini.number("DISPLAY", "MAX_FEED_OVERRIDE")
-        if self._jerk or enabled == 0.0 or (depth is not None and depth < 2.0):
+        names = {"kink_ratio": "KINK_RATIO", "gap_cycles": "GAP_CYCLES", "enable": "ENABLE", "planner_blocks": "OPTIMIZATION_DEPTH"}
+        keys = {name: ("TRAJ", f"ARC_BLEND_{key}") for name, key in names.items()} | {"largest_override": ("DISPLAY", "MAX_FEED_OVERRIDE")}
+        given = {name: value for name, key in keys.items() if (value := self.ini.number(*key)) is not None}
+        depth = int(given.pop("planner_blocks", 50.0))
+        if self._jerk or given.pop("enable", 1.0) == 0.0 or depth < 2:
             return {}
-        blocks = None if depth is None else min(int(depth) + 2, 1000)
-        kink = None if kink is None else min(max(kink, 0.001), 0.7071)
-        keys = {
-            "kink_ratio": (kink, *names["KINK_RATIO"]),
-            "gap_cycles": (gap, *names["GAP_CYCLES"]),
-            "largest_override": (override, "DISPLAY", "MAX_FEED_OVERRIDE"),
-        }
-        given = {name: self._read(value, *at) for name, (value, *at) in keys.items() if value is not None and value > 0.0}
-        return {"planner": "linuxcnc", **({} if blocks is None else {"planner_blocks": blocks}), **given}
+        if "kink_ratio" in given:
+            given["kink_ratio"] = min(max(given["kink_ratio"], 0.001), 0.7071)
+        read = {name: self._read(value, *keys[name]) for name, value in given.items()}
+        return {"planner": "linuxcnc", "planner_blocks": min(depth + 2, 1000), **read}
 
     def _joints(self) -> dict[str, Joint]:
         """Return the joint of each axis; note those that are left out."""
