@@ -69,7 +69,7 @@ def commanded(route: Route, limits: AxisLimits) -> Route:
     points = np.vstack([path.at(curve, along, 0)[0], path.starts[0][:1] if path.closed else path.ends[0][-1:]])
     if step.any():
         whole = np.where(step > 0.0, step, 1.0)
-        points = np.where(step > 0.0, np.round(points / whole) * whole, points)
+        points = np.where(step > 0.0, np.trunc(points / whole + np.copysign(0.5, points)) * whole, points)
     moves = np.any(points[1:] != points[:-1], axis=1)
     refuse(not moves.any(), FeedError, "the motion is shorter than a step of the control")
     first, line = int(np.argmax(moves)), np.maximum(np.cumsum(moves) - 1, 0)

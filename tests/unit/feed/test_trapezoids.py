@@ -156,6 +156,8 @@ def test_ends_are_rounded_to_steps_and_lines_of_no_step_left_out() -> None:
     duration = plan_profile(blended(of_points(walked), limits), limits).duration
     assert duration == pytest.approx(streamed(rounded[moved], 0.04, 16, 1e-5), rel=1e-9)
     assert duration > 1.2 * plan_profile(of_points(walked), limits_of()).duration
+    half = blended(of_points(np.array([[0.0, 0, 0], [2.5e-5, -2.5e-5, 0]])), limits)  # away from zero, as C's lround
+    assert half.path.ends[0][0] == pytest.approx([3e-5, -3e-5, 0.0], abs=1e-15)
     with pytest.raises(FeedError, match="step"):
         blended(of_points(points[:2]), limits)
 
