@@ -370,8 +370,8 @@ def _assembled(
     end[i], start[j], begin, turn = first, second, path.breaks[i] + span[i] - arcs.reach[0], angle_between(u, w)
     inner, rounds = _unit(_dot(u, w)[:, None] * u - w), list[tuple[CurveBatch, Array]]()
     if arc.size:
-        made = [Arc.through(first[k], second[k], arcs.centre[k, : path.n_axis], turn[k], inner[k], u[k]) for k in arc.tolist()]
-        rounds.append((Arcs(made), begin[arc]))
+        size = np.linalg.norm(first - (centre := arcs.centre[:, : path.n_axis]), axis=1)
+        rounds.append((Arcs([Arc(centre[k], size[k], 0.0, turn[k], inner[k], u[k]) for k in arc.tolist()]), begin[arc]))
     part = np.zeros(0, dtype=np.int64)
     own = np.array([arcs.speed[arc], TANGENTIAL * arcs.steep[arc], np.full(arc.size, np.inf), np.ones(arc.size)])
     if parabola.size:

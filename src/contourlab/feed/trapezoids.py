@@ -51,7 +51,7 @@ def commanded(route: Route, limits: AxisLimits) -> Route:
         If the route has curves other than lines, arcs and helices, or moves no step.
     """
     if not route.path.of_kind(Lines, Arcs).all():
-        raise FeedError('the control moves along lines and arcs only: write planner = "jerk", or lines in place of the other curves')
+        raise FeedError('this planner drives lines and arcs only: use --planner jerk, or planner = "jerk" under [feed], for splines')
     planner = limits.planner
     if isinstance(planner, LinuxCNC):
         return rounded(route, limits.for_axes(route.path.n_axis)) if route.course is None else route

@@ -388,7 +388,7 @@ class Case:
         tolerance : float [m], > 0
             Corner tolerance of a blend.
         """
-        if self.feed.law == "uniform" or self.machine.own_planner is not None:
+        if self.feed.law == "uniform" or isinstance(self.machine.own_planner, Grbl):
             return {}
         microns = f"{tolerance * 1e6:.3g}"
         is_program = isinstance(self.motion, PartProgram)
