@@ -89,7 +89,7 @@ def chorded(route: Route) -> Route:
     for batch, numbers in path.kinds:
         if isinstance(batch, Arcs):
             flat = (np.abs(batch.u[2:]) + np.abs(batch.v[2:]) < 1e-9).all(axis=0)
-            off = batch.radius * (1.0 - np.cos(0.5 * np.abs(batch.rate) * batch.length))
+            off = batch.radius * (1.0 - np.cos(np.minimum(0.5 * np.abs(batch.rate) * batch.length, np.pi)))
             small = numbers[flat & (off < route.merge_tolerance[numbers])]
     if not small.size:
         return route

@@ -137,6 +137,8 @@ def test_a_small_arc_becomes_two_lines_and_a_flat_one_joins_a_chain() -> None:
     lone = blended(replace(small, merge_tolerance=np.array([0.0, 5.1e-5, 0.0])), limits_of())
     assert lone.path.ends[0] == pytest.approx(points[[1, 3, 4]], abs=1e-12)
     assert blended(replace(small, merge_tolerance=np.asarray(4.9e-5)), limits_of()).n_curve == 3
+    around = made(((5, 0, 0), 40), ((5, 0, 0), 40, (4, 0, 0), 2.0 * math.pi), ((5, 0, 0.5), 40, (4, 0, 0), 4.0 * math.pi))
+    assert blended(replace(around, merge_tolerance=np.asarray(5e-5)), limits_of()).n_curve == 3
 
 
 def test_a_program_is_in_g64_without_a_bound_until_it_says_otherwise() -> None:
