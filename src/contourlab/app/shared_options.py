@@ -133,7 +133,16 @@ class Dialect(ProgramReading):
 
 
 @options
-class Motion(Judged, ProgramReading):
+class Planned(Options):
+    """How a motion is planned."""
+
+    planner: str | None = option(
+        None, "How the control plans: jerk, grbl or linuxcnc; by default as its file says.", choices=("jerk", "grbl", "linuxcnc")
+    )
+
+
+@options
+class Motion(Planned, Judged, ProgramReading):
     """A scenario, or a part program with a machine and a controller."""
 
     controller: str | None = option(None, "Controller: a file, or a shipped name; a scenario has its own.")

@@ -103,7 +103,9 @@ def steps_controller(axes: Iterable[str]) -> dict[str, Any]:
     return {"axes": {axis: {"controller": "steps"} for axis in axes}}
 
 
-def stepping(file: Path, control: str, name: str, tables: dict[str, Any], findings: Iterable[Finding] = (), **program: str) -> ControlFile:
+def stepping(
+    file: Path, control: str, name: str, tables: dict[str, Any], planner: dict[str, Any], findings: Iterable[Finding] = (), **program: str
+) -> ControlFile:
     """Return the machine of a control of the family of grbl, which counts its steps, from the tables of its axes.
 
     Parameters
@@ -112,13 +114,15 @@ def stepping(file: Path, control: str, name: str, tables: dict[str, Any], findin
         Its name; that of a descendant ends in HAL.
     name : str
         Of the machine.
+    planner : dict
+        Keys of the table ``machine`` that say how the control plans.
     findings : iterable of Finding
         Further ones.
     **program : str
         How it reads a part program, beside the dialect.
     """
     axes = list(tables)
-    machine = {"name": name[:200], "servo_period": PERIOD, "axes": axes}
+    machine = {"name": name[:200], "servo_period": PERIOD, "axes": axes, **planner}
     program = {"dialect": "grbl" if control == "grbl" else "grblhal", **program}
     every = {"machine": machine, "axes": tables, "controller": steps_controller(axes), "program": program}
     counts = finding("CL984", axes=axes, why=f"{control.removesuffix('HAL')} counts its steps")

@@ -48,8 +48,13 @@ def read(file: Path) -> ControlFile:
     others = [name for name in axes if name in ("a", "b", "c", "u", "v", "w")]
     findings = [finding("CL981", file.name, axis=name, why="only x, y and z are read") for name in others]
     tables = {name: dict(_axis(file, name, axes[name])) for name in names}
+    keys = {"junction_deviation": "junction_deviation_mm", "arc_tolerance": "arc_tolerance_mm"}
+    planner: dict[str, Any] = {
+        name: read_from(f"{sections[key]} mm", f"{file.name} {key}") for name, key in keys.items() if key in sections
+    }
+    planner |= {"planner": "grbl", "planner_blocks": sections.get("planner_blocks", 16)}
     homed = [_homed(axes.get(name, {})) for name in "xyz"]
-    return stepping(file, "FluidNC", str(sections.get("name") or file.stem), tables, findings, start=", ".join(map(repr, homed)))
+    return stepping(file, "FluidNC", str(sections.get("name") or file.stem), tables, planner, findings, start=", ".join(map(repr, homed)))
 
 
 def _homed(axis: Mapping[str, Any]) -> float:

@@ -16,7 +16,8 @@ _SETTING = re.compile(r"^\s*(?:[<>\[]\s*)?\$(\d+)\s*=\s*([^\s(\]]+)")
 _DUMP = re.compile(rb"^\s*(?:[<>\[]\s*)?\$1[0-3]0\s*=", re.MULTILINE)
 """Steps, rate, acceleration or travel of the first axis."""
 _LIMITS = (("velocity", 110, "mm/min"), ("acceleration", 120, "mm/s^2"), ("jerk", 800, "mm/s^3"))
-_READ = {22, 23, *range(100, 140), *(first + n for first in (160, 800) for n in range(3))}
+_PLANNER = {"junction_deviation": 11, "arc_tolerance": 12}
+_READ = {11, 12, 22, 23, 398, *range(100, 140), *(first + n for first in (160, 800) for n in range(3))}
 """Settings that must be numbers; others may be words."""
 
 
@@ -39,7 +40,17 @@ def read(file: Path) -> ControlFile:
     tables = {letter: dict(_axis(settings, n)) for letter, n in axes.items()}
     gaps = {letter: settings.get(160 + n, (0.0, ""))[0] for letter, n in axes.items()}
     findings = [finding("CL986", f"axis {letter}", gap=1e-3 * gap) for letter, gap in gaps.items() if gap]
-    return stepping(file, "grblHAL" if {160, 800} & settings.keys() else "grbl", file.stem, tables, findings)
+    control = "grblHAL" if {160, 800} & settings.keys() else "grbl"
+    return stepping(file, control, file.stem, tables, _planner(settings, control), findings)
+
+
+def _planner(settings: dict[int, tuple[float, str]], control: str) -> dict[str, Any]:
+    """Return how the control plans: grblHAL with limits of jerk in another way than grbl, and by default with a larger buffer."""
+    if any(settings.get(800 + n, (0.0, ""))[0] for n in range(3)):
+        return {}
+    given = {name: settings[number] for name, number in _PLANNER.items() if number in settings}
+    blocks = {} if control == "grbl" else {"planner_blocks": int(settings.get(398, (100.0, ""))[0])}
+    return {"planner": "grbl", **blocks, **{name: read_from(f"{value:.12g} mm", place) for name, (value, place) in given.items()}}
 
 
 def _settings(file: Path) -> Iterator[tuple[int, tuple[float, str]]]:

@@ -39,9 +39,12 @@ from typing import NamedTuple
 import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
-from contourlab.feed.bounds import AxisLimits, Samples, Share, peak_speed, ramps, speed_limit
+from contourlab.errors import FeedError, refuse
+from contourlab.feed.bounds import AxisLimits, LinuxCNC, Samples, Share, peak_speed, ramps, speed_limit
 from contourlab.feed.fitting import Quintics, fitted, replaced
+from contourlab.feed.linuxcnc import chorded, run_chains
 from contourlab.feed.route import Correspondence, Route
+from contourlab.feed.trapezoids import commanded
 from contourlab.geometry import Path
 from contourlab.geometry.blend import Blends, halves, quintic_bezier, shapes
 from contourlab.geometry.curve import Curves, angle_between
@@ -53,8 +56,8 @@ _FORWARD = math.radians(89.0)
 """Largest angle between a line and its run: points then follow one another along the merged line."""
 
 
-def merged(route: Route) -> Route:
-    """Merge successive feed lines within their `merge_tolerance`; return the route itself where nothing is merged.
+def merged(route: Route, *, chains: bool = False) -> Route:
+    """Merge successive feed lines within their `merge_tolerance`, or in `chains` as LinuxCNC; return the route where nothing is merged.
 
     Lines are merged where feedrate, tolerances and mode are equal, none is rapid, and there is no dwell or exact stop between them. A
     merged line has exactly the ends of its run.
@@ -66,7 +69,8 @@ def merged(route: Route) -> Route:
     points = np.concatenate([path.starts[0], getattr(path.curves[-1], "end", path.ends[0][-1])[None]])
     # The largest distance of a point from its merged line: Q if Q > P, else Q but at most P/2.
     wide, narrow = route.corner_tolerance, route.merge_tolerance
-    first = run_starts(points, np.where(narrow <= wide, np.minimum(narrow, 0.5 * wide), narrow), linked)
+    within = np.where(narrow <= wide, np.minimum(narrow, 0.5 * wide), narrow)
+    first = run_chains(points, narrow, linked) if chains else run_starts(points, within, linked)
     last = np.append(first[1:], route.n_curve) - 1
     many = last > first
     if not many.any():
@@ -83,14 +87,16 @@ def merged(route: Route) -> Route:
     most = np.maximum.reduceat(np.where(many[run], aside, 0.0), first)
     corner = route.corner_tolerance[first]
     unused = np.clip(corner - np.maximum(most, np.roll(most, -1)), 0.5 * corner, corner)
-    between = Correspondence(np.append(planned.breaks[run] + np.where(many[run], along, 0.0), planned.length), path.breaks)
+    place = np.append(planned.breaks[run] + np.where(many[run], along, 0.0), planned.length)
+    rises = np.append(place[:-1] < np.minimum.accumulate(place[::-1])[::-1][1:], True)  # a point of a chain may lie before the last
+    between = Correspondence(place[rises], path.breaks[rises])
     return replace(
         route,
         path=planned,
         correspondence=between if route.correspondence is None else route.correspondence.after(between),
         dwell=route.dwell[last],
         exact_stop=route.exact_stop[last],
-        corner_tolerance=unused,
+        corner_tolerance=corner if chains else unused,
         **{name: getattr(route, name)[first] for name in ("feedrate", "rapid", "merge_tolerance")},
     )
 
@@ -379,7 +385,7 @@ def blended(route: Route, limits: AxisLimits | None = None) -> Route:
         With `merge_tolerance` and `corner_tolerance`; returned unchanged where both are 0 everywhere.
     limits : AxisLimits, optional
         If given, the route keeps to their velocity along the path, and a corner is not rounded where a stop takes less time than the
-        blend; see `quicker_blended`.
+        blend; see `quicker_blended`. If they name a planner, the lines that it commands.
 
     Returns
     -------
@@ -394,6 +400,10 @@ def blended(route: Route, limits: AxisLimits | None = None) -> Route:
     feed moves, reversals (more than 175 degrees), and at other curves. Where the feedrate changes at a corner, it changes in the middle
     of the blend.
     """
+    if limits is not None and limits.planner is not None:
+        route = route.within(limits.path_velocity)
+        return commanded(merged(chorded(route), chains=True) if isinstance(limits.planner, LinuxCNC) else route, limits)
+    refuse(bool(np.isinf(route.corner_tolerance).any()), FeedError, "corner_tolerance: without a bound for LinuxCNC's planner only")
     route = merged(fitted(route if limits is None else route.within(limits.path_velocity)))
     corners = _corners(route)
     if not corners.before.size:

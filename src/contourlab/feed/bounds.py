@@ -55,6 +55,52 @@ def _checked(name: str, value: ArrayLike, unit: str, *, finite: bool) -> Array:
     return array
 
 
+@dataclass(frozen=True)
+class Grbl:
+    """Planner of grbl and its descendants, see `contourlab.feed.trapezoids`; the defaults are grbl's.
+
+    Parameters
+    ----------
+    junction_deviation : float [m], >= 0
+        ``$11``: sets the speed at corners; 0 stops there.
+    arc_tolerance : float [m], > 0
+        ``$12``: distance of the chords of an arc from it.
+    planner_blocks : int, > 2
+        Size of the buffer, which holds one line less.
+    steps : tuple of float [m], >= 0
+        Travel per step of each axis: ends of lines are rounded to steps; 0 or nothing for none.
+    """
+
+    junction_deviation: float = 1e-5
+    arc_tolerance: float = 2e-6
+    planner_blocks: int = 16
+    steps: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True)
+class LinuxCNC:
+    """Planner of LinuxCNC, see `contourlab.feed.linuxcnc`; the defaults are LinuxCNC's.
+
+    Parameters
+    ----------
+    cycle : float [s], > 0
+    kink_ratio : float [1], 0.001 to 0.7071
+        ``ARC_BLEND_KINK_RATIO``.
+    planner_blocks : int, > 2
+        ``ARC_BLEND_OPTIMIZATION_DEPTH`` and two.
+    gap_cycles : float [1], >= 0
+        ``ARC_BLEND_GAP_CYCLES``.
+    largest_override : float [1], > 0
+        ``MAX_FEED_OVERRIDE``: corners are planned for this.
+    """
+
+    cycle: float = 1e-3
+    kink_ratio: float = 0.1
+    planner_blocks: int = 52
+    gap_cycles: float = 4.0
+    largest_override: float = 1.0
+
+
 @dataclass(frozen=True, eq=False)
 class AxisLimits:
     """Limits of each axis, and of the velocity along the path; a single number applies to all axes.
@@ -67,6 +113,8 @@ class AxisLimits:
     jerk : array_like (n_axis,) [m/s^3], 1e-6 to 1e12, inf for no limit
     path_velocity : float [m/s], > 0
         Along the path, in rapid moves too; inf for no limit.
+    planner : Grbl, LinuxCNC or None
+        Plan as this control does, without limits of jerk; None for the jerk-limited planner.
 
     Raises
     ------
@@ -81,9 +129,19 @@ class AxisLimits:
     acceleration: Array
     jerk: Array
     path_velocity: float
+    planner: Grbl | LinuxCNC | None
 
-    def __init__(self, velocity: ArrayLike, acceleration: ArrayLike, jerk: ArrayLike = np.inf, *, path_velocity: float = math.inf) -> None:
+    def __init__(
+        self,
+        velocity: ArrayLike,
+        acceleration: ArrayLike,
+        jerk: ArrayLike = np.inf,
+        *,
+        path_velocity: float = math.inf,
+        planner: Grbl | LinuxCNC | None = None,
+    ) -> None:
         object.__setattr__(self, "path_velocity", path_velocity)
+        object.__setattr__(self, "planner", planner)
         parts = {
             "velocity": _checked("velocity", velocity, "m/s", finite=True),
             "acceleration": _checked("acceleration", acceleration, "m/s^2", finite=False),
@@ -101,8 +159,8 @@ class AxisLimits:
 
     @property
     def unbounded(self) -> Flags:
-        """Which axes have neither an acceleration nor a jerk limit (n_axis,)."""
-        return np.isinf(self.acceleration) & np.isinf(self.jerk)
+        """Which axes have no limit with which a ramp can be planned (n_axis,): of acceleration or, where jerk is planned, of jerk."""
+        return np.isinf(self.acceleration) & (np.isinf(self.jerk) | (self.planner is not None))
 
     def for_axes(self, n_axis: int) -> AxisLimits:
         """Return the limits for `n_axis` axes; limits of a single axis apply to all.
@@ -116,7 +174,7 @@ class AxisLimits:
             return self
         refuse(self.n_axis != 1, FeedError, f"limits for {self.n_axis} axes, the path has {n_axis}: give one limit per axis")
         parts = (np.repeat(part, n_axis) for part in (self.velocity, self.acceleration, self.jerk))
-        return AxisLimits(*parts, path_velocity=self.path_velocity)
+        return AxisLimits(*parts, path_velocity=self.path_velocity, planner=self.planner)
 
 
 N_BISECTION = 80  # enough for the last bit of any speed above 1e-8 of the bracket

@@ -17,6 +17,7 @@ too: the control points of its Bezier form bound it.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -26,7 +27,7 @@ from contourlab.arrays import Array, Flags, Index, ranges
 from contourlab.feed.route import Correspondence, Route
 from contourlab.geometry import Path
 from contourlab.geometry.blend import blends
-from contourlab.geometry.curve import Curves, angle_between
+from contourlab.geometry.curve import CurveBatch, Curves, angle_between
 from contourlab.geometry.line_and_arc import Arcs, Lines
 from contourlab.geometry.path import CORNER_ANGLE
 from contourlab.native.kernel import kernel
@@ -470,16 +471,40 @@ def replaced(route: Route, quintics: Quintics, low: Array, high: Array, start: A
     start, end : ndarray (n_curve, n_axis) [m]
         These places, as the quintic curves have them, so that rounding opens no gap.
     """
-    path, span = route.path, np.diff(route.path.breaks)
     made, piece = blends(quintics.coefficients)
     rounds = Curves.of(made).batches[0]
     # The parts of a divided quintic start in proportion to their lengths.
     done = np.cumsum(rounds.length) - rounds.length
     share = (done - done[np.searchsorted(piece, piece)]) / np.bincount(piece, weights=rounds.length)[piece]
     begin = quintics.begin[piece] + (quintics.end - quintics.begin)[piece] * share
-    stays = high - low > 1e-9 * span
-    cut, kept, place = stays & ((low > 0.0) | (high < span)), np.flatnonzero(stays), path.breaks[:-1] + low
-    parts = [(rounds, begin), *path.curves.parts(np.where(stays & ~cut, place, -1.0))]
+    last = np.diff(piece, append=-1) != 0
+    return spliced(route, [(rounds, begin)], (quintics.data[piece], quintics.joint[piece], last), (low, high, start, end))[0]
+
+
+def spliced(
+    route: Route, rounds: Sequence[tuple[CurveBatch, Array]], of_each: tuple[Index, Index, Flags], stays: tuple[Array, Array, Array, Array]
+) -> tuple[Route, Index]:
+    """Return a route with curves in place of the parts of its own that do not stay.
+
+    Parameters
+    ----------
+    rounds : sequence of tuples
+        Batches of curves, and where on the path each of their curves begins (n,) [m].
+    of_each : tuple
+        Their `data` and `joint`, as of `Quintics`, and whether each is the last before that joint, all (n,).
+    stays : tuple
+        `low`, `high`, `start` and `end`, as for `replaced`.
+
+    Returns
+    -------
+    route : Route
+    source : ndarray (n_curve,) of int
+        For each curve of the route its number among the old curves or, after these, among the `rounds`.
+    """
+    path, span, (low, high, start, end) = route.path, np.diff(route.path.breaks), stays
+    stay = high - low > 1e-9 * span
+    cut, kept, place = stay & ((low > 0.0) | (high < span)), np.flatnonzero(stay), path.breaks[:-1] + low
+    parts = [*rounds, *path.curves.parts(np.where(stay & ~cut, place, -1.0))]
     for batch, numbers in path.kinds:
         some = np.flatnonzero(cut[numbers])
         i = numbers[some]
@@ -487,13 +512,12 @@ def replaced(route: Route, quintics: Quintics, low: Array, high: Array, start: A
             parts.append((Lines.between(start[i], np.where((high < span)[i, None], end[i], batch.end.T[some])), place[i]))
         elif some.size:
             parts.append((type(batch)([path.curves[k].part(low[k], high[k]) for k in i.tolist()]), place[i]))
-    planned, places = Path(Curves(parts), path.closed), np.concatenate([place[kept], begin])
-    order = np.argsort(places)
+    planned, places = Path(Curves(parts), path.closed), np.concatenate([place[kept], *(begin for _, begin in rounds)])
+    order = np.argsort(places, kind="stable")
     places = places[order]
     between = Correspondence(planned.breaks, np.append(places, places[0] + path.length if path.closed else path.length))
-    ends = np.concatenate([np.ones(kept.size), np.diff(piece, append=-1)])[order] != 0  # not the parts of a quintic but its last
-    data, joint = (np.concatenate([kept, of_each[piece]])[order] for of_each in quintics[3:])
-    return replace(
+    data, joint, ends = (np.concatenate([old, own])[order] for old, own in zip((kept, kept, kept >= 0), of_each, strict=True))
+    changed = replace(
         route,
         path=planned,
         correspondence=between if route.correspondence is None else route.correspondence.after(between),
@@ -501,3 +525,4 @@ def replaced(route: Route, quintics: Quintics, low: Array, high: Array, start: A
         **{name: getattr(route, name)[joint] for name in ("corner_tolerance", "merge_tolerance")},
         **{name: getattr(route, name)[joint] * ends for name in ("dwell", "exact_stop")},
     )
+    return changed, np.concatenate([kept, np.arange(span.size, span.size + data.size - kept.size)])[order]

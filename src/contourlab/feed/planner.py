@@ -21,6 +21,7 @@ from contourlab.feed.pieces import Pieces, Segments, Survey, cut, sample_segment
 from contourlab.feed.reference import Profile, Reference, lap_ranges, whole_samples
 from contourlab.feed.route import Route, junction_speed, junctions
 from contourlab.feed.smooth import smooth_motions
+from contourlab.feed.trapezoids import course, trapezoids
 
 N_SHORT = 200  # segments of up to this many curves are planned in closed form as well
 
@@ -130,7 +131,10 @@ def plan_profile(route: Route, limits: AxisLimits, *, laps: int = 1, curvature_s
             f"axis {unlimited[0]} has neither an acceleration nor a jerk limit, so no ramp can be planned: "
             "give one of them a finite value, or use uniform(), which has no ramps"
         )
-    rows = _motions(route, survey(route, limits, curvature_step), limits, laps)
+    if limits.planner is None:
+        rows = _motions(route, survey(route, limits, curvature_step), limits, laps)
+    else:
+        rows = trapezoids(route, limits, laps)
     rows = np.concatenate([[[route.dwell_before, 0.0, 0.0, 0.0, 0.0]], rows])
     duration, s0, v0, a0, j = np.ascontiguousarray(rows[rows[:, 0] > 0.0].T)
     ends = np.cumsum(duration)
@@ -138,7 +142,7 @@ def plan_profile(route: Route, limits: AxisLimits, *, laps: int = 1, curvature_s
 
 
 def plan(route: Route, limits: AxisLimits, servo_period: float, *, laps: int = 1, curvature_step: float = 1.0) -> Reference:
-    """Plan a jerk-limited motion along a route, from rest to rest.
+    """Plan a motion along a route, from rest to rest: jerk-limited, or as the control of `limits` does.
 
     Parameters
     ----------
@@ -200,6 +204,8 @@ class Binding(IntEnum):
     """The acceleration step where the curvature jumps."""
     PLANNER = 6
     """None of these: the planner slows down for a slow place nearby."""
+    CORNER = 7
+    """A corner that the control passes without rounding it."""
 
 
 def limiting(route: Route, limits: AxisLimits, profile: Profile, arc_length: ArrayLike, *, curvature_step: float = 1.0) -> NDArray[np.int8]:
@@ -235,7 +241,7 @@ def limiting(route: Route, limits: AxisLimits, profile: Profile, arc_length: Arr
     v, a = np.maximum(profile.v0[span] + dt * (a0 + dt * j / 2.0), 0.0), a0 + dt * j
     _, t, k, c = route.path.derivatives(place, 3)
     turn = 3.0 * k * (v * a)[:, None] + c * v[:, None] ** 3
-    with np.errstate(invalid="ignore"):
+    with np.errstate(invalid="ignore", divide="ignore"):
         used = np.stack(
             [
                 v / route.feedrate[route.path.curve_index(place)],
@@ -249,7 +255,8 @@ def limiting(route: Route, limits: AxisLimits, profile: Profile, arc_length: Arr
     used[0] = np.where(used[0] >= NEAR_FEED, used[0], 0.0)
     # In this order: stop, feedrate, junction at this place, most used limit.
     rules = [v <= STILL, used[0] >= NEAR_FEED, used[4] >= NEAR, used.max(axis=0) >= NEAR]
-    values = [Binding.REST, Binding.FEEDRATE, Binding.CURVATURE_STEP, codes[np.argmax(used, axis=0)]]
+    junction = Binding.CURVATURE_STEP if limits.planner is None else Binding.CORNER
+    values = [Binding.REST, Binding.FEEDRATE, junction, codes[np.argmax(used, axis=0)]]
     return np.asarray(np.select(rules, values, Binding.PLANNER), dtype=np.int8)
 
 
@@ -258,5 +265,5 @@ def _junction_ceiling(route: Route, limits: AxisLimits, place: Array, curvature_
     breaks = np.asarray(route.path.breaks)
     within = np.mod(place, route.path.length) if route.path.closed else place
     junction = np.clip(np.searchsorted(0.5 * (breaks[1:] + breaks[:-1]), within), 0, breaks.size - 1)
-    ceiling = junction_speed(junctions(route), limits, curvature_step)
+    ceiling = junction_speed(junctions(route), limits, curvature_step) if limits.planner is None else course(route, limits).corner
     return np.asarray(np.where(np.abs(within - breaks[junction]) <= MARGIN, ceiling[junction - 1], np.inf))

@@ -125,6 +125,27 @@ def _per_curve(name: str, value: ArrayLike, n_curve: int, dtype: Any) -> NDArray
     return array
 
 
+class Course(NamedTuple):
+    """What the planner of a control makes of each curve of a route.
+
+    Parameters
+    ----------
+    nominal : ndarray (n_curve,) [m/s]
+        Speed without the neighbours.
+    steep : ndarray (n_curve,) [m/s^2]
+        Acceleration along the curve.
+    corner : ndarray (n_curve,) [m/s]
+        Largest speed at the end of the curve, 0 at stops.
+    counts : ndarray (n_curve,)
+        1 for a move in the buffer of the control, 0 for what belongs to another.
+    """
+
+    nominal: Array
+    steep: Array
+    corner: Array
+    counts: Array
+
+
 @dataclass(frozen=True, eq=False)
 class Route:
     """A path and how to drive along each of its curves.
@@ -145,13 +166,16 @@ class Route:
     dwell_before : float [s], >= 0
         Time at rest before the first curve.
     corner_tolerance : array_like (n_curve,) [m], >= 0
-        Permitted deviation at the corner at the end of each curve (G64 P). See `blended`.
+        Permitted deviation at the corner at the end of each curve (G64 P); inf for G64 without a bound, as LinuxCNC alone plans it. See
+        `blended`.
     merge_tolerance : array_like (n_curve,) [m], >= 0
         Permitted deviation of points between merged lines (G64 Q).
     exact_stop : array_like (n_curve,) of bool
         Whether the motion stops at the end of each curve even where the path is smooth (G61.1).
     correspondence : Correspondence, optional
         Map from `path` to `programmed`, where they differ.
+    course : Course, optional
+        What the planner of a control makes of it, where `blended` has found that.
 
     Raises
     ------
@@ -170,6 +194,7 @@ class Route:
     merge_tolerance: Array = 0.0  # type: ignore[assignment]
     exact_stop: Flags = False  # type: ignore[assignment]
     correspondence: Correspondence | None = None
+    course: Course | None = None
 
     def __post_init__(self) -> None:
         n_curve = len(self.path.curves)
@@ -190,7 +215,8 @@ class Route:
             raise FeedError("dwell: each must be finite and >= 0 s")
         for name in ("corner_tolerance", "merge_tolerance"):
             values = getattr(self, name)
-            refuse(not np.all(np.isfinite(values) & (values >= 0.0)), FeedError, f"{name}: each must be finite and >= 0 m")
+            bounded = np.isfinite(values) | (name == "corner_tolerance")
+            refuse(not np.all(bounded & (values >= 0.0)), FeedError, f"{name}: each must be finite and >= 0 m")
 
     @property
     def n_curve(self) -> int:
@@ -283,16 +309,18 @@ class _Row(NamedTuple):
     dwell: float = 0.0
 
 
-def _row(move: Any, default_tolerance: float) -> _Row:
+def _row(move: Any, default_tolerance: float, default_control: str) -> _Row:
     mode, rapid = move.mode, isinstance(move, Traverse)
     corner = merge = 0.0
-    if mode.control == "blend":
+    if (mode.control or default_control) == "blend":
         corner = default_tolerance if mode.tolerance is None else mode.tolerance
-        merge = default_tolerance if mode.tolerance is None else mode.merge or 0.0
+        merge = np.nan_to_num(default_tolerance, posinf=0.0) if mode.tolerance is None else mode.merge or 0.0
     return _Row(np.inf if rapid else move.feedrate, rapid, move.source_line, corner, merge, mode.control == "exact_stop")
 
 
-def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), *, default_tolerance: float = 0.0) -> Route:
+def route_from_program(
+    program: Program, axes: Sequence[str] = ("x", "y", "z"), *, default_tolerance: float = 0.0, default_control: PathControl = "exact_path"
+) -> Route:
     """Return the route of a part program, as programmed; `blended` then rounds its corners.
 
     A traverse (G0) is a straight line at rapid rate. The move that ends at a corner sets its tolerance. The motion stops for spindle, tool,
@@ -304,7 +332,9 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
     axes : sequence of str
         The machine's linear axes in their order: ``x``, ``y``, ``z`` or some of them.
     default_tolerance : float [m], >= 0
-        For corners and merged lines under G64 without P.
+        For corners and merged lines under G64 without P; inf, as LinuxCNC plans, for corners without a bound and no merged lines.
+    default_control : {"exact_path", "blend"}
+        For moves before the first G61 or G64.
 
     Returns
     -------
@@ -336,7 +366,7 @@ def route_from_program(program: Program, axes: Sequence[str] = ("x", "y", "z"), 
                 before += move.seconds
             continue
         _check_axes(program, move, columns)
-        row = _row(move, default_tolerance)
+        row = _row(move, default_tolerance, default_control)
         try:
             bent = _bent_curves(move, columns)
         except GeometryError as error:
@@ -381,7 +411,7 @@ def controlled(route: Route, control: PathControl, corner_tolerance: float, merg
     if control == "program":
         return route
     corner = corner_tolerance if control == "blend" else 0.0
-    merge = corner if merge_tolerance is None or control != "blend" else merge_tolerance
+    merge = np.nan_to_num(corner, posinf=0.0) if merge_tolerance is None or control != "blend" else merge_tolerance
     stop = np.asarray(control == "exact_stop")
     return replace(route, corner_tolerance=np.asarray(corner), merge_tolerance=np.asarray(merge), exact_stop=stop)
 

@@ -80,7 +80,7 @@ class LimitReport:
         can hold there without a stop. Without a jerk limit this limit is inf.
     kink : tuple of Worst
         Steps of velocity [m/s] where the direction jumps by up to `contourlab.feed.route.MOST_KINK`, compared with the acceleration
-        limit times `KINK_TIME`.
+        limit times `KINK_TIME`. A control that rounds no corner passes kinks of any angle, and has no such limit.
     n_kink : int
         Number of kinks passed.
     steps : CurvatureSteps or None
@@ -266,13 +266,13 @@ def _report(reference: Reference, limits: AxisLimits, use: LineUse | None) -> Li
         "acceleration": (limits.acceleration, 2.0 * noise / period**2),
         "jerk": (limits.jerk, 4.0 * noise / period**3),
         "curvature_step": (step_limit, 4.0 * noise / period**2),
-        "kink": (limits.acceleration * KINK_TIME, MOST_KINK * noise / period),
+        "kink": (limits.acceleration * (KINK_TIME if limits.planner is None else np.inf), MOST_KINK * noise / period),
     }
     records = {name: _Record(*about, kind, use) for kind, (name, about) in enumerate(kinds.items())}
     path, curvature, direction = reference.path, curvature_jump(reference.path), direction_jump(reference.path)
     angle = np.linalg.norm(direction, axis=1)
     bends = _jumps(path, curvature, np.any(curvature != 0.0, axis=1))
-    kinks = _jumps(path, direction, (angle > 0.0) & (angle <= MOST_KINK))
+    kinks = _jumps(path, direction, (angle > 0.0) & ((angle <= MOST_KINK) | (limits.planner is not None)))
     n_kink, steps = 0, []
     for start, stop in reference.blocks():
         passed, kinked = _check_block(reference, start, stop, records, bends, kinks, eased, wide)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from typing import Literal, TypeAlias
 
 import numpy as np
 
@@ -19,10 +20,17 @@ from contourlab.components.plant.plant import Plant
 from contourlab.controls.contract import ControlFile
 from contourlab.errors import FeedError, ParameterError, refuse
 from contourlab.feed import AxisLimits
-from contourlab.feed.bounds import RANGES
+from contourlab.feed.bounds import RANGES, Grbl, LinuxCNC
 from contourlab.figures import listing
 from contourlab.notebook import facts_line
 from contourlab.units import setting
+
+GRBL = ("junction_deviation", "arc_tolerance", "planner_blocks")
+"""Keys of the planner of grbl."""
+LINUXCNC = ("kink_ratio", "planner_blocks", "gap_cycles", "largest_override")
+"""Keys of the planner of LinuxCNC."""
+Planner: TypeAlias = Literal["jerk", "grbl", "linuxcnc"]
+"""How a control plans."""
 
 
 @dataclass(frozen=True)
@@ -251,6 +259,14 @@ class Machine:
         The control's own file from which it was read.
     path_velocity : float [m/s], > 0
         Largest velocity along a planned path, rapids included.
+    planner : {"jerk", "grbl", "linuxcnc"} or None
+        How the control plans, see `contourlab.feed.trapezoids`; None stands for ``"jerk"``.
+    junction_deviation, arc_tolerance : float [m], or None
+        Of the planner of grbl; None stands for its defaults.
+    planner_blocks : int or None
+        Of this planner or LinuxCNC's; the same.
+    kink_ratio, gap_cycles, largest_override : float [1], or None
+        Of the planner of LinuxCNC; the same.
 
     Raises
     ------
@@ -266,6 +282,13 @@ class Machine:
     correlations: tuple[tuple[str, str, float], ...] = field(default=(), compare=False, repr=False)
     control: ControlFile | None = field(default=None, compare=False, repr=False)
     path_velocity: float = field(default=math.inf, metadata=setting("m/s", "mm/min", *RANGES["velocity"]))
+    planner: Planner | None = None
+    junction_deviation: float | None = field(default=None, metadata=setting("m", "um", minimum=0.0, maximum=1.0))
+    arc_tolerance: float | None = field(default=None, metadata=setting("m", "um", minimum=1e-9, maximum=1.0))
+    planner_blocks: int | None = field(default=None, metadata=setting(minimum=3, maximum=1000))
+    kink_ratio: float | None = field(default=None, metadata=setting(minimum=0.001, maximum=0.7071))
+    gap_cycles: float | None = field(default=None, metadata=setting(minimum=0.0, maximum=1000.0))
+    largest_override: float | None = field(default=None, metadata=setting(minimum=0.01, maximum=100.0))
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.servo_period) and self.servo_period > 0.0):
@@ -302,6 +325,16 @@ class Machine:
             bound = f"given in a scenario, with {given}: {why}"
             raise ParameterError("plant", f"unknown for {listing(names)}", bound)
 
+    @property
+    def own_planner(self) -> Grbl | LinuxCNC | None:
+        """The planner of the control, if it has no limits of jerk."""
+        own = LINUXCNC if self.planner == "linuxcnc" else GRBL
+        given = {name: value for name in own if (value := getattr(self, name)) is not None}
+        if self.planner == "linuxcnc":
+            return LinuxCNC(cycle=self.servo_period, **given)
+        steps = tuple(getattr(axis.plant, "pulse", 0.0) for axis in self.axes)
+        return Grbl(**given, steps=steps) if self.planner == "grbl" else None
+
     def planner_limits(self) -> AxisLimits:
         """Return the limits of the axes and of the path, for the planner.
 
@@ -314,7 +347,10 @@ class Machine:
         if free:
             raise FeedError(f"{self._place(free[0])} has no velocity limit: set limits.velocity")
         per_axis = [axis.limits for axis in self.axes]
-        limits = AxisLimits(*([getattr(x, kind) for x in per_axis] for kind in RANGES), path_velocity=self.path_velocity)
+        planner = self.own_planner
+        jerk = np.inf if planner is not None else [x.jerk for x in per_axis]
+        moving = [x.velocity for x in per_axis], [x.acceleration for x in per_axis]
+        limits = AxisLimits(*moving, jerk, path_velocity=self.path_velocity, planner=planner)
         if limits.unbounded.any():
             steep = self.axes[int(np.argmax(limits.unbounded))]
             raise FeedError(f"{self._place(steep)} has no acceleration or jerk limit: set limits.acceleration, limits.jerk, or both")

@@ -31,8 +31,9 @@ def numbers_of(machine: Machine, controller: Controller) -> tuple[Number, ...]:
 def numbers_of_machine(machine: Machine) -> tuple[Number, ...]:
     """Return the numbers of a machine, as `numbers_of` does."""
     numbers = [_number("machine.servo_period", machine.servo_period, "s", "ms", machine.origins.get("servo_period"))]
-    if "path_velocity" in machine.origins:
-        numbers.append(_number("machine.path_velocity", machine.path_velocity, "m/s", "mm/min", machine.origins["path_velocity"]))
+    of_path = {"path_velocity": ("m/s", "mm/min"), "junction_deviation": ("m", "um"), "arc_tolerance": ("m", "um")}
+    for name in filter(machine.origins.__contains__, of_path):
+        numbers.append(_number(f"machine.{name}", getattr(machine, name), *of_path[name], machine.origins[name]))
     for pair, angle in machine.squareness.items():
         key = "squareness." + "-".join(pair)
         numbers.append(_number(f"machine.{key}", angle, "rad", "um/m", machine.origins.get(key)))

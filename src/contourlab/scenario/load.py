@@ -38,8 +38,8 @@ def _refuse(table: Table, rules: _Rules) -> None:
         refuse(wrong, table.error, message, key)
 
 
-def read_feed(table: Table, motion: Motion) -> FeedSettings:
-    """Return the settings of ``[feed]``, checked against the motion."""
+def read_feed(table: Table, motion: Motion, machine: Machine) -> FeedSettings:
+    """Return the settings of ``[feed]``, checked against the motion and the machine's planner."""
     plain = FeedSettings(**read_values(table, FeedSettings))
     is_program = isinstance(motion, PartProgram)
     if plain.law == "uniform":
@@ -57,6 +57,8 @@ def read_feed(table: Table, motion: Motion) -> FeedSettings:
         rules += [("laps", plain.laps != 1, "a program runs once: leave this out")]
     else:
         rules = _one_rate(table, "feedrate", '"8000 mm/min"', "frequency", "a planned contour")
+    sharp = (plain.planner or machine.planner) == "grbl" and plain.path_control == "blend"
+    rules += [("path_control", sharp, 'planner = "grbl" rounds no corner: leave this out, or write planner = "jerk"')]
     _refuse(table, rules + _idle_corners(table, plain, is_program))
     return plain
 
@@ -603,7 +605,8 @@ def _case(name: str, layers: Table, motion: Motion, place: Table, reader: Reader
     if isinstance(node, Leaf):
         raise node.error("write a table [controller], or the name of its file")
     controller = build_controller(settle(spread(node, machine.axis_names)), machine)
-    feed = read_feed(settle(layers.table("feed")), motion)
+    feed = read_feed(settle(layers.table("feed")), motion, machine)
+    machine = replace(machine, planner=feed.planner or machine.planner)
     run_table = settle(layers.table("run"))
     run, changes = RunSettings(**read_values(run_table, RunSettings, parts=("changes",))), read_changes(run_table, machine, reader)
     if motion.n_axis != len(machine.axes):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -16,10 +17,12 @@ from contourlab.components.registry import component
 from contourlab.contours import ContourReading, study_contour
 from contourlab.errors import FeedError, ParameterError, ProgramError, ScenarioError, hint, refuse
 from contourlab.feed import AxisLimits, Reference, Route, blended, plan, route_from_path, route_from_program, uniform
+from contourlab.feed.bounds import Grbl, LinuxCNC
 from contourlab.feed.reference import WHOLE, Judged
 from contourlab.feed.route import PathControl, controlled
 from contourlab.geometry import Path, contour
 from contourlab.loop import Change, Controller, Machine
+from contourlab.loop.machine import Planner
 from contourlab.loop.simulate import UNITS
 from contourlab.notebook import facts_line
 from contourlab.program import Program, Reading
@@ -33,9 +36,11 @@ DEFAULT_CORNER_TOLERANCE = 1e-5
 """Corner tolerance of G64 without P [m]."""
 
 
-def program_route(program: Program, axes: Sequence[str], tolerance: float = DEFAULT_CORNER_TOLERANCE) -> Route:
-    """Return the path of a program with its feedrates; `tolerance` [m] is that of G64 without P."""
-    return route_from_program(program, axes, default_tolerance=tolerance)
+def program_route(program: Program, axes: Sequence[str], tolerance: float | None = None, planner: Grbl | LinuxCNC | None = None) -> Route:
+    """Return the path of a program with its feedrates; `tolerance` [m] is that of G64 without P, by default the one of the planner."""
+    own = isinstance(planner, LinuxCNC)
+    allowed = (math.inf if own else DEFAULT_CORNER_TOLERANCE) if tolerance is None else tolerance
+    return route_from_program(program, axes, default_tolerance=allowed, default_control="blend" if own else "exact_path")
 
 
 def program_motion(program: Program, axes: Sequence[str], limits: AxisLimits, servo_period: float) -> Reference:
@@ -46,7 +51,7 @@ def program_motion(program: Program, axes: Sequence[str], limits: AxisLimits, se
     ProgramError, FeedError
         If it cannot be planned.
     """
-    return plan(blended(program_route(program, axes), limits), limits, servo_period)
+    return plan(blended(program_route(program, axes, planner=limits.planner), limits), limits, servo_period)
 
 
 MOST_NOTICES = 5
@@ -135,13 +140,13 @@ class PartProgram:
     reading: Reading = field(default_factory=Reading)
     fit: bool = False
     note: str = ""
-    _routes: dict[float, Route] = field(default_factory=dict, init=False, repr=False, compare=False)
+    _routes: dict[Any, Route] = field(default_factory=dict, init=False, repr=False, compare=False)
 
-    def route(self, corner_tolerance: float) -> Route:
-        """Return the path of the program with its feedrates; `corner_tolerance` [m] is that of G64 without P."""
-        if corner_tolerance not in self._routes:
-            self._routes[corner_tolerance] = program_route(self.program, self.letters, corner_tolerance)
-        return self._routes[corner_tolerance]
+    def route(self, corner_tolerance: float | None, planner: Grbl | LinuxCNC | None = None) -> Route:
+        """Return the path of the program with its feedrates, as `program_route`."""
+        if (key := (corner_tolerance, planner)) not in self._routes:
+            self._routes[key] = program_route(self.program, self.letters, *key)
+        return self._routes[key]
 
     @property
     def n_axis(self) -> int:
@@ -184,6 +189,8 @@ class FeedSettings:
         Allowed step of an axis acceleration, as a share of its limit, where the curvature jumps; 0 stops there.
     path_velocity : float [m/s], > 0, or None
         Largest velocity along a planned path, rapids included; by default that of the machine.
+    planner : {"jerk", "grbl", "linuxcnc"} or None
+        How the control plans, in place of the machine's key.
     """
 
     law: Literal["planned", "uniform"] = "planned"
@@ -196,6 +203,7 @@ class FeedSettings:
     merge_tolerance: float | None = field(default=None, metadata=setting("m", "um", minimum=0.0))
     curvature_step: float = field(default=1.0, metadata=setting(minimum=0.0, maximum=1.0))
     path_velocity: float | None = field(default=None, metadata=setting("m/s", "mm/min", minimum=0.0, exclusive=True))
+    planner: Planner | None = None
 
     @property
     def default_tolerance(self) -> float:
@@ -380,7 +388,7 @@ class Case:
         tolerance : float [m], > 0
             Corner tolerance of a blend.
         """
-        if self.feed.law == "uniform":
+        if self.feed.law == "uniform" or isinstance(self.machine.own_planner, Grbl):
             return {}
         microns = f"{tolerance * 1e6:.3g}"
         is_program = isinstance(self.motion, PartProgram)
@@ -421,12 +429,13 @@ class Case:
         return self._route(self.feed.override)
 
     def _route(self, factor: float) -> Route:
-        tolerance = self.feed.default_tolerance
+        planner = self.machine.own_planner
+        tolerance = math.inf if self.feed.corner_tolerance is None and isinstance(planner, LinuxCNC) else self.feed.default_tolerance
         if isinstance(self.motion, Contour):
             assert self.feed.feedrate is not None  # checked by the reader
             route = route_from_path(self.motion.path, self.feed.feedrate)
         else:
-            route = self.motion.route(tolerance)
+            route = self.motion.route(tolerance, planner)
         if factor != 1.0:
             route = replace(route, feedrate=np.where(route.rapid, route.feedrate, route.feedrate * factor))
         route = controlled(route, self.feed.path_control, tolerance, self.feed.merge_tolerance)

@@ -282,8 +282,9 @@ def test_the_router_of_a_newcomer(tmp_path: Path) -> None:
     answer = json.loads(said.out)
     (scheme,) = answer["schemes"].values()
     assert said.code == 0 and scheme["verdict"]["passed"]
-    assert scheme["metrics"]["part_error"]["max"] == pytest.approx(3e-5, rel=0.05)  # G64 P0.03 of the start-up code, and little else
+    # G64 P0.03 of the start-up code, and little else: the arc in a right angle is 30 um from the corner, and this from its lines.
+    assert scheme["metrics"]["part_error"]["max"] == pytest.approx(3e-5 / 2**0.5, rel=0.05)
     origin = answer["machine"]["origin"]
     assert answer["machine"]["source"] == "LinuxCNC" and set(origin.values()) == {"read", "computed", "guessed"}
     found = {one["code"] for one in scheme["findings"]}
-    assert {"CL866", "CL980", "CL984", "CL985", "CL991"} <= found
+    assert {"CL866", "CL980", "CL984", "CL985", "CL996"} <= found

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+from dataclasses import astuple, replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from made_controls import GRBL, LINUXCNC
+from made_controls import GRBL, LINUXCNC, made_control
 from typed_commands import invoke
 
 import contourlab as cl
@@ -16,8 +17,11 @@ from contourlab.controls.linuxcnc import machine as reader
 from contourlab.errors import ParameterError, ProgramError, ScenarioError
 from contourlab.features.check.program_check import about_machine, check
 from contourlab.features.limits.command import limits
+from contourlab.features.run.options import Run
 from contourlab.features.run.outcome import run_case
+from contourlab.features.run.source import scenario_of
 from contourlab.features.sweep.study import load_study
+from contourlab.feed.bounds import Grbl, LinuxCNC
 from contourlab.program import Reading, parse_program
 from contourlab.scenario import load_machine, load_scenario, save
 from contourlab.scenario.load import reading_on, scenario_from_parts
@@ -45,11 +49,11 @@ def times(machine: Path, part: Path) -> list[float]:
 
 
 def test_a_bound_of_the_velocity_along_the_path_holds_in_every_command(tmp_path: Path) -> None:
-    """A diagonal rapid of 4 sqrt(2) inches: at 1 inch/s along the path and 20 inch/s^2 of each axis, in closed form."""
+    """A diagonal rapid of 4 sqrt(2) inches at 1 inch/s along the path and, as it expects a blend, half of 20 inch/s^2 of each axis."""
     machine, part = made(tmp_path, ("[TRAJ]\n", "[TRAJ]\nMAX_LINEAR_VELOCITY = 1\n"), program="G0 X4 Y4\nM2\n")
     bounded = times(machine, part)
     assert bounded[1:] == pytest.approx([bounded[0]] * 2, abs=1e-3)
-    assert bounded[0] == pytest.approx(4 * 2**0.5 / 1.0 + 1.0 / (20 * 2**0.5), rel=1e-6)
+    assert bounded[0] == pytest.approx(4 * 2**0.5 / 1.0 + 1.0 / (10 * 2**0.5), abs=1e-3)
     saved = tmp_path / "saved.toml"
     save(load_machine(machine), saved)
     assert load_machine(saved).planner_limits().path_velocity == pytest.approx(0.0254)
@@ -152,27 +156,41 @@ def test_a_saved_scenario_asks_for_the_zero_too(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("planner", "jerk"),
+    ("planner", "code", "jerk"),
     [
-        ("", None),
-        ("PLANNER_TYPE = 0\nMAX_LINEAR_JERK = 100\n", None),
-        ("PLANNER_TYPE = 1\n", None),
-        ("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 0\n", None),
-        ("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 0.5\n", None),
-        ("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 1e9\n", None),
-        ("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 100\n", 2.54),
+        ("", "CL996", None),
+        ("PLANNER_TYPE = 0\nMAX_LINEAR_JERK = 100\n", "CL996", None),
+        ("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 0\n", "CL996", None),
+        ("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 0.5\n", "CL996", None),
+        ("ARC_BLEND_ENABLE = 0\n", "CL991", None),
+        ("ARC_BLEND_OPTIMIZATION_DEPTH = 1\n", "CL991", None),
+        ("PLANNER_TYPE = 1\n", "CL991", None),
+        ("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 1e9\n", "CL991", None),
+        ("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 100\n", "CL990", 2.54),
     ],
 )
-def test_the_plan_says_which_jerk_it_assumed(tmp_path: Path, planner: str, jerk: float | None) -> None:
+def test_the_plan_says_which_jerk_it_assumed(tmp_path: Path, planner: str, code: str, jerk: float | None) -> None:
     machine, part = made(tmp_path, ("[TRAJ]\n", f"[TRAJ]\n{planner}"))
     assert [axis.limits.jerk for axis in load_machine(machine).axes] == pytest.approx([jerk or np.inf] * 2)
     checked = json.loads(invoke(tmp_path, "check", part, "--machine", machine, "--json").out)
     ran = run_case(scenario_from_parts(part, machine).base, explain=False)
     for findings in (checked["findings"], json_values(ran.findings)):
-        said = {one["code"]: one["values"] for one in findings if one["code"] in ("CL990", "CL991")}
-        assert list(said) == ["CL991" if jerk is None else "CL990"]
-        (values,) = said.values()
-        assert values["axes"] == ["x", "y"] and values.get("jerk") == (None if jerk is None else pytest.approx(jerk))
+        said = {one["code"]: one["values"] for one in findings if one["code"] in ("CL990", "CL991", "CL996")}
+        assert list(said) == [code]
+        assert said[code].get("axes") == (None if code == "CL996" else ["x", "y"])
+        assert said[code].get("jerk") == (None if jerk is None else pytest.approx(jerk))
+
+
+def test_the_file_says_how_linuxcnc_plans(tmp_path: Path) -> None:
+    """Its blends, its look-ahead and the override that corners are planned for; the ratio is bounded as there."""
+    keys = "ARC_BLEND_OPTIMIZATION_DEPTH = 80\nARC_BLEND_KINK_RATIO = 0.9\nARC_BLEND_GAP_CYCLES = 2\n"
+    machine, _ = made(tmp_path, ("[TRAJ]\n", f"[DISPLAY]\nMAX_FEED_OVERRIDE = 1.5\n[TRAJ]\n{keys}"))
+    assert load_machine(machine).own_planner == LinuxCNC(1e-3, 0.7071, 82, 2.0, 1.5)
+    saved = tmp_path / "saved.toml"
+    save(load_machine(machine), saved)
+    assert load_machine(saved).own_planner == LinuxCNC(1e-3, 0.7071, 82, 2.0, 1.5)
+    plain, _ = made(tmp_path)
+    assert load_machine(plain).own_planner == LinuxCNC()
 
 
 @pytest.mark.parametrize("code", ["G17 G99.9", "G0 X1", "G64 P-1 Q", "G17 M22", "g21 g64 m 22"])
@@ -252,6 +270,67 @@ def test_a_number_that_stands_for_no_limit_is_none_in_every_command(tmp_path: Pa
             ini.number("JOINT_0", key, positive=positive)
     with pytest.raises(ScenarioError):
         load_machine(made(tmp_path, ("SERVO_PERIOD = 1000000", "SERVO_PERIOD = 1e10"))[0])
+
+
+@pytest.mark.parametrize(
+    ("change", "planner"),
+    [
+        (("$13=0", "$13=0"), Grbl(1e-5, 2e-6, 16, (4e-6, 4e-6))),
+        (("$11=0.010\n$12=0.002", "$11=0.05\n$12=0.01"), Grbl(5e-5, 1e-5, 16, (4e-6, 4e-6))),
+        (("$13=0", "$160=0"), Grbl(1e-5, 2e-6, 100, (4e-6, 4e-6))),
+        (("$13=0", "$160=0\n$398=35"), Grbl(1e-5, 2e-6, 35, (4e-6, 4e-6))),
+        (("$13=0", "$800=10"), None),
+    ],
+)
+def test_a_dump_says_how_its_control_plans(tmp_path: Path, change: tuple[str, str], planner: Grbl | None) -> None:
+    """grblHAL with a limit of jerk is planned with it; its buffer is that of $398, by default 100."""
+    machine, part = made(tmp_path, change, text=GRBL, name="grbl.txt", program="G0 X4 Y4\nG1 X9 F900\nG2 X9 Y9 I1 J2.5\nM2\n")
+    loaded = load_machine(machine)
+    assert loaded.planner_limits().planner == planner
+    saved = tmp_path / "saved.toml"
+    save(loaded, saved)
+    assert load_machine(saved).planner_limits().planner == planner
+    run, *others = times(machine, part)
+    assert others == pytest.approx([run] * 2, rel=1e-12)
+    assert ("CL995" in codes(check(part, machine=str(machine)))) == (planner is not None)
+
+
+@pytest.mark.parametrize("planner", ["grbl", "linuxcnc"])
+def test_a_plan_without_limits_of_jerk_keeps_the_other_limits(tmp_path: Path, planner: str) -> None:
+    """On a machine that has limits of jerk: those of velocity and acceleration hold, and no jerk is asked for."""
+    (tmp_path / "part.ngc").write_text("G61\nG1 X4 F900\nG1 X9 Y1\nG2 X19 Y11 I10\nM2\n")
+    asked = limits(tmp_path / "part.ngc", machine="xyz", planner=planner)
+    assert asked.passed and [peak.use for peak in asked.peaks if peak.kind == "jerk"] == [None] * 3
+    assert limits(tmp_path / "part.ngc", machine="xyz", planner=planner, jerk="1 m/s^3").passed is False
+    assert check(tmp_path / "part.ngc", planner=planner).cycle_time == asked.cycle_time
+
+
+def test_a_configuration_of_fluidnc_says_how_it_plans(tmp_path: Path) -> None:
+    machine = made_control(tmp_path, "fluidnc", ("name: a router\n", "name: a router\njunction_deviation_mm: 0.03\nplanner_blocks: 40\n"))
+    assert astuple(load_machine(machine).own_planner)[:3] == pytest.approx((3e-5, 2e-6, 40), rel=1e-12)
+
+
+def test_the_planner_is_that_of_the_option_then_of_the_scenario_then_of_the_file(tmp_path: Path) -> None:
+    """A corner without a stop is quicker than with one; `check`, `limits` and `run` agree."""
+    machine, part = made(tmp_path, text=GRBL, name="grbl.txt", program="G1 X4 F900\nG1 X9 Y1\nM2\n")
+    own, _, _ = times(machine, part)
+    stopping = [one(part, machine=str(machine), planner="jerk").cycle_time for one in (check, limits)]
+    assert stopping[0] == stopping[1] and stopping[0] > 1.01 * own
+    text = 'machine = "grbl.txt"\nprogram = "part.ngc"\n[feed]\nplanner = "jerk"\n'
+    (tmp_path / "s.toml").write_text(text)
+    settings = Run()
+    assert scenario_of(tmp_path / "s.toml", settings).base.reference().duration == stopping[0]
+    for file, more in ((tmp_path / "s.toml", {}), (part, {"machine": str(machine)})):
+        assert scenario_of(file, replace(settings, planner="grbl", **more)).base.reference().duration == own
+    case = load_scenario(tmp_path / "s.toml").base
+    save(scenario_of(tmp_path / "s.toml", settings), tmp_path / "again.toml")
+    assert load_scenario(tmp_path / "again.toml").base.machine.planner == case.machine.planner == "jerk"
+    (tmp_path / "s.toml").write_text(text.replace("jerk", "grbl") + 'path_control = "blend"\n')
+    with pytest.raises(ScenarioError, match="path_control"):
+        load_scenario(tmp_path / "s.toml")
+    (tmp_path / "log.csv").write_text("time [s],command.x [mm]\n" + "".join(f"{k / 1000},{k}\n" for k in range(9)))
+    with pytest.raises(ParameterError, match="--planner"):
+        limits(tmp_path / "log.csv", planner="grbl")
 
 
 def test_a_machine_takes_the_place_of_that_of_a_scenario(tmp_path: Path) -> None:

@@ -66,6 +66,7 @@ class _Machine:
         }
         if path := self._least([("TRAJ", "MAX_LINEAR_VELOCITY")], "mm/s"):
             machine["path_velocity"] = path
+        machine |= self._planner()
         tables: dict[str, Any] = {"machine": machine, "axes": {letter: self._axis(joint) for letter, joint in axes.items()}}
         for code, whys in (("CL984", self.guesses), ("CL988", self.unmodelled)):
             if whys:
@@ -75,6 +76,25 @@ class _Machine:
         if any(homes):
             tables["program"]["start"] = ", ".join(map(repr, homes))
         return ControlFile(self.ini.file, "LinuxCNC", tables, self.unmodelled, tuple(self.findings), tuple(self.files))
+
+    @property
+    def _jerk(self) -> bool:
+        """Whether the planner keeps limits of jerk; below 1 it does not."""
+        planner, least = self.ini.first("TRAJ", "PLANNER_TYPE"), self.ini.number("TRAJ", "MAX_LINEAR_JERK")
+        return planner is not None and planner.value == "1" and (least is None or least >= 1.0)
+
+    def _planner(self) -> dict[str, Any]:
+        """Return how LinuxCNC plans: nothing where it keeps limits of jerk, or has its blend arcs switched off."""
+        names = {"kink_ratio": "KINK_RATIO", "gap_cycles": "GAP_CYCLES", "enable": "ENABLE", "planner_blocks": "OPTIMIZATION_DEPTH"}
+        keys = {name: ("TRAJ", f"ARC_BLEND_{key}") for name, key in names.items()} | {"largest_override": ("DISPLAY", "MAX_FEED_OVERRIDE")}
+        given = {name: value for name, key in keys.items() if (value := self.ini.number(*key)) is not None}
+        depth = int(given.pop("planner_blocks", 50.0))
+        if self._jerk or given.pop("enable", 1.0) == 0.0 or depth < 2:
+            return {}
+        if "kink_ratio" in given:
+            given["kink_ratio"] = min(max(given["kink_ratio"], 0.001), 0.7071)
+        read = {name: self._read(value, *keys[name]) for name, value in given.items()}
+        return {"planner": "linuxcnc", "planner_blocks": min(depth + 2, 1000), **read}
 
     def _joints(self) -> dict[str, Joint]:
         """Return the joint of each axis; note those that are left out."""
@@ -92,7 +112,7 @@ class _Machine:
                 axes[joint.axis] = joint
         return axes
 
-    def _read(self, value: str, section: str, key: str) -> dict[str, Any] | None:
+    def _read(self, value: Any, section: str, key: str) -> dict[str, Any] | None:
         entry = self.ini.first(section, key)
         return None if entry is None else read_from(value, f"{entry.place} [{section}]{key}")
 
@@ -128,8 +148,7 @@ class _Machine:
                 limits[name] = value
             else:
                 self.findings.append(finding("CL983", self.ini.file.name, axis=joint.axis, key=key))
-        planner, least = self.ini.first("TRAJ", "PLANNER_TYPE"), self.ini.number("TRAJ", "MAX_LINEAR_JERK")
-        if planner and planner.value == "1" and (least is None or least >= 1.0):  # below, LinuxCNC plans as with PLANNER_TYPE = 0
+        if self._jerk:
             keys = [("TRAJ", "MAX_LINEAR_JERK"), *((section, "MAX_JERK") for section in own)]
             limits |= {"jerk": jerk} if (jerk := self._least(keys, "mm/s^3")) else {}
         ends = [self._least([(section, key) for section in own], "mm", largest=key == "MIN_LIMIT") for key in ("MIN_LIMIT", "MAX_LIMIT")]

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from contourlab.app.options import option, options
 from contourlab.app.session import Command
-from contourlab.app.shared_options import Dialect, OfPart, Shown
+from contourlab.app.shared_options import Dialect, OfPart, Planned, Shown
 
 
 @options
-class Check(Dialect):
+class Check(Planned, Dialect):
     """List every fault of a part program with line and column; print its box, feeds and cycle time."""
 
     machine: str | None = option(

@@ -15,7 +15,7 @@ import numpy as np
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.errors import ContourlabError, ProgramError
 from contourlab.features.check.options import Check
-from contourlab.features.check.reading import of_control, read_once, reading_of
+from contourlab.features.check.reading import DEFAULT_MACHINE, machine_for, of_control, read_once, reading_of
 from contourlab.findings import Finding, finding
 from contourlab.program import Arc, Dwell, Feed, Move, Point, Program, Reader, Reading, Spline, Traverse, open_program
 from contourlab.program.dialects import DIALECTS, named_in
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from contourlab.feed import Route
     from contourlab.loop import Machine
 
-DEFAULT_MACHINE = "builtin:xyz"
 PART = 2_500
 """Moves after which a part ends at the next stop, or at twice as many without one."""
 FAULTY = 2
@@ -322,10 +321,7 @@ class PlannedMotion:
     @cached_property
     def machine(self) -> Machine:
         """The machine; read when something moves."""
-        from contourlab.scenario.load import machine_of
-        from contourlab.scenario.placing import anchored
-
-        return anchored(machine_of(self._settings.machine or DEFAULT_MACHINE), self.reading)
+        return machine_for(self._settings, self.reading)
 
     @cached_property
     def remarks(self) -> Remarks:
@@ -351,7 +347,8 @@ class PlannedMotion:
         from contourlab.feed.planner import plan_profile
         from contourlab.scenario.values import program_route
 
-        route, limits = program_route(program, machine.axis_names), machine.planner_limits()
+        limits = machine.planner_limits()
+        route = program_route(program, machine.axis_names, planner=limits.planner)
         route = route.within(limits.path_velocity)
         cycle_time = plan_profile(blended(route, limits), limits).duration
         self.remarks.add(program, route)
@@ -433,20 +430,28 @@ class Remarks:
             values |= dict(zip(("low", "high", "start", "stop"), (travel.low[j], travel.high[j], *limits.ends), strict=True))
             yield finding("CL470" if self.named else "CL471", f"axis {name}", **values)
         yield from about_machine(machine, self.reading)
-        yield from self.modes.findings(DEFAULT_CORNER_TOLERANCE)
+        if machine.own_planner is None:
+            yield from self.modes.findings(DEFAULT_CORNER_TOLERANCE)
 
 
 def about_machine(machine: Machine, reading: Reading | None) -> Iterator[Finding]:
     """Yield what its own file says of a machine, which axes have no travel, and whether the zero of a program read so is unknown."""
+    from contourlab.feed.bounds import Grbl
+    from contourlab.loop.machine import GRBL
     from contourlab.scenario.placing import zero_known
 
     if machine.control:
         yield from machine.control.findings
         free = [axis.name for axis in machine.axes if math.isinf(axis.limits.jerk)]
-        if bounded := {axis.name: axis.limits.jerk for axis in machine.axes if axis.name not in free}:
+        bounded = {axis.name: axis.limits.jerk for axis in machine.axes if axis.name not in free}
+        if bounded and machine.own_planner is None:
             yield finding("CL990", axes=list(bounded), jerk=min(bounded.values()))
-        if free:
+        if free and machine.own_planner is None:
             yield finding("CL991", axes=free, control=machine.control.control)
+    if isinstance(machine.own_planner, Grbl):
+        yield finding("CL995", **{name: getattr(machine.own_planner, name) for name in GRBL})
+    elif machine.own_planner is not None:
+        yield finding("CL996", cycle=machine.own_planner.cycle, override=machine.own_planner.largest_override)
     yield from about_reading(reading)
     if unknown := [axis.name for axis in machine.axes if not axis.limits.bounded]:
         yield finding("CL479", axes=unknown, machine=machine.name)

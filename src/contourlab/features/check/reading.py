@@ -16,6 +16,8 @@ from contourlab.program import Reading
 if TYPE_CHECKING:
     from contourlab.loop import Machine
 
+DEFAULT_MACHINE = "builtin:xyz"
+
 
 def refuse_drawing(file: str | Path, machine: str | Path | None = None, controller: str | Path | None = None) -> None:
     """Refuse a drawing or points in place of a part program; show the scenario to write, with this machine and controller.
@@ -57,6 +59,15 @@ def read_once(options: Any) -> Any:
     from contourlab.scenario.load import machine_of
 
     return replace(options, machine=machine_of(options.machine))
+
+
+def machine_for(options: Any, reading: Reading) -> Machine:
+    """Return the machine and the planner of options, by default of a shipped machine; `reading` tells where its zero is."""
+    from contourlab.scenario.load import machine_of
+    from contourlab.scenario.placing import anchored
+
+    machine = anchored(machine_of(options.machine or DEFAULT_MACHINE), reading)
+    return replace(machine, planner=options.planner or machine.planner)
 
 
 def reading_of(file: str | Path, options: Dialect) -> Reading:

@@ -19,8 +19,8 @@ from contourlab.app.shared_options import LogAxes
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import LogError, ParameterError, ProgramError, ResultError, refuse
 from contourlab.features.check.canon import Listed
-from contourlab.features.check.program_check import DEFAULT_MACHINE, FAULTY, OUTSIDE, Remarks
-from contourlab.features.check.reading import read_once, reading_of, refuse_drawing
+from contourlab.features.check.program_check import FAULTY, OUTSIDE, Remarks
+from contourlab.features.check.reading import machine_for, read_once, reading_of, refuse_drawing
 from contourlab.features.limits.log_limits import KINDS, AxisPeak, control_samples, course, moving_part
 from contourlab.features.limits.options import Limits
 from contourlab.features.measure.log_choice import PROGRAMS, open_log, program_of
@@ -42,7 +42,6 @@ from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_bytes_atomic
 from contourlab.scenario.load import machine_of
-from contourlab.scenario.placing import anchored
 from contourlab.scenario.values import program_route
 
 _UNITS = {"velocity": ("m/s", "200 mm/s"), "acceleration": ("m/s^2", "2 m/s^2"), "jerk": ("m/s^3", "50 m/s^3")}
@@ -109,13 +108,13 @@ def _limits(options: Limits, axes: Sequence[str], machine: Machine | None) -> di
 def _planned(file: Path, options: Limits, tolerance: float, reading: Reading) -> LimitTest:
     """Check what the planner would command."""
     refuse_drawing(file)
-    named, machine = options.machine is not None, anchored(machine_of(options.machine or DEFAULT_MACHINE), reading)
+    named, machine = options.machine is not None, machine_for(options, reading)
     asked = _limits(options, machine.axis_names, machine)
-    limits = AxisLimits(*(asked[kind] for kind in KINDS))
+    limits = AxisLimits(*(asked[kind] for kind in KINDS), planner=machine.own_planner)
     given = tuple(kind for kind in KINDS if getattr(options, kind) is not None)
     within = limits if not named else machine.planner_limits()
     program = read_program(file, reading=reading)
-    route, remarks = program_route(program, machine.axis_names), Remarks(machine, reading, named=named)
+    route, remarks = program_route(program, machine.axis_names, planner=machine.own_planner), Remarks(machine, reading, named=named)
     remarks.add(program, route)
     reference = plan(blended(route, within), within, machine.servo_period)
     report, use = limit_report_by_line(reference, limits)
@@ -156,6 +155,8 @@ def _rows(lines: Index, period: float, use: LineUse, axes: Sequence[str], errors
 
 def _logged(file: str | Path | Log, options: Limits, tolerance: float, reading: Reading) -> LimitTest:
     """Check what a log holds: its reference, or without one its position."""
+    if options.planner is not None:
+        raise ParameterError("--planner", repr(options.planner), "left out: nothing of a log is planned")
     log = open_log(file, options, [] if options.line_column is None else parse_columns([f"line={options.line_column}"]))
     result, axes = log.result, options.axes or log.result.axes
     with about(file):

@@ -6,11 +6,11 @@ from pathlib import Path
 
 from contourlab.app.options import argument, option, options
 from contourlab.app.session import Command
-from contourlab.app.shared_options import Dialect, LogAxes, Shown
+from contourlab.app.shared_options import Dialect, LogAxes, Planned, Shown
 
 
 @options
-class Limits(Dialect, LogAxes):
+class Limits(Planned, Dialect, LogAxes):
     """Compare commanded velocity, acceleration and jerk with the limits of a machine; show the worst program lines."""
 
     machine: str | None = option(None, "Machine whose limits hold; by default a program keeps those given, else of xyz.", objects="Machine")

@@ -396,7 +396,7 @@ def _remarks(case: Case, reference: Reference, foretold: LearningAnalysis | None
             yield finding("CL105", feed=float(route.feedrate[curve[best]]), reached=float(profile.v0[best]))
     if case.motion.file is not None or case.machine.control:
         yield from about_machine(case.machine, case.motion.reading if isinstance(case.motion, PartProgram) else None)
-    if isinstance(case.motion, PartProgram) and case.feed.path_control == "program":
+    if isinstance(case.motion, PartProgram) and case.feed.path_control == "program" and case.machine.own_planner is None:
         modes = PathModes()
         modes.add(case.motion.program.moves)
         yield from modes.findings(case.feed.default_tolerance)

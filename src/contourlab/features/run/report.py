@@ -34,6 +34,7 @@ _HELD_BY = {
     Binding.JERK: "axis jerk",
     Binding.CURVATURE_STEP: "curvature step",
     Binding.PLANNER: "near a slow section",
+    Binding.CORNER: "corner",
 }
 
 

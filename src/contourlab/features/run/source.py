@@ -115,7 +115,8 @@ def scenario_of(file: str | Path, settings: Any) -> Scenario:
         If the content is invalid, or an option does not fit the file.
     """
     path, of_program = Path(file), isinstance(settings, Motion)
-    changes = changed_keys(getattr(settings, "set", ()))
+    planner = getattr(settings, "planner", None)
+    changes = changed_keys((*getattr(settings, "set", ()), *([f"feed.planner={planner}"] if planner else ())))
     if is_scenario(file):
         try:
             scenario = load_scenario(file, settings.plugin, getattr(settings, "machine", None), changes=changes)
