@@ -24,6 +24,7 @@ from contourlab.features.commission.control_terms import Term, cascade_of, check
 from contourlab.features.commission.excitation import excitation, sampler, steps
 from contourlab.features.commission.identification import IdentifiedAxis, identify_axis
 from contourlab.features.commission.loop import GAINS, robustly_stable, run_lanes
+from contourlab.features.commission.log_command import log
 from contourlab.features.commission.options import LinuxCNC
 from contourlab.features.commission.records import AxisLog, decided, doubts, law_of, moving, read_log
 from contourlab.features.commission.setup import AxisSetup, Setup, read_setup
@@ -191,6 +192,9 @@ def commission(
         findings += chain.from_iterable(in_threads(work.identify, [work.axes[axis.name] for axis in setup.closed]))
         findings += work.compared()
     return _answered(work, findings, inputs)
+
+
+setattr(commission, log.__name__, log)
 
 
 def _prepared(setup: Setup, inputs: tuple[str | Path, ...], session: Session) -> Commissioned:
