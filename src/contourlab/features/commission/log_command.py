@@ -6,15 +6,15 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from contourlab.analysis.identification.least_squares import fit_records
+from contourlab.analysis.identification.left_over import left_over_findings
 from contourlab.app.json_values import HIDDEN
 from contourlab.app.session import QUIET, Answer, Session, question
 from contourlab.errors import ParameterError
-from contourlab.features.commission.log_loop import SURE, Bounds, FittedLoop, fit_servo
+from contourlab.features.commission.log_loop import CLOCK, SURE, Bounds, FittedLoop, fit_servo
 from contourlab.features.commission.log_terms import LogTerm, terms_of_log
 from contourlab.features.commission.options import OfLog
 from contourlab.features.commission.records import EXPLAINED, LATEST, QUICK, SPAN
@@ -22,7 +22,7 @@ from contourlab.features.identify.command import axes_of
 from contourlab.features.identify.options import Identify
 from contourlab.features.identify.position_loop import WELL, check_follows, reverses
 from contourlab.features.identify.records import AxisRecord, Request
-from contourlab.figures import NONE, figure, number
+from contourlab.figures import FACTORS, NONE, figure, number
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import Log, about
 from contourlab.rendering.table import Column, Table, paragraphs
@@ -31,7 +31,7 @@ FIGURES = {
     "Kv": ("Kv of the loop", "1/s"),
     "shown": ("velocity over following error", "1/s"),
     "velocity_feedforward": ("velocity feedforward in force", "%"),
-    "equivalent_time": ("equivalent time constant of the loop inside", "ms"),
+    "equivalent_time": ("equivalent time constant inside", "ms"),
     "delay": ("delay before the loop", "ms"),
     "friction_offset": ("friction holds it back by", "um"),
     "drive_gain": ("drive: speed per command", "mm/s"),
@@ -40,8 +40,10 @@ FIGURES = {
     "coulomb": ("drive: friction", ""),
 }
 """Figures of an axis: what they are called, and their unit in the table."""
-DETERMINED = {"Kv": 0.3, "velocity_feedforward": 0.3, "equivalent_time": 1.0}
-"""Largest half interval of a figure that counts as determined, relative to it; of the feedforward, in absolute terms."""
+DETERMINED = {"Kv": 0.3, "velocity_feedforward": 0.3, "equivalent_time": 1.0, "delay": 0.01}
+"""Largest half interval of a figure that counts as determined, relative to it; of feedforward and delay [s], in absolute terms."""
+BALANCE = "sinumerik"
+"""The control that may delay the set position that its position controller sees."""
 LAW = 0.02
 """Share of the drive command that the law of a position loop may leave."""
 
@@ -138,32 +140,41 @@ def _axis(record: AxisRecord, control: str) -> tuple[LoggedAxis, list[Finding]]:
         known, figures, findings = _drive(record, place)
     stays = math.nan
     try:
-        loop = fit_servo(record, known)
-        stays, shown = loop.stays, loop.figures["following_time"]
-        fitted = _determined(loop)
-        if shown.low > 0.0:
-            fitted["shown"] = Bounds(1.0 / shown.value, 1.0 / shown.high, 1.0 / shown.low)
-        figures = fitted | figures
+        loop = fit_servo(record, control == BALANCE, known)
+        stays = loop.stays
+        figures = _determined(loop) | figures
         findings += [finding("CL594", place, stays=stays)] if stays > WELL else []
+        rest, asked, explained = (
+            np.diff(values) / record.period for values in (record.position - loop.position, record.asked(), loop.position)
+        )
+        findings += left_over_findings(place, rest, asked, explained, record.period)
         if unknown := [FIGURES[name][0] for name in DETERMINED if name not in figures]:
             findings.append(finding("CL941", place, parameters=unknown))
     except ParameterError as error:
         findings.append(finding("CL942", place, reason=str(error)))
+        figures |= _shown(record)
     findings += [] if reverses(record) else [finding("CL593", place)]
     return LoggedAxis(figures, _left(record, figures), stays, terms_of_log(control, figures)), findings
 
 
+def _shown(record: AxisRecord) -> dict[str, Bounds]:
+    """Return velocity over following error."""
+    speed, late = np.gradient(record.asked(), record.period), record.asked() - record.position
+    solution, covariance, _ = fit_records([np.column_stack([speed, np.ones(speed.size)])], [late])
+    time, deviation = float(solution[0]), SURE * float(covariance.deviations[0])
+    return {"shown": Bounds(1.0 / time, 1.0 / (time + deviation), 1.0 / (time - deviation))} if deviation < 0.3 * time else {}
+
+
 def _determined(loop: FittedLoop) -> dict[str, Bounds]:
     """Return the figures that a log determines: without the gain, neither what the feedforward nor what the delay is."""
-    figures = {name: figure for name, figure in loop.figures.items() if name != "following_time"}
-    for name, most in DETERMINED.items():
-        scale = 1.0 if name == "velocity_feedforward" else abs(figures[name].value)
-        if not figures[name].half < most * scale:
-            lost = ("Kv", "velocity_feedforward", "delay", "equivalent_time") if name == "Kv" else (name,)
-            figures = {other: figure for other, figure in figures.items() if other not in lost}
-            if name == "Kv":
-                break
-    return figures
+    x = loop.figures
+    shown, friction = x["following_time"], x.get("friction_offset")
+    figures = {"shown": Bounds(1.0 / shown.value, 1.0 / shown.high, 1.0 / shown.low)} if shown.half < 0.3 * shown.value else {}
+    figures |= {"friction_offset": friction} if friction is not None and friction.low > 0.0 else {}
+    if not x["Kv"].half < DETERMINED["Kv"] * x["Kv"].value:
+        return figures
+    scale = {"Kv": x["Kv"].value, "velocity_feedforward": 1.0, "equivalent_time": x["equivalent_time"].value, "delay": 1.0}
+    return figures | {name: x[name] for name, most in DETERMINED.items() if x[name].half < most * scale[name]}
 
 
 def _left(record: AxisRecord, x: Mapping[str, Bounds]) -> dict[str, float]:
@@ -196,11 +207,12 @@ def _drive(record: AxisRecord, place: str) -> tuple[tuple[float, float] | None, 
     command = np.convolve(record.driven(), triangle, "valid")
     place_of, fits = np.convolve(record.position, triangle, "valid"), []
     speed = np.gradient(place_of, period)
-    rows = np.column_stack([np.gradient(speed, period), speed, np.sign(speed) * (np.abs(speed) > 0.01 * np.abs(speed).max()), np.ones(speed.size)])
+    way = np.where(np.abs(speed) > 0.01 * np.abs(speed).max(), np.sign(speed), 0.0)
+    rows = np.column_stack([np.gradient(speed, period), speed, way, np.ones(speed.size)])
     for late in range(max(round(LATEST / period), 1)):
         target = command[: command.size - late]
         solution, covariance, (rest,) = fit_records([rows[late:]], [target])
-        fits.append((1.0 - float(np.var(rest) / max(np.var(target), 1e-300)), solution, covariance.deviations))
+        fits.append((1.0 - float(np.var(rest)) / max(float(np.var(target)), 1e-300), solution, covariance.deviations))
     explained, (inertia, damping, rub, _), spread = max(fits, key=lambda fit: fit[0])
     if not explained > EXPLAINED or not max(inertia, damping) > 0.0:
         return None, {}, [finding("CL943", place, explained=explained)]
@@ -211,7 +223,7 @@ def _drive(record: AxisRecord, place: str) -> tuple[tuple[float, float] | None, 
     gain, deviation, left = _law(record)
     if left > LAW or not gain > 0.0:
         return None, figures, [finding("CL944", place, left=left)]
-    known = gain / damping, gain / damping * math.hypot(deviation / gain, spread[1] / damping)
+    known = gain / damping, gain / damping * math.hypot(deviation / gain, spread[1] / damping, CLOCK)
     return known, figures | {"Kv": _within(*known)}, [finding("CL946", place, left=left)]
 
 
@@ -235,7 +247,7 @@ def _law(record: AxisRecord) -> tuple[float, float, float]:
     return (
         float(solution[1]),
         math.hypot(float(covariance.deviations[1]), float(other[1] - solution[1])),
-        float(np.std(rest) / max(np.std(command), 1e-300)),
+        float(np.std(rest)) / max(float(np.std(command)), 1e-300),
     )
 
 
@@ -243,23 +255,24 @@ def _law(record: AxisRecord) -> tuple[float, float, float]:
 
 
 def _tables(axes: Mapping[str, LoggedAxis], control: str) -> tuple[Table, ...]:
-    heads = [Column("axis", left=True), Column("", left=True), Column("value"), Column("95 %", left=True), Column("unit", left=True)]
-    seen = Table(heads, "What the log shows")
-    terms = Table([*heads[:1], Column(control, left=True), *heads[2:4], Column("proposed"), heads[4]], f"In terms of {control}")
-    left = Table([Column("axis", left=True), *map(Column, ("velocity", "acceleration", "delay", "friction"))], _LEFT)
-    for name, axis in axes.items():
-        for key, (words, unit) in FIGURES.items():
-            if key in axis.figures:
-                scaled = [float(figure(value, unit).split()[0]) for value in vars(axis.figures[key]).values()]
-                seen.rows.append((name, words, *_cells(Bounds(*scaled)), unit))
-        for term in axis.terms:
-            terms.rows.append((name, term.name, *_cells(term.value), number(term.proposed), term.unit))
-        if not math.isnan(axis.left["velocity"]):
-            left.rows.append((name, *(figure(part, "um") for part in axis.left.values())))
-    return seen, terms, left
-
-
-_LEFT = "Following error at the largest velocity and acceleration of the log: velocity and acceleration feedforward take away their part"
+    axis, interval, unit = Column("axis", left=True), Column("95 %", left=True), Column("unit", left=True)
+    seen, terms, left = list[Sequence[str]](), list[Sequence[str]](), list[Sequence[str]]()
+    for name, one in axes.items():
+        for key, (words, shown) in FIGURES.items():
+            if key in one.figures:
+                x, factor = one.figures[key], FACTORS[shown]
+                seen.append((name, words, *_cells(Bounds(factor * x.value, factor * x.low, factor * x.high)), shown))
+        terms += [(name, term.name, *_cells(term.value), number(term.proposed), term.unit) for term in one.terms]
+        if not math.isnan(one.left["velocity"]):
+            left.append((name, *(figure(part, "um") for part in one.left.values())))
+    of_error = [axis, *map(Column, ("velocity", "acceleration", "delay", "friction"))]
+    return (
+        Table([axis, Column("", left=True), Column("value"), interval, unit], "What the log shows", rows=seen),
+        Table(
+            [axis, Column(control, left=True), Column("value"), interval, Column("proposed"), unit], f"In terms of {control}", rows=terms
+        ),
+        Table(of_error, "Parts of the following error, at the largest velocity and acceleration", rows=left),
+    )
 
 
 def _cells(x: Bounds) -> Sequence[str]:

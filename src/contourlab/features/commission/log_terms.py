@@ -38,8 +38,8 @@ def _stays(x: Mapping[str, Bounds]) -> float:
     return nan
 
 
-def _full(x: Mapping[str, Bounds]) -> float:
-    return 1.0
+def _where_known(value: float) -> Callable[[Mapping[str, Bounds]], float]:
+    return lambda x: value if "equivalent_time" in x else nan
 
 
 def _time(factor: float) -> Callable[[Mapping[str, Bounds]], float]:
@@ -49,25 +49,25 @@ def _time(factor: float) -> Callable[[Mapping[str, Bounds]], float]:
 TERMS: dict[str, tuple[Row, ...]] = {
     "generic": (
         ("Kv", "1/s", "Kv", 1.0, _stays),
-        ("velocity feedforward", "%", "velocity_feedforward", 100.0, lambda x: 100.0),
+        ("velocity feedforward", "%", "velocity_feedforward", 100.0, _where_known(100.0)),
         ("acceleration feedforward", "ms", "", 1.0, _time(1e3)),
         ("velocity loop: time constant", "ms", "equivalent_time", 1e3, _stays),
     ),
     "sinumerik": (
         ("MD32200 POSCTRL_GAIN", "1000/min", "Kv", 0.06, _stays),
-        ("MD32610 VELO_FFW_WEIGHT", "", "velocity_feedforward", 1.0, _full),
-        ("MD32620 FFW_MODE", "", "", 1.0, lambda x: 3.0),
+        ("MD32610 VELO_FFW_WEIGHT", "", "velocity_feedforward", 1.0, _where_known(1.0)),
+        ("MD32620 FFW_MODE", "", "", 1.0, _where_known(3.0)),
         ("MD32810 EQUIV_SPEEDCTRL_TIME", "s", "equivalent_time", 1.0, _time(1.0)),
         ("MD32650 AX_INERTIA", "kg", "mass", 1.0, _stays),
     ),
     "twincat": (
         ("Proportional Factor Kv", "1/s", "Kv", 1.0, _stays),
-        ("Pre-Control Weighting", "", "velocity_feedforward", 1.0, _full),
+        ("Pre-Control Weighting", "", "velocity_feedforward", 1.0, _where_known(1.0)),
         ("Proportional Factor Ka", "s", "", 1.0, _time(1.0)),
     ),
     "cia402": (
         ("position loop: gain", "1/s", "Kv", 1.0, _stays),
-        ("0x60B1 velocity offset", "set velocity", "velocity_feedforward", 1.0, _full),
+        ("0x60B1 velocity offset", "set velocity", "velocity_feedforward", 1.0, _where_known(1.0)),
         ("0x60B2 torque offset", "kg set acceleration", "mass", 1.0, _stays),
     ),
 }
