@@ -95,14 +95,6 @@ class _Loop:
         return steps, np.interp(np.arange((asked.size - 1) * steps + 1) / steps, np.arange(asked.size), asked)
 
     @cached_property
-    def overall(self) -> float:
-        """The time by which the motion follows [s], roughly."""
-        late, speed = (
-            self.counted(x) for x in (self.record.asked() - self.record.position, np.gradient(self.record.asked(), self.record.period))
-        )
-        return float(speed @ late / (speed @ speed))
-
-    @cached_property
     def motion(self) -> slice:
         """The samples of the motion."""
         return counting(self.record)
@@ -171,7 +163,8 @@ def fit_servo(record: AxisRecord, balanced: bool, known: tuple[float, float] | N
         If the log does not tell the parameters apart.
     """
     asked, loop = record.asked(), _Loop(record)
-    measured, speed, overall = loop.counted(asked - record.position), loop.counted(np.gradient(asked, record.period)), loop.overall
+    measured, speed = loop.counted(asked - record.position), loop.counted(np.gradient(asked, record.period))
+    overall = float(speed @ measured / (speed @ speed))
     free = {
         "Kv": Free(20.0, 0.5, 0.5 / record.period, 10.0),
         "following_time": Free(overall, -2.0 * record.period, 2.0, 1e-3),
@@ -243,6 +236,8 @@ def _figures(fits: list[tuple[float, OutputFit]], record: AxisRecord, known: tup
         each["equivalent_time"] = x["lag"] + dead + hold, math.hypot(each.pop("lag")[1], TICK * record.period)
         each["delay"] = delay_of(x), math.hypot(math.sqrt(max(float(along @ covariance @ along), 0.0)), TICK * record.period)
         each["following_time"] = x["following_time"], math.hypot(each["following_time"][1], CLOCK * record.period)
+        if {"Kv", "velocity_feedforward"} & {*fit.at_bound}:
+            each["Kv"] = x["Kv"], math.inf
         if "friction_offset" in each:
             each["friction_offset"] = x["friction_offset"], math.hypot(each["friction_offset"][1], LEAST)
         for name, pair in each.items():
