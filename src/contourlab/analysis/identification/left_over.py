@@ -68,7 +68,7 @@ def left_over(residual: Array, excitation: Array, explained: Array, period: floa
         What drives the model: its spectrum tells peaks of the motion from those of the axis.
     period : float [s]
     highest : float [Hz]
-        End of the search.
+        Cut-off of a low-pass: lines are compared below it only.
 
     Notes
     -----
@@ -87,7 +87,7 @@ def left_over(residual: Array, excitation: Array, explained: Array, period: floa
     _, cross = csd(residual, excitation, 1.0 / period, nperseg=n)
     coherent = np.abs(cross) ** 2 / np.maximum(left * driven, 1e-300)
     chance = 1.0 - 0.001 ** (1.0 / max(2.0 * residual.size / n - 2.0, 1.0))
-    searched = (f >= LOWEST * f[1]) & (f <= min(MOST * f[-1], highest))
+    searched = (f >= LOWEST * f[1]) & (f <= min(MOST * f[-1], highest / AROUND))
     excited = searched & ((output > left) | (coherent > chance))
     if not excited.any():
         return nothing

@@ -20,10 +20,10 @@ from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array
 from contourlab.controls.linuxcnc.loops import LoopClass
 from contourlab.errors import ParameterError, refuse
-from contourlab.features.commission import log_command
 from contourlab.features.commission.control_terms import Term, cascade_of, check_control, term_table, terms_of
 from contourlab.features.commission.excitation import excitation, sampler, steps
 from contourlab.features.commission.identification import IdentifiedAxis, identify_axis
+from contourlab.features.commission.log_command import log as of_any_log
 from contourlab.features.commission.loop import GAINS, robustly_stable, run_lanes
 from contourlab.features.commission.options import LinuxCNC
 from contourlab.features.commission.records import AxisLog, decided, doubts, law_of, moving, read_log
@@ -194,7 +194,7 @@ def commission(
     return _answered(work, findings, inputs)
 
 
-for _member in (log_command.log,):
+for _member in (of_any_log,):
     setattr(commission, _member.__name__, _member)
 
 

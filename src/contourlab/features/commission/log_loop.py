@@ -23,10 +23,10 @@ from contourlab.features.identify.position_loop import counting, reverses, run_i
 from contourlab.features.identify.records import AxisRecord
 from contourlab.native.kernel import kernel
 
-STEP = 1e-3
-"""Longest tick of the simulated control [s]."""
+STEP, TICKS = 5e-4, 1e-3
+"""Longest step of the simulated loop [s], and a usual tick of a control [s]."""
 DEAD_TIMES = (0.0, 1.0, 2.0, 3.0, 4.0)
-"""Dead times in the loop that are tried [ticks, of a millisecond at the least]."""
+"""Dead times in the loop that are tried [usual ticks]."""
 KINDS = "the feedforward acts with the error", "a tick before it", "undelayed, where the control delays what the position controller sees"
 """What is tried: the same delay of the log hides each of them."""
 SHARES = (0.0, 0.5, 1.0)
@@ -107,7 +107,19 @@ class _Loop:
         k = np.arange(r.size, dtype=float)
         late = k - delay_of(x) / step
         seen = np.interp(late, k, r) + (r[1] - r[0]) * np.minimum(late, 0.0) if kind == 2 else r
-        _follow(r, seen, step, x["Kv"], x["velocity_feedforward"], x["lag"], dead / step, held, int(kind == 1), np.zeros(r.size), p)
+        _follow(
+            r,
+            seen,
+            step,
+            x["Kv"],
+            x["velocity_feedforward"],
+            x["lag"],
+            dead / step,
+            held,
+            round(TICKS / step) * (kind == 1),
+            np.zeros(r.size),
+            p,
+        )
         return np.asarray((p if kind == 2 else np.interp(late, k, p))[::steps][-n:])
 
     def counted(self, error: Array) -> Array:
@@ -197,15 +209,15 @@ def fit_servo(record: AxisRecord, balanced: bool, known: tuple[float, float] | N
         spread[inside] = np.maximum(spread[inside], np.max(shown, axis=0))
         return replace(one, robust_deviations=spread)
 
-    unit = max(STEP, record.period / math.ceil(record.period / STEP))
     starts = [{"velocity_feedforward": w, "Kv": min(max((1.0 - w) / max(overall, 1e-4), 10.0), 100.0)} for w in SHARES]
+
     fits = list[tuple[float, OutputFit]]()
     kinds = [(kind, dead) for kind in range(3 if balanced else 2) for dead in DEAD_TIMES]
     first: dict[int, OutputFit] = {}
     for kind, dead in kinds:
         if kind not in first:
-            first[kind] = max((fit(start, unit, kind, 1e-5) for start in starts), key=lambda one: one.fit)
-        fits.append((dead * unit, between_parts(fit(first[kind].parameters, dead * unit, kind), dead * unit, kind)))
+            first[kind] = max((fit(start, TICKS, kind, 1e-5) for start in starts), key=lambda one: one.fit)
+        fits.append((dead * TICKS, between_parts(fit(first[kind].parameters, dead * TICKS, kind), dead * TICKS, kind)))
     sums = np.array([float(np.sum((one.measured - one.predicted) ** 2)) for _, one in fits])
     best = int(np.argmin(sums))
     residual = fits[best][1].measured - fits[best][1].predicted
