@@ -36,7 +36,8 @@ def test_none_is_found_without_one() -> None:
     for seed in range(30):
         force, rigid, rest = responses(45.0, seed, 0.0)
         left = left_over(rest, force, rigid, PERIOD)
-        assert np.isnan(left.frequency) and left.clear < 5.0
+        assert left.clear < 5.0
+        assert [doubt.code for doubt in left_over_findings("axis x", rest, force, rigid, PERIOD)] == ["CL598"]
 
 
 def test_the_band_is_where_the_log_excites() -> None:

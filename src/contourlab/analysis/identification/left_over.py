@@ -34,7 +34,7 @@ class LeftOver:
     band : (float, float) [Hz]
         What was searched: where the log excites, between the first and the last line; zeros without.
     frequency : float [Hz]
-        Of the clearest peak in the band; nan without.
+        Of the clearest line in the band; nan without.
     clear : float
         Power of the clearest line over that of its neighbourhood.
     """
@@ -52,9 +52,7 @@ def left_over_findings(
     if not left.band[1] > 0.0:
         return [finding("CL599", place)]
     low, high = left.band
-    if np.isnan(left.frequency):
-        return [finding("CL598", place, low=low, high=high)]
-    return [finding("CL597", place, frequency=left.frequency, clear=left.clear, low=low, high=high)]
+    return [finding("CL597" if left.clear > CLEAR else "CL598", place, frequency=left.frequency, clear=left.clear, low=low, high=high)]
 
 
 def left_over(residual: Array, excitation: Array, explained: Array, period: float, highest: float = np.inf) -> LeftOver:
@@ -101,7 +99,7 @@ def left_over(residual: Array, excitation: Array, explained: Array, period: floa
         over = [spectrum[k] / _at(f, spectrum, near, f[k]) for spectrum in (left, left / np.maximum(driven, 1e-300))]
         if min(over) > sharpest and coherent[k] > chance:
             best, sharpest = float(f[k]), float(min(over))
-    return LeftOver(band, best if sharpest > CLEAR else np.nan, sharpest)
+    return LeftOver(band, best, sharpest)
 
 
 def _at(f: Array, spectrum: Array, near: Array, at: float) -> float:
