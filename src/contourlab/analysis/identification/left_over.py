@@ -77,7 +77,7 @@ def left_over(residual: Array, excitation: Array, explained: Array, period: floa
 
     n = round(1.0 / (RESOLUTION * period))
     nothing = LeftOver((0.0, 0.0), np.nan, 0.0)
-    if residual.size < FEWEST * n // 2:
+    if n < 4.0 * LOWEST or residual.size < FEWEST * n // 2:  # too slow, or too short
         return nothing
     f, left = welch(residual, 1.0 / period, nperseg=n)
     _, driven = welch(excitation, 1.0 / period, nperseg=n)
