@@ -25,6 +25,7 @@ from contourlab.features.backlash.command import BacklashOutcome as BacklashOutc
 from contourlab.features.check.program_check import Checked as Checked
 from contourlab.features.circle.command import CircleTest as CircleTest
 from contourlab.features.commission.command import Commissioned as Commissioned
+from contourlab.features.commission.log_command import LogCommissioned as LogCommissioned
 from contourlab.features.export.command import Exported as Exported
 from contourlab.features.identify.result import Identification as Identification
 from contourlab.features.interpolate.command import Interpolated as Interpolated
@@ -220,7 +221,11 @@ def check(file: str | File, *, machine: str | Machine | None = ..., planner: str
 
 def circle(*logs: str | File | Log, tolerance: str | None = ..., radius: str | None = ..., feed: str | None = ..., pitch: str | None = ..., axes: str | Sequence[str] = ..., machine: str | Machine | None = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ..., unit: str | None = ..., window: str | Sequence[str] = ...) -> CircleTest: ...
 
-def commission(ini: str | File, hal: str | File, *, control: str = ..., log: str | File | Log | Sequence[str | File | Log] = ..., program: str | File | None = ..., for_: str | None = ..., seed: int = ..., gain_margin: float = ..., phase_margin: float = ..., window: str | Sequence[str] = ...) -> Commissioned: ...
+class _Commission:
+    def __call__(self, ini: str | File, hal: str | File, *, control: str = ..., log: str | File | Log | Sequence[str | File | Log] = ..., program: str | File | None = ..., for_: str | None = ..., seed: int = ..., gain_margin: float = ..., phase_margin: float = ..., window: str | Sequence[str] = ...) -> Commissioned: ...
+    def log(self, log: str | File | Log, *, axis: str | None = ..., for_: str = ..., gain: str | None = ..., lead: str | None = ..., column: str | Sequence[str] = ..., columns: str | File | None = ..., format: str | None = ..., period: str | None = ..., unit: str | None = ..., window: str | Sequence[str] = ...) -> LogCommissioned: ...
+
+commission: _Commission
 
 def export(*source: Source, to: str, machine: str | None = ..., scheme: str | None = ..., axis: str | Sequence[str] = ..., plugin: str | File | Sequence[str | File] = ...) -> Exported: ...
 

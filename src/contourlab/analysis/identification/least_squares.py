@@ -154,7 +154,9 @@ def fit_percent(measured: NDArray[Any], predicted: NDArray[Any]) -> float:
     return 100.0 * (1.0 - float(np.linalg.norm(measured - predicted)) / spread)
 
 
-def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, free: Mapping[str, Free]) -> OutputFit:
+def fit_output(
+    model: Callable[[Mapping[str, float]], Array], measured: Array, free: Mapping[str, Free], least_gain: float = 1e-12
+) -> OutputFit:
     """Fit a model's output by nonlinear least squares (Gauss-Newton in a trust region, within bounds).
 
     Parameters
@@ -162,6 +164,8 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
     model : callable
         From parameters by name to its output (n,).
     measured : ndarray (n,)
+    least_gain : float
+        Relative fall of the sum of squares in a step below which the fit ends.
 
     Raises
     ------
@@ -185,7 +189,7 @@ def fit_output(model: Callable[[Mapping[str, float]], Array], measured: Array, f
         return (output(x) - measured) / size
 
     solution = least_squares(
-        left, np.clip(start, low, high), jac="3-point", bounds=(low, high), x_scale=scale, xtol=1e-10, ftol=1e-12, gtol=1e-12
+        left, np.clip(start, low, high), jac="3-point", bounds=(low, high), x_scale=scale, xtol=1e-10, ftol=least_gain, gtol=1e-12
     )
     values = np.asarray(solution.x, dtype=float)
     lowest, highest = values - low <= NEAR_BOUND * scale, high - values <= NEAR_BOUND * scale

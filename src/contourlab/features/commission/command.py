@@ -23,6 +23,7 @@ from contourlab.errors import ParameterError, refuse
 from contourlab.features.commission.control_terms import Term, cascade_of, check_control, term_table, terms_of
 from contourlab.features.commission.excitation import excitation, sampler, steps
 from contourlab.features.commission.identification import IdentifiedAxis, identify_axis
+from contourlab.features.commission.log_command import log as of_any_log
 from contourlab.features.commission.loop import GAINS, robustly_stable, run_lanes
 from contourlab.features.commission.options import LinuxCNC
 from contourlab.features.commission.records import AxisLog, decided, doubts, law_of, moving, read_log
@@ -191,6 +192,10 @@ def commission(
         findings += chain.from_iterable(in_threads(work.identify, [work.axes[axis.name] for axis in setup.closed]))
         findings += work.compared()
     return _answered(work, findings, inputs)
+
+
+for _member in (of_any_log,):
+    setattr(commission, _member.__name__, _member)
 
 
 def _prepared(setup: Setup, inputs: tuple[str | Path, ...], session: Session) -> Commissioned:

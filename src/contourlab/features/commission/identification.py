@@ -13,6 +13,7 @@ import numpy as np
 from contourlab.analysis.identification.descent import DescentSettings, spread_starts
 from contourlab.analysis.identification.first_order import first_order_start
 from contourlab.analysis.identification.least_squares import Free, Model, OutputFit, arrays_of, descended
+from contourlab.analysis.identification.left_over import left_over_findings
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array, true_spans
 from contourlab.errors import ParameterError
@@ -138,6 +139,10 @@ def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law) -> Identified
     if model.share:
         ringing = {name: fit[name] for name in ("damping_ratio", "share")}
         findings.append(finding("CL895", place, frequency=model.resonance, deviation=deviations["resonance"], **ringing))
+    else:
+        (position,) = driven(first.output, [model], law.period, first.measured[0], 0.0)
+        speeds = [np.diff(values) / law.period for values in (first.measured - position, position)]
+        findings += left_over_findings(place, speeds[0], first.output[1:], speeds[1], law.period)
     agrees = simulated < 2.0 * measured and measured < 2.0 * simulated
     findings.append(finding("CL890" if agrees else "CL889", place, simulated=simulated, measured=measured))
     findings.append(finding("CL893", place) if math.isnan(play) else finding(seen, place, play=play, deviation=play_deviation))

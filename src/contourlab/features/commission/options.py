@@ -6,7 +6,7 @@ from pathlib import Path
 
 from contourlab.app.options import argument, option, options
 from contourlab.app.session import Command, Commands
-from contourlab.app.shared_options import LogWindow, Margins, Saved, Seeded
+from contourlab.app.shared_options import LogColumns, LogWindow, Margins, Saved, Seeded, Shown
 from contourlab.errors import ParameterError
 
 
@@ -34,9 +34,29 @@ class Files(Saved):
     out: Path = option(Path("commissioning"), "Folder for the results; created if missing.")
 
 
+@options
+class OfLog(LogColumns):
+    """Find gain and feedforward of each position loop from a log of any control."""
+
+    axis: str | None = option(None, 'Axes, e.g. "x,y"; by default all that move.')
+    for_: str = option("generic", "Control whose terms to use.", choices=("generic", "sinumerik", "twincat", "cia402"))
+    gain: str | None = option(None, 'Force per drive command, e.g. "35 N/V", if it is a torque.')
+    lead: str | None = option(None, 'Travel per turn, e.g. "10 mm": converts torques to forces.', unit="m")
+
+
+@options
+class LogFiles(Shown):
+    """The argument."""
+
+    log: Path = argument("LOG", "Log of a run: commanded and actual position, perhaps the drive command.")
+
+
 COMMANDS = {
     "commission": Commands(
         "Commission the servo loops of a control: what to run, then the gains.",
-        {"linuxcnc": Command("contourlab.features.commission.command:commission", LinuxCNC, Files)},
+        {
+            "linuxcnc": Command("contourlab.features.commission.command:commission", LinuxCNC, Files),
+            "log": Command("contourlab.features.commission.log_command:log", OfLog, LogFiles),
+        },
     )
 }

@@ -100,7 +100,7 @@ def identify(*logs: str | Path | Log, settings: Identify, session: Session = QUI
             raise ParameterError(part.typed, value, f"omitted: it applies to {', '.join(owners)}, and the model is {name}")
     with about(*request.names.values(), options=list(Identify.PARTS)):
         refuse(model.single and len(logs) > 1, ParameterError, "LOG", f"{len(logs)} logs", f"one: model {name} takes {model.single}")
-        axes = _axes(opened, settings.axis) if model.together and opened is not None else [settings.axis]
+        axes = axes_of(opened, settings.axis) if model.together and opened is not None else [settings.axis]
         requests = [Request(replace(settings, axis=axis), logs) for axis in axes]
         records: list[AxisRecord] = []
         for one in requests:
@@ -125,7 +125,7 @@ def _usual_model(log: Log, options: Identify) -> str:
     return "rigid" if driven or "reference" not in log.result or typed & {*of_others, "gain", "full_scale", "lead"} else POSITION_LOOP
 
 
-def _axes(log: Log, asked: str | None) -> list[str]:
+def axes_of(log: Log, asked: str | None) -> list[str]:
     """Return the axes that are asked for, or all whose reference moves."""
     if asked is not None:
         return list(dict.fromkeys(axis.strip() for axis in asked.split(",")))

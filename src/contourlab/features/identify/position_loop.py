@@ -215,7 +215,7 @@ def reverses(record: AxisRecord) -> bool:
 
 def fit_terms(model: LoopModel, near: Rung | None = None) -> Rung:
     """Fit a model from some starts, one of them at the parameters of a simpler model."""
-    record, counts = model.record, _counting(model.record)
+    record, counts = model.record, counting(model.record)
 
     def output(points: Sequence[Mapping[str, float]]) -> Array:
         late = record.asked() - model.positions(points)
@@ -245,7 +245,7 @@ def _starts(model: LoopModel, near: Rung | None) -> Array:
     return np.array([[np.clip({**known, **other}[name], part.low, part.high) for name, part in model.free.items()] for other in others])
 
 
-def _counting(record: AxisRecord) -> slice:
+def counting(record: AxisRecord) -> slice:
     """Return the samples from shortly before the first motion to shortly after the last."""
     first, last = moving(record.asked()[:, None])
     return slice(max(first - round(BEFORE / record.period), 0), last + round(AFTER / record.period))
@@ -271,7 +271,7 @@ def identify_position_loop(records: Sequence[AxisRecord], options: Identify) -> 
     second: list[AxisRecord] = []
     for record in records:
         if record.axis not in fitted:
-            _check(record)
+            check_follows(record)
             fitted[record.axis] = record
         elif np.ptp(record.asked()) > 0.0:
             second.append(record)
@@ -307,7 +307,7 @@ def identify_position_loop(records: Sequence[AxisRecord], options: Identify) -> 
     )
 
 
-def _check(record: AxisRecord) -> None:
+def check_follows(record: AxisRecord) -> None:
     """Raise if a position does not follow its reference."""
     asked = record.asked()
     late, of_axis = asked - record.position, f"{record.axis} in {record.source}"
@@ -394,7 +394,7 @@ def _percent(share: float) -> str:
 def _chart(rung: Rung) -> Chart:
     """Return the following error of an axis with the model's, and what stays."""
     record, fit = rung.model.record, rung.fit
-    time, measured, model = record.time[_counting(record)], 1e6 * fit.measured, 1e6 * fit.predicted
+    time, measured, model = record.time[counting(record)], 1e6 * fit.measured, 1e6 * fit.predicted
     both, below = {"measured": (time, measured), "model": (time, model)}, {"stays [um]": {"measured - model": (time, measured - model)}}
     labels = "time [s]", "following error [um]"
     return traces_chart(f"following-{record.axis}", f"Following error of axis {record.axis}, {record.source}", labels, both, below=below)

@@ -12,6 +12,7 @@ from contourlab.analysis.identification.filtered_motion import ANTI_ALIAS_BAND
 from contourlab.analysis.identification.first_order import FirstOrderFit, identify_closed_loop, identify_first_order
 from contourlab.analysis.identification.inverse_dynamics import InverseDynamicsSettings, cross_validate, identify_inverse_dynamics
 from contourlab.analysis.identification.least_squares import mass_findings
+from contourlab.analysis.identification.left_over import left_over_findings
 from contourlab.errors import ParameterError, ResultError, refused
 from contourlab.features.identify.axis_tables import forces_of, friction_tables, plant_numbers, rigid_tables
 from contourlab.features.identify.options import Identify
@@ -76,6 +77,9 @@ def identify_rigid(records: Sequence[AxisRecord], options: Identify) -> Identifi
         own, held = friction_tables(coulomb, force, "N", uncertainty.origin), coulomb + abs(force)
         tables = rigid_tables([record], 1.0 / mass, damping / mass, uncertainty.origin, held=held, friction=own)
     rest = fit.force - fit.predicted
+    with about(record.source, options=named):
+        whole = identify_inverse_dynamics(record.time, record.position, _force(record), replace(settings, decimation=1))
+    findings += left_over_findings("", whole.force - whole.predicted, whole.force, whole.predicted, record.period, settings.cutoff)
     measured, over_time = {"measured": (fit.time, fit.force), "model": (fit.time, fit.predicted)}, ("time [s]", "force [N]")
     over_velocity = {"residual": (1e3 * fit.velocity, rest)}
     return Identification(
@@ -178,6 +182,7 @@ def identify_open_loop(records: Sequence[AxisRecord], options: Identify) -> Iden
         held = coulomb + abs(offset)
         tables = rigid_tables(records, fit["a"], fit["b"], uncertainty.origin, held=held, delay=delay, friction=friction)
     on_mass, possible = mass_findings(1.0 / fit["a"]) if unit == "N" else ([], True)
+    left = left_over_findings("", fit.measured - fit.predicted, fit.command, fit.predicted, float(fit.time[1] - fit.time[0]))
     return Identification(
         "first-order",
         record.axis,
@@ -185,7 +190,7 @@ def identify_open_loop(records: Sequence[AxisRecord], options: Identify) -> Iden
         figures(fit, {"a": f"m/s^2/{unit}".rstrip("/"), "b": "1/s", "friction": unit, "offset": unit, "delay": "s", "start": "m/s"}),
         fit.fit,
         fit.usable and possible,
-        (*fit.findings, *on_mass),
+        (*fit.findings, *on_mass, *left),
         details={"condition_number": fit.condition_number, "smoothing": fit.smoothing},
         lines=(
             f"velocity over {fit.smoothing} sample{'s' * (fit.smoothing > 1)}; "
