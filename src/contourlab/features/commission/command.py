@@ -26,7 +26,7 @@ from contourlab.features.commission.identification import IdentifiedAxis, identi
 from contourlab.features.commission.loop import GAINS, robustly_stable, run_lanes
 from contourlab.features.commission.options import LinuxCNC
 from contourlab.features.commission.records import AxisLog, decided, doubts, law_of, moving, read_log
-from contourlab.features.commission.setup import AxisSetup, Setup, read_setup
+from contourlab.features.commission.setup import AxisSetup, Setup, read_setup, row_of
 from contourlab.features.commission.tuning import AxisTask, Moves, TunedAxis, largest_error, shared_delay, tune_axis
 from contourlab.features.measure.log_choice import window_of
 from contourlab.figures import figure
@@ -50,12 +50,13 @@ Curves: TypeAlias = Mapping[str, tuple[Array, Array]]
 class Prediction:
     """Largest |command - motor position| [um], with the present and the proposed gains; `spread` with the axis' gain a quarter off.
 
-    A delay that all axes share is left out: it bends no path.
+    A delay that all axes share is left out: it bends no path. `load` is |command - load| with the gains to use; nan if play is unknown.
     """
 
     before: float
     after: float
     spread: float
+    load: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -222,7 +223,15 @@ class _Axis:
         if self.tuned is None:
             return dict(self.setup.gains)
         mixed = (self.present + share * (self.tuned.gains - self.present)) * unit
-        return {name: float(f"{value:.6g}") for name, value in zip(GAINS, mixed.tolist(), strict=True)}
+        return self.setup.gains | {name: float(f"{value:.6g}") for name, value in zip(GAINS, mixed.tolist(), strict=True)}
+
+    def load_error(self, delay: float, period: float) -> float:
+        """Return the largest |command - load| [m] with the gains to use, without a delay; nan if nothing is known of the load."""
+        if self.task is None or self.identified is None:
+            return math.nan
+        gains = self.present if self.tuned is None else self.tuned.gains
+        loads = [(command, self.identified.load(run)) for command, run in self.task.traced(gains)]
+        return largest_error(loads, delay, period)
 
     def line(self, gains: Mapping[str, float]) -> str:
         """Return the answer in one line."""
@@ -235,6 +244,7 @@ class _Axis:
         change = f"largest error {before} -> about {after}" if self.tuned else f"these gains stay, largest error {before}"
         play, deviation = figure(model.play, "um", 2).removesuffix(" um"), figure(model.play_deviation, "um", 1)
         remains = f"; play of {play} +-{deviation} remains" if math.isfinite(model.play) else ""
+        remains += f", about {figure(1e-6 * predicted.load, 'um')} at the load" if math.isfinite(predicted.load) else ""
         return f"{listed} for {name}: {change}{remains}"
 
 
@@ -259,12 +269,16 @@ class _Work:
         findings += [finding("CL899", place, backlash=axis.setup.backlash * unit)] if axis.setup.backlash else []
         if any(doubt.entry.severity == "error" for doubt in findings):
             return findings
-        if axis.loop.loop == "unknown":
-            axis.loop = decided([(log.output, log.measured) for log in logs], self.setup.period, unit) or axis.loop
-            findings += [finding("CL868", place, why=axis.loop.why)] if axis.loop.loop == "velocity drive" else []
-        if axis.loop.loop == "velocity drive":
-            return findings
-        identified = identify_axis(logs, axis.present, checked[0][0])
+        given, said = axis.loop, self.settings.drive
+        if said:
+            given = LoopClass("velocity drive" if said == "velocity" else "servo", f"--drive {said} says so")
+        shown = decided([(log.output, log.measured) for log in logs], self.setup.period, unit, given.loop)
+        axis.loop = (given.loop == "unknown" and shown) or given
+        velocity = axis.loop.loop == "velocity drive"
+        if shown and shown.loop != axis.loop.loop and (said or velocity):
+            return [*findings, finding("CL869", place, given=given.why, why=shown.why)]
+        findings += [finding("CL868", place, why=axis.loop.why)] if velocity and axis.loop != axis.setup.loop else []
+        identified = identify_axis(logs, axis.present, checked[0][0], velocity=velocity)
         if isinstance(identified, Finding):
             return [*findings, identified]
         axis.identified = identified
@@ -294,22 +308,23 @@ class _Work:
     def compared(self) -> list[Finding]:
         """Predict all errors without the delay that the axes share; new gains hold only if they shrink the sum."""
         moved = {name: axis for name, axis in self.axes.items() if axis.task is not None}
-        before, after = self._errors(moved, tuned=False), self._errors(moved, tuned=True)
+        (_, before), (delay, after) = self._errors(moved, tuned=False), self._errors(moved, tuned=True)
         findings, tuned = list[Finding](), [axis for axis in moved.values() if axis.tuned]
         if tuned and not sum(after.values()) < sum(before.values()):
-            findings, after = [finding("CL897", f"axis {axis.setup.name}") for axis in tuned], before
+            findings, (delay, after) = [finding("CL897", f"axis {axis.setup.name}") for axis in tuned], self._errors(moved, tuned=False)
             for axis in tuned:
                 axis.tuned = None
         for name, axis in moved.items():
             spread = axis.tuned.spread if axis.tuned else math.nan
-            axis.predicted = Prediction(1e6 * before[name], 1e6 * after[name], 1e6 * spread)
+            load = axis.load_error(delay, self.setup.period)
+            axis.predicted = Prediction(1e6 * before[name], 1e6 * after[name], 1e6 * spread, 1e6 * load)
             noise = 3.0 * axis.identified.noise if axis.identified else 0.0
             findings += [finding("CL891", f"axis {name}", noise=noise)] if axis.tuned and noise > 0.3 * after[name] else []
             findings += [finding("CL898", f"axis {name}", error=spread)] if spread > 0.5 * before[name] else []
         return findings
 
-    def _errors(self, moved: Mapping[str, _Axis], *, tuned: bool) -> dict[str, float]:
-        """Return the largest error [m] of each axis without the delay that all share, with tuned gains or else those in use."""
+    def _errors(self, moved: Mapping[str, _Axis], *, tuned: bool) -> tuple[float, dict[str, float]]:
+        """Return the delay [s] that all axes share, and the largest error [m] of each without it, with tuned gains or else those in use."""
         chosen = {name: (axis.task, axis.tuned) for name, axis in moved.items() if tuned and axis.task and axis.tuned}
         moves = {name: axis.before for name, axis in moved.items()} | {name: task.runs(new.gains) for name, (task, new) in chosen.items()}
         period = self.setup.period
@@ -318,7 +333,7 @@ class _Work:
         for name, (task, new) in chosen.items():
             started = float(task.switched_on(new.gains[None], task.model)[0])
             errors[name] = max(errors[name], started) if delay else new.largest
-        return errors
+        return delay, errors
 
     def safe(self, known: Mapping[str, IdentifiedAxis]) -> dict[str, dict[str, float]]:
         """Return the first gains to type in: half the way, or less where the loop would not be stable there."""
@@ -326,7 +341,7 @@ class _Work:
         for share in (0.5, 0.25, 0.1):
             for name, model in known.items():
                 gains = self.axes[name].gains(self.setup.unit, share)
-                row = np.array(list(gains.values())) / self.setup.unit
+                row = row_of(gains, self.setup.unit)
                 if name not in chosen and robustly_stable(row[None], model.model, model.law.period)[0]:
                     chosen[name] = gains
         return chosen
@@ -338,7 +353,7 @@ def _answered(work: _Work, findings: Sequence[Finding], inputs: tuple[str | Path
     models = {name: axis.identified for name, axis in work.axes.items() if axis.identified is not None}
     known = {name: model for name, model in models.items() if model.usable}
     gains, safe = {name: work.axes[name].gains(setup.unit) for name in known}, work.safe(known)
-    rows = {name: np.array(list(values.values())) / setup.unit for name, values in gains.items()}
+    rows = {name: row_of(values, setup.unit) for name, values in gains.items()}
     answer = tuple(axis.line(gains.get(name, {})) for name, axis in work.axes.items())
     silent = [name for name in work.axes if name not in gains]
     findings = [*findings, finding("CL867", setup.ini.file.name, axes=silent)] if silent else findings

@@ -201,7 +201,7 @@ def law_of(log: AxisLog, axis: AxisSetup, unit: float) -> tuple[Law, list[Findin
     """
     gains = axis.row(unit)
     choices = (True, False) if axis.previous_target is None else (axis.previous_target,)
-    laws = [Law(log.period, previous, axis.maxoutput) for previous in choices]
+    laws = [Law(log.period, previous, axis.maxoutput, axis.gains["deadband"] * unit, axis.gains["bias"]) for previous in choices]
     place, spread = f"axis {log.axis}", float(log.output.std())
     if not gains.any() or spread == 0.0:
         return laws[0], [finding("CL879", place)]
@@ -252,7 +252,7 @@ def _diagnosis(log: AxisLog, gains: Array, laws: Sequence[Law], place: str) -> l
 # --- what a pid closes its loop on, where the wiring cannot say ---------------------------------------------------------------------
 
 
-def decided(records: Sequence[tuple[Array, Array]], period: float, unit: float) -> LoopClass | None:
+def decided(records: Sequence[tuple[Array, Array]], period: float, unit: float, given: str = "unknown") -> LoopClass | None:
     """Return the class that logs show, or None if they show none.
 
     Parameters
@@ -262,6 +262,8 @@ def decided(records: Sequence[tuple[Array, Array]], period: float, unit: float) 
     period : float [s]
     unit : float [m]
         Machine unit.
+    given : str
+        Class that counts where both are possible.
 
     Notes
     -----
@@ -277,7 +279,7 @@ def decided(records: Sequence[tuple[Array, Array]], period: float, unit: float) 
         return None
     rate = damping / inertia if inertia > 0.0 else np.inf
     as_speed = 0.8 * unit < 1.0 / max(damping, 1e-30) < 1.25 * unit
-    if rate > QUICK or (rate > SLOW and as_speed):
+    if rate > QUICK or (rate > SLOW and (given == "velocity drive" or (as_speed and given != "servo"))):
         lag, delay = figure(1.0 / rate, "ms"), figure(late * period, "ms")
         return LoopClass("velocity drive", f"in the log its velocity follows the output, with a lag of {lag} and a delay of {delay}")
     slowing = figure(max(rate, 0.0), "1/s")

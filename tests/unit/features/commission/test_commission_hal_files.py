@@ -32,7 +32,17 @@ def test_gains_come_from_the_ini_file_and_keep_their_places(tmp_path: Path) -> N
     setup = setup_of(tmp_path)
     x, y = setup.axes
     assert (x.name, x.joint, x.pid, y.pid) == ("x", 0, "pid.x", "pid.y")
-    assert x.gains == {"Pgain": 0.8, "Igain": 0.5, "Dgain": 0.0, "FF0": 0.0, "FF1": 0.015, "FF2": 0.0, "FF3": 0.0}
+    assert x.gains == {
+        "Pgain": 0.8,
+        "Igain": 0.5,
+        "Dgain": 0.0,
+        "FF0": 0.0,
+        "FF1": 0.015,
+        "FF2": 0.0,
+        "FF3": 0.0,
+        "deadband": 0.0,
+        "bias": 0.0,
+    }
     assert x.limits == {"velocity": 200.0, "acceleration": 1000.0, "low": -200.0, "high": 200.0}
     assert x.places["Pgain"].file == setup.ini.file
     assert setup.ini.file.read_text().splitlines()[x.places["Pgain"].line - 1] == "P = 0.8"
@@ -64,7 +74,7 @@ def test_inch(tmp_path: Path) -> None:
         ("net x-enable joint.0.amp-enable-out => pid.x.enable", "setp pid.x.enable 1", "CL861"),
         ("addf pid.x.do-pid-calcs servo-thread\n", "", "CL857"),
         ("loadrt pid", "addf pid.x.do-pid-calcs servo-thread\nloadrt pid", "CL858"),
-        ("setp pid.x.FF0", "setp pid.x.deadband 0.001\nsetp pid.x.FF0", "CL859"),
+        ("setp pid.x.FF0", "setp pid.x.maxerror 0.001\nsetp pid.x.FF0", "CL859"),
         ("=> pid.x.command", "=> pid.x.command\nnet xv joint.0.vel-cmd => pid.x.command-deriv", "CL860"),
     ],
 )
@@ -74,8 +84,8 @@ def test_unusual_wiring_is_named(tmp_path: Path, old: str, new: str, code: str) 
 
 
 def test_a_finding_names_file_and_line(tmp_path: Path) -> None:
-    setup = setup_of(tmp_path, ("setp pid.x.FF0", "setp pid.x.deadband 0.001\nsetp pid.x.FF0"))
-    line = setup.hal.read_text().splitlines().index("setp pid.x.deadband 0.001") + 1
+    setup = setup_of(tmp_path, ("setp pid.x.FF0", "setp pid.x.maxerror 0.001\nsetp pid.x.FF0"))
+    line = setup.hal.read_text().splitlines().index("setp pid.x.maxerror 0.001") + 1
     assert places(setup, "CL859") == [f"rig.hal:{line}"]
 
 
