@@ -75,6 +75,8 @@ class Commissioned(Answer):
     files : tuple of Path
     terms : tuple of Term
         The proposed gains as parameters of another control.
+    circle : dict of str to float [um]
+        Largest radial error on the simulated circle, at the motors before and after, and at the load; empty unless x and y are known.
     answer : tuple of str
         One line for each axis.
     tables : tuple of Table
@@ -88,6 +90,7 @@ class Commissioned(Answer):
     findings: tuple[Finding, ...]
     files: tuple[Path, ...] = ()
     terms: tuple[Term, ...] = ()
+    circle: dict[str, float] = field(default_factory=dict)
     answer: tuple[str, ...] = ()
     tables: tuple[Table, ...] = field(default=(), metadata=HIDDEN)
     charts: tuple[PolarChart, ...] = field(default=(), metadata=HIDDEN, repr=False)
@@ -176,7 +179,8 @@ def commission(
         check_file(session.folder / name, inputs, "--out")
     if not settings.log:
         return _prepared(setup, inputs, session)
-    findings, records = list(setup.findings), list[dict[str, AxisLog]]()
+    findings = [doubt for doubt in setup.findings if doubt.code != "CL868"]  # a log tells more
+    records = list[dict[str, AxisLog]]()
     for number, log in enumerate(settings.log):
         record, more = read_log(log, setup, window_of(log, settings.of_log(number, len(settings.log))))
         record = {axis.name: record[axis.name] for axis in setup.closed if axis.name in record}
@@ -277,11 +281,11 @@ class _Work:
         velocity = axis.loop.loop == "velocity drive"
         if shown and shown.loop != axis.loop.loop and (said or velocity):
             return [*findings, finding("CL869", place, given=given.why, why=shown.why)]
-        findings += [finding("CL868", place, why=axis.loop.why)] if velocity and axis.loop != axis.setup.loop else []
         identified = identify_axis(logs, axis.present, checked[0][0], velocity=velocity)
         if isinstance(identified, Finding):
             return [*findings, identified]
         axis.identified = identified
+        findings += [finding("CL868", place, why=f"{axis.loop.why}; {identified.answers(unit)}")] if velocity else []
         tuned = not identified.usable or self._tune(axis, logs, identified)
         return [*findings, *identified.findings, *([] if tuned else [finding("CL897", place)])]
 
@@ -364,7 +368,8 @@ def _answered(work: _Work, findings: Sequence[Finding], inputs: tuple[str | Path
         terms = terms_of(control, {name: cascade_of(row, known[name]) for name, row in rows.items()})
         tables |= {f"The proposed gains in other terms: {control}": term_table(terms)} if terms else {}
     tables = {head: table for head, table in tables.items() if table.rows}
-    diff, charts = "" if silent else changes(setup, gains), tuple(_circle(work, rows))
+    diff, circle = "" if silent else changes(setup, gains), _circle(work, rows)
+    charts = tuple(circle_charts(circle))
     picture = picture_bytes(lambda: drawing_of(charts, 4.2), "png") if charts else []
     report, gain_diff, safe_diff, image = SECOND
     title = f"Commissioning of {setup.ini.file.name}" + ("" if program is None else f" for {program.name}")
@@ -379,6 +384,7 @@ def _answered(work: _Work, findings: Sequence[Finding], inputs: tuple[str | Path
         models,
         tuple(findings),
         terms=terms,
+        circle={name: 1e6 * float(np.abs(error).max()) for name, (_, error) in circle.items()},
         answer=answer,
         tables=tuple(tables.values()),
         charts=charts,
@@ -422,14 +428,14 @@ def _limits(setup: Setup, letter: str) -> tuple[float, float] | None:
     return None if None in values else (float(values[0] or 0.0), float(values[1] or 0.0))
 
 
-def _circle(work: _Work, after: Mapping[str, Array]) -> Iterator[PolarChart]:
-    """Yield the pictures of a circle with the gains in use and with others, if both x and y are known."""
+def _circle(work: _Work, after: Mapping[str, Array]) -> Curves:
+    """Return the errors on a circle with the gains in use and with others, if both x and y are known."""
     known = {name: (axis.task, axis.identified) for name, axis in work.axes.items() if name in ("x", "y") and axis.task and axis.identified}
     if len(known) < 2:
-        return
+        return {}
     strongest = min(work.axes[name].setup.limits["acceleration"] for name in known) * work.setup.unit
     rows = {"before": {name: work.axes[name].present for name in known}, "after": after}
-    yield from circle_charts(circle_errors(known, rows, strongest))
+    return circle_errors(known, rows, strongest)
 
 
 # --- what a person gets: the changes as a diff, the circle before and after, and a page --------------------------------------------
@@ -473,7 +479,7 @@ def _lines(file: Path) -> list[str]:
 
 
 def circle_errors(axes: Mapping[str, tuple[AxisTask, IdentifiedAxis]], gains: Mapping[str, Rows], fastest: float) -> Curves:
-    """Return angle [rad] and radial error [m] on a circle of x and y, simulated with each set of gains.
+    """Return angle [rad] and radial error [m] on a circle of x and y, simulated with each set of gains; of the last one at the load too.
 
     Parameters
     ----------
@@ -487,22 +493,23 @@ def circle_errors(axes: Mapping[str, tuple[AxisTask, IdentifiedAxis]], gains: Ma
     time = period * np.arange(round((start + 4.0 * math.pi / turn) / period))
     phase = turn * np.where(time < start, time**2 / (2.0 * start), time - 0.5 * start)  # from rest, two turns
     commands, last = {"x": CIRCLE * np.cos(phase), "y": CIRCLE * np.sin(phase)}, phase > phase[-1] - 2.0 * math.pi
-    curves = {}
+    curves: dict[str, tuple[Array, Array]] = {}
     for label, rows in gains.items():
-        places = []
+        places, loads = list[Array](), list[Array]()
         for name, command in commands.items():
             task, model = axes[name]
             run = run_lanes(command, model.noise_like(command), rows[name][None], [task.model], task.law, trace=True)
             places.append(run.position[last])
-        curves[label] = (np.arctan2(*places[::-1]), np.hypot(*places) - CIRCLE)
-    return curves
+            loads.append(model.load(run)[last])
+        curves |= {label: (np.arctan2(*places[::-1]), np.hypot(*places) - CIRCLE)}
+    return curves if np.isnan(loads).any() else curves | {"load": (np.arctan2(*loads[::-1]), np.hypot(*loads) - CIRCLE)}
 
 
 def circle_charts(errors: Curves) -> Iterator[PolarChart]:
     """Yield a ball-bar plot for each of some curves of angle [rad] and radial error [m], by name."""
     for i, (name, (angle, error)) in enumerate(errors.items()):
         title = f"{name}: at most {figure(float(np.abs(error).max()), 'um')}"
-        curve = Curve(np.degrees(np.unwrap(angle)), 1e6 * error, name, scheme_style(i, 2)[0])
+        curve = Curve(np.degrees(np.unwrap(angle)), 1e6 * error, name, scheme_style(i, len(errors))[0])
         yield PolarChart(f"circle-{name}", title, f"Radius {figure(CIRCLE, 'mm')}.", (curve,), CIRCLE)
 
 

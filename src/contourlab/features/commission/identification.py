@@ -18,6 +18,7 @@ from contourlab.arrays import Array, true_spans
 from contourlab.errors import ParameterError
 from contourlab.features.commission.loop import MOST_DELAY, AxisModel, Law, Runs, driven, run_lanes
 from contourlab.features.commission.records import AxisLog
+from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 
 FITTED = 0.7
@@ -41,6 +42,8 @@ SEARCHES = ((4, 1.0, DescentSettings(most_iterations=20)), (2, 0.2, DescentSetti
 """Searches for a second mass: number of starts, reach, and descent from each; the later one around the end of the former."""
 LIVELY, LEAST_LIVELY, NEAR = 0.2, 2000, 5
 """Part of a log, and samples at the least, that tell whether there is a second mass at all; samples around an instant for its velocity."""
+ALIKE = 0.25
+"""Part of what a second mass explains that an end of a search may miss, and still tell how well its parameters are known."""
 SURE = 0.05
 """Largest deviation of a resonance, relative to its frequency, with which it enters the model."""
 SLOW = 5e-4
@@ -108,6 +111,14 @@ class IdentifiedAxis:
     def usable(self) -> bool:
         """Whether no finding is an error."""
         return all(doubt.entry.severity != "error" for doubt in self.findings)
+
+    def answers(self, unit: float) -> str:
+        """Return how a velocity drive answers its output, in machine units [m]."""
+        model, off = self.model, self.deviations
+        lag, delay = figure(1.0 / model.damping, "ms"), figure(max(model.delay, 0.0), "ms", 2)
+        reset = f" and an integral of {figure(model.reset, '1/s', 2)}" if model.reset else ""
+        lag += f" +-{figure(off['lag'], 'ms', 2)}{reset} in its loop"
+        return f"1 machine unit per second takes an output of {figure(model.per_speed * unit)}, with a lag of {lag} and a delay of {delay}"
 
     def load(self, run: Runs) -> Array:
         """Return the position of the load (n,) [m] in a traced run; nan if nothing is known of it."""
@@ -266,8 +277,11 @@ def _with_shaft(model: Model, measured: Array, free: Mapping[str, Free], rigid: 
         start = best.values[-len(SHAFT) :]
         if not _explains(best, rigid):
             break
-    # Behind play a search does not always end at the same point: how far its ends differ is not known better.
-    return replace(best, robust_deviations=np.hypot(best.robust_deviations, np.std(ends, axis=0)))
+    # Behind play a search does not always end at the same point: how far ends differ that explain nearly as much is not known better.
+    off = model([dict(zip(best.names, x.tolist(), strict=True)) for x in ends]) - measured
+    squares = (off**2).sum(axis=1)
+    most = squares.min() * (1.0 + ALIKE * (((100.0 - rigid.fit) / (100.0 - best.fit)) ** 2 - 1.0))
+    return replace(best, robust_deviations=np.hypot(best.robust_deviations, np.std(np.array(ends)[squares <= most], axis=0)))
 
 
 def count_of(logs: Sequence[AxisLog]) -> float:

@@ -34,7 +34,7 @@ class AxisSetup:
     pid : str
         Name of the channel, as ``pid.0``.
     gains : dict of str to float
-        In machine units, under HAL's names; with dead band and bias.
+        In machine units, under HAL's names; with dead band and bias where a file sets them.
     places : dict of str to Entry
         Where each gain is set: the ``setp`` line of the HAL file, or the key of the INI file that it refers to.
     last : int
@@ -170,7 +170,7 @@ class _Wiring:
 
     def _axis(self, letter: str, joint: int, name: str) -> AxisSetup:
         graph, places = self.graph, {}
-        gains = dict.fromkeys(SETTINGS, 0.0) | {"Pgain": 1.0}  # as pid starts
+        gains = dict.fromkeys(GAINS, 0.0) | {"Pgain": 1.0}  # as pid starts
         for gain in SETTINGS:
             if statement := graph.settings.get(f"{name}.{gain}"):
                 places[gain] = self.ini.referred(REFERENCE.fullmatch(statement.written[2])) or statement.entry(2)

@@ -114,7 +114,7 @@ class AxisTask:
         bandwidth, damping, integral = (low[:3] * (high[:3] / low[:3]) ** points[:, :3]).T
         ff1, ff2 = (low[3:] + points[:, 3:] * (high[3:] - low[3:])).T
         w = bandwidth / period
-        p = w**2 / model.gain
+        p = w * np.maximum(w, model.regulated) / model.gain  # slower than the drive's loop, the position loop is of first order
         gains = np.zeros((len(points), len(GAINS)))
         gains[:, 0] = p
         gains[:, 1] = p * w * integral

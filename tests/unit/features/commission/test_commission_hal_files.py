@@ -32,17 +32,7 @@ def test_gains_come_from_the_ini_file_and_keep_their_places(tmp_path: Path) -> N
     setup = setup_of(tmp_path)
     x, y = setup.axes
     assert (x.name, x.joint, x.pid, y.pid) == ("x", 0, "pid.x", "pid.y")
-    assert x.gains == {
-        "Pgain": 0.8,
-        "Igain": 0.5,
-        "Dgain": 0.0,
-        "FF0": 0.0,
-        "FF1": 0.015,
-        "FF2": 0.0,
-        "FF3": 0.0,
-        "deadband": 0.0,
-        "bias": 0.0,
-    }
+    assert x.gains == {"Pgain": 0.8, "Igain": 0.5, "Dgain": 0.0, "FF0": 0.0, "FF1": 0.015, "FF2": 0.0, "FF3": 0.0}
     assert x.limits == {"velocity": 200.0, "acceleration": 1000.0, "low": -200.0, "high": 200.0}
     assert x.places["Pgain"].file == setup.ini.file
     assert setup.ini.file.read_text().splitlines()[x.places["Pgain"].line - 1] == "P = 0.8"
@@ -87,6 +77,13 @@ def test_a_finding_names_file_and_line(tmp_path: Path) -> None:
     setup = setup_of(tmp_path, ("setp pid.x.FF0", "setp pid.x.maxerror 0.001\nsetp pid.x.FF0"))
     line = setup.hal.read_text().splitlines().index("setp pid.x.maxerror 0.001") + 1
     assert places(setup, "CL859") == [f"rig.hal:{line}"]
+
+
+def test_dead_band_and_bias_are_read_where_they_are_set(tmp_path: Path) -> None:
+    setup = setup_of(tmp_path, ("setp pid.x.FF0", "setp pid.x.deadband 0.001\nsetp pid.x.bias 0.2\nsetp pid.x.FF0"))
+    x, y = setup.axes
+    assert (x.gains["deadband"], x.gains["bias"]) == (0.001, 0.2) and not {"deadband", "bias"} & y.gains.keys()
+    assert [one.code for one in setup.findings] == ["CL852"]
 
 
 def test_missing_unit_and_period(tmp_path: Path) -> None:
