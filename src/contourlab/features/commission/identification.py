@@ -42,6 +42,8 @@ SEARCHES = ((4, 1.0, DescentSettings(most_iterations=20)), (2, 0.2, DescentSetti
 """Searches for a second mass: number of starts, reach, and descent from each; the later one around the end of the former."""
 LIVELY, LEAST_LIVELY, NEAR = 0.2, 2000, 5
 """Part of a log, and samples at the least, that tell whether there is a second mass at all; samples around an instant for its velocity."""
+SWING = 1.5
+"""Range of motor minus load over the play above which the load swings."""
 ALIKE = 0.25
 """Part of what a second mass explains that an end of a search may miss, and still tell how well its parameters are known."""
 SURE = 0.05
@@ -93,6 +95,8 @@ class IdentifiedAxis:
     measured, simulated : float [m]
         Largest error on the part that was not fitted.
     findings : tuple of Finding
+    swings : bool
+        Whether a load swings that the model leaves out: nothing is predicted of it.
     """
 
     model: AxisModel
@@ -106,6 +110,7 @@ class IdentifiedAxis:
     measured: float
     simulated: float
     findings: tuple[Finding, ...] = ()
+    swings: bool = False
 
     @property
     def usable(self) -> bool:
@@ -122,7 +127,7 @@ class IdentifiedAxis:
 
     def load(self, run: Runs) -> Array:
         """Return the position of the load (n,) [m] in a traced run; nan if nothing is known of it."""
-        if self.model.share or math.isnan(self.play):
+        if self.model.share or self.swings or math.isnan(self.play):
             return run.load + (0.0 if self.model.share else math.nan)
         places, at, half = list[float](), float(run.position[0]), 0.5 * self.play
         for place in run.position.tolist():
@@ -174,6 +179,8 @@ def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law, *, velocity: 
     play, play_deviation, seen = *play_at_load(logs, model), "CL892"
     if math.isnan(play):
         play, play_deviation, seen = *lost_motion_at_motor(logs, model, noise), "CL862"
+    apart = [float(np.ptp(log.measured - log.load)) for log in logs if log.load is not None]
+    swings = not model.share and max(apart, default=0.0) > SWING * play + 8.0 * noise
     measured, simulated = _validated(logs, split, gains, model, law)
     findings = _quality(fit, deviations, place, law.period)
     if model.share:
@@ -185,7 +192,7 @@ def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law, *, velocity: 
     share = model.friction / model.gain / max(float(np.abs(log.output).max()) for log in logs)
     findings += [finding("CL894", place, share=share)] if share > 0.15 else []
     findings += [finding("CL896", place, delay=model.delay)] if model.delay > 1.5 * law.period else []
-    return IdentifiedAxis(model, deviations, fit.fit, law, rest, noise, play, play_deviation, measured, simulated, tuple(findings))
+    return IdentifiedAxis(model, deviations, fit.fit, law, rest, noise, play, play_deviation, measured, simulated, tuple(findings), swings)
 
 
 def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, s: int, first: Mapping[str, float], *, velocity: bool) -> OutputFit:
@@ -222,9 +229,10 @@ def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, s: int, fi
     # Most axes show no second mass: the liveliest part of the log tells that in a fraction of the time.
     lively = problem(_liveliest(log, n) for log, n in zip(logs, split, strict=True))
     alone, _ = descended(*lively, free, rigid.values[None])
-    if not _explains(_with_shaft(*lively, free, alone, 1), alone):
+    part = _with_shaft(*lively, free, alone, 1)
+    if not _explains(part, alone):
         return rigid
-    two = _with_shaft(model, measured, free, rigid, len(SEARCHES))
+    two = _with_shaft(model, measured, free, rigid, len(SEARCHES), part.values[None, -len(SHAFT) :])
     sure = two.deviation("resonance") < SURE * two["resonance"] and 4.0 * two.deviation("share") < two["share"]
     return two if sure and _explains(two, rigid) and not {"resonance", "share"} & {*two.at_bound} else rigid
 
@@ -258,8 +266,10 @@ def _explains(more: OutputFit, less: OutputFit, added: Mapping[str, Free] = SHAF
     return 2.0 * n * math.log((100.0 - less.fit) / max(100.0 - more.fit, 1e-9)) > len(added) * math.log(n)
 
 
-def _with_shaft(model: Model, measured: Array, free: Mapping[str, Free], rigid: OutputFit, searches: int) -> OutputFit:
-    """Fit two masses with a shaft between them from several starts, in the first few searches."""
+def _with_shaft(
+    model: Model, measured: Array, free: Mapping[str, Free], rigid: OutputFit, searches: int, more: Array | None = None
+) -> OutputFit:
+    """Fit two masses with a shaft between them from several starts, in the first few searches; the first one has more starts if given."""
     start, low, high, _ = arrays_of(SHAFT)
     best, found = rigid, list[OutputFit]()
     for count, reach, settings in SEARCHES[:searches]:
@@ -269,6 +279,8 @@ def _with_shaft(model: Model, measured: Array, free: Mapping[str, Free], rigid: 
             return model([{**known, **dict(zip(SHAFT, x.tolist(), strict=True))} for x in points]) - measured
 
         shafts = spread_starts(left, start, low, high, count, 256, reach)
+        if more is not None and not found:
+            shafts = np.vstack([shafts, more])
         points = np.column_stack([np.tile(list(known.values()), (len(shafts), 1)), shafts])
         end, values = descended(model, measured, {**free, **SHAFT}, points, settings)
         ends = [*(fit.values for fit in found), *values]

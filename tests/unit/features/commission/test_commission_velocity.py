@@ -76,6 +76,18 @@ def test_tuned_gains_do_what_they_predict_on_the_drive_itself(monkeypatch: pytes
         assert run_lanes(command(), noise, tuned.gains[None], [model.scaled(factor)], Law(PERIOD)).largest[0] < 1.1 * tuned.spread
 
 
+@pytest.mark.parametrize(("swing", "told"), [(0.0, True), (4e-5, False)])
+def test_nothing_is_predicted_of_a_load_that_swings(monkeypatch: pytest.MonkeyPatch, swing: float, told: bool) -> None:
+    monkeypatch.setattr("contourlab.features.commission.identification._explains", lambda *_: False)  # no resonance is found
+    model, log = DRIVES["500"], log_of(DRIVES["500"])
+    ringing = swing * np.gradient(np.gradient(command())) / (PERIOD**2 * 4.0)
+    log = replace(log, load=behind(log.measured, 3e-5) - ringing)
+    axis = identify_axis([log], present(model), Law(PERIOD), velocity=True)
+    assert isinstance(axis, IdentifiedAxis)
+    run = run_lanes(command(), np.zeros(command().size), present(model)[None], [axis.model], Law(PERIOD), trace=True)
+    assert bool(np.isfinite(axis.load(run)).all()) is told
+
+
 def test_the_loop_of_the_drive_may_be_another_but_not_its_speed() -> None:
     for model in DRIVES.values():
         other = model.scaled(0.75)
@@ -107,7 +119,8 @@ def test_the_load_follows_within_the_play() -> None:
     run = run_lanes(command(), np.zeros(command().size), present(model)[None], [model], Law(PERIOD), trace=True)
     axis = IdentifiedAxis(model, {}, 99.0, Law(PERIOD), np.zeros(0), 0.0, 3e-5, 0.0, 0.0, 0.0)
     assert axis.load(run) == pytest.approx(behind(run.position, 3e-5), abs=1e-12)
-    assert np.isnan(replace(axis, play=float("nan")).load(run)).all()
+    for unknown in ({"play": float("nan")}, {"swings": True}):
+        assert np.isnan(replace(axis, **unknown).load(run)).all()
     shaft = replace(model, resonance=40.0, damping_ratio=0.05, share=0.5, play=3e-5, behind=0.5)
     swung = run_lanes(command(), np.zeros(command().size), present(model)[None], [shaft], Law(PERIOD), trace=True)
     assert np.abs(replace(axis, model=shaft).load(swung) - swung.position).max() > 1.5e-5  # half the play, and the twist
