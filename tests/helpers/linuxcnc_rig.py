@@ -25,8 +25,9 @@ pin in float u "acceleration / gain"; pin out float motor; pin out float load;
 param rw float gain = 2000; param rw float damping = 30; param rw float friction = 20; param rw float play = 0.02; param rw float noise = 0;
 param rw float frequency = 0 "Hz, of load and motor on their shaft; 0: the load has no mass";
 param rw float part = 0.5 "of the mass, at the load"; param rw float behind = 0 "friction at the load";
+param rw float regulated = 0 "1/s, part of the damping: velocity loop of a drive"; param rw float reset = 0 "1/s, its integral";
 param rw u32 substeps = 20 "per period; each is semi-implicit Euler";
-variable double v; variable double x; variable double l; variable double w; variable unsigned seed;
+variable double v; variable double x; variable double l; variable double w; variable double held; variable unsigned seed;
 function _ fp;
 license "GPL";
 ;;
@@ -39,13 +40,14 @@ static double rubbed(double speed, double rate, double level, double dt) {
 FUNCTION(_) {
     double h = fperiod / (substeps ? substeps : 1), turn = 6.283185307179586*frequency, k = part*(1 - part)*turn*turn;
     for (unsigned i = 0; i < (substeps ? substeps : 1); i++) {
+        held += h*reset*(gain*u - regulated*v);
         if (frequency > 0) {
             double bent = x - l, force = 0;
             if (bent > play/2 || bent < -play/2) force = k*(bent - (bent > 0 ? play/2 : -play/2)) + 0.06*k/turn*(v - w);
-            v = rubbed(v, (gain*u - damping*v - force)/(1 - part), friction/(1 - part), h);
+            v = rubbed(v, (gain*u + held - damping*v - force)/(1 - part), friction/(1 - part), h);
             w = rubbed(w, force/part, behind/part, h);
             l += h*w;
-        } else v = rubbed(v, gain*u - damping*v, friction, h);
+        } else v = rubbed(v, gain*u + held - damping*v, friction, h);
         x += h*v;
     }
     if (frequency > 0) {} else if (x - l > play/2) l = x - play/2; else if (x - l < -play/2) l = x + play/2;
@@ -130,6 +132,7 @@ MIN_FERROR = 50
 """
 PID = {"P": 0.8, "I": 0.5, "D": 0.0, "FF0": 0.0, "FF1": 0.015, "FF2": 0.0}
 PARAMETERS = {"P": "Pgain", "I": "Igain", "D": "Dgain", "FF0": "FF0", "FF1": "FF1", "FF2": "FF2", "FF3": "FF3"}
+PARAMETERS |= {"DEADBAND": "deadband", "BIAS": "bias"}
 HAL = """# Axes {letters} of the rig.
 loadrt [KINS]KINEMATICS
 loadrt [EMCMOT]EMCMOT servo_period_nsec=[EMCMOT]SERVO_PERIOD num_joints=[KINS]JOINTS
@@ -180,6 +183,8 @@ class Plant:
         Of the mass, at the load.
     behind : float [mm/s^2]
         Friction at the load, over the whole mass; `friction` is at the motor.
+    regulated, reset : float [1/s]
+        Part of the damping that is the velocity loop of a drive, and the integral gain of that loop over its proportional gain.
     substeps : int
         Integration steps per servo period.
     """
@@ -192,6 +197,8 @@ class Plant:
     frequency: float = 0.0
     part: float = 0.5
     behind: float = 0.0
+    regulated: float = 0.0
+    reset: float = 0.0
     substeps: int = 20
 
 

@@ -83,10 +83,10 @@ def fitted_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """Fit a motor once: its model does not depend on what a log shows of the load."""
     fit, fits = identification._refined, dict[bytes, object]()
 
-    def once(logs, *more):  # type: ignore[no-untyped-def]
+    def once(logs, *more, **options):  # type: ignore[no-untyped-def]
         key = b"".join(values.tobytes() for log in logs for values in (log.output, log.measured))
         if key not in fits:
-            fits[key] = fit(logs, *more)
+            fits[key] = fit(logs, *more, **options)
         return fits[key]
 
     monkeypatch.setattr(identification, "_refined", once)

@@ -13,6 +13,7 @@ from contourlab.analysis.identification.descent import DescentSettings
 from contourlab.cli.main import main
 from contourlab.features.commission.records import read_log
 from contourlab.features.commission.setup import read_setup
+from contourlab.findings import finding
 from contourlab.logs.window import parse_window
 
 
@@ -186,16 +187,45 @@ def velocity_rows(made: bench.Made, axis: str, lag: float) -> dict[str, np.ndarr
     return {f"{axis}_cmd [mm]": command, f"{axis} [mm]": place, f"{axis}_out": out}
 
 
-@pytest.mark.parametrize("lag", [2e-3, pytest.param(9e-3, marks=pytest.mark.slow)])
-def test_a_velocity_drive_is_named_after_its_log(made: bench.Made, tmp_path: Path, capsys: pytest.CaptureFixture[str], lag: float) -> None:
-    ini, hal = wired(made, tmp_path)
+def velocity_made(made: bench.Made, folder: Path, lag: float) -> tuple[Path, Path, Path]:
+    """Return the files of a machine with two velocity drives whose pins do not say so, and their log."""
+    ini, hal = wired(made, folder)
     ini.write_text(ini.read_text().replace("P = 0.8", "P = 20").replace("I = 0.5", "I = 0").replace("FF1 = 0.015", "FF1 = 1"))
     rows = {"time [s]": made.rows["time [s]"]} | velocity_rows(made, "x", lag) | velocity_rows(made, "y", lag)
-    out = tmp_path / "out"
-    code, result = called(capsys, ini, hal, "--log", made.log(tmp_path / "log1.csv", rows), "--out", out)
+    return ini, hal, made.log(folder / "log1.csv", rows)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("lag", [2e-3, 9e-3])
+def test_a_velocity_drive_is_named_and_answered_after_its_log(
+    made: bench.Made, tmp_path: Path, capsys: pytest.CaptureFixture[str], lag: float
+) -> None:
+    ini, hal, log = velocity_made(made, tmp_path, lag)
+    code, result = called(capsys, ini, hal, "--log", log, "--out", tmp_path / "out")
     assert {name: axis["loop"] for name, axis in result["axes"].items()} == {"x": "velocity drive", "y": "velocity drive"}
-    assert codes(result, "x") == codes(result, "y") == {"CL868"}
-    assert (code, result["pid"], [file.name for file in out.iterdir()]) == (1, {}, ["report.html"])
+    assert code == 0 and codes(result, "x") == codes(result, "y") == {"CL868", "CL890", "CL893"}
+    for axis in "xy":
+        model = result["models"][axis]["model"]
+        assert 1.0 / model["damping"] == pytest.approx(lag, rel=0.01)
+        assert model["damping"] / model["gain"] == pytest.approx(1000.0, rel=1e-3)
+        assert result["predicted"][axis]["after"] < 0.3 * result["predicted"][axis]["before"]
+
+
+@pytest.mark.parametrize(("velocity", "said", "refused"), [(True, "torque", ["x", "y"]), (False, "velocity", ["x"])])
+def test_a_log_of_another_drive_than_said_gives_no_gains(
+    made: bench.Made,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    velocity: bool,
+    said: str,
+    refused: list[str],
+) -> None:
+    monkeypatch.setattr("contourlab.features.commission.command.identify_axis", lambda *_, **__: finding("CL886", "axis y", parameters=()))
+    ini, hal, log = velocity_made(made, tmp_path, 2e-3) if velocity else (*wired(made, tmp_path), made.log(tmp_path / "log1.csv"))
+    code, result = called(capsys, ini, hal, "--log", log, "--out", tmp_path / "out", "--drive", said)
+    assert (code, result["pid"]) == (1, {})
+    assert [axis for axis in "xy" if "CL869" in codes(result, axis)] == refused
 
 
 @pytest.mark.slow

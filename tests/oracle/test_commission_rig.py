@@ -63,6 +63,32 @@ def test_one_log_gives_gains_for_the_real_control(tmp_path: Path) -> None:
         assert (off < 0.2 * before).all(), (off, before)
 
 
+VELOCITY = {
+    "x": Plant(gain=250.0, damping=265.0, friction=25.0, play=0.02, noise=0.0002, regulated=250.0, reset=18.0),
+    "y": Plant(1000.0, 62.0, 14.0, play=0.03, noise=0.0003, frequency=55.0, part=0.3, behind=9.0, regulated=50.0, reset=6.0),
+}
+"""Inner loops of 250 and 50 1/s; the second one takes 20 times its output as speed, and moves a load with inertia behind play."""
+
+
+def test_velocity_drives_are_found_and_do_what_is_predicted(tmp_path: Path) -> None:
+    if missing():
+        pytest.skip(missing())
+    before = {"x": {"Pgain": 15.0, "Igain": 0.0, "FF1": 0.8}, "y": {"Pgain": 0.4, "Igain": 0.0, "FF1": 0.04}}
+    ini, hal = (rig := Rig(VELOCITY, before)).write(tmp_path)
+    program = excitation(read_setup(ini, hal))
+    result = commission(ini, hal, log=[rig.run(program, tmp_path / "log.csv")], drive="velocity")
+    assert result.passed and {axis.loop for axis in result.axes.values()} == {"velocity drive"}
+    for axis, plant in VELOCITY.items():
+        model = result.models[axis].model
+        assert (model.regulated, model.reset) == pytest.approx((plant.regulated, plant.reset), rel=0.05)
+    rows = np.loadtxt(Rig(VELOCITY, result.pid).run(program, tmp_path / "after.csv"), delimiter=",", skiprows=1)
+    after = result.predicted
+    for places, expected in ((rows[:, 3:5], [after[a].after for a in "xy"]), (rows[:, 5:7], [after[a].load for a in "xy"])):
+        measured = 1e3 * np.abs(rows[:, 1:3] - places).max(axis=0)
+        assert (measured < 1.5 * np.array(expected)).all() and (np.array(expected) < 1.5 * measured).all(), (measured, expected)
+    assert (largest(tmp_path / "after.csv") < 0.1 * largest(tmp_path / "log.csv")).all()
+
+
 def test_play_behind_a_load_with_inertia(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     if missing():
         pytest.skip(missing())

@@ -27,7 +27,7 @@ from contourlab.features.commission.log_command import log as of_any_log
 from contourlab.features.commission.loop import GAINS, robustly_stable, run_lanes
 from contourlab.features.commission.options import LinuxCNC
 from contourlab.features.commission.records import AxisLog, decided, doubts, law_of, moving, read_log
-from contourlab.features.commission.setup import AxisSetup, Setup, read_setup
+from contourlab.features.commission.setup import AxisSetup, Setup, read_setup, row_of
 from contourlab.features.commission.tuning import AxisTask, Moves, TunedAxis, largest_error, shared_delay, tune_axis
 from contourlab.features.measure.log_choice import window_of
 from contourlab.figures import figure
@@ -51,12 +51,13 @@ Curves: TypeAlias = Mapping[str, tuple[Array, Array]]
 class Prediction:
     """Largest |command - motor position| [um], with the present and the proposed gains; `spread` with the axis' gain a quarter off.
 
-    A delay that all axes share is left out: it bends no path.
+    A delay that all axes share is left out: it bends no path. `load` is |command - load| with the gains to use; nan if play is unknown.
     """
 
     before: float
     after: float
     spread: float
+    load: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,6 +76,8 @@ class Commissioned(Answer):
     files : tuple of Path
     terms : tuple of Term
         The proposed gains as parameters of another control.
+    circle : dict of str to float [um]
+        Largest radial error on the simulated circle, at the motors before and after, and at the load; empty unless x and y are known.
     answer : tuple of str
         One line for each axis.
     tables : tuple of Table
@@ -88,6 +91,7 @@ class Commissioned(Answer):
     findings: tuple[Finding, ...]
     files: tuple[Path, ...] = ()
     terms: tuple[Term, ...] = ()
+    circle: dict[str, float] = field(default_factory=dict)
     answer: tuple[str, ...] = ()
     tables: tuple[Table, ...] = field(default=(), metadata=HIDDEN)
     charts: tuple[PolarChart, ...] = field(default=(), metadata=HIDDEN, repr=False)
@@ -176,7 +180,8 @@ def commission(
         check_file(session.folder / name, inputs, "--out")
     if not settings.log:
         return _prepared(setup, inputs, session)
-    findings, records = list(setup.findings), list[dict[str, AxisLog]]()
+    findings = [doubt for doubt in setup.findings if doubt.code != "CL868"]  # a log tells more
+    records = list[dict[str, AxisLog]]()
     for number, log in enumerate(settings.log):
         record, more = read_log(log, setup, window_of(log, settings.of_log(number, len(settings.log))))
         record = {axis.name: record[axis.name] for axis in setup.closed if axis.name in record}
@@ -227,7 +232,15 @@ class _Axis:
         if self.tuned is None:
             return dict(self.setup.gains)
         mixed = (self.present + share * (self.tuned.gains - self.present)) * unit
-        return {name: float(f"{value:.6g}") for name, value in zip(GAINS, mixed.tolist(), strict=True)}
+        return self.setup.gains | {name: float(f"{value:.6g}") for name, value in zip(GAINS, mixed.tolist(), strict=True)}
+
+    def load_error(self, delay: float, period: float) -> float:
+        """Return the largest |command - load| [m] with the gains to use, without a delay; nan if nothing is known of the load."""
+        if self.task is None or self.identified is None:
+            return math.nan
+        gains = self.present if self.tuned is None else self.tuned.gains
+        loads = [(command, self.identified.load(run)) for command, run in self.task.traced(gains)]
+        return largest_error(loads, delay, period)
 
     def line(self, gains: Mapping[str, float]) -> str:
         """Return the answer in one line."""
@@ -240,6 +253,7 @@ class _Axis:
         change = f"largest error {before} -> about {after}" if self.tuned else f"these gains stay, largest error {before}"
         play, deviation = figure(model.play, "um", 2).removesuffix(" um"), figure(model.play_deviation, "um", 1)
         remains = f"; play of {play} +-{deviation} remains" if math.isfinite(model.play) else ""
+        remains += f", about {figure(1e-6 * predicted.load, 'um')} at the load" if math.isfinite(predicted.load) else ""
         return f"{listed} for {name}: {change}{remains}"
 
 
@@ -264,15 +278,19 @@ class _Work:
         findings += [finding("CL899", place, backlash=axis.setup.backlash * unit)] if axis.setup.backlash else []
         if any(doubt.entry.severity == "error" for doubt in findings):
             return findings
-        if axis.loop.loop == "unknown":
-            axis.loop = decided([(log.output, log.measured) for log in logs], self.setup.period, unit) or axis.loop
-            findings += [finding("CL868", place, why=axis.loop.why)] if axis.loop.loop == "velocity drive" else []
-        if axis.loop.loop == "velocity drive":
-            return findings
-        identified = identify_axis(logs, axis.present, checked[0][0])
+        given, said = axis.loop, self.settings.drive
+        if said:
+            given = LoopClass("velocity drive" if said == "velocity" else "servo", f"--drive {said} says so")
+        shown = decided([(log.output, log.measured) for log in logs], self.setup.period, unit, given.loop)
+        axis.loop = (given.loop == "unknown" and shown) or given
+        velocity = axis.loop.loop == "velocity drive"
+        if shown and shown.loop != axis.loop.loop and (said or velocity):
+            return [*findings, finding("CL869", place, given=given.why, why=shown.why)]
+        identified = identify_axis(logs, axis.present, checked[0][0], velocity=velocity)
         if isinstance(identified, Finding):
             return [*findings, identified]
         axis.identified = identified
+        findings += [finding("CL868", place, why=f"{axis.loop.why}; {identified.answers(unit)}")] if velocity else []
         tuned = not identified.usable or self._tune(axis, logs, identified)
         return [*findings, *identified.findings, *([] if tuned else [finding("CL897", place)])]
 
@@ -299,22 +317,23 @@ class _Work:
     def compared(self) -> list[Finding]:
         """Predict all errors without the delay that the axes share; new gains hold only if they shrink the sum."""
         moved = {name: axis for name, axis in self.axes.items() if axis.task is not None}
-        before, after = self._errors(moved, tuned=False), self._errors(moved, tuned=True)
+        (_, before), (delay, after) = self._errors(moved, tuned=False), self._errors(moved, tuned=True)
         findings, tuned = list[Finding](), [axis for axis in moved.values() if axis.tuned]
         if tuned and not sum(after.values()) < sum(before.values()):
-            findings, after = [finding("CL897", f"axis {axis.setup.name}") for axis in tuned], before
+            findings, (delay, after) = [finding("CL897", f"axis {axis.setup.name}") for axis in tuned], self._errors(moved, tuned=False)
             for axis in tuned:
                 axis.tuned = None
         for name, axis in moved.items():
             spread = axis.tuned.spread if axis.tuned else math.nan
-            axis.predicted = Prediction(1e6 * before[name], 1e6 * after[name], 1e6 * spread)
+            load = axis.load_error(delay, self.setup.period)
+            axis.predicted = Prediction(1e6 * before[name], 1e6 * after[name], 1e6 * spread, 1e6 * load)
             noise = 3.0 * axis.identified.noise if axis.identified else 0.0
             findings += [finding("CL891", f"axis {name}", noise=noise)] if axis.tuned and noise > 0.3 * after[name] else []
             findings += [finding("CL898", f"axis {name}", error=spread)] if spread > 0.5 * before[name] else []
         return findings
 
-    def _errors(self, moved: Mapping[str, _Axis], *, tuned: bool) -> dict[str, float]:
-        """Return the largest error [m] of each axis without the delay that all share, with tuned gains or else those in use."""
+    def _errors(self, moved: Mapping[str, _Axis], *, tuned: bool) -> tuple[float, dict[str, float]]:
+        """Return the delay [s] that all axes share, and the largest error [m] of each without it, with tuned gains or else those in use."""
         chosen = {name: (axis.task, axis.tuned) for name, axis in moved.items() if tuned and axis.task and axis.tuned}
         moves = {name: axis.before for name, axis in moved.items()} | {name: task.runs(new.gains) for name, (task, new) in chosen.items()}
         period = self.setup.period
@@ -323,7 +342,7 @@ class _Work:
         for name, (task, new) in chosen.items():
             started = float(task.switched_on(new.gains[None], task.model)[0])
             errors[name] = max(errors[name], started) if delay else new.largest
-        return errors
+        return delay, errors
 
     def safe(self, known: Mapping[str, IdentifiedAxis]) -> dict[str, dict[str, float]]:
         """Return the first gains to type in: half the way, or less where the loop would not be stable there."""
@@ -331,7 +350,7 @@ class _Work:
         for share in (0.5, 0.25, 0.1):
             for name, model in known.items():
                 gains = self.axes[name].gains(self.setup.unit, share)
-                row = np.array(list(gains.values())) / self.setup.unit
+                row = row_of(gains, self.setup.unit)
                 if name not in chosen and robustly_stable(row[None], model.model, model.law.period)[0]:
                     chosen[name] = gains
         return chosen
@@ -343,7 +362,7 @@ def _answered(work: _Work, findings: Sequence[Finding], inputs: tuple[str | Path
     models = {name: axis.identified for name, axis in work.axes.items() if axis.identified is not None}
     known = {name: model for name, model in models.items() if model.usable}
     gains, safe = {name: work.axes[name].gains(setup.unit) for name in known}, work.safe(known)
-    rows = {name: np.array(list(values.values())) / setup.unit for name, values in gains.items()}
+    rows = {name: row_of(values, setup.unit) for name, values in gains.items()}
     answer = tuple(axis.line(gains.get(name, {})) for name, axis in work.axes.items())
     silent = [name for name in work.axes if name not in gains]
     findings = [*findings, finding("CL867", setup.ini.file.name, axes=silent)] if silent else findings
@@ -354,7 +373,8 @@ def _answered(work: _Work, findings: Sequence[Finding], inputs: tuple[str | Path
         terms = terms_of(control, {name: cascade_of(row, known[name]) for name, row in rows.items()})
         tables |= {f"The proposed gains in other terms: {control}": term_table(terms)} if terms else {}
     tables = {head: table for head, table in tables.items() if table.rows}
-    diff, charts = "" if silent else changes(setup, gains), tuple(_circle(work, rows))
+    diff, circle = "" if silent else changes(setup, gains), _circle(work, rows)
+    charts = tuple(circle_charts(circle))
     picture = picture_bytes(lambda: drawing_of(charts, 4.2), "png") if charts else []
     report, gain_diff, safe_diff, image = SECOND
     title = f"Commissioning of {setup.ini.file.name}" + ("" if program is None else f" for {program.name}")
@@ -369,6 +389,7 @@ def _answered(work: _Work, findings: Sequence[Finding], inputs: tuple[str | Path
         models,
         tuple(findings),
         terms=terms,
+        circle={name: 1e6 * float(np.abs(error).max()) for name, (_, error) in circle.items()},
         answer=answer,
         tables=tuple(tables.values()),
         charts=charts,
@@ -412,14 +433,14 @@ def _limits(setup: Setup, letter: str) -> tuple[float, float] | None:
     return None if None in values else (float(values[0] or 0.0), float(values[1] or 0.0))
 
 
-def _circle(work: _Work, after: Mapping[str, Array]) -> Iterator[PolarChart]:
-    """Yield the pictures of a circle with the gains in use and with others, if both x and y are known."""
+def _circle(work: _Work, after: Mapping[str, Array]) -> Curves:
+    """Return the errors on a circle with the gains in use and with others, if both x and y are known."""
     known = {name: (axis.task, axis.identified) for name, axis in work.axes.items() if name in ("x", "y") and axis.task and axis.identified}
     if len(known) < 2:
-        return
+        return {}
     strongest = min(work.axes[name].setup.limits["acceleration"] for name in known) * work.setup.unit
     rows = {"before": {name: work.axes[name].present for name in known}, "after": after}
-    yield from circle_charts(circle_errors(known, rows, strongest))
+    return circle_errors(known, rows, strongest)
 
 
 # --- what a person gets: the changes as a diff, the circle before and after, and a page --------------------------------------------
@@ -463,7 +484,7 @@ def _lines(file: Path) -> list[str]:
 
 
 def circle_errors(axes: Mapping[str, tuple[AxisTask, IdentifiedAxis]], gains: Mapping[str, Rows], fastest: float) -> Curves:
-    """Return angle [rad] and radial error [m] on a circle of x and y, simulated with each set of gains.
+    """Return angle [rad] and radial error [m] on a circle of x and y, simulated with each set of gains; of the last one at the load too.
 
     Parameters
     ----------
@@ -477,22 +498,23 @@ def circle_errors(axes: Mapping[str, tuple[AxisTask, IdentifiedAxis]], gains: Ma
     time = period * np.arange(round((start + 4.0 * math.pi / turn) / period))
     phase = turn * np.where(time < start, time**2 / (2.0 * start), time - 0.5 * start)  # from rest, two turns
     commands, last = {"x": CIRCLE * np.cos(phase), "y": CIRCLE * np.sin(phase)}, phase > phase[-1] - 2.0 * math.pi
-    curves = {}
+    curves: dict[str, tuple[Array, Array]] = {}
     for label, rows in gains.items():
-        places = []
+        places, loads = list[Array](), list[Array]()
         for name, command in commands.items():
             task, model = axes[name]
             run = run_lanes(command, model.noise_like(command), rows[name][None], [task.model], task.law, trace=True)
             places.append(run.position[last])
-        curves[label] = (np.arctan2(*places[::-1]), np.hypot(*places) - CIRCLE)
-    return curves
+            loads.append(model.load(run)[last])
+        curves |= {label: (np.arctan2(*places[::-1]), np.hypot(*places) - CIRCLE)}
+    return curves if np.isnan(loads).any() else curves | {"load": (np.arctan2(*loads[::-1]), np.hypot(*loads) - CIRCLE)}
 
 
 def circle_charts(errors: Curves) -> Iterator[PolarChart]:
     """Yield a ball-bar plot for each of some curves of angle [rad] and radial error [m], by name."""
     for i, (name, (angle, error)) in enumerate(errors.items()):
         title = f"{name}: at most {figure(float(np.abs(error).max()), 'um')}"
-        curve = Curve(np.degrees(np.unwrap(angle)), 1e6 * error, name, scheme_style(i, 2)[0])
+        curve = Curve(np.degrees(np.unwrap(angle)), 1e6 * error, name, scheme_style(i, len(errors))[0])
         yield PolarChart(f"circle-{name}", title, f"Radius {figure(CIRCLE, 'mm')}.", (curve,), CIRCLE)
 
 

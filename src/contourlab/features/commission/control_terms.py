@@ -62,9 +62,9 @@ def cascade_of(gains: Array, axis: IdentifiedAxis) -> Cascade:
     """Return the cascade that does what gains (7,) [per metre] do on an axis."""
     p, i, d, _, ff1, ff2, _ = gains.tolist()
     model, law = axis.model, axis.law
-    gain = max(d + model.damping / model.gain, 1e-12)
+    gain = max(d + model.per_speed, 1e-12)
     late = p * law.period if law.previous_target else 0.0
-    lag = 1.0 / (model.gain * gain) + max(model.delay, 0.0)
+    lag = 1.0 / (model.gain * d + model.damping) + max(model.delay, 0.0)
     reset = p / i if i else math.inf
     return Cascade(p / gain, reset, (d + ff1 - late) / gain, ff2 / gain, gain, d, lag, ff2, model.friction / model.gain, axis.play)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import astuple, dataclass, field, replace
 from itertools import pairwise
 from typing import TypeAlias
 
@@ -17,8 +17,9 @@ from contourlab.analysis.identification.left_over import left_over_findings
 from contourlab.app.json_values import HIDDEN
 from contourlab.arrays import Array, true_spans
 from contourlab.errors import ParameterError
-from contourlab.features.commission.loop import MOST_DELAY, AxisModel, Law, driven, run_lanes
+from contourlab.features.commission.loop import MOST_DELAY, AxisModel, Law, Runs, driven, run_lanes
 from contourlab.features.commission.records import AxisLog
+from contourlab.figures import figure
 from contourlab.findings import Finding, finding
 
 FITTED = 0.7
@@ -36,10 +37,16 @@ SHAFT = {
     "damped": Free(0.5, 0.0, 1.0, 0.3),
 }
 """What a second mass adds to the model."""
+RESET = {"reset": Free(10.0, 0.0, 300.0, 10.0), "outside": Free(0.05, 0.0, 0.5, 0.05)}
+"""What an integral in the velocity loop of a drive adds: its rate, and the part of the damping that is not of that loop."""
 SEARCHES = ((4, 1.0, DescentSettings(most_iterations=20)), (2, 0.2, DescentSettings(least_gain=1e-5)))
 """Searches for a second mass: number of starts, reach, and descent from each; the later one around the end of the former."""
 LIVELY, LEAST_LIVELY, NEAR = 0.2, 2000, 5
 """Part of a log, and samples at the least, that tell whether there is a second mass at all; samples around an instant for its velocity."""
+SWING = 1.5
+"""Range of motor minus load over the play above which the load swings."""
+ALIKE = 0.25
+"""Part of what a second mass explains that an end of a search may miss, and still tell how well its parameters are known."""
 SURE = 0.05
 """Largest deviation of a resonance, relative to its frequency, with which it enters the model."""
 SLOW = 5e-4
@@ -50,9 +57,23 @@ STRAIGHT = 1e-7
 """Change of the command's way in 5 ms [m] up to which its speed is constant: digits of the log."""
 RUN_ON = 0.125
 """Part of the play that a load may run on behind a slow reversal: beyond it the force tells nothing."""
+RAMP = 1000
+"""Samples of the noise of an encoder whose noise is its counts."""
+NEARLY = 0.05
+"""Part of a count that a step may be off, and part of the steps that may be off by more."""
 STEP = 0.05
 """Smallest part of the friction that has to return behind the play to be seen."""
 Values: TypeAlias = Mapping[str, float]
+
+
+def axis_of(values: Values) -> AxisModel:
+    """Return the model of fitted parameters: of a velocity drive by speed, lag and lost speeds."""
+    if "lag" not in values:
+        return AxisModel(**values)
+    rest = {name: value for name, value in values.items() if name not in ("speed", "lag", "friction", "offset", "outside")}
+    damping, loop = 1.0 / values["lag"], (1.0 - values.get("outside", 0.0)) / values["lag"]
+    forces = {name: damping * values[name] for name in ("friction", "offset")}
+    return AxisModel(values["speed"] * loop, damping, **forces, **rest, regulated=loop)
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,6 +96,8 @@ class IdentifiedAxis:
     measured, simulated : float [m]
         Largest error on the part that was not fitted.
     findings : tuple of Finding
+    swings : bool
+        Whether a load swings that the model leaves out: nothing is predicted of it.
     """
 
     model: AxisModel
@@ -88,11 +111,30 @@ class IdentifiedAxis:
     measured: float
     simulated: float
     findings: tuple[Finding, ...] = ()
+    swings: bool = False
 
     @property
     def usable(self) -> bool:
         """Whether no finding is an error."""
         return all(doubt.entry.severity != "error" for doubt in self.findings)
+
+    def answers(self, unit: float) -> str:
+        """Return how a velocity drive answers its output, in machine units [m]."""
+        model, off = self.model, self.deviations
+        lag, delay = figure(1.0 / model.damping, "ms"), figure(max(model.delay, 0.0), "ms", 2)
+        reset = f" and an integral of {figure(model.reset, '1/s', 2)}" if model.reset else ""
+        lag += f" +-{figure(off['lag'], 'ms', 2)}{reset} in its loop"
+        return f"1 machine unit per second takes an output of {figure(model.per_speed * unit)}, with a lag of {lag} and a delay of {delay}"
+
+    def load(self, run: Runs) -> Array:
+        """Return the position of the load (n,) [m] in a traced run; nan if nothing is known of it."""
+        if self.model.share or self.swings or math.isnan(self.play):
+            return run.load + (0.0 if self.model.share else math.nan)
+        places, at, half = list[float](), float(run.position[0]), 0.5 * self.play
+        for place in run.position.tolist():
+            at = min(max(at, place - half), place + half)
+            places.append(at)
+        return np.array(places)
 
     def noise_like(self, command: Array, seed: int = 0) -> Array:
         """Return noise for a command (n,), drawn from the samples at rest."""
@@ -104,7 +146,7 @@ class IdentifiedAxis:
         return np.asarray(self.noise * generator.standard_normal(command.size))
 
 
-def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law) -> IdentifiedAxis | Finding:
+def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law, *, velocity: bool = False) -> IdentifiedAxis | Finding:
     """Identify an axis from the logs that move it; return a finding if nothing can be fitted.
 
     Parameters
@@ -114,6 +156,8 @@ def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law) -> Identified
     gains : ndarray (7,)
         Gains in use, per metre.
     law : Law
+    velocity : bool
+        Whether the drive takes a velocity.
     """
     place, moves = f"axis {logs[0].axis}", [np.cumsum(np.abs(np.diff(log.command, prepend=log.command[:1])) > 0.0) for log in logs]
     split = [int(np.searchsorted(count, FITTED * count[-1])) + 1 for count in moves]  # samples to fit
@@ -122,20 +166,24 @@ def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law) -> Identified
     part = slice(0, split[longest])
     try:
         smoothing, start = first_order_start(law.period * np.arange(split[longest]), first.output[part], first.measured[part])
-        fit = _refined(logs, split, law, smoothing, start)
+        fit = _refined(logs, split, law, smoothing, start, velocity=velocity)
     except ParameterError as error:
         return finding("CL887" if "counted the other way" in str(error) else "CL886", place, reason=str(error), parameters=("the axis",))
-    model = AxisModel(**fit.parameters)
+    model, count = axis_of(fit.parameters), count_of(logs)
     deviations = {name: fit.deviation(name) for name in fit.names}
     rest = np.concatenate([_noise_at_rest(log) for log in logs])
     # In motion, third differences: they nearly vanish where it is smooth.
     in_motion = float(np.median(np.abs(np.diff(first.measured, 3)))) / 0.6745 / math.sqrt(20.0)
     noise = float(rest.std()) if rest.size else in_motion
+    if noise < count:  # in motion the counts are the noise
+        rest, noise = count * (np.arange(RAMP) / RAMP - 0.5), count / math.sqrt(12.0)
     play, play_deviation, seen = *play_at_load(logs, model), "CL892"
     if math.isnan(play):
         play, play_deviation, seen = *lost_motion_at_motor(logs, model, noise), "CL862"
+    apart = [float(np.ptp(log.measured - log.load)) for log in logs if log.load is not None]
+    swings = not model.share and max(apart, default=0.0) > SWING * play + 8.0 * noise
     measured, simulated = _validated(logs, split, gains, model, law)
-    findings = _quality(fit, deviations, place)
+    findings = _quality(fit, deviations, place, law.period)
     if model.share:
         ringing = {name: fit[name] for name in ("damping_ratio", "share")}
         findings.append(finding("CL895", place, frequency=model.resonance, deviation=deviations["resonance"], **ringing))
@@ -149,10 +197,10 @@ def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law) -> Identified
     share = model.friction / model.gain / max(float(np.abs(log.output).max()) for log in logs)
     findings += [finding("CL894", place, share=share)] if share > 0.15 else []
     findings += [finding("CL896", place, delay=model.delay)] if model.delay > 1.5 * law.period else []
-    return IdentifiedAxis(model, deviations, fit.fit, law, rest, noise, play, play_deviation, measured, simulated, tuple(findings))
+    return IdentifiedAxis(model, deviations, fit.fit, law, rest, noise, play, play_deviation, measured, simulated, tuple(findings), swings)
 
 
-def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, s: int, first: Mapping[str, float]) -> OutputFit:
+def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, s: int, first: Mapping[str, float], *, velocity: bool) -> OutputFit:
     """Fit the sampled axis to the velocities of all logs, differenced over s samples, from rough parameters."""
 
     def problem(parts: Iterable[slice]) -> tuple[Model, Array]:
@@ -162,7 +210,7 @@ def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, s: int, fi
             return np.asarray(np.diff(position[..., ::s]) / (s * law.period))
 
         def model(points: Sequence[Values]) -> Array:
-            axes = [AxisModel(**values) for values in points]
+            axes = [axis_of(values) for values in points]
             return np.concatenate([differenced(driven(u, axes, law.period, x[0], speed)) for u, x, speed in pairs], axis=1)
 
         return model, np.concatenate([differenced(position) for _, position, _ in pairs])
@@ -176,14 +224,20 @@ def _refined(logs: Sequence[AxisLog], split: Sequence[int], law: Law, s: int, fi
         "friction": Free(max(a * first["friction"], 1e-3 * size), 0.0, 10.0 * size, 0.1 * size),
         "offset": Free(a * first["offset"], -10.0 * size, 10.0 * size, 0.1 * size),
     }
+    if velocity:
+        free = _as_speeds(free, law.period)
     free["delay"] = Free(0.0, -0.75 * law.period, (MOST_DELAY - 1) * law.period, law.period)
     rigid, _ = descended(model, measured, free, arrays_of(free)[:1])
+    if velocity:
+        regulated, _ = descended(model, measured, {**free, **RESET}, np.append(rigid.values, arrays_of(RESET)[0])[None])
+        rigid, free = (regulated, {**free, **RESET}) if _explains(regulated, rigid, RESET) else (rigid, free)
     # Most axes show no second mass: the liveliest part of the log tells that in a fraction of the time.
     lively = problem(_liveliest(log, n) for log, n in zip(logs, split, strict=True))
     alone, _ = descended(*lively, free, rigid.values[None])
-    if not _explains(_with_shaft(*lively, free, alone, 1), alone):
+    part = _with_shaft(*lively, free, alone, 1)
+    if not _explains(part, alone):
         return rigid
-    two = _with_shaft(model, measured, free, rigid, len(SEARCHES))
+    two = _with_shaft(model, measured, free, rigid, len(SEARCHES), part.values[None, -len(SHAFT) :])
     sure = two.deviation("resonance") < SURE * two["resonance"] and 4.0 * two.deviation("share") < two["share"]
     return two if sure and _explains(two, rigid) and not {"resonance", "share"} & {*two.at_bound} else rigid
 
@@ -203,14 +257,24 @@ def _liveliest(log: AxisLog, n: int) -> slice:
     return slice(int(starts[best]), int(ends[best]) + 1)
 
 
-def _explains(two: OutputFit, rigid: OutputFit) -> bool:
-    """Return whether two masses leave a residual smaller than by chance: the criterion of Schwarz."""
-    n = rigid.measured.size
-    return 2.0 * n * math.log((100.0 - rigid.fit) / max(100.0 - two.fit, 1e-9)) > len(SHAFT) * math.log(n)
+def _as_speeds(free: Mapping[str, Free], period: float) -> dict[str, Free]:
+    """Return the parameters of a velocity drive to fit, from those of an axis that its output accelerates."""
+    lag = 1.0 / max(free["damping"].start, 1.0)
+    speed = free["gain"].start * lag
+    lost = {name: Free(*(lag * value for value in astuple(free[name]))) for name in ("friction", "offset")}
+    return {"speed": Free(speed, 1e-3 * speed, 1e3 * speed, speed), "lag": Free(lag, 0.1 * period, 1.0, lag), **lost}
 
 
-def _with_shaft(model: Model, measured: Array, free: Mapping[str, Free], rigid: OutputFit, searches: int) -> OutputFit:
-    """Fit two masses with a shaft between them from several starts, in the first few searches."""
+def _explains(more: OutputFit, less: OutputFit, added: Mapping[str, Free] = SHAFT) -> bool:
+    """Return whether added parameters leave a residual smaller than by chance: the criterion of Schwarz."""
+    n = less.measured.size
+    return 2.0 * n * math.log((100.0 - less.fit) / max(100.0 - more.fit, 1e-9)) > len(added) * math.log(n)
+
+
+def _with_shaft(
+    model: Model, measured: Array, free: Mapping[str, Free], rigid: OutputFit, searches: int, more: Array | None = None
+) -> OutputFit:
+    """Fit two masses with a shaft between them from several starts, in the first few searches; the first one has more starts if given."""
     start, low, high, _ = arrays_of(SHAFT)
     best, found = rigid, list[OutputFit]()
     for count, reach, settings in SEARCHES[:searches]:
@@ -220,6 +284,8 @@ def _with_shaft(model: Model, measured: Array, free: Mapping[str, Free], rigid: 
             return model([{**known, **dict(zip(SHAFT, x.tolist(), strict=True))} for x in points]) - measured
 
         shafts = spread_starts(left, start, low, high, count, 256, reach)
+        if more is not None and not found:
+            shafts = np.vstack([shafts, more])
         points = np.column_stack([np.tile(list(known.values()), (len(shafts), 1)), shafts])
         end, values = descended(model, measured, {**free, **SHAFT}, points, settings)
         ends = [*(fit.values for fit in found), *values]
@@ -228,8 +294,19 @@ def _with_shaft(model: Model, measured: Array, free: Mapping[str, Free], rigid: 
         start = best.values[-len(SHAFT) :]
         if not _explains(best, rigid):
             break
-    # Behind play a search does not always end at the same point: how far its ends differ is not known better.
-    return replace(best, robust_deviations=np.hypot(best.robust_deviations, np.std(ends, axis=0)))
+    # Behind play a search does not always end at the same point: how far ends differ that explain nearly as much is not known better.
+    off = model([dict(zip(best.names, x.tolist(), strict=True)) for x in ends]) - measured
+    squares = (off**2).sum(axis=1)
+    most = squares.min() * (1.0 + ALIKE * (((100.0 - rigid.fit) / (100.0 - best.fit)) ** 2 - 1.0))
+    return replace(best, robust_deviations=np.hypot(best.robust_deviations, np.std(np.array(ends)[squares <= most], axis=0)))
+
+
+def count_of(logs: Sequence[AxisLog]) -> float:
+    """Return the least step [m] of which all positions are multiples; 0 if there is none."""
+    steps = np.diff(np.unique(np.concatenate([log.measured for log in logs])))
+    counts = steps / max(float(steps.min(initial=math.inf)), 1e-30)
+    whole = np.abs(counts - np.round(counts)) < NEARLY
+    return float(steps.sum() / np.round(counts).sum()) if whole.mean() > 1.0 - NEARLY else 0.0
 
 
 def _noise_at_rest(log: AxisLog) -> Array:
@@ -344,11 +421,12 @@ def _validated(logs: Sequence[AxisLog], split: Sequence[int], gains: Array, mode
     return measured, simulated
 
 
-def _quality(fit: OutputFit, deviations: Mapping[str, float], place: str) -> list[Finding]:
-    poor = ["gain"] if "gain" in fit.at_bound or not deviations["gain"] < WELL_KNOWN * fit["gain"] else []
-    # Damping may be small beside the feedback; it matters only as far as it changes the feedforward.
-    if not deviations["damping"] < max(WELL_KNOWN * fit["damping"], 2.0):
-        poor.append("damping")
+def _quality(fit: OutputFit, deviations: Mapping[str, float], place: str, period: float) -> list[Finding]:
+    gain, rate, least = ("speed", "lag", 2.0 * period) if "lag" in deviations else ("gain", "damping", 2.0)
+    poor = [gain] if gain in fit.at_bound or not deviations[gain] < WELL_KNOWN * fit[gain] else []
+    # Damping may be small beside the feedback; it matters as far as it changes the feedforward. A short lag is no other than a delay.
+    if not deviations[rate] < max(WELL_KNOWN * fit[rate], least):
+        poor.append(rate)
     findings = [finding("CL886", place, parameters=tuple(poor))] if poor else []
     if fit.fit < USABLE:
         return [*findings, finding("CL886", place, parameters=(f"the motion, of which it explains {max(fit.fit, 0.0):.3g} %",))]

@@ -28,6 +28,8 @@ from contourlab.primitives import clip, delayed, fabs, maximum, select
 
 GAINS = ("Pgain", "Igain", "Dgain", "FF0", "FF1", "FF2", "FF3")
 """Gains in the columns of `run_lanes`, under HAL's names."""
+SETTINGS = (*GAINS, "deadband", "bias")
+"""What a file may set of a ``pid``, and the model has."""
 MOST_DELAY = 64
 """Largest delay of an output in periods."""
 SUBSTEPS = 4
@@ -55,6 +57,10 @@ class AxisModel:
         Part of the friction, and of the damping, behind the shaft.
     play : float [m]
         Between the masses.
+    regulated : float [1/s]
+        Part of the damping that is the velocity loop of the drive; 0 for a drive that takes torque.
+    reset : float [1/s]
+        Integral gain of that loop over its proportional gain.
     """
 
     gain: float
@@ -68,6 +74,18 @@ class AxisModel:
     behind: float = 0.0
     damped: float = 0.0
     play: float = 0.0
+    regulated: float = 0.0
+    reset: float = 0.0
+
+    @property
+    def per_speed(self) -> float:
+        """Output for a steady speed, without friction [per m/s]."""
+        return (self.regulated if self.reset else self.damping) / self.gain
+
+    def scaled(self, factor: float) -> AxisModel:
+        """Return the axis with another gain: of the drive's velocity loop, if it has one, which leaves its speed; else of the axis."""
+        loop = factor * self.regulated
+        return replace(self, gain=factor * self.gain, damping=self.damping - self.regulated + loop, regulated=loop)
 
     def delayed(self, period: float) -> tuple[int, float]:
         """Return the delay as whole periods and a rest [s]."""
@@ -108,6 +126,8 @@ class AxisModel:
             "half_play": 0.5 * self.play,
             "spring": reduced * w**2,
             "loss": 2.0 * self.damping_ratio * reduced * w / time,
+            "regulated": self.regulated,
+            "reset": self.reset,
             **dict(zip(MOTION, self.motion(time)[:, 1:].ravel().tolist(), strict=True)),
         }
 
@@ -125,7 +145,9 @@ MOTION = tuple(f"{to}_{of}" for to in "pvtr" for of in "vtrml")
 
 def _moved(par: Any, x: Any, inp: Any, clock: Any) -> Any:
     p, v, t, r, rear = x.p, x.v, x.t, x.r, x.rear
-    push, slack = par.gain * delayed(par.ring, clock, par.whole) - par.offset, 0.0
+    asked, slack = par.gain * delayed(par.ring, clock, par.whole) - par.offset, 0.0
+    # The integral of the drive's velocity loop is that over the whole step, and acts as at its middle.
+    push = asked + x.held + 0.5 * clock.dt * par.reset * (asked - par.regulated * v)
     if par.half_play > 0.0:
         # Within the play the shaft exerts no force: what it would exert there, a mean over the step, is taken back.
         gone, loose = clock.dt * r, clip(t, -par.half_play, par.half_play)
@@ -142,7 +164,9 @@ def _moved(par: Any, x: Any, inp: Any, clock: Any) -> Any:
     position = p + par.p_v * v + par.p_t * t + par.p_r * r + par.p_m * force + par.p_l * rear
     twist = par.t_v * v + par.t_t * t + par.t_r * r + par.t_m * force + par.t_l * rear
     speed = driven + par.v_l * rear
-    return (position, speed, twist, rate + par.r_l * rear, rear), (position - par.rest * speed,)
+    held = x.held + par.reset * (clock.dt * asked - par.regulated * (position - p))
+    measured = position - par.rest * speed
+    return (position, speed, twist, rate + par.r_l * rear, rear, held), (measured, measured - twist)
 
 
 def _rubbed(v: float, coasting: float, reach: float, push: float, friction: float) -> float:
@@ -168,9 +192,9 @@ def _rubbed(v: float, coasting: float, reach: float, push: float, friction: floa
     return push + drag * (2.0 * v / (v - after) - 1.0)
 
 
-NUMBERS = ("gain", "offset", "friction", "friction_behind", "whole", "rest", "half_play", "spring", "loss", *MOTION)
-AXIS = Step("axis", _moved, NUMBERS, (), "output", ports("p", "v", "t", "r", "rear"), ports("output"), ports("measured"))
-"""Position and velocity of the motor, twist of the shaft and its rate, and the friction of the load; the output arrives late."""
+NUMBERS = ("gain", "offset", "friction", "friction_behind", "whole", "rest", "half_play", "spring", "loss", "regulated", "reset", *MOTION)
+AXIS = Step("axis", _moved, NUMBERS, (), "output", ports("p", "v", "t", "r", "rear", "held"), ports("output"), ports("measured", "load"))
+"""Position and velocity of the motor, twist of the shaft and its rate, friction of the load, and integral of the drive's velocity loop."""
 
 
 def _axis_node(models: Sequence[AxisModel], period: float, output: str, at: float, speed: float = 0.0) -> Node:
@@ -206,11 +230,15 @@ class Law:
         HAL's ``error-previous-target``.
     limit : float
         ``maxoutput``; 0 for none.
+    deadband : float [m]
+    bias : float
     """
 
     period: float
     previous_target: bool = True
     limit: float = 0.0
+    deadband: float = 0.0
+    bias: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -223,8 +251,8 @@ class Runs:
         Of command - measured position.
     output, rough, limited : ndarray (n,)
         Largest output, rms of its change from sample to sample, and share of samples at the limit.
-    position, command_output : ndarray (n_sample,)
-        Measured position [m] and output of the last run, if asked for; else empty.
+    position, command_output, load : ndarray (n_sample,)
+        Measured position [m] and output of the last run, and position of its load [m], if asked for; else empty.
     """
 
     largest: Array
@@ -234,6 +262,7 @@ class Runs:
     limited: Array
     position: Array
     command_output: Array
+    load: Array
 
 
 LEFT = 1e3
@@ -247,12 +276,13 @@ def _pid(par: Any, x: Any, inp: Any, clock: Any) -> Any:
     shift = select(clock.k < par.free, measured - inp.command, x.shift)
     target = inp.command + shift
     error = select(par.previous > 0.5, x.last, target) - measured
+    error = error - clip(error, -par.deadband, par.deadband)
     summed = x.summed + select(error * x.held <= 0.0, error * clock.dt, 0.0)
     rate = (target - x.last) / clock.dt
     second = (rate - x.last_rate) / clock.dt
     third = (second - x.last_second) / clock.dt
     u = par.Pgain * error + par.Igain * summed + par.Dgain * (rate - (measured - x.last_measured) / clock.dt)
-    u = u + par.FF0 * target + par.FF1 * rate + par.FF2 * second + par.FF3 * third
+    u = u + par.bias + par.FF0 * target + par.FF1 * rate + par.FF2 * second + par.FF3 * third
     bound = select(par.limit > 0.0, par.limit, fabs(u))
     held = select(u > bound, 1.0, select(u < -bound, -1.0, 0.0))
     u = clip(u, -bound, bound)
@@ -266,7 +296,7 @@ def _pid(par: Any, x: Any, inp: Any, clock: Any) -> Any:
 
 
 _TAKES, _GIVES = ports("command", "noise", "position"), ports("measured", "output")
-PID = Step("pid", _pid, (*GAINS, "previous", "limit", "free"), (), "", ports(*_PID_STATES), _TAKES, _GIVES)
+PID = Step("pid", _pid, (*SETTINGS, "previous", "limit", "free"), (), "", ports(*_PID_STATES), _TAKES, _GIVES)
 """HAL's pid, with the sums of its figures; a run that has diverged stays as it is."""
 
 
@@ -290,15 +320,16 @@ def run_lanes(
     free : int
         Number of samples at the start in which LinuxCNC is off and the command follows the position; later commands are shifted.
     """
-    settings = {"previous": float(law.previous_target), "limit": law.limit, "free": float(free)}
+    settings = {"previous": float(law.previous_target), "limit": law.limit, "deadband": law.deadband, "bias": law.bias}
+    settings |= {"free": float(free)}
     parameters = {**dict(zip(GAINS, gains.T, strict=True)), **settings}
     wires: dict[str, Any] = {"command": "in.command", "noise": "in.noise", "position": Late("axis.measured")}
     at = float(command[0])
     initial = {"last": at, "last_measured": at}
     nodes = Node("pid", PID, wires, parameters, initial=initial), _axis_node(models, law.period, "pid.output", at)
     schedule = Schedule(nodes, ports("command", "noise"), law.period, 1)
-    log_rows = [schedule.row(f"pid.{name}") for name in ("measured", "output")] if trace else []
-    sums, last, external = [], np.zeros((2, 0)), np.column_stack([command, noise])
+    log_rows = [schedule.row(name) for name in ("pid.measured", "pid.output", "axis.load")] if trace else []
+    sums, last, external = [], np.zeros((3, 0)), np.column_stack([command, noise])
     for group in groups_of(schedule, np.arange(len(gains)), True):
         log = group.run(external, log_rows)
         last = log[:, :, -1].T if trace else last  # lanes to spare have the last one's parameters
@@ -311,12 +342,12 @@ def run_lanes(
 
 
 def law_output(command: Array, measured: Array, gains: Sequence[float], law: Law) -> Array:
-    """Return the output (n,) of ``pid`` for recorded signals, in the order of `GAINS`, up to a constant of the integral and its limits."""
+    """Return the output (n,) of ``pid`` for recorded signals, up to limits, bias, and a constant of the integral."""
     p, i, d, ff0, ff1, ff2, ff3 = gains
     output = linuxcnc_law(LinuxCNCGains(p, i, d, ff0, ff1, ff2, ff3), command, measured, law.period)
-    if law.previous_target:  # the error lags by the last step, and its integral by all of them
-        output -= p * np.diff(command, prepend=command[:1]) + i * law.period * (command - command[0])
-    return output
+    target = np.concatenate([command[:1], command[:-1]]) if law.previous_target else command
+    missed = command - target + np.clip(target - measured, -law.deadband, law.deadband)
+    return np.asarray(output - p * missed - i * law.period * np.cumsum(missed))
 
 
 # --- margins, without friction -------------------------------------------------------------------------------------------------------
@@ -332,9 +363,18 @@ def _axis_ratio(model: AxisModel, period: float) -> tuple[Array, Array]:
     whole, rest = model.delayed(period)
     size = 4 if model.share else 2
     motion = model.motion(period)
-    below = np.poly(motion[:size, :size])
-    seen = np.outer(motion[:size, 4], np.eye(size)[0] - rest * np.eye(size)[1])
-    above = np.poly(motion[:size, :size] - seen) - below
+    ahead, pushed = motion[:size, :size], motion[:size, 4]
+    if model.reset:  # one state more, as in `_moved`
+        ahead = np.pad(ahead, (0, 1))
+        pushed = np.append(pushed * (1.0 + 0.5 * period * model.reset), model.reset * period)
+        ahead[:size, -1] = motion[:size, 4]
+        ahead[:size, 1] -= 0.5 * period * model.reset * model.regulated * motion[:size, 4]
+        back = model.reset * model.regulated
+        ahead[-1] = np.eye(size + 1)[-1] + back * (np.eye(size + 1)[0] - ahead[0])
+        pushed[-1] -= back * pushed[0]
+    size = pushed.size
+    below = np.poly(ahead)
+    above = np.poly(ahead - np.outer(pushed, np.eye(size)[0] - rest * np.eye(size)[1])) - below
     return model.gain * above, np.concatenate([below, np.zeros(whole)])
 
 
@@ -362,7 +402,7 @@ def _largest_poles(gains: Array, model: AxisModel, period: float) -> Array:
 
 def robustly_stable(gains: Array, model: AxisModel, period: float) -> Flags:
     """Return which loops (n, 7) are stable with the gain of the axis a quarter smaller, as identified, and a quarter larger."""
-    scaled = (replace(model, gain=share * model.gain) for share in ROBUST)
+    scaled = map(model.scaled, ROBUST)
     return np.asarray(np.all([_largest_poles(gains, one, period) < 1.0 - 1e-9 for one in scaled], axis=0))
 
 

@@ -201,7 +201,8 @@ def law_of(log: AxisLog, axis: AxisSetup, unit: float) -> tuple[Law, list[Findin
     """
     gains = axis.row(unit)
     choices = (True, False) if axis.previous_target is None else (axis.previous_target,)
-    laws = [Law(log.period, previous, axis.maxoutput) for previous in choices]
+    more = {"deadband": unit * axis.gains.get("deadband", 0.0), "bias": axis.gains.get("bias", 0.0)}
+    laws = [Law(log.period, previous, axis.maxoutput, **more) for previous in choices]
     place, spread = f"axis {log.axis}", float(log.output.std())
     if not gains.any() or spread == 0.0:
         return laws[0], [finding("CL879", place)]
@@ -252,7 +253,7 @@ def _diagnosis(log: AxisLog, gains: Array, laws: Sequence[Law], place: str) -> l
 # --- what a pid closes its loop on, where the wiring cannot say ---------------------------------------------------------------------
 
 
-def decided(records: Sequence[tuple[Array, Array]], period: float, unit: float) -> LoopClass | None:
+def decided(records: Sequence[tuple[Array, Array]], period: float, unit: float, given: str = "unknown") -> LoopClass | None:
     """Return the class that logs show, or None if they show none.
 
     Parameters
@@ -262,6 +263,8 @@ def decided(records: Sequence[tuple[Array, Array]], period: float, unit: float) 
     period : float [s]
     unit : float [m]
         Machine unit.
+    given : str
+        Class that counts where both are possible.
 
     Notes
     -----
@@ -272,20 +275,19 @@ def decided(records: Sequence[tuple[Array, Array]], period: float, unit: float) 
     s = max(round(SPAN / period), 2)
     records = [(output, measured) for output, measured in records if measured.size > 20 * s]
     fits = [_explained(records, s, period, late) for late in range(max(round(LATEST / period), 1))] if records else []
-    explained, late, (inertia, damping, *_) = max(fits, key=lambda fit: fit[0], default=(0.0, 0, (0.0, 0.0)))
+    explained, (inertia, damping, *_) = max(fits, key=lambda fit: fit[0], default=(0.0, (0.0, 0.0)))
     if not explained > EXPLAINED or not max(inertia, damping) > 0.0:
         return None
     rate = damping / inertia if inertia > 0.0 else np.inf
     as_speed = 0.8 * unit < 1.0 / max(damping, 1e-30) < 1.25 * unit
-    if rate > QUICK or (rate > SLOW and as_speed):
-        lag, delay = figure(1.0 / rate, "ms"), figure(late * period, "ms")
-        return LoopClass("velocity drive", f"in the log its velocity follows the output, with a lag of {lag} and a delay of {delay}")
+    if rate > QUICK or (rate > SLOW and (given == "velocity drive" or (as_speed and given != "servo"))):
+        return LoopClass("velocity drive", "in the log its velocity follows the output")
     slowing = figure(max(rate, 0.0), "1/s")
     return LoopClass("servo", f"in the log the output accelerates it; left alone its velocity decays with {slowing}")
 
 
-def _explained(records: Sequence[tuple[Array, Array]], s: int, period: float, late: int) -> tuple[float, int, Array]:
-    """Return the part of the output that the motion explains, its delay in samples, and output per acceleration and per velocity."""
+def _explained(records: Sequence[tuple[Array, Array]], s: int, period: float, late: int) -> tuple[float, Array]:
+    """Return the part of the output that the motion explains a delay later, and output per acceleration and per velocity."""
     rows, targets = list[Array](), list[Array]()
     for output, measured in records:
         ends = np.array([measured[2 * s :], measured[s:-s], measured[: -2 * s]])[:, late:]
@@ -297,4 +299,4 @@ def _explained(records: Sequence[tuple[Array, Array]], s: int, period: float, la
         rows.append(np.column_stack([acceleration, speed, np.sign(ends[0] - ends[2]), np.ones(speed.size)]))
     left, right = np.concatenate(rows), np.concatenate(targets)
     numbers = np.asarray(np.linalg.lstsq(left, right, rcond=None)[0], dtype=float)
-    return 1.0 - float(np.var(left @ numbers - right)) / max(float(np.var(right)), 1e-30), late, numbers
+    return 1.0 - float(np.var(left @ numbers - right)) / max(float(np.var(right)), 1e-30), numbers

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -13,10 +13,10 @@ from contourlab.arrays import Array
 from contourlab.controls.linuxcnc.files import LENGTHS, REFERENCE, Entry, HalGraph, Ini, graph_of, read_ini, units_of
 from contourlab.controls.linuxcnc.loops import LoopClass, classified, joints
 from contourlab.errors import ScenarioError, refuse
-from contourlab.features.commission.loop import GAINS
+from contourlab.features.commission.loop import GAINS, SETTINGS
 from contourlab.findings import Finding, finding
 
-UNUSUAL = ("deadband", "maxerror", "maxerrorI", "maxerrorD", "maxcmdD", "maxcmdDD", "maxcmdDDD")
+UNUSUAL = ("maxerror", "maxerrorI", "maxerrorD", "maxcmdD", "maxcmdDD", "maxcmdDDD")
 """Parameters of ``pid`` that the model of the loop leaves out."""
 HEADROOM = 1.25
 """Limits of a step generator over those of its joint, at least: a correction needs the rest."""
@@ -34,7 +34,7 @@ class AxisSetup:
     pid : str
         Name of the channel, as ``pid.0``.
     gains : dict of str to float
-        In machine units, under HAL's names.
+        In machine units, under HAL's names; with dead band and bias where a file sets them.
     places : dict of str to Entry
         Where each gain is set: the ``setp`` line of the HAL file, or the key of the INI file that it refers to.
     last : int
@@ -68,12 +68,17 @@ class AxisSetup:
 
     def row(self, unit: float) -> Array:
         """Return the gains (7,) per metre, in the order of `loop.GAINS`."""
-        return np.array([self.gains[name] / unit for name in GAINS])
+        return row_of(self.gains, unit)
 
     @property
     def idle(self) -> bool:
         """Whether the pid has neither proportional gain nor velocity feedforward."""
         return not self.gains["Pgain"] and not self.gains["FF1"]
+
+
+def row_of(gains: Mapping[str, float], unit: float) -> Array:
+    """Return gains (7,) per metre from those in machine units [m]."""
+    return np.array([gains[name] / unit for name in GAINS])
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,7 +171,7 @@ class _Wiring:
     def _axis(self, letter: str, joint: int, name: str) -> AxisSetup:
         graph, places = self.graph, {}
         gains = dict.fromkeys(GAINS, 0.0) | {"Pgain": 1.0}  # as pid starts
-        for gain in GAINS:
+        for gain in SETTINGS:
             if statement := graph.settings.get(f"{name}.{gain}"):
                 places[gain] = self.ini.referred(REFERENCE.fullmatch(statement.written[2])) or statement.entry(2)
                 gains[gain] = graph.number(f"{name}.{gain}")

@@ -11,7 +11,7 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, refuse
-from contourlab.features.commission.loop import GAINS, ROBUST, AxisModel, Law, keep_margins, run_lanes
+from contourlab.features.commission.loop import GAINS, ROBUST, AxisModel, Law, Runs, keep_margins, run_lanes
 from contourlab.features.commission.records import restless
 from contourlab.study.search import restarted
 
@@ -68,7 +68,7 @@ class AxisTask:
 
     def largest(self, gains: Array, factor: float = 1.0) -> float:
         """Return the largest error [m] of one set of gains; `factor` scales the gain of the axis."""
-        scaled = replace(self.model, gain=factor * self.model.gain)
+        scaled = self.model.scaled(factor)
         worst = max(float(run_lanes(*pair, gains[None], [scaled], self.law).largest[0]) for pair in self.pairs())
         return max(worst, float(self.switched_on(gains[None], scaled)[0]))
 
@@ -83,9 +83,13 @@ class AxisTask:
         return replace(self.model, delay=max(self.model.delay, 0.0) + UNSEEN * self.law.period)
 
     def runs(self, gains: Array) -> Moves:
-        """Return the runs of one set of gains."""
+        """Return commands and positions with one set of gains."""
+        return [(command, run.position) for command, run in self.traced(gains)]
+
+    def traced(self, gains: Array) -> Sequence[tuple[Array, Runs]]:
+        """Return the commands and their runs with one set of gains."""
         lanes = (run_lanes(*pair, gains[None], [self.model], self.law, trace=True) for pair in self.pairs())
-        return [(command, run.position) for command, run in zip(self.commands, lanes, strict=True)]
+        return list(zip(self.commands, lanes, strict=True))
 
     def pairs(self) -> Sequence[tuple[Array, Array]]:
         """Return commands with their noises."""
@@ -99,9 +103,9 @@ class AxisTask:
         """
         if not self.off:
             return np.full(ff2.size, math.inf)
-        gain = max(ROBUST) * self.model.gain
-        slower = np.maximum(1.0 - gain * ff2, 0.0) * GROWTH / (self.free * self.law.period)
-        return np.asarray((self.model.damping + slower) / gain)
+        larger = self.model.scaled(max(ROBUST))
+        slower = np.maximum(1.0 - larger.gain * ff2, 0.0) * GROWTH / (self.free * self.law.period)
+        return np.asarray((larger.damping + slower) / larger.gain)
 
     def gains(self, points: Array) -> Array:
         """Return the gains (n, 7) of points (n, 5) in the box from 0 to 1."""
@@ -110,13 +114,13 @@ class AxisTask:
         bandwidth, damping, integral = (low[:3] * (high[:3] / low[:3]) ** points[:, :3]).T
         ff1, ff2 = (low[3:] + points[:, 3:] * (high[3:] - low[3:])).T
         w = bandwidth / period
-        p = w**2 / model.gain
+        p = w * np.maximum(w, model.regulated) / model.gain  # slower than the drive's loop, the position loop is of first order
         gains = np.zeros((len(points), len(GAINS)))
         gains[:, 0] = p
         gains[:, 1] = p * w * integral
         gains[:, 2] = np.maximum(2.0 * damping * w - model.damping, 0.0) / model.gain
         held = p * period if self.law.previous_target else np.zeros(len(points))
-        gains[:, 4] = np.minimum(ff1 * (model.damping / model.gain + held), held + self.most_ahead(ff2 / model.gain))
+        gains[:, 4] = np.minimum(ff1 * (model.per_speed + held), held + self.most_ahead(ff2 / model.gain))
         gains[:, 5] = ff2 / model.gain
         return gains
 
@@ -189,7 +193,7 @@ def tune_axis(task: AxisTask, *, unit: float = 1e-3, seed: int = 0) -> TunedAxis
         rms, excess = np.zeros((2, int(good.sum())))
         worst = task.switched_on(gains[good], task.model)
         if task.off:
-            larger = replace(task.model, gain=max(ROBUST) * task.model.gain)
+            larger = task.model.scaled(max(ROBUST))
             worst = np.maximum(worst, OFF * task.switched_on(gains[good], larger))
         for command, noise in lively:
             runs = run_lanes(command, noise, gains[good], [task.model], task.law)

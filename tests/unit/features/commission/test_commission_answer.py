@@ -98,6 +98,10 @@ def test_json_has_gains_and_prediction(answered: tuple[Commissioned, Path]) -> N
     values = json_values(answered[0])
     assert set(values["pid"]["x"]) == {"Pgain", "Igain", "Dgain", "FF0", "FF1", "FF2", "FF3"}
     assert values["predicted"]["y"]["before"] > 10.0 * values["predicted"]["y"]["after"] > 0.0
+    for axis, play in bench.PLAY.items():  # both errors are largest where the axis turns
+        at_motor, at_load = values["predicted"][axis]["after"], values["predicted"][axis]["load"]
+        assert max(at_motor, 0.5e6 * play) < at_load < 1.1 * (at_motor + 0.5e6 * play)
+    assert values["circle"]["after"] < 0.1 * values["circle"]["before"] and values["circle"]["load"] > 0.4e6 * max(bench.PLAY.values())
     assert {"CL890", "CL892"} <= {one["code"] for one in values["findings"]}
     assert "largest error" in values["answer"][0]
     kv = values["terms"][0]

@@ -64,7 +64,7 @@ def test_inch(tmp_path: Path) -> None:
         ("net x-enable joint.0.amp-enable-out => pid.x.enable", "setp pid.x.enable 1", "CL861"),
         ("addf pid.x.do-pid-calcs servo-thread\n", "", "CL857"),
         ("loadrt pid", "addf pid.x.do-pid-calcs servo-thread\nloadrt pid", "CL858"),
-        ("setp pid.x.FF0", "setp pid.x.deadband 0.001\nsetp pid.x.FF0", "CL859"),
+        ("setp pid.x.FF0", "setp pid.x.maxerror 0.001\nsetp pid.x.FF0", "CL859"),
         ("=> pid.x.command", "=> pid.x.command\nnet xv joint.0.vel-cmd => pid.x.command-deriv", "CL860"),
     ],
 )
@@ -74,9 +74,16 @@ def test_unusual_wiring_is_named(tmp_path: Path, old: str, new: str, code: str) 
 
 
 def test_a_finding_names_file_and_line(tmp_path: Path) -> None:
-    setup = setup_of(tmp_path, ("setp pid.x.FF0", "setp pid.x.deadband 0.001\nsetp pid.x.FF0"))
-    line = setup.hal.read_text().splitlines().index("setp pid.x.deadband 0.001") + 1
+    setup = setup_of(tmp_path, ("setp pid.x.FF0", "setp pid.x.maxerror 0.001\nsetp pid.x.FF0"))
+    line = setup.hal.read_text().splitlines().index("setp pid.x.maxerror 0.001") + 1
     assert places(setup, "CL859") == [f"rig.hal:{line}"]
+
+
+def test_dead_band_and_bias_are_read_where_they_are_set(tmp_path: Path) -> None:
+    setup = setup_of(tmp_path, ("setp pid.x.FF0", "setp pid.x.deadband 0.001\nsetp pid.x.bias 0.2\nsetp pid.x.FF0"))
+    x, y = setup.axes
+    assert (x.gains["deadband"], x.gains["bias"]) == (0.001, 0.2) and not {"deadband", "bias"} & y.gains.keys()
+    assert [one.code for one in setup.findings] == ["CL852"]
 
 
 def test_missing_unit_and_period(tmp_path: Path) -> None:

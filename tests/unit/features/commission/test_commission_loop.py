@@ -40,11 +40,12 @@ def test_law_is_that_of_tune() -> None:
 
 
 @pytest.mark.parametrize("previous", [False, True])
-def test_run_obeys_law_and_axis(previous: bool) -> None:
-    law, command = Law(PERIOD, previous), swept()
+@pytest.mark.parametrize(("deadband", "bias"), [(0.0, 0.0), (2e-4, 0.01)])
+def test_run_obeys_law_and_axis(previous: bool, deadband: float, bias: float) -> None:
+    law, command = Law(PERIOD, previous, deadband=deadband, bias=bias), swept()
     model = replace(AXIS, friction=0.02, offset=0.01, delay=2.3e-3)
     run = run_lanes(command, np.zeros(command.size), ROW[None], [model], law, trace=True)
-    assert run.command_output == pytest.approx(law_output(command, run.position, ROW.tolist(), law), abs=1e-6)
+    assert run.command_output == pytest.approx(law_output(command, run.position, ROW.tolist(), law) + bias, abs=1e-6)
     delayed = np.concatenate([np.zeros(2), run.command_output])[: command.size]
     assert run.position == pytest.approx(driven(delayed, [replace(model, delay=0.3e-3)], PERIOD)[0], abs=1e-9)
     assert run.largest[0] == pytest.approx(np.abs(command - run.position).max())
@@ -64,6 +65,60 @@ def test_an_axis_runs_on_from_a_velocity() -> None:
     whole, steady = driven(output, [AXIS], PERIOD)[0], AXIS.gain * 0.1 / AXIS.damping
     speed = steady * (1.0 - np.exp(-AXIS.damping * PERIOD * k))
     assert driven(output[k:], [AXIS], PERIOD, whole[k], speed)[0] == pytest.approx(whole[k:], abs=1e-12)
+
+
+DRIVE = AxisModel(gain=250.0, damping=280.0, friction=0.03, regulated=250.0, reset=30.0)
+"""A velocity drive with an integral: a unit of output asks for 1 m/s."""
+
+
+def test_a_velocity_drive_has_the_motion_of_its_equations() -> None:
+    output, fine = 0.1 * np.sin(2.0 * np.pi * 3.0 * PERIOD * np.arange(700)) + 0.02, 400
+    dt, x, v, held, places = PERIOD / fine, 0.0, 0.0, 0.0, []
+    for u in output:
+        places.append(x)
+        for _ in range(fine):
+            push = DRIVE.gain * u + held - DRIVE.damping * v
+            held += dt * DRIVE.reset * (DRIVE.gain * u - DRIVE.regulated * v)
+            if v == 0.0:
+                push -= np.clip(push, -DRIVE.friction, DRIVE.friction)
+            else:
+                push -= np.copysign(DRIVE.friction, v)
+            after = v + dt * push
+            v = 0.0 if v * after < 0.0 else after
+            x += dt * v
+    assert driven(output, [DRIVE], PERIOD)[0] == pytest.approx(places, abs=2e-6)
+
+
+@pytest.mark.parametrize("ahead", [0.0, 0.7, 1.0])
+def test_following_error_of_a_velocity_drive_has_its_closed_form(ahead: float) -> None:
+    model, speed, kv = AxisModel(gain=100.0, damping=250.0, regulated=250.0), 0.05, 20.0
+    row = np.array([[kv * model.per_speed, 0.0, 0.0, 0.0, ahead * model.per_speed, 0.0, 0.0]])
+    command = speed * PERIOD * np.arange(2000)
+    run = run_lanes(command, np.zeros(2000), row, [model], Law(PERIOD, previous_target=False), trace=True)
+    assert command[-1] - run.position[-1] == pytest.approx(speed * (1.0 - ahead) / kv, abs=1e-9)
+
+
+@pytest.mark.parametrize("lag", [2e-3, 4e-3, 2e-2])
+def test_gain_of_a_position_loop_around_a_lag_at_60_degrees(lag: float) -> None:
+    """-90 deg of the integrator and -30 of the lag: w T = tan 30 deg, Kv = w sqrt(1 + (w T)^2)."""
+    model, w = AxisModel(gain=0.3 / lag, damping=1.0 / lag, regulated=1.0 / lag), np.tan(np.radians(30.0)) / lag
+    gains = np.array([[w * np.hypot(1.0, w * lag) * model.per_speed, *np.zeros(6)]])
+    grid = w * np.geomspace(0.1, 10.0, 2000)
+    found = margins(lambda w: loop_gain(gains, model, PERIOD, np.exp(1j * w * PERIOD))[0], grid, stable=True)
+    assert np.degrees(found.phase + 0.5 * w * PERIOD) == pytest.approx(60.0, abs=0.3)  # the output is held
+
+
+@pytest.mark.parametrize("share", [0.0, 0.5])
+def test_margins_of_a_velocity_drive_are_where_its_runs_become_unstable(share: float) -> None:
+    model = replace(DRIVE, friction=0.0, delay=1.4e-3, share=share, resonance=70.0 if share else 0.0, damping_ratio=0.03 if share else 0.0)
+    row = np.array([[60.0, 300.0, 0.1, *np.zeros(4)]])
+    limit = next(k for k in np.geomspace(0.2, 20.0, 300) if not robustly_stable(k * row, model, PERIOD))
+    kick = np.r_[0.0, np.full(6000, 1e-3)]
+    for factor, stays in ((0.94, True), (1.06, False)):
+        ends = [
+            run_lanes(kick, np.zeros(kick.size), factor * limit * row, [model.scaled(k)], Law(PERIOD, False)) for k in (0.75, 1.0, 1.25)
+        ]
+        assert bool(max(run.largest[0] for run in ends) < 0.02) is stays
 
 
 def test_output_limit_holds() -> None:
