@@ -11,28 +11,28 @@ from collections import Counter
 from pathlib import Path
 
 BUDGETS = {
-    "analysis": 4569,
-    "app": 921,
+    "analysis": 4622,
+    "app": 926,
     "cli": 495,
     "components": 5219,
     "contours": 1553,
-    "controls": 662,
+    "controls": 692,
     "engine": 3404,
-    "features": 18562,
-    "feed": 2615,
+    "features": 19344,
+    "feed": 3131,
     "findings": 55,
     "geometry": 2220,
     "logs": 1922,
-    "loop": 2435,
+    "loop": 2445,
     "metrics": 1130,
     "native": 320,
     "papers": 3363,
-    "program": 2603,
+    "program": 2609,
     "rendering": 2554,
     "result": 539,
-    "scenario": 2032,
+    "scenario": 2054,
     "study": 1405,
-    "without papers": 55961,
+    "without papers": 57322,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 
