@@ -293,7 +293,7 @@ def _with_shaft(
         best = max(found, key=lambda fit: fit.fit)
         start = best.values[-len(SHAFT) :]
         if not _explains(best, rigid):
-            break
+            return best
     # Behind play a search does not always end at the same point: how far ends differ that explain nearly as much is not known better.
     off = model([dict(zip(best.names, x.tolist(), strict=True)) for x in ends]) - measured
     squares = (off**2).sum(axis=1)
