@@ -203,7 +203,7 @@ def test_a_velocity_drive_is_named_and_answered_after_its_log(
     ini, hal, log = velocity_made(made, tmp_path, lag)
     code, result = called(capsys, ini, hal, "--log", log, "--out", tmp_path / "out")
     assert {name: axis["loop"] for name, axis in result["axes"].items()} == {"x": "velocity drive", "y": "velocity drive"}
-    assert code == 0 and codes(result, "x") == codes(result, "y") == {"CL868", "CL890", "CL893"}
+    assert code == 0 and codes(result, "x") == codes(result, "y") == {"CL598", "CL868", "CL890", "CL893"}
     for axis in "xy":
         model = result["models"][axis]["model"]
         assert 1.0 / model["damping"] == pytest.approx(lag, rel=0.01)

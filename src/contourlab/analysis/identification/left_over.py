@@ -45,14 +45,18 @@ class LeftOver:
 
 
 def left_over_findings(
-    place: str, residual: Array, excitation: Array, explained: Array, period: float, highest: float = np.inf
+    place: str, residual: Array, excitation: Array, explained: Array, period: float, highest: float = np.inf, counts: float = 0.0
 ) -> list[Finding]:
-    """Return a finding on a peak in a residual, or on the band in which there is none; see `left_over`."""
+    """Return a finding on a peak in a residual, or on the band in which there is none; see `left_over`.
+
+    `counts` is the rms that the counts of an encoder alone leave, at constant speed in lines: a residual within it has no peak.
+    """
     left = left_over(residual, excitation, explained, period, highest)
     if not left.band[1] > 0.0:
         return [finding("CL599", place)]
     low, high = left.band
-    return [finding("CL597" if left.clear > CLEAR else "CL598", place, frequency=left.frequency, clear=left.clear, low=low, high=high)]
+    peak = left.clear > CLEAR and residual.std() > counts
+    return [finding("CL597" if peak else "CL598", place, frequency=left.frequency, clear=left.clear, low=low, high=high)]
 
 
 def left_over(residual: Array, excitation: Array, explained: Array, period: float, highest: float = np.inf) -> LeftOver:

@@ -190,7 +190,9 @@ def identify_axis(logs: Sequence[AxisLog], gains: Array, law: Law, *, velocity: 
     else:
         (position,) = driven(first.output, [model], law.period, first.measured[0], 0.0)
         speeds = [np.diff(values) / law.period for values in (first.measured - position, position)]
-        findings += left_over_findings(place, speeds[0], first.output[1:], speeds[1], law.period)
+        findings += left_over_findings(
+            place, speeds[0], first.output[1:], speeds[1], law.period, counts=count / law.period / math.sqrt(6.0)
+        )
     agrees = simulated < 2.0 * measured and measured < 2.0 * simulated
     findings.append(finding("CL890" if agrees else "CL889", place, simulated=simulated, measured=measured))
     findings.append(finding("CL893", place) if math.isnan(play) else finding(seen, place, play=play, deviation=play_deviation))
