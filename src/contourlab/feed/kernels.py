@@ -11,7 +11,7 @@ import math
 
 from contourlab.native.kernel import kernel
 
-LIMITED, BEHIND, LOWERED, MOVED = 1, 2, 4, 8  # flags of a sample; see `reach`
+LIMITED, BEHIND, LOWERED, MOVED, STALE, STRAIGHT = 1, 2, 4, 8, 16, 32  # flags of a sample; see `reach` and `walk`
 TINY = 1e-9  # smallest tangent component that limits the acceleration
 N_NEWTON = 60
 EDGE = 1e-9  # of a span's time: places are checked so far within it
@@ -51,8 +51,8 @@ def _interval(x, i, double, tangent, second, third, turning, speeding, reference
 def _note(reference, ceiling, known_reference, known_ceiling, flags):
     """Flag the intervals whose limits have changed as LIMITED, and store the new limits."""
     for i in range(reference.size):
-        flags[i] &= LOWERED
-        if flags[i] != 0:
+        flags[i] &= LOWERED | STALE | STRAIGHT
+        if flags[i] & LOWERED != 0:
             flags[i] |= LIMITED
             if i > 0:  # the interval before ends here
                 flags[i - 1] |= LIMITED
@@ -108,7 +108,7 @@ def reach(
         v^2 from which the motion can stop, and the result v^2 [m^2/s^2].
     flags (n,)
         Input: LOWERED where `turning` or `speeding` have changed since the last call. Output: MOVED where the result has changed. The
-        other flags are working memory.
+        other flags but STALE and STRAIGHT are working memory.
     """
     n = arc_length.size
     _note(reference, ceiling, known_reference, known_ceiling, flags)
@@ -492,11 +492,11 @@ def _place(span, spans, dt):
     return spans[span, 1] + dt * (spans[span, 2] + dt * (spans[span, 3] / 2.0 + dt * spans[span, 4] / 6.0))
 
 
-def _step(span, i, dt, parts, arc_length, bent, spans):
+def _step(span, i, dt, parts, arc_length, flags, spans):
     """Return the sample before the place at `dt`, and the next time: at most a part of the span later, and of the interval further."""
     place, step = _place(span, spans, dt), 0.0
     while True:  # what is close before a sample counts as past it
-        step = (arc_length[i + 1] - arc_length[i]) / (parts[1] if bent[i] != 0 else 1)
+        step = (arc_length[i + 1] - arc_length[i]) / (1 if flags[i] & STRAIGHT != 0 else parts[1])
         if i == arc_length.size - 2 or (step > 0.0 and place + 0.2 * step < arc_length[i + 1]):
             break
         i += 1
@@ -522,14 +522,14 @@ def _step(span, i, dt, parts, arc_length, bent, spans):
     return i, high
 
 
-@kernel("f8[:] i8[:] f8[:,:] i8[:] i8[:] i8[:] f8[:] i8[:] f8[:] f8[:]")
-def walk(arc_length, bent, spans, watched, parts, at, reached, of, times, place):
+@kernel("f8[:] i8[:] f8[:,:] i8[:] i8[:] f8[:] i8[:] f8[:] f8[:]")
+def walk(arc_length, flags, spans, parts, at, reached, of, times, place):
     """Fill the next places at which the path is to be evaluated, until the arrays are full or the motion ends.
 
     Parameters
     ----------
-    arc_length, bent, watched (n,); spans
-        Zero in `bent` where the interval after a sample is straight; the others as for `demand`.
+    arc_length, flags (n,); spans
+        STALE where the path is to be checked, STRAIGHT where the interval after a sample is; the others as for `demand`.
     parts (2,)
         Least number of steps in a span, and in an interval that is not straight.
     at (3,), reached (1,)
@@ -542,7 +542,7 @@ def walk(arc_length, bent, spans, watched, parts, at, reached, of, times, place)
         if dt == 0.0:
             while i < arc_length.size - 2 and arc_length[i + 1] <= spans[span, 1]:
                 i += 1
-            if watched[i] == 0:
+            if flags[i] & STALE == 0:
                 continue
             dt = EDGE * spans[span, 0]
         while True:
@@ -553,7 +553,7 @@ def walk(arc_length, bent, spans, watched, parts, at, reached, of, times, place)
             count += 1
             if dt >= (1.0 - EDGE) * spans[span, 0]:
                 break
-            i, dt = _step(span, i, dt, parts, arc_length, bent, spans)
+            i, dt = _step(span, i, dt, parts, arc_length, flags, spans)
         dt = 0.0
     at[0], at[1], at[2], reached[0] = spans.shape[0], i, count, dt
 

@@ -27,7 +27,7 @@ import numpy as np
 from contourlab.arrays import Array, Flags, Index, across
 from contourlab.feed import kernels
 from contourlab.feed.bounds import AxisLimits
-from contourlab.feed.kernels import LOWERED, MOVED
+from contourlab.feed.kernels import LOWERED, MOVED, STALE, STRAIGHT
 from contourlab.feed.pieces import SegmentSamples
 from contourlab.geometry import Path
 from contourlab.threads import in_threads
@@ -89,8 +89,7 @@ class _Planner:
         self.base = base
         self.begin = samples.begin.astype(np.int64)
         curved = np.any((samples.second != 0.0) | (samples.third != 0.0), axis=1)
-        self.bent = (curved | np.roll(curved, -1)).astype(np.int64)
-        self.flags = np.zeros(n, dtype=np.int64)
+        self.flags = np.where(curved | np.roll(curved, -1), 0, STRAIGHT)
         self.half = 0.5 * period * (STEPS + 2) / STEPS  # of the averaging window
         self.parts = np.ones((3, n))
         # What the kernel `reach` keeps from call to call; of the first the ceiling is the reference.
@@ -239,13 +238,13 @@ class _Planner:
         return spans, begin
 
 
-def _check_on_path(planner: _Planner, spans: Array, begin: Index, watched: Index) -> tuple[Array, Array]:
+def _check_on_path(planner: _Planner, spans: Array, begin: Index) -> tuple[Array, Array]:
     """Check like `_Planner.check`, with the derivatives of the path instead of those of the samples."""
     samples, segment, peak = planner.samples, np.repeat(np.arange(begin.size - 1), np.diff(begin)), np.zeros(begin.size - 1)
     at, reached, of, (time, place) = np.array([0, 0, CHUNK]), np.zeros(1), np.empty(CHUNK, dtype=np.int64), np.empty((2, CHUNK))
     faults, rows, worst = [np.empty((0, 7))], np.empty((CHUNK, 6)), np.empty(4)
     while at[2] == CHUNK:
-        kernels.walk(planner.place[0], planner.bent, spans, watched, ON_PATH, at, reached, of, time, place)
+        kernels.walk(planner.place[0], planner.flags, spans, ON_PATH, at, reached, of, time, place)
         here = of[: at[2]]
         derivatives = np.ascontiguousarray(planner.path.derivatives(place[: here.size], 3).transpose(0, 2, 1))
         kernels.needed(spans, here, time, place, derivatives, *planner.inverse, worst, rows)
@@ -262,20 +261,20 @@ def _check_on_path(planner: _Planner, spans: Array, begin: Index, watched: Index
 
 def _corrected(planner: _Planner) -> SmoothMotion:
     """Lower the limits around violations until none is left, in at most `ROUNDS` rounds."""
-    faults, stale = np.empty((0, 7)), np.zeros_like(planner.flags)
+    faults = np.empty((0, 7))
     for round_ in range(ROUNDS):
         spans, begin = planner.spans(planner.square())
         changed = planner.changed(faults) if round_ else np.ones_like(planner.flags)
-        stale |= changed
+        planner.flags |= changed * STALE
         peak, faults = planner.check(spans, begin, changed)
         del changed  # long routes need the memory
         if len(faults) == 0 or round_ == ROUNDS - 1:
             # The check at the samples is cheap; the check on the path itself decides. What has not changed has passed both before.
-            by_path, more = _check_on_path(planner, spans, begin, stale)
+            by_path, more = _check_on_path(planner, spans, begin)
             peak, faults = np.maximum(peak, by_path), np.concatenate([faults, more])
             if len(faults) == 0:
                 break
-            stale[:] = 0
+            planner.flags &= ~STALE
         planner.lower(faults, 1.0 + round_ / HASTE)
     return SmoothMotion(spans, begin, peak <= 1.0 + CLOSE)
 

@@ -107,7 +107,7 @@ def test_the_path_is_checked_in_each_interval_however_short() -> None:
         at, reached, found = np.array([0, 0, 37]), np.zeros(1), []
         of, (time, place) = np.empty(37, dtype=np.int64), np.empty((2, 37))
         while at[2] == 37:
-            kernels.walk(arc_length, bent, spans, np.ones_like(bent), parts, at, reached, of, time, place)
+            kernels.walk(arc_length, kernels.STALE | (1 - bent) * kernels.STRAIGHT, spans, parts, at, reached, of, time, place)
             found.append(np.column_stack([of, time, place])[: at[2]])
         span, time_in, places = np.concatenate(found).T
         assert np.all(np.diff(span * T + time_in) <= T / 6 * 1.001)
