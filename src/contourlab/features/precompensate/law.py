@@ -160,6 +160,8 @@ class Run:
         From the first to the last motion of the command.
     velocity, acceleration : ndarray (n_axis,) [m/s, m/s^2]
         Largest values of the command.
+    rounded : ndarray (n, n_axis) [m]
+        From the command to its foot point on the path that it was to follow: what the control rounds.
     """
 
     period: float
@@ -170,6 +172,7 @@ class Run:
     duration: float
     velocity: Array
     acceleration: Array
+    rounded: Array
 
     @property
     def rms(self) -> float:
@@ -254,6 +257,8 @@ def learn(before: Learned | None, runs: list[Run], loops: list[Loop], nodes: Arr
     step = np.mean([one.at(nodes, filtered(one.error, one.period, response, longest)) for one in runs], axis=0)
     square = np.mean([one.at(nodes, _nearby((one.error**2).sum(axis=1), one.period, cutoff)) for one in runs], axis=0)[:, 0]
     if before is None:
+        # Short lines are rounded less than those of the program: what is then left, the next pass learns.
+        step = step - np.mean([one.at(nodes, smoothed(one.rounded, one.period, cutoff)) for one in runs], axis=0)
         nothing, speed = np.zeros_like(step), run.at(nodes, run.speed[:, None])[:, 0]
         return Learned(nothing, step, square, np.ones(len(nodes)), nothing, speed, RESTS * run.rms, cutoff)
     better = np.interp(run.place, nodes, (square < before.error).astype(np.float64))

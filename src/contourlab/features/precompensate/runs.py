@@ -184,7 +184,8 @@ def run_of(contour: Contour, measured: Measured, driven: Contour | None = None, 
         from_first = contour.path.foot_point(command, place, WINDOW).position - command
         if away > ALIKE and float(np.sqrt((from_first**2).sum(axis=1).mean())) < 0.5 * away:
             raise ResultError("the log is of the program before any correction.")
-    place = np.append(place, np.full(stop - first - len(place), place[-1]))
+    after = stop - first - len(place)
+    place, rounded = np.append(place, np.full(after, place[-1])), np.pad(at.position - command, ((0, after), (0, 0)))
     farthest = float(np.linalg.norm(measured.command[first:stop] - load, axis=1).max())
     foot = contour.path.foot_point(load, place, min(4.0 * farthest + 1e-4, 0.25 * contour.path.length))
     off = foot.position - load
@@ -207,6 +208,7 @@ def run_of(contour: Contour, measured: Measured, driven: Contour | None = None, 
         duration=(last - first) * period,
         velocity=np.abs(steps).max(axis=0) / period,
         acceleration=np.abs(np.diff(steps, axis=0)).max(axis=0) / period**2,
+        rounded=np.where(on[:, None], rounded, 0.0),
     )
 
 

@@ -84,7 +84,7 @@ def test_what_remains_without_the_starts() -> None:
     error = np.full((1000, 1), 3e-6)
     error[100:200] = 50e-6
     moves = np.ones(1000, dtype=bool)
-    run = Run(PERIOD, np.linspace(0.0, 1.0, 1000), error, moves, np.ones(1000), 1.0, np.ones(1), np.ones(1))
+    run = Run(PERIOD, np.linspace(0.0, 1.0, 1000), error, moves, np.ones(1000), 1.0, np.ones(1), np.ones(1), np.zeros_like(error))
     start = Start(0, 1, 100, 0.0, 50e-6)
     assert without(run, [start], 0.1) == (pytest.approx(3e-6), pytest.approx(3e-6))
     assert without(run, [start], 0.05)[1] == pytest.approx(50e-6)
