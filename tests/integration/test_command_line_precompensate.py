@@ -308,8 +308,21 @@ def test_short_lines_are_not_smoothed_within_the_tolerance_of_corners(
     result = printed(capsys, "precompensate", "part.ngc", "--machine", "m.ini", "--repeat", "2", "--out", "out.ngc")
     first, best = result["passes"][0], result["passes"][result["best"]]
     assert best["rms"] < first["rms"] and best["largest"] < 0.5 * first["largest"]
+    assert result["passes"][1]["rms"] < first["rms"] and result["passes"][1]["largest"] < 0.6 * first["largest"]
     assert "G64 P0.0254 Q0.001" in Path("out.ngc").read_text()
     assert main(["check", "out.ngc", "--machine", "m.ini"]) == 0
+
+
+def test_the_next_line_can_be_typed_in_any_dialect(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("COLUMNS", "80")
+    Path("part.nc").write_text("%\nO0001\nG21 G90\nG0 G28 Z0.\nG1 X40. Y0. F1200.\nG3 X0. Y40. I-40. J0.\nM30\n%\n")
+    words = ("--machine", "xyz", "--controller", "xyz-controller", "--repeat", "2", "--dialect", "fanuc")
+    assert main(["precompensate", "part.nc", *words, "--out", "corrected-for-the-control.nc"]) == 0
+    *lines, last = capsys.readouterr().out.splitlines()
+    assert max(map(len, lines)) <= 80
+    assert main(["check", "corrected-for-the-control.nc"]) == 2
+    assert main(last.removeprefix("next: contourlab ").split()) == 0
 
 
 @pytest.mark.parametrize(("control", "machine"), [(GRBL, "m.txt"), (FLUIDNC, "m.yaml")])

@@ -18,6 +18,7 @@ from contourlab.app.json_values import HIDDEN
 from contourlab.app.options import positive
 from contourlab.app.results import check_file, spared
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
+from contourlab.app.shared_options import Dialect
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ProgramError, ResultError
 from contourlab.features.check.reading import reading_of
@@ -520,7 +521,7 @@ class Precompensated(Answer):
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
         """Check the program."""
-        return ["check", self.out, "--machine", asked.settings.machine] if self.written else None
+        return ["check", self.out, "--machine", asked.settings.machine, *asked.settings.words_of(Dialect)] if self.written else None
 
     @property
     def gain(self) -> float | None:
@@ -557,7 +558,7 @@ class Precompensated(Answer):
         if self.written:
             size, cutoff = figure(self.correction, "um"), figure(self.cutoff, "Hz")
             what = f"{self.lines} lines, path displaced by up to {size}, filtered at {cutoff}"
-            lines.append(f"\nwritten: {self.out}, pass {self.written}: {what}")
+            lines += ["", paragraphs([f"written: {self.out}, pass {self.written}: {what}"])]
         else:
             lines.insert(0, "No pass is better than the program itself: nothing is written.\n")
         first, more = (paragraphs(str(one) for one in self.findings if (one.code == "CL919") == at_top) for at_top in (True, False))

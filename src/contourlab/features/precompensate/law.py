@@ -38,6 +38,8 @@ NEAR = 0.5
 """Time over which an error counts for its place, times the cutoff."""
 RESTS = 1.0 / 10.0
 """Error over the first error, both rms, up to which a place is left as it is."""
+LEFT = 0.5
+"""Share of what the control rounds itself that the first pass does not correct: short lines are rounded less than those of the program."""
 FORGOTTEN = 1e-6
 """Mean square of the error where nothing is known [m^2]: any run is better."""
 STEEPEST = 0.5
@@ -257,8 +259,7 @@ def learn(before: Learned | None, runs: list[Run], loops: list[Loop], nodes: Arr
     step = np.mean([one.at(nodes, filtered(one.error, one.period, response, longest)) for one in runs], axis=0)
     square = np.mean([one.at(nodes, _nearby((one.error**2).sum(axis=1), one.period, cutoff)) for one in runs], axis=0)[:, 0]
     if before is None:
-        # Short lines are rounded less than those of the program: what is then left, the next pass learns.
-        step = step - np.mean([one.at(nodes, smoothed(one.rounded, one.period, cutoff)) for one in runs], axis=0)
+        step = step - LEFT * np.mean([one.at(nodes, smoothed(one.rounded, one.period, cutoff)) for one in runs], axis=0)
         nothing, speed = np.zeros_like(step), run.at(nodes, run.speed[:, None])[:, 0]
         return Learned(nothing, step, square, np.ones(len(nodes)), nothing, speed, RESTS * run.rms, cutoff)
     better = np.interp(run.place, nodes, (square < before.error).astype(np.float64))
