@@ -313,7 +313,9 @@ def test_short_lines_are_not_smoothed_within_the_tolerance_of_corners(
     assert main(["check", "out.ngc", "--machine", "m.ini"]) == 0
 
 
-def test_the_next_line_can_be_typed_in_any_dialect(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_next_line_can_be_typed_in_any_dialect(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("COLUMNS", "80")
     Path("part.nc").write_text("%\nO0001\nG21 G90\nG0 G28 Z0.\nG1 X40. Y0. F1200.\nG3 X0. Y40. I-40. J0.\nM30\n%\n")
