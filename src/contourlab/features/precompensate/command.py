@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import math
-import shutil
-import subprocess
-import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
+from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -25,8 +22,8 @@ from contourlab.features.check.reading import reading_of
 from contourlab.features.measure.log_choice import content_of
 from contourlab.features.precompensate.law import CUTOFF, Learned, Run, fit_loop, forgotten, learn, proposed, smoother, spread
 from contourlab.features.precompensate.options import Precompensate
-from contourlab.features.precompensate.passes import STATE, AddedDwell, Passes, PassFigures, digest_of, load, save
-from contourlab.features.precompensate.runs import Measured, cycle_time, limits_of, open_run, run_of, simulated
+from contourlab.features.precompensate.passes import AddedDwell, Passes, PassFigures, digest_of, load, save
+from contourlab.features.precompensate.runs import Measured, cycle_time, open_run, run_of, simulated
 from contourlab.features.precompensate.starts import LONGEST, UNKNOWN, Start, settling_time, starts_of, without
 from contourlab.features.precompensate.writing import (
     MARK,
@@ -41,13 +38,11 @@ from contourlab.features.precompensate.writing import (
 )
 from contourlab.features.run import options
 from contourlab.features.run.source import scenario_of
-from contourlab.feed import LimitReport
 from contourlab.feed.route import controlled
 from contourlab.figures import figure, grouped
 from contourlab.findings import Finding, finding
 from contourlab.loop import Machine
-from contourlab.program import Program, Reading
-from contourlab.program.reader import read_text, split_lines
+from contourlab.program import Reading
 from contourlab.rendering.charts import Chart, traces_chart
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
@@ -82,10 +77,8 @@ ROUNDED = 0.2
 class Work:
     """A program, its passes so far, and the program of the pass that was run last."""
 
-    def __init__(
-        self, part: Path, axes: Sequence[str], settings: Precompensate, reading: Reading, machine: Machine | None, period: float
-    ) -> None:
-        self.part, self.reading, self.machine = part, reading, machine
+    def __init__(self, part: Path, axes: Sequence[str], settings: Precompensate, reading: Reading, period: float) -> None:
+        self.part, self.reading = part, reading
         self.tolerance, self.cap, self.lead_in = settings.si("tolerance"), settings.si("cap"), settings.lead_in
         self.band = positive("--band", settings.band, "", 'a share, such as "2 %"')
         period = max(NODE_TIME, period)
@@ -97,7 +90,6 @@ class Work:
             raise ProgramError(f"no cutting move along {', '.join(axes)} can be corrected", file=part)
         known = repr((tuple(axes), period, self.tolerance))
         self.passes = Passes(digest_of("\n".join(source.program.lines).encode("utf-8", "replace"), known.encode()), tuple(axes))
-        self.needs: LimitReport | None = None
         self.settles: float | None = None
         self._read: tuple[Written, Contour] | None = None
 
@@ -110,13 +102,6 @@ class Work:
         if self._read is None or self._read[0] is not written:
             self._read = written, self.contour_again(written)
         return self._read[1]
-
-    @cached_property
-    def is_interpreted(self) -> bool:
-        """Whether LinuxCNC's interpreter is installed and reads the program itself."""
-        if shutil.which("rs274") is None or self.reading.dialect != "linuxcnc":
-            return False
-        return not complaint("\n".join(split_lines(read_text(self.part))) + "\n", self.part.parent)
 
     def contour_again(self, written: Written) -> Contour:
         """Read a written program, and check that it is the corrected path and nothing else."""
@@ -319,22 +304,7 @@ class Work:
         written = write_corrected(self.contour, tried, self.tolerance, fastest, self._blend(number), self.dwells, self.stops)
         written = replace(written, text=marked(written.text, number, self.part.name))
         self.passes = replace(self.passes, learned=replace(learned, tried=tried), written=(*self.passes.written, written))
-        driven = self.driven.source.program
-        findings = [finding("CL910", cap=self.cap, share=float(capped.mean()))] if capped.any() else []
-        if self.machine is not None and set(self.machine.axis_names) >= set(self.contour.axes):
-            findings += self._limits(self.machine, driven)
-        message = complaint(written.text, self.part.parent) if self.is_interpreted else ""
-        return [*findings, finding("CL916", message=message)] if message else findings
-
-    def _limits(self, machine: Machine, program: Program) -> Iterator[Finding]:
-        """Plan the written program on the machine, and compare what it needs with the program itself."""
-        self.needs = self.needs or limits_of(self.contour.source.program, machine)
-        after = limits_of(program, machine)
-        for kind in ("velocity", "acceleration", "jerk"):
-            for old, new in zip(getattr(self.needs, kind), getattr(after, kind), strict=True):
-                if new.ratio > max(1.005, 1.005 * old.ratio):
-                    axis = machine.axis_names[new.axis]
-                    yield finding("CL912", kind=kind, axis=axis, use=new.ratio, before=old.ratio, machine=machine.name)
+        return [finding("CL910", cap=self.cap, share=float(capped.mean()))] if capped.any() else []
 
     def _longer(self, number: int) -> Iterator[Finding]:
         """Say by how much a written program is longer: as its run showed; if it has not run, as planned."""
@@ -396,26 +366,10 @@ class Work:
             cutoff=passes.cutoff,
             correction=float(np.linalg.norm(learned.tried if proceed else learned.kept, axis=1).max()),
             lines=0 if written is None else written.n_line,
-            shortest_line=None if written is None else written.shortest,
             left=tuple(left),
             findings=(*findings, *more),
             writer=partial(self.save, folder),
         )
-
-
-def complaint(text: str, folder: Path) -> str:
-    """Return what LinuxCNC's interpreter says against a program; empty for nothing."""
-    with tempfile.TemporaryDirectory() as name:
-        file = Path(name, "program.ngc")
-        file.write_text(text, encoding="utf-8", errors="replace")
-        try:
-            ran = subprocess.run(
-                ["rs274", "-g", str(file)], capture_output=True, text=True, errors="replace", timeout=60, cwd=folder, check=False
-            )
-        except (OSError, subprocess.TimeoutExpired):
-            return ""
-    lines = [line.strip() for line in ran.stderr.splitlines() if line.strip()]
-    return "" if ran.returncode == 0 else (lines[-1] if lines else f"code {ran.returncode}")[:200]
 
 
 # --- the answer ---
@@ -464,8 +418,6 @@ class Precompensated(Answer):
         Largest displacement of the path.
     lines : int
         Short lines in the written program.
-    shortest_line : float or None [s]
-        Shortest time of one at its feed.
     left : tuple of LeftMove
     findings : tuple of Finding
     """
@@ -486,7 +438,6 @@ class Precompensated(Answer):
     cutoff: float
     correction: float
     lines: int
-    shortest_line: float | None
     left: tuple[LeftMove, ...]
     findings: tuple[Finding, ...]
     writer: Callable[[Precompensated], None] | None = field(default=None, metadata=HIDDEN, repr=False)
@@ -597,13 +548,13 @@ def precompensate(part: str | Path, *, settings: Precompensate, session: Session
     if not settings.log:
         return _simulated(Path(part), settings, reading, session)
     if settings.passes is not None:
-        check_file(settings.passes / STATE, given, "--passes")
+        check_file(settings.passes / "passes", given, "--passes")
     machine = None if settings.machine is None else machine_of(settings.machine, settings.plugin)
     opened = [open_run(log, settings.of_log(k, len(settings.log)), machine) for k, log in enumerate(settings.log)]
     measured, axes, _ = opened[0]
     if any(other[1] != axes for other in opened):
         raise ParameterError("--log", "axes differ", f"logs of the axes {', '.join(axes)}")
-    work = Work(Path(part), axes, settings, reading, machine, measured.period)
+    work = Work(Path(part), axes, settings, reading, measured.period)
     digests = tuple(digest_of(content_of(log)) for log in settings.log)
     if settings.passes is not None:
         work.passes = load(settings.passes, work.passes)
@@ -643,7 +594,7 @@ def _simulated(part: Path, settings: Precompensate, reading: Reading, session: S
     scenario = scenario_of(part, options.Run(**parts, no_require_end=True))
     machine, controller = scenario.machine, scenario.controller
     axes = tuple(axis for axis in machine.axis_names if axis in "xyz")
-    work = Work(part, axes, settings, reading, machine, machine.servo_period)
+    work = Work(part, axes, settings, reading, machine.servo_period)
     findings: list[Finding] = []
     rest: float | None = None
     stages = session.stages()

@@ -19,7 +19,7 @@ from contourlab.features.measure.measured_path import moving, progress_along
 from contourlab.features.measure.plausibility import known_signal
 from contourlab.features.precompensate.law import Run
 from contourlab.features.precompensate.writing import Contour, Written
-from contourlab.feed import AxisLimits, LimitReport, Reference, Route, blended, limit_report, plan
+from contourlab.feed import AxisLimits, Route, blended, plan
 from contourlab.logs import Column, Log, Record
 from contourlab.logs.load import LONG_GAP, about
 from contourlab.loop import Controller, Machine, simulate
@@ -213,30 +213,21 @@ def run_of(contour: Contour, measured: Measured, driven: Contour | None = None, 
 
 
 def simulated(program: Program, machine: Machine, controller: Controller, seed: int, trial: int) -> Measured:
-    """Simulate a run of a program."""
-    result = simulate(machine, controller, planned(program, machine), seed=seed, trial=trial)
-    columns = [k for k, axis in enumerate(machine.axis_names) if axis in "xyz"]
-    command, motor, load = (np.asarray(result[name][:, columns]) for name in ("reference", "position", "tool_position"))
-    return Measured(machine.servo_period, command, motor, load, "model")
-
-
-def planned(program: Program, machine: Machine) -> Reference:
-    """Return the motion of a program on a machine.
+    """Simulate a run of a program.
 
     Raises
     ------
     ProgramError, FeedError
         If it cannot be planned.
     """
-    return program_motion(program, machine.axis_names, machine.planner_limits(), machine.servo_period)
+    reference = program_motion(program, machine.axis_names, machine.planner_limits(), machine.servo_period)
+    result = simulate(machine, controller, reference, seed=seed, trial=trial)
+    columns = [k for k, axis in enumerate(machine.axis_names) if axis in "xyz"]
+    command, motor, load = (np.asarray(result[name][:, columns]) for name in ("reference", "position", "tool_position"))
+    return Measured(machine.servo_period, command, motor, load, "model")
 
 
 def cycle_time(route: Route, velocity: Sequence[float], acceleration: Sequence[float], period: float) -> float:
     """Return the time [s] of a route, planned with the largest speeds [m/s] and accelerations [m/s^2] that a control used."""
     limits = AxisLimits(np.maximum(velocity, 1e-3), np.maximum(acceleration, 1e-2))
     return plan(blended(route, limits), limits, period).duration
-
-
-def limits_of(program: Program, machine: Machine) -> LimitReport:
-    """Return what a program needs of the limits of a machine."""
-    return limit_report(planned(program, machine), machine.planner_limits())

@@ -510,15 +510,12 @@ class Written:
         The same places along the programmed path.
     n_line : int
         Lines that replace corrected moves.
-    shortest : float [s]
-        Shortest time of such a line at its feed.
     """
 
     text: str
     corrected_arc: Array
     programmed_arc: Array
     n_line: int
-    shortest: float
 
 
 @dataclass(eq=False)
@@ -566,20 +563,17 @@ def write_corrected(
     """
     fastest, blend = np.broadcast_to(fastest, len(contour.nodes)), blend or 2.0 * tolerance
     replaced: dict[int, _Lines] = {}
-    blocks, shortest = contour.source.blocks, np.inf
+    blocks = contour.source.blocks
     for first, last in contour.chunks:
         lines = _Lines(contour.path.position(contour.path.breaks[first : first + 1])[0], blend)
         numbers = contour.route.source_line[first:last]
         for k in np.unique(numbers).tolist():
             curves = first + np.flatnonzero(numbers == k)
             index = contour.node_range(int(curves[0]), int(curves[-1]))
-            ends, start = curves[-1] == last - 1, lines.end
-            lines = _replacing(contour, blocks[k - 1], index, correction, lines, tolerance, ends, fastest)
+            lines = _replacing(contour, blocks[k - 1], index, correction, lines, tolerance, curves[-1] == last - 1, fastest)
             if stops and blocks[k - 1].move.mode.control is None:
                 lines.text = [*_blending(contour.source.rules, blend * blocks[k - 1].scale), *lines.text]
                 stops = False
-            steps = np.linalg.norm(np.diff(np.vstack([start, *lines.points]), axis=0), axis=1)
-            shortest = min(shortest, float(steps.min(initial=np.inf)) / float(contour.route.feedrate[curves[0]]))
             replaced[k - 1] = lines
     arcs, places, at = [0.0], [0.0], np.asarray(contour.path.position(np.zeros(1))[0])
     breaks = contour.path.breaks
@@ -597,7 +591,7 @@ def write_corrected(
                 places.append(place)
                 at = point
     n_line = sum(len(lines.points) for lines in replaced.values())
-    return Written(with_dwells(contour, dwells or {}, replaced), np.array(arcs), np.array(places), n_line, shortest)
+    return Written(with_dwells(contour, dwells or {}, replaced), np.array(arcs), np.array(places), n_line)
 
 
 def _replacing(
