@@ -20,7 +20,7 @@ from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ProgramError, ResultError
 from contourlab.features.check.reading import reading_of
 from contourlab.features.measure.log_choice import content_of
-from contourlab.features.precompensate.law import CUTOFF, Learned, Run, fit_loop, forgotten, learn, proposed, smoother, spread
+from contourlab.features.precompensate.law import CUTOFF, Learned, Run, fit_loop, forgotten, learn, proposed, spread
 from contourlab.features.precompensate.options import Precompensate
 from contourlab.features.precompensate.passes import AddedDwell, Passes, PassFigures, digest_of, load, save
 from contourlab.features.precompensate.runs import Measured, cycle_time, open_run, run_of, simulated
@@ -51,8 +51,6 @@ from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 
 NODE_TIME = 1e-3
 """Least time between nodes at the programmed feed [s]."""
-SMOOTHER = 0.8
-"""Factor on the cutoff after a pass that took too long."""
 LOOSER = 4.0
 """Factor on how far the control may round and smooth the written lines, after each pass that took too long."""
 SLOWED = 0.01
@@ -160,8 +158,6 @@ class Work:
             values: dict[str, Any] = {"rms": figures.rms, "largest": figures.largest, "least": best.rms, "least_largest": best.largest}
             findings.append(finding("CL914", number=number, best=best.number, **values))
         if not figures.in_time:
-            cutoff = SMOOTHER * passes.cutoff
-            self.passes = replace(self.passes, cutoff=cutoff, learned=smoother(learned, runs[0], nodes, cutoff))
             change = (figures.duration - figures.dwell) / passes.figures[0].duration - 1.0
             findings += [finding("CL911", number=number, change=change, band=self.band), *self._free_corners()]
         return findings
@@ -338,9 +334,8 @@ class Work:
         number = len(passes.written) if proceed else passes.best
         written = passes.written[number - 1] if number else None
         source = self.contour.source
-        left = [LeftMove(source.numbers[b.lines[0] - 1], b.reason) for b in source.blocks if b.reason not in ("", "-")]
-        lines = grouped((move.reason, move.line) for move in left)
-        more = [finding("CL909", count=len(those), reason=reason, line=those[0]) for reason, those in lines.items()]
+        left = grouped((b.reason, source.numbers[b.lines[0] - 1]) for b in source.blocks if b.reason not in ("", "-"))
+        more = [finding("CL909", count=len(those), reason=reason, line=those[0]) for reason, those in left.items()]
         more += [] if passes.helps else [finding("CL915", best=passes.best)]
         first, best = passes.figures[0], passes.figures[passes.best]
         if (best.rms - first.rms) * (best.largest - first.largest) < 0.0:
@@ -366,27 +361,13 @@ class Work:
             cutoff=passes.cutoff,
             correction=float(np.linalg.norm(learned.tried if proceed else learned.kept, axis=1).max()),
             lines=0 if written is None else written.n_line,
-            left=tuple(left),
+            left=left,
             findings=(*findings, *more),
             writer=partial(self.save, folder),
         )
 
 
 # --- the answer ---
-
-
-@dataclass(frozen=True)
-class LeftMove:
-    """A cutting move that stays as programmed.
-
-    Attributes
-    ----------
-    line : int
-    reason : str
-    """
-
-    line: int
-    reason: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -418,7 +399,8 @@ class Precompensated(Answer):
         Largest displacement of the path.
     lines : int
         Short lines in the written program.
-    left : tuple of LeftMove
+    left : dict of str to list of int
+        Lines of the cutting moves that stay as programmed, by the reason.
     findings : tuple of Finding
     """
 
@@ -438,7 +420,7 @@ class Precompensated(Answer):
     cutoff: float
     correction: float
     lines: int
-    left: tuple[LeftMove, ...]
+    left: dict[str, list[int]]
     findings: tuple[Finding, ...]
     writer: Callable[[Precompensated], None] | None = field(default=None, metadata=HIDDEN, repr=False)
 

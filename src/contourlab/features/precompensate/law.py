@@ -223,7 +223,6 @@ class Learned:
         Of the command in the program itself.
     rests : float [m]
         Error at which a place is left as it is.
-    cutoff : float [Hz]
     """
 
     kept: Array
@@ -233,7 +232,6 @@ class Learned:
     tried: Array
     speed: Array
     rests: float
-    cutoff: float
 
 
 def learn(before: Learned | None, runs: list[Run], loops: list[Loop], nodes: Array, cutoff: float) -> Learned:
@@ -261,7 +259,7 @@ def learn(before: Learned | None, runs: list[Run], loops: list[Loop], nodes: Arr
     if before is None:
         step = step - LEFT * np.mean([one.at(nodes, smoothed(one.rounded, one.period, cutoff)) for one in runs], axis=0)
         nothing, speed = np.zeros_like(step), run.at(nodes, run.speed[:, None])[:, 0]
-        return Learned(nothing, step, square, np.ones(len(nodes)), nothing, speed, RESTS * run.rms, cutoff)
+        return Learned(nothing, step, square, np.ones(len(nodes)), nothing, speed, RESTS * run.rms)
     better = np.interp(run.place, nodes, (square < before.error).astype(np.float64))
     share = run.at(nodes, _nearby(better, run.period, cutoff)).clip(0.0, 1.0)
     return replace(
@@ -270,7 +268,6 @@ def learn(before: Learned | None, runs: list[Run], loops: list[Loop], nodes: Arr
         step=before.step + share * (step - before.step),
         error=before.error + share[:, 0] * (square - before.error),
         gain=before.gain * (0.5 + 0.5 * share[:, 0]),
-        cutoff=cutoff,
     )
 
 
@@ -305,10 +302,3 @@ def forgotten(learned: Learned, nodes: Array, begin: float, end: float, after: f
     weight = np.where(nodes < begin, 1.0, np.clip((nodes - end) / max(after - end, 1e-12), 0.0, 1.0))
     error = np.where(weight < 1.0, FORGOTTEN, learned.error)
     return replace(learned, kept=learned.kept * weight[:, None], step=learned.step * weight[:, None], error=error)
-
-
-def smoother(learned: Learned, run: Run, nodes: Array, cutoff: float) -> Learned:
-    """Return what is learned, with correction and step below a lower cutoff [Hz]: a smoother path takes less time."""
-    in_time = (np.column_stack([np.interp(run.place, nodes, column) for column in part.T]) for part in (learned.kept, learned.step))
-    kept, step = (run.at(nodes, smoothed(part, run.period, cutoff)) for part in in_time)
-    return replace(learned, kept=kept, step=step, cutoff=cutoff)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import accumulate, product
+from itertools import accumulate
 from pathlib import Path
 from typing import Any
 
@@ -26,12 +27,6 @@ from contourlab.loop import Controller, Machine, simulate
 from contourlab.program import Program
 from contourlab.scenario.values import program_motion
 
-NAMES = (
-    ("reference", ("{}_cmd", "{}-cmd", "{}_command")),
-    ("position", ("{}", "{}_fb", "{}-fb")),
-    ("axis_position", ("{}_load", "{}-load")),
-)
-"""Names of columns in logs of HAL."""
 AFTER = 0.3
 """Time after the last motion of the command that is looked at [s]."""
 WINDOW = 1e-3
@@ -119,10 +114,10 @@ def open_run(file: Path, options: LogAxes, machine: Machine | None = None) -> tu
 
 
 def _of_hal(record: Record) -> Iterator[Column]:
-    """Yield the columns of a log of HAL by their names."""
-    names = {channel.name.lower(): channel.name for channel in record.channels}
-    for axis, (signal, forms) in product("xyz", NAMES):
-        yield from (Column(signal, axis, names[form.format(axis)]) for form in forms if form.format(axis) in names)
+    """Yield the columns of a log of HAL whose names mean something else in other logs."""
+    signals = {"load": "axis_position", "command": "reference"}
+    names = ((channel.name, re.fullmatch("([xyz])[-_](load|command)", channel.name.lower())) for channel in record.channels)
+    yield from (Column(signals[own[2]], own[1], name) for name, own in names if own)
 
 
 def _check_followed(axes: Sequence[str], command: Array, position: Array, file: str | Path) -> None:
