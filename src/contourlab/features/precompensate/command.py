@@ -56,8 +56,6 @@ LOOSER = 4.0
 SLOWED = 0.01
 """Share by which a pass may be slower than the program, up to which lines get feed words. They slow down a control that merges lines of one
 feed, or whose acceleration is zero between lines."""
-POOR = 0.5
-"""Unexplained share of the following error from which the model of the loop is doubted."""
 COVERED = 0.98
 """Share of the corrected path that a log must cover."""
 HELPED = 0.5
@@ -76,11 +74,11 @@ class Work:
     """A program, its passes so far, and the program of the pass that was run last."""
 
     def __init__(self, part: Path, axes: Sequence[str], settings: Precompensate, reading: Reading, period: float) -> None:
-        self.part, self.reading = part, reading
+        self.part, self.reading = part, replace(reading, folder=reading.folder or part.parent)
         self.tolerance, self.cap, self.lead_in = settings.si("tolerance"), settings.si("cap"), settings.lead_in
         self.band = positive("--band", settings.band, "", 'a share, such as "2 %"')
         period = max(NODE_TIME, period)
-        source = read_blocks(part, reading, axes)
+        source = read_blocks(part, self.reading, axes)
         if any(MARK in line for line in source.program.lines[:3]):
             raise ProgramError("is a corrected program: give the one before any correction, and the folder with --passes", file=part)
         self.contour = contour_of(source, axes, period)
@@ -103,8 +101,7 @@ class Work:
 
     def contour_again(self, written: Written) -> Contour:
         """Read a written program, and check that it is the corrected path and nothing else."""
-        reading = replace(self.reading, folder=self.part.parent) if self.reading.folder is None else self.reading
-        source = parse_blocks(written.text, f"corrected {self.part.name}", reading, self.contour.axes)
+        source = parse_blocks(written.text, f"corrected {self.part.name}", self.reading, self.contour.axes)
         contour = contour_of(source, self.contour.axes, self.contour.period)
         breaks = np.asarray(contour.path.breaks)
         if len(breaks) != len(written.corrected_arc) or np.abs(breaks - written.corrected_arc).max() > 1e-6 + 1e-6 * breaks[-1]:
@@ -139,28 +136,18 @@ class Work:
 
     def learn(self, measured: Measured, runs: list[Run]) -> list[Finding]:
         """Learn from the runs of a pass; return the findings."""
-        passes, nodes = self.passes, self.contour.nodes
-        number, findings = len(passes.figures), list[Finding]()
+        passes, number = self.passes, len(self.passes.figures)
         if not passes.loops:
             loops = tuple(fit_loop(*pair, measured.period) for pair in zip(measured.command.T, measured.motor.T, strict=True))
             cutoff = CUTOFF * min(loop.bandwidth for loop in loops)
             passes = replace(passes, loops=loops, cutoff=min(cutoff, 0.2 / measured.period))
-            findings += [
-                finding("CL913", f"axis {axis}", share=loop.unexplained)
-                for axis, loop in zip(passes.axes, loops, strict=True)
-                if loop.unexplained > POOR
-            ]
         figures = self._figures(number, runs, passes.cutoff)
-        learned = learn(passes.learned, runs, list(passes.loops), nodes, passes.cutoff)
+        learned = learn(passes.learned, runs, list(passes.loops), self.contour.nodes, passes.cutoff)
         self.passes = replace(passes, figures=(*passes.figures, figures), learned=learned)
-        best = self.passes.figures[self.passes.best]
-        if number and best.number != number and figures.in_time:
-            values: dict[str, Any] = {"rms": figures.rms, "largest": figures.largest, "least": best.rms, "least_largest": best.largest}
-            findings.append(finding("CL914", number=number, best=best.number, **values))
-        if not figures.in_time:
-            change = (figures.duration - figures.dwell) / passes.figures[0].duration - 1.0
-            findings += [finding("CL911", number=number, change=change, band=self.band), *self._free_corners()]
-        return findings
+        if figures.in_time:
+            return []
+        change = (figures.duration - figures.dwell) / passes.figures[0].duration - 1.0
+        return [finding("CL911", number=number, change=change, band=self.band), *self._free_corners()]
 
     def _figures(self, number: int, runs: Sequence[Run], cutoff: float) -> PassFigures:
         """Return the figures of a pass."""
@@ -357,7 +344,6 @@ class Work:
             best=passes.best,
             written=number,
             status="next pass" if proceed else "done" if number else "no gain",
-            bandwidth={axis: loop.bandwidth for axis, loop in zip(passes.axes, passes.loops, strict=True) if np.isfinite(loop.bandwidth)},
             cutoff=passes.cutoff,
             correction=float(np.linalg.norm(learned.tried if proceed else learned.kept, axis=1).max()),
             lines=0 if written is None else written.n_line,
@@ -391,8 +377,6 @@ class Precompensated(Answer):
         The pass that `out` holds; 0 for none.
     status : str
         ``"next pass"``: run it; ``"done"``: no further pass helps, and it is the best one; ``"no gain"``: none is better than `program`.
-    bandwidth : dict of str to float [Hz]
-        Of the loop of each axis that moves.
     cutoff : float [Hz]
         Of the robustness filter.
     correction : float [m]
@@ -416,7 +400,6 @@ class Precompensated(Answer):
     best: int
     written: int
     status: str
-    bandwidth: dict[str, float]
     cutoff: float
     correction: float
     lines: int
@@ -559,9 +542,7 @@ def precompensate(part: str | Path, *, settings: Precompensate, session: Session
 
 def _log_findings(measured: Measured, run: Run, rest: float | None, machine: Machine | None) -> list[Finding]:
     findings = []
-    if rest is None:
-        findings.append(finding("CL905"))
-    elif rest > run.rms / 3.0:
+    if rest is not None and rest > run.rms / 3.0:
         findings.append(finding("CL906", rest=rest, rms=run.rms))
     if measured.source == "motor":
         findings.append(finding("CL907"))

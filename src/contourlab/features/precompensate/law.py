@@ -57,8 +57,6 @@ class Loop:
     zero : float [s], >= 0
     velocity_lag : float [s]
     acceleration_lag : float [s^2]
-    unexplained : float
-        Rms of what the model leaves of command minus position, as a share of its rms.
     bandwidth : float [Hz]
         Where the response falls by 3 dB; inf for an axis that does not move.
     """
@@ -66,7 +64,6 @@ class Loop:
     zero: float = 0.0
     velocity_lag: float = 0.0
     acceleration_lag: float = 0.0
-    unexplained: float = 0.0
     bandwidth: float = math.inf
 
     def inverse(self, frequency: Array) -> Array:
@@ -136,8 +133,7 @@ def _fit(command: Array, position: Array, period: float, band: float) -> Loop:
     scale = np.sqrt((columns[used] ** 2).mean(axis=0)) + 1e-300
     solved, *_ = np.linalg.lstsq(columns[used] / scale, late[used], rcond=1e-9)
     zero, velocity, acceleration, _ = (solved / scale).tolist()
-    rest = late[used] - columns[used] @ (solved / scale)
-    loop = Loop(max(zero, 0.0), velocity, acceleration, math.sqrt((rest**2).mean() / max((late[used] ** 2).mean(), 1e-300)))
+    loop = Loop(max(zero, 0.0), velocity, acceleration)
     frequency = np.geomspace(0.02, 0.45 / period, 2000)
     below = np.flatnonzero(np.abs(loop.inverse(frequency)) > math.sqrt(2.0))
     return replace(loop, bandwidth=float(frequency[below[0]] if below.size else frequency[-1]))

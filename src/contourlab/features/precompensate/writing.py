@@ -6,8 +6,8 @@ import itertools
 import math
 import re
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, fields, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import astuple, dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
@@ -80,12 +80,9 @@ class Regions:
             self._before = values
         else:
             self.found[-1].last = line
-            changed = {key: value for key, value in values.items() if self._before.get(key) != value}
-            self.found[-1].text += [
-                f"#<{key}> = {_number(value)}" if isinstance(key, str) else f"#{key} = {_number(value)}"
-                for key, value in changed.items()
-                if isinstance(key, str) or key < _FIRST_OF_INTERPRETER
-            ]
+            for key, value in values.items():
+                if self._before.get(key) != value and (isinstance(key, str) or key < _FIRST_OF_INTERPRETER):
+                    self.found[-1].text.append(f"#{f'<{key}>' if isinstance(key, str) else key} = {_number(value)}")
         self._call = ""
 
 
@@ -224,7 +221,7 @@ def read_blocks(file: Path, reading: Reading, axes: Sequence[str]) -> Source:
         If it cannot be read.
     """
     lines = split_lines(read_text(file))
-    reading = replace(reading, folder=file.parent) if reading.folder is None else reading
+    reading = replace(reading, folder=reading.folder or file.parent)
     source, regions = _source(lines, file, reading, axes)
     if not any(region.corrected for region in regions.found):
         return source
@@ -239,18 +236,16 @@ def read_blocks(file: Path, reading: Reading, axes: Sequence[str]) -> Source:
 def _same(program: Program, other: Program) -> bool:
     """Return whether two programs move alike, apart from rounding, and have the same events."""
 
-    def values(one: Program) -> Iterable[object]:
-        for move in one.moves:
-            yield type(move)
-            yield from (getattr(move, one.name) for one in fields(move) if one.name != "source_line")
-        yield from ((event.word, event.value) for event in one.events)
+    def values(one: Program) -> tuple[object, ...]:
+        moves = ((type(move), *astuple(replace(move, source_line=1))) for move in one.moves)
+        return (*moves, *((event.word, event.value) for event in one.events))
 
     def equal(a: object, b: object) -> bool:
         if isinstance(a, tuple) and isinstance(b, tuple):
             return len(a) == len(b) and all(map(equal, a, b))
         return math.isclose(a, b, rel_tol=1e-9, abs_tol=1e-12) if isinstance(a, float) and isinstance(b, float) else a == b
 
-    return equal(tuple(values(program)), tuple(values(other)))
+    return equal(values(program), values(other))
 
 
 def parse_blocks(text: str, name: str, reading: Reading, axes: Sequence[str]) -> Source:
