@@ -183,7 +183,7 @@ def test_motor_only_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, cap
     "words",
     [
         [], ["--log", "none.csv"], ["--machine", "xyz"], ["--log", "run.csv", "--controller", "c.toml"],
-        ["--log", "run.csv", "--cap", "3"], ["--log", "run.csv", "--out", "part.ngc"],
+        ["--log", "run.csv", "--cap", "3"], ["--log", "run.csv", "--out", "part.ngc"], ["--log", "run.csv", "--planner", "grbl"],
     ],
 )  # fmt: skip
 def test_bad_input(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
@@ -326,6 +326,18 @@ def test_the_next_line_can_be_typed_in_any_dialect(
     assert main(last.removeprefix("next: contourlab ").split()) == 0
 
 
+def test_on_a_machine_by_its_data_grbl_passes_short_lines(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("part.nc").write_text("G21 G90\nG1 X40 Y0 F1200\nG3 X0 Y40 I-40 J0\nG1 X0 Y0\nM2\n")
+    words = ("part.nc", "--machine", "xyz", "--controller", "xyz-controller", "--dialect", "grbl", "--repeat", "1", "--out", "out.nc")
+    result = printed(capsys, "precompensate", *words, "--planner", "grbl")
+    first, second = result["passes"]
+    assert second["rms"] < 0.8 * first["rms"] and second["duration"] < 1.02 * first["duration"]
+    assert main(["precompensate", *words]) == 1
+
+
 @pytest.mark.parametrize(("control", "machine"), [(GRBL, "m.txt"), (FLUIDNC, "m.yaml")])
 def test_a_program_is_read_and_written_as_the_control_of_the_machine_reads_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], control: str, machine: str
@@ -337,7 +349,9 @@ def test_a_program_is_read_and_written_as_the_control_of_the_machine_reads_it(
     log_of("G21 G90 G64 P0.002\nG0 X10 Y0\nG3 X10 Y0 I-5 J0 F900\nG0 X0 Y0\nM30\n", Path("run.csv"))
     assert main(["check", "part.nc", "--machine", machine]) == 0 != main(["check", "part.nc"])
     capsys.readouterr()
-    printed(capsys, "precompensate", "part.nc", "--log", "run.csv", "--machine", machine, "--out", "out.nc", "--lead-in")
+    result = printed(capsys, "precompensate", "part.nc", "--log", "run.csv", "--machine", machine, "--out", "out.nc", "--lead-in")
+    # It stops at no short line: the program is longer by its dwells alone, if by any.
+    assert all(one["after"] - one["before"] < one["dwell"] + 0.05 * one["before"] for one in findings_of(result, "CL919"))
     text = Path("out.nc").read_text()
     assert main(["check", "out.nc", "--machine", machine]) == 0
     assert "G64" not in text and "G4 P0" in text

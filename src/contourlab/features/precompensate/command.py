@@ -197,7 +197,8 @@ class Work:
         speed = np.interp(contour.path.breaks[1:-1], contour.nodes, self.learned.speed)
         step = 3.0 * max(self.passes.figures[0].acceleration) * contour.period
         passed = speed > np.maximum(ROUNDED * np.minimum(contour.route.feedrate[1:], contour.route.feedrate[:-1]), step)
-        return not (passed & (self._turns > CORNER) & (self._controls == "None")[:-1]).any()
+        # A control without G64, as grbl, stops at no short line.
+        return contour.source.rules.blend is not None and not (passed & (self._turns > CORNER) & (self._controls == "None")[:-1]).any()
 
     @property
     def _controls(self) -> Array:
@@ -330,7 +331,7 @@ class Work:
                 finding("CL925", best=best.number, rms=best.rms, before=first.rms, largest=best.largest, largest_before=first.largest)
             )
         uncontrolled = np.flatnonzero((self._controls == "None") & self.contour.corrected)
-        if number and uncontrolled.size and self.stops and source.rules.blend is not None:
+        if number and uncontrolled.size and self.stops:
             line = source.blocks[self.contour.route.source_line[uncontrolled[0]] - 1].lines[0]
             more.append(finding("CL928", line=source.numbers[line - 1], tolerance=self._blend(number)))
         more += self._longer(number) if number else []
@@ -553,7 +554,7 @@ def _log_findings(measured: Measured, run: Run, rest: float | None, machine: Mac
 
 def _simulated(part: Path, settings: Precompensate, reading: Reading, session: Session) -> Precompensated:
     """Simulate pass after pass."""
-    parts = {name: getattr(settings, name) for name in ("machine", "controller", "dialect", "plugin")}
+    parts = {name: getattr(settings, name) for name in ("machine", "controller", "dialect", "plugin", "planner")}
     scenario = scenario_of(part, options.Run(**parts, no_require_end=True))
     machine, controller = scenario.machine, scenario.controller
     axes = tuple(axis for axis in machine.axis_names if axis in "xyz")
