@@ -241,16 +241,19 @@ def _arcs(
     return _Blends(reach, centre, np.where(possible, speed, 0.0), steep, alone)
 
 
-def _parabola(route: Route, moves: _Moves, i: Index, j: Index, steep: Sequence[Array], top: Sequence[Array], left: Sequence[Array]):
+def _parabola(
+    route: Route, moves: _Moves, i: Index, j: Index, overall: Array, steep: Sequence[Array], top: Sequence[Array], left: Sequence[Array]
+):
     """Return the speeds of both moves between which they are added, and the speed along the corner; arrays (m,).
 
-    `steep` and `top` are acceleration and speed of the moves, `left` their lengths; a shorter one is reached at most half way.
+    `steep` and `top` are acceleration and speed of the moves, `left` their lengths; a shorter one is reached at most half way. `overall` is
+    the acceleration of the second for turning as well.
     """
     # Of an arc the direction in its plane counts, at its start the one of its acceleration.
     ends, bent = (route.path.ends, route.path.starts), [moves.bent[k][:, None] for k in (i, j)]
     spokes = [_unit(_space(ends[k][0][of]) - moves.centre[of]) for k, of in enumerate((i, j))]
     u, w = (np.where(bent[k], _unit(np.cross(moves.normal[of], spokes[k])), _space(ends[k][1][of])) for k, of in enumerate((i, j)))
-    pull = (0.25 * np.minimum(route.feedrate, moves.speed)[j] ** 2 / moves.radius[j] / moves.steep[j])[:, None]
+    pull = (0.25 * np.minimum(route.feedrate, moves.speed)[j] ** 2 / moves.radius[j] / overall)[:, None]
     theta = 0.5 * (np.pi - angle_between(u, np.where(bent[1], _unit(w - pull * spokes[1]), w)))
     time = np.minimum(left[0] / top[0], left[1] / top[1])
     time = np.minimum(time, np.maximum(top[0] / steep[0], top[1] / steep[1]))
@@ -289,7 +292,7 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
         half = [moves.steep[k] * 0.5 * (1.0 - kink) * np.where(moves.bent[k], TANGENTIAL, 1.0) for k in (i, j)]
         left = moves.length[i] - taken[i], moves.length[j]
         top = [np.minimum(np.sqrt(0.5 * half[k] * left[k]), asked[of]) for k, of in enumerate((i, j))]
-        added_speed = 0.5 * _parabola(route, moves, i, j, half, top, left)[2]
+        added_speed = 0.5 * _parabola(route, moves, i, j, 0.5 * (1.0 - kink) * moves.steep[j], half, top, left)[2]
         best = np.argmax([added_speed, by_kink, arcs.speed], axis=0)
         parabola, arc, old = best == 0, best == 2, taken
         reach, taken = arcs.reach * arc, np.zeros(n)
@@ -306,7 +309,7 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
     steep = moves.steep * (1.0 - np.maximum(lost, np.roll(lost, 1))) * np.where(added, 0.5, 1.0)
     length = np.maximum(high_end - low_end, 1e-12)
     speed = np.minimum(moves.speed, length / cycle)
-    turning = np.where(waits, 0.0, speed**2 / moves.bend / steep)
+    overall, turning = steep.copy(), np.where(waits, 0.0, speed**2 / moves.bend / steep)
     speed = np.where(moves.bent & (turning > NORMAL), np.sqrt(NORMAL * steep * moves.bend), speed)
     steep *= np.where(moves.bent, np.where(waits | (turning > NORMAL), TANGENTIAL, np.sqrt(1.0 - np.minimum(turning, 1.0) ** 2)), 1.0)
     nominal = np.minimum(route.feedrate, np.minimum(speed, length / (SEGMENT * cycle)))
@@ -322,19 +325,19 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
     counts[i[sole]] = 0.0
     on = np.flatnonzero(parabola)
     known = length * np.where(waits, 0.5, 1.0)
-    parts, (reach[:, on], corner[i[on]], leave) = _added(route, moves, i[on], j[on], nominal, steep, length, known)
+    parts, (reach[:, on], corner[i[on]], leave) = _added(route, moves, i[on], j[on], overall, nominal, steep, length, known)
     low_end[j[on]], high_end[i[on]] = low_end[j[on]] + reach[1, on], high_end[i[on]] - reach[0, on]
     arcs = arcs._replace(reach=reach, speed=quick)
     course = Course(nominal, steep, corner, counts)
     return _assembled(route, (i, j), (low_end, high_end), (arcs, parts, leave), (np.flatnonzero(arc), on), course)
 
 
-def _added(route: Route, moves: _Moves, i: Index, j: Index, nominal: Array, steep: Array, length: Array, known: Array):
+def _added(route: Route, moves: _Moves, i: Index, j: Index, overall: Array, nominal: Array, steep: Array, length: Array, known: Array):
     """Return parabolas: of parts (k,) the powers (k, 6, n_axis) of the share of their time, corner and time; reaches (2, m) and speeds."""
     path = route.path
     left, a = (length[i], length[j]), (steep[i], steep[j])
     top = [np.minimum(np.sqrt(a[k] * known[of]), nominal[of]) for k, of in enumerate((i, j))]
-    v = _parabola(route, moves, i, j, a, top, left)[0]
+    v = _parabola(route, moves, i, j, overall[j], a, top, left)[0]
     # The first move brakes; the second speeds up, and may reach its speed: then this is a second piece.
     stop, rise = v / a[0], np.minimum(v / a[0], nominal[j] / a[1])
     owner = np.repeat(np.arange(i.size), np.where(rise < 0.999 * stop, 2, 1))
