@@ -325,6 +325,12 @@ class Machine:
             bound = f"given in a scenario, with {given}: {why}"
             raise ParameterError("plant", f"unknown for {listing(names)}", bound)
 
+    def planned_as(self, planner: Planner | None) -> Machine:
+        """Return the machine with another planner, without the buffer of its own; the same for None."""
+        if planner in (None, self.planner):
+            return self
+        return replace(self, planner=planner, planner_blocks=None if self.planner else self.planner_blocks)
+
     @property
     def own_planner(self) -> Grbl | LinuxCNC | None:
         """The planner of the control, if it has no limits of jerk."""
