@@ -312,24 +312,25 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
     overall, turning = steep.copy(), np.where(waits, 0.0, speed**2 / moves.bend / steep)
     speed = np.where(moves.bent & (turning > NORMAL), np.sqrt(NORMAL * steep * moves.bend), speed)
     steep *= np.where(moves.bent, np.where(waits | (turning > NORMAL), TANGENTIAL, np.sqrt(1.0 - np.minimum(turning, 1.0) ** 2)), 1.0)
-    nominal = np.minimum(route.feedrate, np.minimum(speed, length / (SEGMENT * cycle)))
+    top = np.minimum(speed, length / (SEGMENT * cycle))
+    nominal = np.minimum(route.feedrate, top)
     corner = np.where(share < kink, low, 0.0)
     corner[i] = by_kink
     corner[stops] = 0.0
     if not (arc | parabola).any():
-        return replace(route, **UNROUNDED, course=Course(nominal, steep, corner, counts))
+        return replace(route, **UNROUNDED, course=Course(nominal, top, steep, corner, counts))
     sole = np.flatnonzero(arc & arcs.alone)
     quick = np.minimum(np.maximum(asked[i], asked[j]), arcs.speed)
-    nominal[i[sole]], steep[i[sole]] = quick[sole], TANGENTIAL * arcs.steep[sole]
+    nominal[i[sole]], top[i[sole]], steep[i[sole]] = quick[sole], arcs.speed[sole], TANGENTIAL * arcs.steep[sole]
     corner[i[arc]] = np.inf
     counts[i[sole]] = 0.0
     on = np.flatnonzero(parabola)
     known = length * np.where(waits, 0.5, 1.0)
     parts, (reach[:, on], corner[i[on]], leave) = _added(route, moves, i[on], j[on], overall, nominal, steep, length, known)
     low_end[j[on]], high_end[i[on]] = low_end[j[on]] + reach[1, on], high_end[i[on]] - reach[0, on]
-    arcs = arcs._replace(reach=reach, speed=quick)
-    course = Course(nominal, steep, corner, counts)
-    return _assembled(route, (i, j), (low_end, high_end), (arcs, parts, leave), (np.flatnonzero(arc), on), course)
+    arcs = arcs._replace(reach=reach)
+    course = Course(nominal, top, steep, corner, counts)
+    return _assembled(route, (i, j), (low_end, high_end), (arcs, quick, parts, leave), (np.flatnonzero(arc), on), course)
 
 
 def _added(route: Route, moves: _Moves, i: Index, j: Index, overall: Array, nominal: Array, steep: Array, length: Array, known: Array):
@@ -367,7 +368,7 @@ def _assembled(
     route: Route, moves: Sequence[Index], stays: Sequence[Array], blended: tuple[Any, ...], at: Sequence[Index], course: Course
 ) -> Route:
     """Return the route with its blend arcs and parabolas, each `at` some of the corners between the `moves`."""
-    (i, j), (arcs, (powers, owner, duration), leave), (arc, parabola), path = moves, blended, at, route.path
+    (i, j), (arcs, quick, (powers, owner, duration), leave), (arc, parabola), path = moves, blended, at, route.path
     start, end, span = path.starts[0].copy(), path.ends[0].copy(), np.diff(path.breaks)
     (first, u), (second, w) = path.at(i, span[i] - arcs.reach[0], 1), path.at(j, arcs.reach[1], 1)
     end[i], start[j], begin, turn = first, second, path.breaks[i] + span[i] - arcs.reach[0], angle_between(u, w)
@@ -376,7 +377,7 @@ def _assembled(
         size = np.linalg.norm(first - (centre := arcs.centre[:, : path.n_axis]), axis=1)
         rounds.append((Arcs([Arc(centre[k], size[k], 0.0, turn[k], inner[k], u[k]) for k in arc.tolist()]), begin[arc]))
     part = np.zeros(0, dtype=np.int64)
-    own = np.array([arcs.speed[arc], TANGENTIAL * arcs.steep[arc], np.full(arc.size, np.inf), np.ones(arc.size)])
+    own = np.array([quick[arc], arcs.speed[arc], TANGENTIAL * arcs.steep[arc], np.full(arc.size, np.inf), np.ones(arc.size)])
     if parabola.size:
         curves, piece = blends(powers)
         batch: Any = Curves.of(curves).batches[0]
@@ -387,12 +388,11 @@ def _assembled(
         speed = np.linalg.norm(batch.coefficients[:, 1], axis=1) / time
         leave = np.where(np.diff(part, append=-1) != 0, leave[part], np.roll(speed, -1))
         steep = np.maximum(np.abs(leave**2 - speed**2) / (2.0 * batch.length), 1e-6) * (1.0 + 1e-9)
-        own = np.append(own, [np.maximum(speed, leave), steep, leave, np.zeros(part.size)], axis=1)
+        own = np.append(own, [*[np.maximum(speed, leave)] * 2, steep, leave, np.zeros(part.size)], axis=1)
         done = np.cumsum(batch.length) - batch.length
         share = (done - done[np.searchsorted(part, part)]) / np.bincount(part, weights=batch.length)[part]
         rounds.append((batch, begin[parabola][part] + share * arcs.reach.sum(axis=0)[parabola][part]))
     which, last = np.append(arc, parabola[part]), np.append(arc >= 0, np.diff(part, append=-1) != 0)
     data = np.where(route.feedrate[i] >= route.feedrate[j], i, j)[which]
     changed, source = spliced(route, rounds, (data, i[which], last), (stays[0], stays[1], start, end))
-    nominal, steep, corner, counts = np.append(np.array(course), own, axis=1)[:, source]
-    return replace(changed, **UNROUNDED, course=Course(nominal, steep, corner, counts))
+    return replace(changed, **UNROUNDED, course=Course(*np.append(np.array(course), own, axis=1)[:, source]))

@@ -130,8 +130,8 @@ class Course(NamedTuple):
 
     Parameters
     ----------
-    nominal : ndarray (n_curve,) [m/s]
-        Speed without the neighbours.
+    nominal, top : ndarray (n_curve,) [m/s]
+        Speed without the neighbours, with the feedrate and without it.
     steep : ndarray (n_curve,) [m/s^2]
         Acceleration along the curve.
     corner : ndarray (n_curve,) [m/s]
@@ -141,6 +141,7 @@ class Course(NamedTuple):
     """
 
     nominal: Array
+    top: Array
     steep: Array
     corner: Array
     counts: Array
