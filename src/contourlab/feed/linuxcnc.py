@@ -291,8 +291,8 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
         arcs = _arcs(route, moves, i, j, pace, taken, limits, planner, added[i])
         half = [moves.steep[k] * 0.5 * (1.0 - kink) * np.where(moves.bent[k], TANGENTIAL, 1.0) for k in (i, j)]
         left = moves.length[i] - taken[i], moves.length[j]
-        top = [np.minimum(np.sqrt(0.5 * half[k] * left[k]), asked[of]) for k, of in enumerate((i, j))]
-        added_speed = 0.5 * _parabola(route, moves, i, j, 0.5 * (1.0 - kink) * moves.steep[j], half, top, left)[2]
+        quick = [np.minimum(np.sqrt(0.5 * half[k] * left[k]), asked[of]) for k, of in enumerate((i, j))]
+        added_speed = 0.5 * _parabola(route, moves, i, j, 0.5 * (1.0 - kink) * moves.steep[j], half, quick, left)[2]
         best = np.argmax([added_speed, by_kink, arcs.speed], axis=0)
         parabola, arc, old = best == 0, best == 2, taken
         reach, taken = arcs.reach * arc, np.zeros(n)
@@ -320,8 +320,8 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
     if not (arc | parabola).any():
         return replace(route, **UNROUNDED, course=Course(nominal, top, steep, corner, counts))
     sole = np.flatnonzero(arc & arcs.alone)
-    quick = np.minimum(np.maximum(asked[i], asked[j]), arcs.speed)
-    nominal[i[sole]], top[i[sole]], steep[i[sole]] = quick[sole], arcs.speed[sole], TANGENTIAL * arcs.steep[sole]
+    wanted = np.minimum(np.maximum(asked[i], asked[j]), arcs.speed)
+    nominal[i[sole]], top[i[sole]], steep[i[sole]] = wanted[sole], arcs.speed[sole], TANGENTIAL * arcs.steep[sole]
     corner[i[arc]] = np.inf
     counts[i[sole]] = 0.0
     on = np.flatnonzero(parabola)
@@ -330,7 +330,7 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
     low_end[j[on]], high_end[i[on]] = low_end[j[on]] + reach[1, on], high_end[i[on]] - reach[0, on]
     arcs = arcs._replace(reach=reach)
     course = Course(nominal, top, steep, corner, counts)
-    return _assembled(route, (i, j), (low_end, high_end), (arcs, quick, parts, leave), (np.flatnonzero(arc), on), course)
+    return _assembled(route, (i, j), (low_end, high_end), (arcs, wanted, parts, leave), (np.flatnonzero(arc), on), course)
 
 
 def _added(route: Route, moves: _Moves, i: Index, j: Index, overall: Array, nominal: Array, steep: Array, length: Array, known: Array):
