@@ -291,7 +291,7 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
         arcs = _arcs(route, moves, i, j, pace, taken, limits, planner, added[i])
         half = [moves.steep[k] * 0.5 * (1.0 - kink) * np.where(moves.bent[k], TANGENTIAL, 1.0) for k in (i, j)]
         left = moves.length[i] - taken[i], moves.length[j]
-        quick = [np.minimum(np.sqrt(0.5 * half[k] * left[k]), asked[of]) for k, of in enumerate((i, j))]
+        quick = [np.minimum(np.sqrt(0.5 * half[k] * left[k]), pace[of]) for k, of in enumerate((i, j))]
         added_speed = 0.5 * _parabola(route, moves, i, j, 0.5 * (1.0 - kink) * moves.steep[j], half, quick, left)[2]
         best = np.argmax([added_speed, by_kink, arcs.speed], axis=0)
         parabola, arc, old = best == 0, best == 2, taken

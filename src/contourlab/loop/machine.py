@@ -288,7 +288,7 @@ class Machine:
     planner_blocks: int | None = field(default=None, metadata=setting(minimum=3, maximum=1000))
     kink_ratio: float | None = field(default=None, metadata=setting(minimum=0.001, maximum=0.7071))
     gap_cycles: float | None = field(default=None, metadata=setting(minimum=0.0, maximum=1000.0))
-    largest_override: float | None = field(default=None, metadata=setting(minimum=0.01, maximum=100.0))
+    largest_override: float | None = field(default=None, metadata=setting(minimum=1.0, maximum=100.0))
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.servo_period) and self.servo_period > 0.0):
