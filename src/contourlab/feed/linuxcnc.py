@@ -33,7 +33,7 @@ import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
 from contourlab.feed.bounds import AxisLimits, LinuxCNC
-from contourlab.feed.fitting import spliced
+from contourlab.feed.fitting import STAYS, spliced
 from contourlab.feed.route import Course, Route
 from contourlab.geometry import Arc
 from contourlab.geometry.blend import blends, halves, quintic_bezier
@@ -55,7 +55,16 @@ HALVINGS = 3
 
 
 def run_chains(points: Array, tolerance: Array, linked: Flags) -> Index:
-    """Return the number of the first line of each chain; arguments as of `contourlab.feed.blending.run_starts`."""
+    """Return the number of the first line of each chain, whose points all lie within the tolerance of the line between its ends.
+
+    Parameters
+    ----------
+    points : ndarray (n + 1, n_axis) [m]
+        Ends of n successive lines.
+    tolerance : ndarray (n,) [m]
+    linked : ndarray (n,) of bool
+        Which lines may be merged with the next.
+    """
     begins = np.ones(len(points) - 1, dtype=np.int64)
     _mark_chains(*(np.ascontiguousarray(part, dtype=float) for part in (points, tolerance, linked)), begins)
     return np.flatnonzero(begins)
@@ -313,7 +322,7 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
     speed = np.where(moves.bent & (turning > NORMAL), np.sqrt(NORMAL * steep * moves.bend), speed)
     steep *= np.where(moves.bent, np.where(waits | (turning > NORMAL), TANGENTIAL, np.sqrt(1.0 - np.minimum(turning, 1.0) ** 2)), 1.0)
     top = np.minimum(speed, length / (SEGMENT * cycle))
-    nominal = np.minimum(route.feedrate, top)
+    nominal, top = np.minimum(route.feedrate, top), np.where(waits, np.minimum(pace, top), top)
     corner = np.where(share < kink, low, 0.0)
     corner[i] = by_kink
     corner[stops] = 0.0
@@ -394,5 +403,7 @@ def _assembled(
         rounds.append((batch, begin[parabola][part] + share * arcs.reach.sum(axis=0)[parabola][part]))
     which, last = np.append(arc, parabola[part]), np.append(arc >= 0, np.diff(part, append=-1) != 0)
     data = np.where(route.feedrate[i] >= route.feedrate[j], i, j)[which]
-    changed, source = spliced(route, rounds, (data, i[which], last), (stays[0], stays[1], start, end))
+    whole = stays[1][j] - stays[0][j] <= STAYS * span[j]  # a blend that takes all of the second move stops where that would
+    joint = np.where(whole, j, i)[which]
+    changed, source = spliced(route, rounds, (data, joint, last), (stays[0], stays[1], start, end))
     return replace(changed, **UNROUNDED, course=Course(*np.append(np.array(course), own, axis=1)[:, source]))
