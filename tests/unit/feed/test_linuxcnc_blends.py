@@ -88,6 +88,7 @@ def test_times_and_deviations_of_linuxcnc(route: Route, within: tuple[float, flo
     [
         (HORN, (1.402, 0.0373e-3), (1.365, 0.0758e-3)),
         (SPRING, (3.217, 0.0761e-3), (2.500, 2.0000e-3)),
+        (SLOWER.partition("G0")[0], (0.737, 0.0500e-3), (0.731, 0.0508e-3)),
         (SLOWER, (0.893, 0.0500e-3), (0.893, 0.0508e-3)),
     ],
 )
@@ -98,6 +99,14 @@ def test_parabolas_into_arcs_and_a_lower_feedrate(moves: str, within: tuple[floa
         duration, away = off_corners(route_from_program(program, default_tolerance=math.inf), limits_of())
         assert duration == pytest.approx(measured - CYCLE, rel=0.002)
         assert away == pytest.approx(off, rel=0.05)
+
+
+def test_a_dwell_stays_after_a_move_that_its_blend_takes_whole() -> None:
+    helices = "G2 X24.20108 Y-4.14969 Z1.7927 I11.812756 J-3.753207 F12000\nG2 X24.873196 Y-4.665946 Z-0.6598 I-1.387074 J-2.501479\n"
+    route = route_from_program(parse_program(f"G21 G90 G17 G64\n{helices}G4 P0.35\nM2\n"), default_tolerance=math.inf)
+    planned = blended(route, limits_of())
+    assert planned.dwell[-1] == 0.35
+    assert planned.path.ends[0][-1] == pytest.approx(route.path.ends[0][-1], abs=1e-12)
 
 
 @pytest.mark.parametrize(
