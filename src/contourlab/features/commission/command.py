@@ -129,9 +129,10 @@ class Commissioned(Answer):
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
         """Log a run: of the excitation, or of the safe gains."""
-        if not (self.pid or (self.files and not asked.settings.log)):
+        logged = bool(asked.settings.log)
+        if SECOND[1] not in self.contents if logged else not self.files:
             return None
-        log = "log2.txt" if asked.settings.log else "log1.txt"
+        log = "log2.txt" if logged else "log1.txt"
         return ["commission", "linuxcnc", *asked.inputs, "--log", log, "--out", asked.files.out]
 
     @property
@@ -257,6 +258,10 @@ class _Axis:
         return f"{listed} for {name}: {change}{remains}"
 
 
+def _usable(found: IdentifiedAxis | Finding) -> bool:
+    return isinstance(found, IdentifiedAxis) and found.usable
+
+
 @dataclass(frozen=True, eq=False)
 class _Work:
     """The axes, their logs, and the commands of a program, by axis."""
@@ -281,12 +286,20 @@ class _Work:
         given, said = axis.loop, self.settings.drive
         if said:
             given = LoopClass("velocity drive" if said == "velocity" else "servo", f"--drive {said} says so")
-        shown = decided([(log.output, log.measured) for log in logs], self.setup.period, unit, given.loop)
+        signals = [(log.output, log.measured) for log in logs]
+        shown = decided(signals, self.setup.period, unit, given.loop)
         axis.loop = (given.loop == "unknown" and shown) or given
         velocity = axis.loop.loop == "velocity drive"
         if shown and shown.loop != axis.loop.loop and (said or velocity):
             return [*findings, finding("CL869", place, given=given.why, why=shown.why)]
         identified = identify_axis(logs, axis.present, checked[0][0], velocity=velocity)
+        if not velocity and not _usable(identified) and decided(signals, self.setup.period, unit, "velocity drive") != shown:
+            other = identify_axis(logs, axis.present, checked[0][0], velocity=True)  # its loop may have what no torque explains
+            if _usable(other):
+                why = "the log fits no torque, but a velocity"
+                if given.loop != "unknown":
+                    return [*findings, finding("CL869", place, given=given.why, why=why)]
+                identified, velocity, axis.loop = other, True, LoopClass("velocity drive", why)
         if isinstance(identified, Finding):
             return [*findings, identified]
         axis.identified = identified
