@@ -108,7 +108,7 @@ def test_a_slow_drive_is_what_the_user_says_it_is() -> None:
 
 
 @pytest.mark.parametrize(("reset", "behind_play"), [(0.0, False), (10.0, True)])
-def test_the_damping_of_a_drive_is_no_play(reset: float, behind_play: bool) -> None:
+def test_the_loop_of_a_drive_is_no_play(reset: float, behind_play: bool) -> None:
     """At slow reversals speed and force rise together; with play, friction behind it comes back after 30 um."""
     time = PERIOD * np.arange(10_000)
     slow = 2e-4 * np.abs((time + 0.5) % 2.0 - 1.0)  # at 0.2 mm/s
