@@ -178,7 +178,7 @@ def commission(
         check_file(session.folder / name, inputs, "--out")
     if not settings.log:
         return _prepared(setup, inputs, session)
-    findings = [doubt for doubt in setup.findings if doubt.code != "CL868"]  # a log tells more
+    findings = list(setup.findings)
     records = list[dict[str, AxisLog]]()
     for number, log in enumerate(settings.log):
         record, more = read_log(log, setup, window_of(log, settings.of_log(number, len(settings.log))))
@@ -280,9 +280,8 @@ class _Work:
         findings += [finding("CL899", place, backlash=axis.setup.backlash * unit)] if axis.setup.backlash else []
         if any(doubt.entry.severity == "error" for doubt in findings):
             return findings
-        given, said = axis.loop, self.settings.drive
-        if said:
-            given = LoopClass("velocity drive" if said == "velocity" else "servo", f"--drive {said} says so")
+        said = self.settings.drive
+        given = LoopClass("velocity drive" if said == "velocity" else "servo", f"--drive {said} says so") if said else axis.loop
         signals = [(log.output, log.measured) for log in logs]
         shown = decided(signals, self.setup.period, unit, given.loop)
         axis.loop = (given.loop == "unknown" and shown) or given
