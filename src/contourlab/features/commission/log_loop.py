@@ -42,6 +42,8 @@ FLOOR = 0.002
 """Share of the following error that no simple loop explains: dead times that leave less count as well."""
 TICK = 0.25
 """Deviation of the instants within a period at which a control reads, computes and acts [samples]."""
+FAR = 1e6
+"""No axis gets as far [m]."""
 ROWS = 2000
 """Blocks of a log, at the least: each is a row of the fit."""
 CLOCK = 1e-3
@@ -130,6 +132,7 @@ class _Loop:
             np.zeros(r.size),
             p,
         )
+        p = np.nan_to_num(np.clip(p, -FAR, FAR), nan=FAR)  # of an unstable loop
         return np.asarray((p if kind == BALANCED else np.interp(late, k, p))[::steps][-n:])
 
     def counted(self, error: Array) -> Array:
