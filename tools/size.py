@@ -19,7 +19,7 @@ BUDGETS = {
     "controls": 692,
     "engine": 3404,
     "features": 19249,
-    "feed": 3099,
+    "feed": 3149,
     "findings": 55,
     "geometry": 2220,
     "logs": 1922,
@@ -32,7 +32,7 @@ BUDGETS = {
     "result": 539,
     "scenario": 2061,
     "study": 1405,
-    "without papers": 57199,
+    "without papers": 57249,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

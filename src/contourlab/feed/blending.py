@@ -1,6 +1,9 @@
 """Merge lines (G64 Q, like LinuxCNC's naive CAM detector) and round corners (G64 P) within tolerances.
 
-Successive lines become one, at most 101 of them, if all points between its ends lie within the tolerance of it.
+A run of lines becomes one line if all points between its ends lie within the tolerance of that line, and in order along it. Seen from the
+start of the run, each point permits a cone of directions; one cone within their intersection is stored. In the plane this cone is the
+intersection itself. In space it is a little smaller, so a run may end early but never leaves the tolerance. The cost is linear in the
+points.
 
 Merging and rounding share the tolerance of a corner: with Q up to P, a point lies at most P/2 off its line, and the blends next to it use
 the rest of P. The deviation from the programmed path is at most P, or Q + P/2 where Q is greater than P.
@@ -28,6 +31,7 @@ within the blend. For a regular polygon this is nearly exact.
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import NamedTuple
@@ -46,6 +50,10 @@ from contourlab.geometry.blend import Blends, halves, quintic_bezier, shapes
 from contourlab.geometry.curve import Curves, angle_between
 from contourlab.geometry.line_and_arc import Arcs, Lines
 from contourlab.geometry.path import CORNER_ANGLE
+from contourlab.native.kernel import kernel
+
+_FORWARD = math.radians(89.0)
+"""Largest angle between a line and its run: points then follow one another along the merged line."""
 
 
 def merged(route: Route, *, chains: bool = False) -> Route:
@@ -62,7 +70,7 @@ def merged(route: Route, *, chains: bool = False) -> Route:
     # The largest distance of a point from its merged line: Q if Q > P, else Q but at most P/2.
     wide, narrow = route.corner_tolerance, route.merge_tolerance
     within = np.where(narrow <= wide, np.minimum(narrow, 0.5 * wide), narrow)
-    first = run_chains(points, narrow if chains else within, linked)
+    first = run_chains(points, narrow, linked) if chains else run_starts(points, within, linked)
     last = np.append(first[1:], route.n_curve) - 1
     many = last > first
     if not many.any():
@@ -105,6 +113,84 @@ def _linked(route: Route) -> Flags:
         linked &= values == np.roll(values, -1)
     linked[-1] = False
     return np.asarray(linked)
+
+
+def run_starts(points: Array, tolerance: Array, linked: Flags) -> Index:
+    """Return the number of the first line of each run.
+
+    Parameters
+    ----------
+    points : ndarray (n + 1, n_axis) [m]
+        Ends of n successive lines.
+    tolerance : ndarray (n,) [m]
+    linked : ndarray (n,) of bool
+        Which lines may be merged with the next.
+    """
+    begins = np.zeros(len(points) - 1, dtype=np.int64)
+    given = (np.ascontiguousarray(part, dtype=float) for part in (points, tolerance, linked))
+    _mark_starts(*given, np.empty((3, points.shape[1])), begins)
+    return np.flatnonzero(begins)
+
+
+@kernel("f8[:,:] f8[:] f8[:] f8[:,:] i8[:]")
+def _mark_starts(points, tolerance, linked, memory, begins):
+    """Mark the first line of each run; `memory` (3, n_axis) holds directions: the axis of the cone, of the run so far, of a line."""
+    cone, chord, line = memory[0], memory[1], memory[2]
+    start, half = 0, -1.0
+    for i in range(begins.size):
+        _direction(points, i, i + 1, line)
+        far = _direction(points, start, i, chord)
+        if i > 0 and linked[i - 1] != 0.0 and far > 0.0:
+            # The merged line must pass the former end point within the tolerance, and no line may run backwards.
+            sine = tolerance[i] * (1.0 - 1e-9) / far
+            half = _narrowed(cone, half, chord, math.asin(sine) if sine < 1.0 else math.pi)
+            half = _narrowed(cone, half, line, _FORWARD)
+            if half >= 0.0 and _direction(points, start, i + 1, chord) > 0.0 and _angle(cone, chord) <= half:
+                continue
+        begins[i], start, half = 1, i, _FORWARD
+        for j in range(line.size):
+            cone[j] = line[j]
+
+
+def _direction(points, first, last, found):
+    """Fill the unit vector from one point to another; return their distance, 0 for the same place."""
+    square = 0.0
+    for j in range(found.size):
+        found[j] = points[last, j] - points[first, j]
+        square += found[j] * found[j]
+    size = math.sqrt(square)
+    for j in range(found.size if size > 0.0 else 0):
+        found[j] /= size
+    return size
+
+
+def _angle(a, b):
+    """Return the angle between unit vectors, accurate for small and large angles."""
+    apart, along = 0.0, 0.0
+    for j in range(a.size):
+        apart += (b[j] - a[j]) ** 2
+        along += (a[j] + b[j]) ** 2
+    return 2.0 * math.atan2(math.sqrt(apart), math.sqrt(along))
+
+
+def _narrowed(cone, half, other, also):
+    """Turn the axis of a cone to the largest cone within it and a second one; return its half angle, negative if there is none.
+
+    >>> axis = np.array([1.0, 0.0])
+    >>> half = _narrowed(axis, 0.2, np.array([np.cos(0.3), np.sin(0.3)]), 0.2)
+    >>> round(math.atan2(axis[1], axis[0]), 12), round(half, 12)
+    (0.15, 0.05)
+    """
+    apart = _angle(cone, other)
+    if apart + half <= also:
+        return half
+    new = also if apart + also <= half else 0.5 * (half + also - apart)
+    turn, swing = half - new if new < also else apart, math.sin(apart)
+    if swing > 0.0:  # from the first axis towards the second, along the great circle
+        keep, take = math.sin(apart - turn) / swing, math.sin(turn) / swing
+        for j in range(cone.size):
+            cone[j] = keep * cone[j] + take * other[j]
+    return new
 
 
 MOST_TURN = np.radians(175.0)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
-from contourlab.feed import AxisLimits, kernels, linuxcnc
+from contourlab.feed import AxisLimits, blending, kernels
 from contourlab.feed.bounds import Samples, piece_bounds
 from contourlab.geometry import contour
 
@@ -187,7 +187,7 @@ def test_runs_of_lines_in_machine_code_and_in_plain_python_agree(monkeypatch: py
     turned = np.cumsum(generator.normal(0.0, 0.02, 400))
     points = np.cumsum(np.column_stack([np.cos(turned), np.sin(turned)]), axis=0)
     linked = generator.random(399) < 0.9
-    fast = linuxcnc.run_chains(points, np.full(399, 0.02), linked)
-    monkeypatch.setattr(linuxcnc, "_mark_chains", linuxcnc._mark_chains.plain)
-    np.testing.assert_array_equal(fast, linuxcnc.run_chains(points, np.full(399, 0.02), linked))
+    fast = blending.run_starts(points, np.full(399, 0.02), linked)
+    monkeypatch.setattr(blending, "_mark_starts", blending._mark_starts.plain)
+    np.testing.assert_array_equal(fast, blending.run_starts(points, np.full(399, 0.02), linked))
     assert 40 < fast.size < 300
