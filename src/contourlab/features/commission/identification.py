@@ -297,7 +297,7 @@ def _with_shaft(
     # Behind play a search does not always end at the same point: how far ends differ that explain nearly as much is not known better.
     off = model([dict(zip(best.names, x.tolist(), strict=True)) for x in ends]) - measured
     squares = (off**2).sum(axis=1)
-    most = squares.min() * (1.0 + ALIKE * (((100.0 - rigid.fit) / (100.0 - best.fit)) ** 2 - 1.0))
+    most = squares.min() * (1.0 + ALIKE * max(((100.0 - rigid.fit) / (100.0 - best.fit)) ** 2 - 1.0, 0.0))
     return replace(best, robust_deviations=np.hypot(best.robust_deviations, np.std(np.array(ends)[squares <= most], axis=0)))
 
 
