@@ -82,7 +82,9 @@ STEPPERS = {"trial3": ("router.ini", "router.hal", "xyz"), "field/stepgen": FIEL
 def called(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, dict[str, Any]]:
     """Return exit code and JSON of the command."""
     code = main(["commission", "linuxcnc", *map(str, words), "--json"])
-    return code, json.loads(capsys.readouterr().out)
+    said = capsys.readouterr()
+    assert said.out, said.err
+    return code, json.loads(said.out)
 
 
 def codes(result: dict[str, Any], axis: str) -> set[str]:
