@@ -28,6 +28,8 @@ OTHER_NAMES = {
     **dict.fromkeys(("p-pi", "ppi", "pi", "servo", "p-pi-cascade", "cascaded"), "cascade"),
     **dict.fromkeys(("ccc", "cross-coupling", "crosscoupled"), "cross-coupled"),
     **dict.fromkeys(("dob", "dobs", "observer"), "disturbance-observer"),
+    **dict.fromkeys(("ism", "integral-sliding-mode", "sliding-mode", "smc"), "integral-sliding"),
+    **dict.fromkeys(("sta", "stw", "supertwisting"), "super-twisting"),
     **dict.fromkeys(("stribeck", "dry", "stick-slip"), "coulomb"),
     **dict.fromkeys(("mass", "linear-axis", "rigid"), "mass-damper"),
     **dict.fromkeys(("ballscrew", "screw", "leadscrew", "lead-screw"), "ball-screw"),

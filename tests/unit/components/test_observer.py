@@ -78,25 +78,6 @@ def test_an_exact_model_shows_no_disturbance() -> None:
     assert np.abs(with_it - without).max() < 0.01 * np.abs(without).max()
 
 
-def test_an_integral_sliding_mode_is_the_observer_without_its_filter() -> None:
-    """Utkin & Shi (1996): s = (v - z)/a, z' = a (u + d_hat) - b v, d_hat = M sat(s/phi). In the layer that is w_z = inf.
-
-    Sampled: M T/phi is the observer's weight w T/(1 + w T).
-    """
-    a, b, layer_rate, n = 0.8, 12.0, 150.0, 300
-    rng = np.random.default_rng(3)
-    velocity, applied = 0.01 * rng.normal(size=(2, n)).cumsum(axis=1)
-    bandwidth = layer_rate / (1.0 - layer_rate * PERIOD)
-    observer = make("observer", "disturbance-observer", bandwidth=bandwidth, filter_bandwidth=1e9, model_gain=a, model_damping=b)
-    found = run_alone(observer, {"velocity": velocity, "applied": applied})["disturbance_estimate"]
-    z, estimate, expected = 0.0, 0.0, []
-    for v, u in zip(velocity, applied, strict=True):
-        z += PERIOD * (a * (u + estimate) - b * v)
-        estimate = layer_rate * (v - z) / a
-        expected.append(estimate)
-    assert found == pytest.approx(np.array(expected), abs=1e-5 * np.abs(expected).max())
-
-
 # --- the load observer ---------------------------------------------------------------------------------------------------------------
 
 

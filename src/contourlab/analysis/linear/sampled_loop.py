@@ -296,8 +296,8 @@ def linear_axis(axis: Axis, carried_mass: float) -> Axis:
 
 def linear_controller(controller: AxisController) -> AxisController:
     """Return the controller of an axis without nonlinear parts; under a supervisor the first one, which is for contact."""
-    law = without_limit(controller.controller).linear()
-    return replace(controller, controller=law, others=(), gap_observer=None, compensation=None, supervisor=None)
+    law, observer = without_limit(controller.controller).linear(), controller.observer and without_limit(controller.observer)
+    return replace(controller, controller=law, observer=observer, others=(), gap_observer=None, compensation=None, supervisor=None)
 
 
 def without_limit(part: Component) -> Component:
