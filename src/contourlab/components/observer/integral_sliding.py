@@ -22,8 +22,8 @@ class IntegralSliding(Component):
 
         s = (v - z)/a,   z' = a (u + d_hat) - b v,   d_hat = M sat(s/phi),   phi = M/w_d;   hence s' = d - d_hat.
 
-    For abs(d) < M the layer is never left; inside it this is `disturbance-observer` by backward Euler without w_z. A larger disturbance moves
-    s out of the layer, and d_hat stays at M until s has come back by as much: unlike a clipped observer it remembers.
+    While abs(d) < M the layer is not left; there this is `disturbance-observer` by backward Euler without w_z. A larger disturbance moves s
+    out of the layer, and d_hat stays at M until s has come back as far: M has to cover what the model gets wrong, too.
 
     Sampled: d_hat = clip(g s, -M, M), g = w_d/(1 + w_d T). For w_d -> inf this is the relay M sgn(s) by implicit Euler (Acary & Brogliato
     2010), whose layer is M T: the estimate is d one tick ago and does not chatter. Any omitted lag limits w_d as it does for

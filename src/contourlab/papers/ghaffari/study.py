@@ -10,6 +10,7 @@ from contourlab.papers.ghaffari.calibration import calibration_rows
 from contourlab.papers.ghaffari.identified import identified_rows
 from contourlab.papers.ghaffari.linear import linear_rows
 from contourlab.papers.ghaffari.observer import observer_rows
+from contourlab.papers.ghaffari.reference_6 import reference_6_rows
 from contourlab.papers.ghaffari.runs import run_rows
 from contourlab.papers.ghaffari.sensitivity import sensitivity_rows
 from contourlab.papers.ghaffari.setup import READING
@@ -32,6 +33,7 @@ _PARTS: tuple[Part, ...] = (
     ("the drive in open loop and behind its observer", bench_rows),
     ("identification behind the observer", identified_rows),
     ("the circle, Fig 9", run_rows),
+    ("beside reference 6", reference_6_rows),
     ("sensitivity, Figs 6 and 7", sensitivity_rows),
     ("Table III from Table II", calibration_rows),
     ("the swap", swap_rows),
