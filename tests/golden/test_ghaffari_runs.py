@@ -16,6 +16,7 @@ APART = 3e-3
 
 CIRCLE = ellipse(20.0, 20.0)
 PRINTED = {1: 18.37, 2: 18.46}
+BESIDE = "contour error integral beside reference 6"
 
 
 def fig_9(first: int, table: dict[int, Line] = TABLE_3, reading: Open | None = None) -> Figures:
@@ -112,6 +113,24 @@ def test_the_fitted_filters_give_the_printed_integrals_and_their_difference(rows
         assert row["here"] == pytest.approx(fig_9(first, reading=fitted).integral, rel=APART)
     gap = rows["difference between configurations, fitted filters", "A3-A2 beyond A3-A1"]
     assert gap["here"] == pytest.approx(gap["paper"], rel=0.01)
+
+
+@pytest.mark.parametrize("first", [1, 2])
+def test_inside_its_layer_integral_sliding_agrees_with_the_second_loop(rows: Rows, first: int) -> None:
+    """There it is the observer by backward Euler without w_z; the velocity keeps its filter by pole matching, of equal weight here."""
+    again = fig_9(first, reading=Open(euler=True, wz=1e9, wv=math.expm1(0.8) * 1e3)).integral
+    assert rows[BESIDE, f"A3-A{first}, integral sliding, M 2, modified error"]["here"] == pytest.approx(again, rel=APART)
+
+
+def test_what_reference_6_changes(rows: Rows) -> None:
+    """Modified error and reference are one. A limit below what the model gets wrong undoes the observer. Coupling with an integral wins."""
+    for c in ("A3-A1", "A3-A2"):
+        stated = rows[f"contour error integral {c}", f"{c}, Table III"]["here"]
+        found = {case.removeprefix(f"{c}, "): row["here"] for (name, case), row in rows.items() if name == BESIDE and case.startswith(c)}
+        assert found["modified error"] == pytest.approx(stated, rel=1e-3)
+        assert found["variable-gain coupling, PI"] < 0.2 * stated < found["variable-gain coupling, P"] < stated
+        assert found["integral sliding, M 1, modified error"] > 5.0 * stated
+        assert found["super-twisting, L 10 1/s"] < found["integral sliding, M 2, modified error"] < 0.7 * stated
 
 
 def length(shape: Shape) -> float:
