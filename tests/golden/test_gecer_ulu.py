@@ -15,6 +15,7 @@ from contourlab.papers.gecer_ulu.axis import tracking
 from contourlab.papers.gecer_ulu.convergence import convergence, turn
 from contourlab.papers.gecer_ulu.learning import forecast, order_turns
 from contourlab.papers.gecer_ulu.setup import (
+    APART,
     COLUMNS,
     COUNTING,
     EXPERIMENT,
@@ -244,6 +245,15 @@ def test_every_row_has_its_band_and_keeps_it(rows: list[Row]) -> None:
             assert row.agrees or case == EXPERIMENT
     fitted = [row.kind for row in rows if row.case == SIMULATION and row.paper is not None]
     assert (fitted.count("input"), fitted.count("computed")) == (8, 4)
+
+
+@pytest.mark.slow
+def test_a_noise_of_y_apart_brings_ten_of_twelve_figures_of_table_3_within_20_percent(rows: list[Row]) -> None:
+    found = {row.name.removesuffix(" rms"): row for row in rows if row.case == APART and row.paper is not None}
+    assert {name: round(100.0 * row.off) for name, row in found.items() if abs(row.off) > 0.2} == {"FB CCC x": -37, "FB ILC contour": -24}
+    assert {name for name, row in found.items() if row.kind == "input"} == {"FB x", "FB ILC x", "FB ILC y"}
+    close = {row.case: row.here for row in rows if row.name == "entries of Table 3 within 20 %"}
+    assert close == {EXPERIMENT: 6.0, APART: float(len(found) - 2)} == {EXPERIMENT: 6.0, APART: 10.0}
 
 
 @pytest.mark.slow
