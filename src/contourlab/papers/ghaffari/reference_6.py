@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -44,11 +45,8 @@ def reference_6_rows() -> Iterator[Row]:
         _, stated = _run(first, base)
         error = replace(base, coupling=ModifiedError(weight=READING.weight))
         integral, position = _run(first, error)
-        name, note = (
-            "modified error and modified reference: positions apart, at most",
-            "two counts of the encoder are allowed",
-        )
-        yield identity(name, f"A3-A{first}", 0.0, _MICRO * float(np.abs(position - stated).max()), "um", 2.01 * COUNT, note)
+        name, apart = "modified error and modified reference: positions apart, at most", _MICRO * float(np.abs(position - stated).max())
+        yield identity(name, f"A3-A{first}", 0.0, apart, "um", 2.01 * COUNT, "two counts of the encoder are allowed")
         yield _row(first, "modified error", integral, "one number, lambda; the loops of the axes stay, as under the modified reference")
         gain = SAME_WEIGHT * TABLE_3[first].position_gain * 1e3
         for words, rate, number in (("P", 0.0, "one number"), ("PI", TABLE_3[first].integral_gain, "two numbers")):
@@ -57,21 +55,24 @@ def reference_6_rows() -> Iterator[Row]:
             note = f"{number} in G_c, and the gains C_1 and C_2 at each tick; {SAME_WEIGHT:g} K_P weights the normal as lambda does"
             yield _row(first, f"variable-gain coupling, {words}", integral, note)
         for limit in LIMITS:
-            sliding = _observed(error, lambda seen, limit=limit: IntegralSliding(limit=limit, bandwidth=READING.bandwidth, **_model(seen)))
+            sliding = _observed(error, partial(_sliding, limit))
             note = f"reference 6 as we read it; modulus margins {_margins(first, sliding)}, with the observer {_margins(first, error)}"
             yield _row(first, f"integral sliding, M {limit:g}, modified error", _run(first, sliding)[0], note)
-        twisting = _observed(base, lambda seen: SuperTwisting(disturbance_rate=RATE, **_model(seen)))
+        twisting = _observed(base, _twisting)
         yield _row(first, f"super-twisting, L {RATE:g} 1/s", _run(first, twisting)[0], "no bandwidth to choose, and no margins")
 
 
 def _row(first: int, words: str, integral: float, note: str) -> Row:
-    return ours(
-        "contour error integral beside reference 6", f"A3-A{first}, {words}", integral, "um s", f"the paper prints no figure; {note}"
-    )
+    case, name = f"A3-A{first}, {words}", "contour error integral beside reference 6"
+    return ours(name, case, integral, "um s", f"the paper prints no figure; {note}")
 
 
-def _model(seen: Any) -> dict[str, float]:
-    return {"model_gain": seen.model_gain, "model_damping": seen.model_damping}
+def _sliding(limit: float, seen: Any) -> Component:
+    return IntegralSliding(limit=limit, bandwidth=READING.bandwidth, model_gain=seen.model_gain, model_damping=seen.model_damping)
+
+
+def _twisting(seen: Any) -> Component:
+    return SuperTwisting(disturbance_rate=RATE, model_gain=seen.model_gain, model_damping=seen.model_damping)
 
 
 def _observed(made: Controller, observer: Callable[[Any], Component]) -> Controller:
