@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from one_axis import A_HAT, B_HAT, W_D, axis, controller, observer
 from scipy.linalg import expm
 
-from contourlab.analysis.linear.sampled_loop import sampled_loop
+from contourlab.analysis.linear.sampled_loop import lane_loops, sampled_loop
 from contourlab.components.contract import Component
 from contourlab.errors import ComponentError
 
@@ -78,6 +78,9 @@ def test_margins_are_those_inside_the_layer() -> None:
     part = integral_sliding(bandwidth=W_D, model_gain=A_HAT, model_damping=B_HAT, limit=0.01)
     found = sampled_loop(axis(), controller(seen=part), PERIOD).margins()
     assert (found.modulus, found.gain) == (pytest.approx(expected.modulus, rel=1e-5), pytest.approx(expected.gain, rel=1e-5))
+    limits = {"controller.axes.x.observer.limit": np.array([0.01, 0.02]), "axes.x.drive.limit": np.array([0.1, 0.2])}
+    varied = lane_loops(axis(), controller(seen=part), PERIOD, 0.0, limits).margins()
+    assert varied.modulus == pytest.approx(np.full(2, expected.modulus), rel=0.01)
 
 
 # --- super-twisting ------------------------------------------------------------------------------------------------------------------

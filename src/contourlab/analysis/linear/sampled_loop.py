@@ -300,11 +300,15 @@ def linear_controller(controller: AxisController) -> AxisController:
     return replace(controller, controller=law, observer=observer, others=(), gap_observer=None, compensation=None, supervisor=None)
 
 
+LIMITS = ("limit", "command_limit")
+"""Names of limits, which no linear model has."""
+
+
 def without_limit(part: Component) -> Component:
     """Return a component without its limit, and without anti-windup: the drive never saturates here."""
     free: dict[str, Any] = {}
     for name, parameter in part.parameters.items():
-        if name in ("limit", "command_limit") and parameter.default == math.inf:
+        if name in LIMITS and parameter.default == math.inf:
             free[name] = math.inf
         elif name == "anti_windup" and "none" in parameter.choices:
             free[name] = "none"
@@ -444,8 +448,9 @@ class AxisLanes:
     def __call__(self, overrides: Mapping[str, Array]) -> LaneLoops:
         """Return the open loops, as `lane_loops` does."""
         n = len(next(iter(overrides.values()), (0.0,)))
-        # The loop of one axis has no estimator of the coupling.
-        used = {name: np.asarray(values, dtype=float) for name, values in overrides.items() if name in self._known}
+        # The loop of one axis has no estimator of the coupling, and no limits.
+        free = [name for name in overrides if name in self._known and name.rpartition(".")[2] not in LIMITS]
+        used = {name: np.asarray(overrides[name], dtype=float) for name in free}
         whole, jit, different = whole_schedule(self.machine, self.bare, used), jit_enabled(), n if used else 1
         form = (-(-different // VECTOR), jit, *used, *(node.ring_length for node in whole.nodes))
         probes = self._probes.pop(form, None)  # no other thread takes them meanwhile
