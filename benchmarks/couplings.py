@@ -1,4 +1,4 @@
-"""Cost of each estimator and coupling in a servo tick, in 2, 3 and 5 axes, relative to Newton's estimator with two iterations.
+"""Cost of each estimator and coupling in a servo tick, in 2, 3 and 5 axes, and of each observer, relative to Newton's with two iterations.
 
 Each one is a compiled schedule of one node, for one variant and in 32 lanes. All get the same ticks along a smooth closed figure, a path of
 quintic pieces in a table. A row with a node that does nothing shows the cost of the tick itself. All rows run in turns; the shortest
@@ -13,7 +13,7 @@ import os
 import platform
 import sys
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import figures_file
@@ -51,6 +51,15 @@ COUPLINGS: dict[str, tuple[str, dict[str, Any]]] = {
     },
 }
 
+MODEL = {"model_gain": 0.8, "model_damping": 12.0}
+OBSERVERS: dict[str, dict[str, Any]] = {
+    "disturbance-observer": MODEL,
+    "load-observer": MODEL,
+    "integral-sliding": {**MODEL, "limit": 1.0},
+    "super-twisting": {**MODEL, "disturbance_rate": 3.0},
+}
+"""Each for one axis, in the column of 2 axes."""
+
 
 def figure(n_axis: int) -> Path:
     """Return a closed figure with a sine of its own frequency in each axis."""
@@ -79,6 +88,8 @@ def signals(path: Path) -> dict[str, Array]:
         "arc_length": s[:, None],
         "command": lag,
         "accepted": lag,
+        "velocity": np.gradient(position, PERIOD, axis=0)[:, :1],
+        "applied": lag[:, :1],
     }
 
 
@@ -136,6 +147,9 @@ def rows_for(n_axis: int, lanes: int) -> list[Row]:
     for name, (kind, values) in COUPLINGS.items():
         part = component("coupling", kind)(**values)
         found.append(row(name, part.make_step(n_axis), part.block(PERIOD), {}, flowing, lanes))
+    for name, values in OBSERVERS.items() if n_axis == AXES[0] else ():
+        part, seen = component("observer", name)(**values), {**flowing, "position": flowing["position"][:, :1]}
+        found.append(replace(row(name, part.make_step(), part.block(PERIOD), {}, seen, lanes), n_axis=n_axis))
     return found
 
 
@@ -148,7 +162,7 @@ def shown(rows: list[Row]) -> list[dict[str, Any]]:
         f"{'ns per tick (ratio to ' + AGAINST + ')':46s}"
         + "".join(f"{f'{n} axes' + (f', {w} lanes' if w > 1 else ''):>18s}" for n, w in columns)
     )
-    for name in (NOTHING, *ESTIMATORS, *COUPLINGS):
+    for name in (NOTHING, *ESTIMATORS, *COUPLINGS, *OBSERVERS):
         cells = []
         for n, lanes in columns:
             ns = spent.get((name, n, lanes))
