@@ -23,7 +23,7 @@ from contourlab.feed import Reference
 from contourlab.feed.reference import Judged, Recorded
 from contourlab.loop.feeding import ALONG, EXTERNALS, PLANNED_TIME, RATE, SOURCE_LINE, Feed, decides
 from contourlab.loop.machine import Controller
-from contourlab.primitives import floor, lookup, maximum, minimum
+from contourlab.primitives import floor, lookup, maximum, minimum, select
 
 MOST_SLOWER = 10
 """A run whose progress is decided in the loop ends after this many times its planned time."""
@@ -40,8 +40,7 @@ def motion_node(feed: Feed, rate: Wire) -> Node:
     outputs = (*ports(*EXTERNALS, size=n), *ports(*ALONG, PLANNED_TIME), *more)
     step = Step("motion", _moving(n, more), ("count",), ("planned",), "", ports("at", "rate"), ports(RATE), outputs)
     count = float(len(table))
-    begin = {"at": -1.0, "rate": 1.0}  # the rate before the first tick is 1: it starts at time 0
-    return Node("in", step, {RATE: rate}, {"count": count}, {"planned": np.ascontiguousarray(table.T).ravel()}, begin)
+    return Node("in", step, {RATE: rate}, {"count": count}, {"planned": np.ascontiguousarray(table.T).ravel()}, {"at": -1.0})
 
 
 @cache
@@ -52,9 +51,9 @@ def _moving(n: int, more: tuple[Port, ...]) -> Callable[..., Any]:
 
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
         h, rate, last = clock.dt, maximum(inp.rate, 0.0), par.count - 1.0
-        at = minimum(x.at + rate, last)
+        at = select(x.at < 0.0, 0.0, minimum(x.at + rate, last))  # the first tick is at time 0, whatever the rate
         first = floor(at)
-        second, u, bend = minimum(first + 1.0, last), at - first, (rate - x.rate) / h
+        second, u, bend = minimum(first + 1.0, last), at - first, select(x.at < 0.0, 0.0, (rate - x.rate) / h)
 
         def start(row: int) -> Any:
             return lookup(par.planned, row * par.count + first)
@@ -71,7 +70,7 @@ def _moving(n: int, more: tuple[Port, ...]) -> Callable[..., Any]:
 
         velocity = tuple(between(n + j) for j in range(n))
         acceleration = tuple(rate * rate * between(2 * n + j) + bend * velocity[j] for j in range(n))
-        others = ()
+        others: tuple[Any, ...] = ()
         for row, size, held in further:
             values = tuple(start(row + i) if held else between(row + i) for i in range(size or 1))
             others = (*others, values if size else values[0])

@@ -79,7 +79,7 @@ def simulate_to_file(
     )
     if not result.status.ok:
         raise diverged(result)
-    judged = judge(result, result.motion)
+    judged = judge(result, result.motion or reference)
     judged.save(file)
     if switches is not None:
         write_switches(switches, log.add(judged))
