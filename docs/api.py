@@ -71,7 +71,7 @@ GROUPS = {
     ),
     "Simulate": (
         "One run, many variants at once, or a run larger than memory.",
-        ("simulate", "simulate_batch", "BatchResult", "parameter_names", "with_values", "simulate_to_file", "Change"),
+        ("simulate", "Loop", "simulate_batch", "BatchResult", "parameter_names", "with_values", "simulate_to_file", "Change"),
     ),
     "Judge": (
         "Contour error, part error, verdict, circles, reversals and backlash.",

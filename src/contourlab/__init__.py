@@ -49,6 +49,7 @@ _HOMES = {
         "Division",
         "Learned",
         "Limits",
+        "Loop",
         "Machine",
         "parameter_names",
         "simulate",

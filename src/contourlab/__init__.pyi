@@ -88,6 +88,7 @@ from contourlab.loop.machine import Machine as Machine
 from contourlab.loop.parameters import parameter_names as parameter_names
 from contourlab.loop.parameters import with_values as with_values
 from contourlab.loop.simulate import simulate as simulate
+from contourlab.loop.stepping import Loop as Loop
 from contourlab.loop.switches import Change as Change
 from contourlab.metrics.circles import backlash_from_circle as backlash_from_circle
 from contourlab.metrics.circles import backlash_of_runs as backlash_of_runs
@@ -133,6 +134,7 @@ __all__ = [
     "LearnedTable",
     "Limits",
     "Line",
+    "Loop",
     "Machine",
     "Metrics",
     "Nurbs",

@@ -208,4 +208,4 @@ class DivergenceError(ContourlabError):
 
     def __init__(self, message: str, *, sample: int, time: float, axis: str) -> None:
         self.sample, self.time, self.axis = sample, time, axis
-        super().__init__(f"{message} (axis {axis}, sample {sample}, t = {time:.6g} s)")
+        super().__init__(f"{message} ({f'axis {axis}, ' if axis else ''}sample {sample}, t = {time:.6g} s)")

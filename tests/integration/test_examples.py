@@ -60,6 +60,17 @@ def own(values: Values) -> None:
     assert deviation["LuGre, 5 N/um", "own"] > deviation["LuGre, 5 N/um", "shipped"]
 
 
+def predictive(values: Values) -> None:
+    largest, taken = values["largest"], values["taken"]
+    assert largest["predictive"] < 0.3 * largest["position loop"]
+    assert taken["predictive"] < 1.02 * taken["position loop"]
+
+
+def agent(values: Values) -> None:
+    largest, taken = values["largest"], values["taken"]
+    assert taken["found"] < 0.96 * taken["as planned"] and largest["found"] < 1.1 * largest["as planned"]
+
+
 SCRIPTS: dict[str, Callable[[Values], None]] = {
     "contour_error": strays,
     "controllers_compared": controllers,
@@ -67,6 +78,8 @@ SCRIPTS: dict[str, Callable[[Values], None]] = {
     "quadrant_spikes": spikes,
     "production_line": series,
     "own_component": own,
+    "predictive_control": predictive,
+    "feed_agent": agent,
 }
 CLAIMS = {
     "first-run": "changed_figures.part_error.max < 0.7 * figures.part_error.max, worst.line == 5",

@@ -96,7 +96,7 @@ class Family:
     either: bool = False
 
 
-ALONE = ("arc_length", "contour_error_estimate")
+ALONE = ("arc_length", "contour_error_estimate", "feedrate", "curvature", "rate")
 """Ports of estimators and couplings with one number; their other ports have one for each axis."""
 ACROSS = ("estimator", "coupling")
 """Families that see all axes: declare their vectors with ``Port(name, -1)``."""
@@ -113,6 +113,8 @@ def size_of(family: str, port: str) -> int:
     return -1 if family in ACROSS and port not in ALONE else 0
 
 
+ESTIMATES = ("foot_position", "error_vector", "contour_error_estimate", "tangent")
+"""Outputs of an estimator."""
 _ASKED = ("reference", "reference_velocity", "reference_acceleration")
 _SIDES = ("motor_position", "motor_velocity", "load_position", "load_velocity")
 _ADVANCE = Method("step(par, x, inp, clock)", "`x_next, out`: next states and outputs, tuples in the order of `states` and `outputs`")
@@ -235,14 +237,20 @@ FAMILY = {
         "turns positions and path into the contour-error vector",
         "controller.estimator",
         ("position", "arc_length"),
-        ("foot_position", "error_vector", "contour_error_estimate", "tangent"),
+        ESTIMATES,
         (Form((_ESTIMATE,)),),
     ),
     "coupling": Family(
-        "turns the error vector into `modified_reference` or `correction`",
+        "sees all axes; gives `modified_reference` or `correction`, and `rate`: planned time per time, which decides the progress",
         "controller.coupling",
-        ("reference", "position", "foot_position", "error_vector", "contour_error_estimate", "tangent", "command", "accepted"),
-        ("modified_reference", "correction"),
+        (
+            *_ASKED,
+            *("arc_length", "feedrate", "curvature", "position", "velocity", "disturbance_estimate"),
+            *ESTIMATES,
+            "command",
+            "accepted",
+        ),
+        ("modified_reference", "correction", "rate"),
         _STEP,
         chooses=True,
         either=True,

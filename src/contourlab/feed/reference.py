@@ -219,10 +219,16 @@ class Recorded(NamedTuple):
     position : ndarray (n, n_axis) [m]
     arc_length : ndarray (n,) [m]
         Progress along the path.
+    table : ndarray (n, 3 n_axis + 2), or None
+        Of a motion whose progress a loop decided, as of `ReferenceBlock`; None for imported positions, whose velocities are differences.
+    planned_time : ndarray (n,) [s], or None
+        Of such a motion: the time of its plan at each sample.
     """
 
     position: Array
     arc_length: Array
+    table: Array | None = None
+    planned_time: Array | None = None
 
 
 def checked_period(servo_period: float) -> float:
@@ -315,6 +321,11 @@ class Reference:
         """Duration of the motion [s]; the last sample is at its end or later."""
         return self.profile.duration if self.profile is not None else (self.n_sample - 1) * self.servo_period
 
+    @property
+    def decided(self) -> bool:
+        """Whether a loop decided its progress; see `contourlab.Loop`."""
+        return self.recorded is not None and self.recorded.table is not None
+
     @cached_property
     def judged(self) -> Judged:
         """The samples that figures cover: those `chosen`, else the last lap, the cutting moves, or all."""
@@ -379,6 +390,9 @@ class Reference:
         """Fill rows (3 n_axis + 2, stop - start): position, velocity and acceleration of each axis, arc length, feedrate."""
         n = self.n_axis
         position, velocity, acceleration = rows[:n], rows[n : 2 * n], rows[2 * n : 3 * n]
+        if self.recorded is not None and self.recorded.table is not None:
+            rows[:] = self.recorded.table[start:stop].T
+            return
         if self.recorded is not None:
             moving = _differences(self.recorded.position, self.servo_period, start, stop)
             position[:], rows[-2] = self.recorded.position[start:stop].T, self.recorded.arc_length[start:stop]
@@ -478,7 +492,7 @@ class Reference:
         text = hashlib.sha256()
         text.update(np.array([self.servo_period, self.n_sample, self.duration]).tobytes())
         text.update(self.path.digest.encode() + b"/" + self.programmed.digest.encode())
-        profile, parts = self.profile, tuple(self.recorded or ())
+        profile, parts = self.profile, tuple(part for part in self.recorded or () if part is not None)
         if profile is not None:
             parts = (profile.t0, profile.s0, profile.v0, profile.a0, profile.j)
         if self.correspondence is not None:

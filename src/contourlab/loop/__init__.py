@@ -6,6 +6,7 @@ from contourlab.loop.machine import DIVISIONS, Axis, AxisController, AxisError, 
 from contourlab.loop.parameters import parameter_names, parameters_of, with_values
 from contourlab.loop.portable import PortableLoop, portable
 from contourlab.loop.simulate import result_of, simulate, simulate_blocks
+from contourlab.loop.stepping import Loop
 from contourlab.loop.switches import Change
 
 __all__ = [
@@ -19,6 +20,7 @@ __all__ = [
     "Division",
     "Learned",
     "Limits",
+    "Loop",
     "Machine",
     "PortableLoop",
     "parameter_names",

@@ -46,7 +46,7 @@ from contourlab.loop.judging import (
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.parameters import declared, matching, parameters_of
 from contourlab.loop.simulate import check_kinds, jit_enabled, sampler
-from contourlab.loop.template import Loop, build
+from contourlab.loop.template import Wiring, build
 from contourlab.metrics.judge import stands_still
 from contourlab.metrics.run_figures import EFFORT, FIGURES
 from contourlab.metrics.run_figures import PART as OF_PART
@@ -309,7 +309,7 @@ def judged_loop(
     part: bool = True,
     effort: bool = True,
     moving: bool = False,
-) -> Loop:
+) -> Wiring:
     """Return the schedule of a machine under its controller, with the nodes that judge it; arguments as in `simulate_batch`."""
     reference = feed.reference
     extra: tuple[Node | Callable[[Signals], Node], ...] = (judge_node(machine, reference, view),) if judge else ()
@@ -470,6 +470,6 @@ def check_substeps(machine: Machine, columns: Mapping[str, Array]) -> None:
                 raise ParameterError(f"axes.{axis.name}.substeps", f"{axis.substeps}", bound)
 
 
-def _split(kept: Array, n: int, keep: Sequence[str], loop: Loop) -> dict[str, Array]:
+def _split(kept: Array, n: int, keep: Sequence[str], loop: Wiring) -> dict[str, Array]:
     edges = accumulate((len(loop.signals[name]) for name in keep), initial=0)
     return {name: kept[:, first:last, :n] for name, (first, last) in zip(keep, pairwise(edges), strict=True)}

@@ -13,6 +13,7 @@ from contourlab.arrays import Array, ByValue
 from contourlab.components.contract import Component
 from contourlab.components.controller.position import PositionController
 from contourlab.components.drive.saturation import Saturation
+from contourlab.components.families import ESTIMATES
 from contourlab.components.friction.laws import NoFriction
 from contourlab.components.ideal import IdealLink, IdealSensor, TrueVelocity
 from contourlab.components.origin import Origin
@@ -565,12 +566,12 @@ class Controller:
     estimator : Component or None
         Contour-error estimator.
     coupling : Component or None
-        Feedback of the estimate; requires an estimator.
+        Sees all axes; requires an estimator if it takes an estimate.
 
     Raises
     ------
     ParameterError
-        If there is a coupling without an estimator, or an axis sends the estimator no position.
+        If there is a coupling without the estimator that it needs, or an axis sends the base no position.
     """
 
     axes: Mapping[str, AxisController]
@@ -578,12 +579,14 @@ class Controller:
     coupling: Component | None = None
 
     def __post_init__(self) -> None:
-        if self.coupling is not None and self.estimator is None:
-            raise ParameterError("controller.coupling", self.coupling.kind, "given with an estimator, because it uses the foot point")
+        needed = [name for name in ESTIMATES if self.coupling is not None and self.coupling.takes(name)]
+        if self.coupling is not None and needed and self.estimator is None:
+            raise ParameterError("controller.coupling", self.coupling.kind, f"given with an estimator, because it uses its {needed[0]}")
         blind = [name for name, axis in self.axes.items() if axis.link is not None and axis.link.up is None]
-        if self.estimator is not None and blind:
-            wanted = f"left out, because axis {blind[0]} sends no position to the base: its link goes one way"
-            raise ParameterError("controller.estimator", f'"{self.estimator.kind}"', wanted)
+        for slot, part in (("estimator", self.estimator), ("coupling", self.coupling)):
+            if part is not None and blind:
+                wanted = f"left out, because axis {blind[0]} sends no position to the base: its link goes one way"
+                raise ParameterError(f"controller.{slot}", f'"{part.kind}"', wanted)
 
     def __repr__(self) -> str:
         parts = {"estimator": self.estimator, "coupling": self.coupling}

@@ -27,7 +27,7 @@ from contourlab.loop.judging import JUDGE, PART, WATCH, all_judged, traced_figur
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.parameters import declared, parameters_of
 from contourlab.loop.simulate import check_kinds, sampler
-from contourlab.loop.template import Loop
+from contourlab.loop.template import Wiring
 
 SIGNALS = ("axis_position", "command")
 MOST = 1 << 31
@@ -139,7 +139,7 @@ def portable(
     check_kinds(machine, controller, reference)
     feed, view = Feed(machine, controller, reference, None, sampler(True)), view_of(reference.path)
 
-    def judged(columns: Mapping[str, Any]) -> Loop:
+    def judged(columns: Mapping[str, Any]) -> Wiring:
         loop = judged_loop(machine, controller, feed, columns, view, seed, moving=moving)
         return replace(loop, schedule=all_judged(loop.schedule))
 
@@ -195,7 +195,7 @@ def portable(
 
 
 def _prepared(
-    machine: Machine, controller: Controller, judged: Callable[[Mapping[str, Any]], Loop], first: int
+    machine: Machine, controller: Controller, judged: Callable[[Mapping[str, Any]], Wiring], first: int
 ) -> tuple[Trace, dict[int, Op], dict[str, float], dict[str, str]]:
     """Return how the constants of a loop follow from its parameters, by row; the parameters that may change, and why others may not.
 

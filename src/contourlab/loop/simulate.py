@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, Literal
 
@@ -12,16 +12,18 @@ import numpy as np
 
 from contourlab.arrays import BLOCK, Array
 from contourlab.engine.runner import Group, make_group
+from contourlab.engine.step import Late
 from contourlab.errors import DivergenceError, ParameterError, refuse
 from contourlab.feed import Reference, ReferenceBlock
 from contourlab.geometry.view import PathView, check_view
 from contourlab.loop.builder import check_seed, stream_of
-from contourlab.loop.feeding import Feed, Learned
+from contourlab.loop.feeding import ALONG, DECIDED, PLANNED_TIME, RATE, Feed, Learned
 from contourlab.loop.judging import all_finite, watched
 from contourlab.loop.machine import Controller, Machine
 from contourlab.loop.parameters import with_values
+from contourlab.loop.progress import MOST_SLOWER, followed, motion_node
 from contourlab.loop.switches import Change, prepared, taken_over
-from contourlab.loop.template import Loop, build
+from contourlab.loop.template import Wiring, build
 from contourlab.primitives import normal
 from contourlab.result import Result, Signal, Status
 
@@ -38,6 +40,7 @@ _OF_UNIT = {
     "m/s^2": ("reference_acceleration",),
     "command": ("command", "applied_command", "unfiltered_command", "coupling_command", "disturbance_estimate"),
     "N": ("shaft_force",),
+    "s": ("planned_time",),
     "": ("gap_state", "active_controller", "switch_reason", "gap_state_estimate", "gap_confidence"),
 }
 UNITS = {name: unit for unit, names in _OF_UNIT.items() for name in names}
@@ -113,7 +116,8 @@ def simulate(
     Returns
     -------
     Result
-        Signals of the samples up to the failure, if there was one.
+        Signals of the samples up to the failure, if there was one. Where the coupling decides the progress, `motion` is what the run has
+        followed, to judge it with, and ``planned_time`` [s] the time of the plan at each sample.
 
     Raises
     ------
@@ -137,6 +141,9 @@ def simulate(
             progress(done)
     # Each signal is joined and freed in turn.
     kept = parts[0] if len(parts) == 1 else {name: np.concatenate([part.pop(name) for part in parts]) for name in list(parts[0])}
+    if PLANNED_TIME in kept:
+        reference = followed(reference, kept)
+        kept = {name: data for name, data in kept.items() if signals is None or name in signals}
     result = result_of(machine, reference, kept, status, scheme=scheme, seed=seed)
     if not status.ok and on_failure == "raise":
         raise diverged(result)
@@ -254,67 +261,100 @@ def simulate_blocks(
     """
     check_view(view, reference.path)
     compiled = jit_enabled(jit)
-    feed = Feed(machine, controller, reference, learned, sampler(compiled))
+    feed = Feed(machine, controller, reference, learned, sampler(compiled), deciding=True)
     given: dict[str, Any] = {"view": view, "seed": seed, "trial": trial, "fed": feed.names}
+    if feed.decides:
+        given["motion"] = motion_node(feed, Late(f"coupling.{RATE}"))
     loop = build(machine, controller, reference.path, **feed.first(block, moving=moving), **given)
     group = make_group(loop.schedule, 1, slice(0, 1), compiled)
     due = prepared(changes, machine, controller, reference, given, compiled)
     tool = ToolPosition(machine, seed, trial)
     wanted = _wanted([loop, *(change.loop for change in due)], signals)
-    last = reference.n_sample if stop is None else min(stop, reference.n_sample)
+    last = reference.n_sample * (MOST_SLOWER if feed.decides else 1)
+    last = last if stop is None else min(stop, last)
     edges = sorted({*range(0, last, block), *(change.sample for change in due if change.sample < last), last})
     for start, end in pairwise(edges):
         if due and due[0].sample == start:
             loop, group = taken_over(due.pop(0), machine, reference, given, group, compiled)
-        asked, fed = feed.block(start, end)
+        asked, fed = feed.block(start, end) if not feed.decides else (None, np.empty((end - start, 0)))
         saved = group.snapshot()
         recorded = _run(group, loop, asked, fed, wanted)
         status = watched(group, machine)
         if status.ok and not group.finite().all():
-            status = _first_non_finite(group, saved, fed, start)
+            status = first_non_finite(group, saved, fed, start)
+        if feed.decides:
+            recorded, status = _to_the_end(recorded, status, reference, start, last)
         if not status.ok:
             recorded = {name: data[: status.sample - start + 1] for name, data in recorded.items()}
         if "tool_position" in wanted:
             recorded["tool_position"] = tool.of(recorded["axis_position"], recorded["axis_velocity"])
         yield {name: data for name, data in recorded.items() if name in wanted}, status
-        if not status.ok:
+        if not status.ok or (feed.decides and recorded[PLANNED_TIME][-1] >= planned_end(reference)):
             return
 
 
+def planned_end(reference: Reference) -> float:
+    """Return the planned time [s] of the last sample."""
+    return (reference.n_sample - 1) * reference.servo_period
+
+
+def _to_the_end(recorded: dict[str, Array], status: Status, reference: Reference, start: int, last: int) -> tuple[dict[str, Array], Status]:
+    """Cut a block at the sample at which the whole motion is done; a run that does not get there has failed."""
+    done = np.flatnonzero(recorded[PLANNED_TIME] >= planned_end(reference))
+    if done.size and (status.ok or done[0] + start <= status.sample):
+        return {name: data[: done[0] + 1] for name, data in recorded.items()}, Status(ok=True)
+    n = start + len(recorded[PLANNED_TIME])
+    if status.ok and n == last == MOST_SLOWER * reference.n_sample:
+        share = 100.0 * float(recorded[PLANNED_TIME][-1]) / planned_end(reference)
+        status = Status(ok=False, sample=n - 1, reason=f"{MOST_SLOWER} times the planned time, and {share:.3g} % of the motion is done")
+    return recorded, status
+
+
+_SINGLE = ("contour_error_estimate", *ALONG, PLANNED_TIME)
+"""Signals with one number; all others have one for each axis."""
 _SUPERVISED = ("active_controller", "switch_reason")
 _GIVEN = {"reference": 0, "reference_velocity": 1, "reference_acceleration": 2, "arc_length": 3, "feedrate": 4}
 
 
-def _wanted(loops: Sequence[Loop], signals: Sequence[str] | None) -> frozenset[str]:
+def _wanted(loops: Sequence[Wiring], signals: Sequence[str] | None) -> frozenset[str]:
     """Return the signals to keep: those common to all controllers, and those of supervisors."""
+    decided = set(DECIDED) if PLANNED_TIME in loops[0].signals else set()
     known = {*_GIVEN, "tool_position", *frozenset.intersection(*(frozenset(loop.signals) for loop in loops))}
     known |= {name for loop in loops for name in loop.signals if name in _SUPERVISED}
     refuse(signals is not None and not signals, ParameterError, "signals", "()", "at least one name, or None for all signals")
     for name in signals or ():
         refuse(name not in known, ParameterError, "signals", repr(name), "one of " + ", ".join(sorted(known)))
-    return frozenset(signals if signals is not None else known)
+    return frozenset(signals if signals is not None else known) | decided
 
 
-def _run(group: Group, loop: Loop, asked: ReferenceBlock, fed: Array, wanted: frozenset[str]) -> dict[str, Array]:
+def _run(group: Group, loop: Wiring, asked: ReferenceBlock | None, fed: Array, wanted: frozenset[str]) -> dict[str, Array]:
     """Run one block; return the signals to keep, and those needed for the tool's position."""
     needed = wanted | {"axis_position", "axis_velocity"} if "tool_position" in wanted else wanted
-    logged = {name: rows for name, rows in loop.signals.items() if name in needed}
-    # A row that several signals share (an ideal sensor's position is the axis') is logged once.
-    rows = list(dict.fromkeys(signal for signals in logged.values() for signal in signals))
-    log = group.run(fed, [loop.schedule.row(name) for name in rows])[:, :, 0]
-    column = {name: i for i, name in enumerate(rows)}
-    recorded: dict[str, Array] = {name: asked[field] for name, field in _GIVEN.items() if name in wanted}
-    for name, signals in logged.items():
-        columns = [column[signal] for signal in signals]
-        step = columns[1] - columns[0] if len(columns) > 1 else 1
-        even = columns == list(range(columns[0], columns[0] + step * len(columns), step)) if step > 0 else False
-        part = log[:, columns[0] : columns[-1] + 1 : step] if even else log[:, columns]
-        recorded[name] = part[:, 0] if name == "contour_error_estimate" else part
+    rows, places = logged(loop, needed)
+    log = group.run(fed, rows)[:, :, 0]
+    recorded: dict[str, Array] = {name: asked[field] for name, field in _GIVEN.items() if asked is not None and name in wanted}
+    recorded |= {name: log[:, place] for name, place in places.items()}
     # Without a supervisor the only controller is active, number 0.
-    return recorded | {name: np.zeros_like(asked.position) for name in _SUPERVISED if name in wanted and name not in recorded}
+    n_axis = len(loop.signals["command"])
+    return recorded | {name: np.zeros((len(log), n_axis)) for name in _SUPERVISED if name in wanted and name not in recorded}
 
 
-def _first_non_finite(group: Group, saved: Any, fed: Array, start: int) -> Status:
+def logged(loop: Wiring, wanted: Container[str]) -> tuple[list[int], dict[str, Any]]:
+    """Return the rows to log for some signals of a result, and where in the log each of these signals is: an index of its columns."""
+    # What several signals share (an ideal sensor's position is the axis') is logged once; evenly spaced columns are a view.
+    names = dict.fromkeys(signal for name, signals in loop.signals.items() if name in wanted for signal in signals)
+    column, places = {name: i for i, name in enumerate(names)}, dict[str, Any]()
+    for name, signals in loop.signals.items():
+        if name in wanted:
+            columns = [column[signal] for signal in signals]
+            step = columns[1] - columns[0] if len(columns) > 1 else 1
+            even = columns == list(range(columns[0], columns[0] + step * len(columns), step)) if step > 0 else False
+            several = slice(columns[0], columns[-1] + 1, step) if even else columns
+            places[name] = columns[0] if name in _SINGLE else several
+    return [loop.schedule.row(name) for name in names], places
+
+
+def first_non_finite(group: Group, saved: Any, fed: Array, start: int) -> Status:
     """Run the block again tick by tick to find where a state stopped being finite."""
     group.restore(saved)
     for k, row in enumerate(fed):

@@ -26,7 +26,7 @@ from contourlab.engine.step import Node, record
 from contourlab.errors import ParameterError, refuse
 from contourlab.feed import Reference
 from contourlab.loop.machine import AxisController, Controller, Machine
-from contourlab.loop.template import Loop, build
+from contourlab.loop.template import Wiring, build
 from contourlab.primitives import Clock
 from contourlab.result import Result
 from contourlab.units import setting
@@ -74,7 +74,7 @@ class Prepared:
 
     change: Change
     sample: int
-    loop: Loop
+    loop: Wiring
 
 
 def prepared(
@@ -97,6 +97,9 @@ def prepared(
     in_order: list[Prepared] = []
     for change in sorted(changes, key=lambda one: one.time):
         sample = change.sample(machine.servo_period)
+        for coupling in (controller.coupling, change.controller.coupling):
+            if coupling is not None and coupling.gives("rate") and not reference.decided:
+                raise ParameterError("changes", f'with the coupling "{coupling.kind}"', "with couplings without the output rate")
         if in_order and in_order[-1].sample == sample:
             raise ParameterError("changes", f"two at {change.time:g} s", "at most one in each sample")
         for name in machine.axis_names:
@@ -113,7 +116,7 @@ def prepared(
 
 def taken_over(
     due: Prepared, machine: Machine, reference: Reference, given: Mapping[str, Any], running: Group, compiled: bool
-) -> tuple[Loop, Group]:
+) -> tuple[Wiring, Group]:
     """Return loop and memory of a controller that takes over from the running one."""
     places = np.array([running.signals[running.schedule.row(f"{name}.plant.position"), 0] for name in machine.axis_names])
     progress = float(reference.block(due.sample, due.sample + 1).arc_length[0])

@@ -36,7 +36,17 @@ from contourlab.errors import ParameterError
 from contourlab.geometry import Path
 from contourlab.geometry.view import PathView, view_of
 from contourlab.loop.builder import ZERO, Builder, Overrides, Sensing, Signals, add_taken, check_seed, insert_links, subtract_node, sum_step
-from contourlab.loop.feeding import AHEAD, LEARNED_COMMAND, LEARNED_REFERENCE, SOURCE_LINE
+from contourlab.loop.feeding import (
+    AHEAD,
+    ALONG,
+    CURVATURE,
+    DECIDED,
+    EXTERNALS,
+    LEARNED_COMMAND,
+    LEARNED_REFERENCE,
+    RATE,
+    SOURCE_LINE,
+)
 from contourlab.loop.judging import axis_positions, watch_node
 from contourlab.loop.machine import Axis, Controller, Machine
 from contourlab.primitives import maximum, minimum, select
@@ -219,7 +229,7 @@ def _inside(builder: Builder) -> dict[str, tuple[str, ...]]:
 
 
 @dataclass(frozen=True)
-class Loop:
+class Wiring:
     """A schedule, and the signals of a result in it."""
 
     schedule: Schedule
@@ -234,7 +244,8 @@ UNFILTERED = Step(
     outputs=ports("accepted"),
 )
 """A command before its filters, less what the drive did not accept of it after them."""
-EXTERNALS = ("reference", "reference_velocity", "reference_acceleration")
+SINGLE = (*ALONG, CURVATURE, RATE)
+"""Inputs with one number; all others have one for each axis."""
 
 
 class _Slots(Builder):
@@ -251,20 +262,31 @@ class _Slots(Builder):
 
     def contour(self, view: PathView | None) -> None:
         estimator, coupling = self.controller.estimator, self.controller.coupling
-        if estimator is None:
-            return
-        positions = tuple(self.sensing[name].measured for name in self.names)
-        seen = view or view_of(self.path)
-        step = estimator.path_step(seen, len(self.names))  # type: ignore[attr-defined]
-        parameters = {**self.values_of(estimator, "controller.estimator"), **seen.parameters}
-        wires: dict[str, Any] = {"position": positions, "arc_length": "in.arc_length"}
-        self.nodes.append(Node("estimator", step, wires, parameters, seen.tables, {"foot": self.progress}))
-        if coupling is not None:
-            offered = {"reference": "in.reference", "position": positions}
+        offered: dict[str, Any] = {"position": tuple(self.sensing[name].measured for name in self.names)}
+        if estimator is not None:
+            seen = view or view_of(self.path)
+            step = estimator.path_step(seen, len(self.names))  # type: ignore[attr-defined]
+            parameters = {**self.values_of(estimator, "controller.estimator"), **seen.parameters}
+            wires: dict[str, Any] = {"position": offered["position"], "arc_length": "in.arc_length"}
+            self.nodes.append(Node("estimator", step, wires, parameters, seen.tables, {"foot": self.progress}))
             offered |= {port.name: f"estimator.{port.name}" for port in step.outputs}
-            offered["command"] = tuple(Late(self.wanted(name)) for name in self.names)
-            offered["accepted"] = tuple(self.accepted(name) for name in self.names)
-            self.add("coupling", coupling, "controller.coupling", {port.name: offered[port.name] for port in coupling.inputs})
+        if coupling is None:
+            return
+        offered |= {name: f"in.{name}" for name in (*EXTERNALS, *ALONG, CURVATURE)}
+        offered["velocity"] = tuple(self.sensing[name].velocity for name in self.names)
+        offered["command"] = tuple(Late(self.wanted(name)) for name in self.names)
+        offered["accepted"] = tuple(self.accepted(name) for name in self.names)
+        if coupling.takes("disturbance_estimate"):
+            offered["disturbance_estimate"] = tuple(self.estimate(name) for name in self.names)
+        made = self.node("coupling", coupling, "controller.coupling", {port.name: offered[port.name] for port in coupling.inputs})
+        # Before the first tick the motion advances as planned.
+        self.nodes.append(replace(made, start={**made.start, RATE: 1.0}) if coupling.gives(RATE) else made)
+
+    def estimate(self, name: str) -> Late:
+        """Return the wire of the last estimate of an axis' observer."""
+        if self.controller.axes[name].observer is None:
+            raise ParameterError(f"controller.axes.{name}.observer", '"none"', "given: the coupling takes its disturbance_estimate")
+        return Late(f"{name}.observer.disturbance_estimate")
 
     def control(self) -> None:
         for j, (axis, at) in enumerate(zip(self.machine.axes, self.start, strict=True)):
@@ -395,7 +417,7 @@ class _Slots(Builder):
 
 
 _MOST_KEPT = 4
-_kept: dict[tuple[Any, ...], tuple[tuple[Any, ...], Loop]] = {}
+_kept: dict[tuple[Any, ...], tuple[tuple[Any, ...], Wiring]] = {}
 
 
 def build(
@@ -412,7 +434,8 @@ def build(
     fed: tuple[str, ...] = (),
     velocity: Array | None = None,
     handover_time: float | None = None,
-) -> Loop:
+    motion: Node | None = None,
+) -> Wiring:
     """Return the schedule of a machine under its controller.
 
     Parameters
@@ -441,6 +464,8 @@ def build(
         Of the axes at the first tick, instead of rest; the states of controllers start at rest all the same.
     handover_time : float [s], optional
         Given if the controller takes over from another one at the first tick: time constant with which the jump of each command decays.
+    motion : Node, optional
+        In place of the inputs that it gives; see `contourlab.loop.progress`.
 
     Notes
     -----
@@ -448,24 +473,30 @@ def build(
     """
     for one in seed if isinstance(seed, tuple) else (seed,):
         check_seed(one)
-    used = (machine, *controller.axes.values(), controller.estimator, controller.coupling, path, view)
+    used = (machine, *controller.axes.values(), controller.estimator, controller.coupling, path, view, motion)
     moving = None if velocity is None else velocity.tobytes()
     key = (*map(id, used), *controller.axes, start.tobytes(), progress, seed, trial, fed, moving, handover_time)
     if key in _kept and not overrides and not extra:
         return _kept[key][1]
     builder = _Slots(machine, controller, path, start, progress, overrides or {}, seed, trial, frozenset(fed), velocity, handover_time)
+    builder.nodes += [] if motion is None else [motion]
     builder.sense()
     builder.contour(view)
     builder.control()
     insert_links(builder)
     signals = signal_map(builder, builder.sensing)
+    for port in () if motion is None else motion.step.outputs:
+        if port.name in DECIDED:
+            signals[port.name] = tuple(f"in.{port.name}[{j}]" for j in range(port.size)) or (f"in.{port.name}",)
     builder.nodes += (node if isinstance(node, Node) else node(signals) for node in extra)
     builder.nodes.append(watch_node(machine, tuple(map(builder.filtered, machine.axis_names))))
     record_point = len(builder.nodes)
     add_plants(builder)
     n = len(builder.names)
-    externals = (*(Port(name, n) for name in EXTERNALS), Port("arc_length"), Port("feedrate"), *(Port(name, n) for name in fed))
-    loop = Loop(Schedule(tuple(builder.nodes), externals, machine.servo_period, record_point), signals)
+    inputs = (*EXTERNALS, *ALONG, *fed)
+    given = () if motion is None else tuple(port.name for port in motion.step.outputs)
+    externals = tuple(Port(name, 0 if name in SINGLE else n) for name in inputs if name not in given)
+    loop = Wiring(Schedule(tuple(builder.nodes), externals, machine.servo_period, record_point), signals)
     if not overrides and not extra:
         _kept[key] = used, loop  # while `used` is kept, no other object has its ids
         for oldest in list(_kept)[:-_MOST_KEPT]:

@@ -24,7 +24,7 @@ from contourlab.loop.feeding import LEARNED_COMMAND, LEARNED_REFERENCE, Feed, Le
 from contourlab.loop.judging import all_finite, watched
 from contourlab.loop.machine import AxisController, Controller, Machine
 from contourlab.loop.simulate import ToolPosition, jit_enabled, sampler
-from contourlab.loop.template import Loop, build
+from contourlab.loop.template import Wiring, build
 from contourlab.metrics.judge import furthest, reach
 from contourlab.result import Status
 
@@ -136,7 +136,7 @@ class Trials:
         self._vector = vector
         self.engine_seconds = self.judge_seconds = 0.0
 
-    def _built(self, trial: int) -> Loop:
+    def _built(self, trial: int) -> Wiring:
         start, progress = self.position[0], float(self.arc_length[0])
         given: dict[str, Any] = {"view": self._view, "seed": self.seed, "trial": trial, "fed": self._feed.names}
         return build(self.machine, self.controller, self.reference.path, start, progress, **given)

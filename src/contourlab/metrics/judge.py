@@ -181,7 +181,9 @@ def _position(result: Result, name: str) -> Array:
     values, unit = result[name], result.signals[name].unit
     if unit != "m":
         raise ResultError(f"{name} is in {unit or 'no unit'}: convert it to m")
-    if not values.flags.c_contiguous:
+    if values.ndim == 1:
+        values = np.ascontiguousarray(values)
+    elif not values.flags.c_contiguous:
         log, values = values, np.empty(values.shape)
         for column, found in zip(log.T, values.T, strict=True):  # much faster than a copy by rows
             found[:] = column

@@ -281,6 +281,9 @@ def coupling_model(coupling: Component | None, servo_period: float) -> CouplingM
     """
     if coupling is None:
         return CouplingModel(np.zeros((0, 0)), np.zeros(0), np.zeros(0), 0.0, 0.0, servo_period)
+    feeding = [name for name in ("velocity", "disturbance_estimate") if coupling.takes(name)] + ["rate"] * coupling.gives("rate")
+    if feeding:
+        raise ComponentError(f"coupling {coupling.kind} feeds back by its port {feeding[0]}, which this analysis does not cover")
     probe = _CouplingProbe(coupling, servo_period)
     m, size = len(probe.own), len(probe.own) + 2
     matrix = np.column_stack([probe(unit) for unit in np.eye(size)])
@@ -336,7 +339,7 @@ class _CouplingProbe:
             "contour_error_estimate": [across],
             "tangent": [1.0, 0.0],
         }
-        inputs = np.concatenate([offered.get(port.name, [0.0, 0.0]) for port in self.probe.group.schedule.externals])
+        inputs = np.concatenate([offered.get(port.name, [0.0] * port.rows) for port in self.probe.group.schedule.externals])
         return self.probe.after(state, inputs)[:, 0]
 
 

@@ -39,11 +39,12 @@ from contourlab.engine.step import Node, Port, Schedule
 from contourlab.engine.translate.tick_loop import VECTOR
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.geometry import Line, Path
+from contourlab.loop.feeding import EXTERNALS
 from contourlab.loop.judging import WATCH
 from contourlab.loop.machine import Axis, AxisController, Controller, Machine
 from contourlab.loop.parameters import parameters_of
 from contourlab.loop.simulate import jit_enabled
-from contourlab.loop.template import EXTERNALS, build
+from contourlab.loop.template import build
 
 
 @dataclass(frozen=True, eq=False)

@@ -39,7 +39,8 @@ from contourlab.file_kinds import kind_of
 from contourlab.findings import Finding, finding
 from contourlab.loop import Axis, Controller, Machine
 from contourlab.loop.builder import accepted_output
-from contourlab.loop.template import EXTERNALS, build
+from contourlab.loop.feeding import EXTERNALS
+from contourlab.loop.template import build
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result.atomic import write_bytes_atomic
 

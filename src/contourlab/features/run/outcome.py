@@ -309,6 +309,7 @@ def run_case(
     result = simulate_stored(machine, controller, reference, scheme=case.name, **noise, **given)
     if not result.status.ok:
         raise diverged(result, [lost.text for lost in lost_steps(machine, reference, result)])
+    reference = result.motion or reference  # where the loop decides the progress, what it has followed
     begin(f"judging {case.name}")
     judged = judge(result, reference)
     check_follows(judged)
@@ -400,6 +401,8 @@ def _remarks(case: Case, reference: Reference, foretold: LearningAnalysis | None
         modes = PathModes()
         modes.add(case.motion.program.moves)
         yield from modes.findings(case.feed.default_tolerance(case.machine.own_planner))
+    if reference.decided:
+        yield finding("CL231", time=reference.duration, planned=case.reference().duration)
     last = reference.n_sample * reference.servo_period
     for change in case.changes:
         if change.sample(reference.servo_period) >= reference.n_sample:

@@ -11,6 +11,8 @@ from typing import Any
 
 from contourlab.feed import Reference
 from contourlab.loop import Change, Controller, Machine, result_of, simulate_blocks
+from contourlab.loop.feeding import DECIDED, PLANNED_TIME
+from contourlab.loop.progress import followed, most_samples
 from contourlab.loop.simulate import diverged
 from contourlab.loop.switches import RECORDED, Switches, SwitchLog
 from contourlab.metrics.judge import judge
@@ -77,7 +79,7 @@ def simulate_to_file(
     )
     if not result.status.ok:
         raise diverged(result)
-    judged = judge(result, reference)
+    judged = judge(result, result.motion or reference)
     judged.save(file)
     if switches is not None:
         write_switches(switches, log.add(judged))
@@ -97,13 +99,16 @@ def simulate_stored(
     `given` are options of `contourlab.loop.simulate_blocks`.
     """
     # The judge will add five signals, and the tracking error of each axis.
-    stored = Stored(given.get("stop") or reference.n_sample, spare=8 * (5 + reference.n_axis))
+    stored = Stored(given.get("stop") or most_samples(controller, reference), spare=8 * (5 + reference.n_axis))
     for signals, status in simulate_blocks(machine, controller, reference, **given):
         part = result_of(machine, reference, signals, status, scheme=scheme, seed=given.get("seed", 0))
         stored.append(part.signals)
         if progress is not None:
             progress(stored.stop)
-    return replace(part, signals=stored)
+    if PLANNED_TIME not in stored:
+        return replace(part, signals=stored)
+    motion = followed(reference, {name: stored[name].data for name in DECIDED})
+    return replace(part, signals=stored, motion=motion, attributes={**part.attributes, "reference_digest": motion.digest})
 
 
 def write_switches(file: str | Path, switches: Switches) -> None:

@@ -153,7 +153,7 @@ def report_data(title: str, outcomes: Sequence[Outcome], *, scenario: str, comma
     again = "save the scenario below as scenario.toml, then: contourlab run scenario.toml"
     provenance = Provenance(command, again, scenario, first.case.run.seed)
     notes = [*first.case.motion.notes]
-    others = [outcome.name for outcome in outcomes if outcome.reference.digest != first.reference.digest]
+    others = [outcome.name for outcome in outcomes if first.reference.digest != outcome.reference.digest and not outcome.reference.decided]
     if others:
         notes.append(f"The planned feed shown is that of {first.name}. {listing(others)}: planned differently.")
     return ReportData(title, outcomes, provenance, first.case.lines, first.case.tolerance, notes, _feed(first))
