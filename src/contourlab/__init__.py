@@ -55,7 +55,7 @@ _HOMES = {
         "simulate_batch",
         "with_values",
     ),
-    "contourlab.components.plant.plant": ("reflected_inertia", "reflected_mass"),
+    "contourlab.components.plant.plant": ("Plant", "reflected_inertia", "reflected_mass"),
     "contourlab.metrics.circles": ("backlash_from_circle", "backlash_of_runs", "circles_of"),
     "contourlab.metrics.figures": ("Metrics", "summarise"),
     "contourlab.metrics.judge": ("judge",),

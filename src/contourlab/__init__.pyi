@@ -12,6 +12,7 @@ from contourlab.components.contract import Component as Component
 from contourlab.components.contract import param as param
 from contourlab.components.contract import text_param as text_param
 from contourlab.components.learning.law import LearningLaw as LearningLaw
+from contourlab.components.plant.plant import Plant as Plant
 from contourlab.components.plant.plant import reflected_inertia as reflected_inertia
 from contourlab.components.plant.plant import reflected_mass as reflected_mass
 from contourlab.components.registry import component as component
@@ -137,6 +138,7 @@ __all__ = [
     "Metrics",
     "Nurbs",
     "Path",
+    "Plant",
     "Port",
     "Program",
     "Reading",

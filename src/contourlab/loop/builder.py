@@ -258,7 +258,9 @@ class Sensing:
         self.velocity_on(self.parts.velocity_feedback)
 
     def _signal(self, side: str, what: str) -> str:
-        return f"{self.name}.plant.{'motor_' if side == 'motor' and self.axis.plant.two_sided else ''}{what}"
+        if side == "motor" and self.axis.plant.two_sided:
+            return f"{self.name}.plant.motor_{what}"
+        return f"{self.name}.plant.{self.axis.plant.measured if what == 'position' else what}"
 
     def position_on(self, side: str) -> Any:
         """Return the wire of the position measured on a side."""

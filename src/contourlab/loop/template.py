@@ -201,11 +201,12 @@ def signal_map(builder: Builder, sensing: Mapping[str, Sensing]) -> dict[str, tu
 def _inside(builder: Builder) -> dict[str, tuple[str, ...]]:
     """Return the internal signals that only some axes have; zero, or the load's signal, for the others."""
     split = {axis.name: axis.plant.two_sided for axis in builder.machine.axes}
+    gapped = {axis.name: axis.plant.gives("gap_state") for axis in builder.machine.axes}
     led = {name: builder.controller.axes[name].supervisor is not None for name in builder.names}
     watched = {name: builder.controller.axes[name].gap_observer is not None for name in builder.names}
     groups: tuple[tuple[dict[str, bool], dict[str, tuple[str, str]]], ...] = (
         (split, {f"motor_{what}": (f"plant.motor_{what}", f"plant.{what}") for what in ("position", "velocity")}),
-        (split, {"gap_state": ("plant.gap_state", NOTHING), "shaft_force": ("plant.shaft_force", NOTHING)}),
+        (gapped, {"gap_state": ("plant.gap_state", NOTHING), "shaft_force": ("plant.shaft_force", NOTHING)}),
         (led, {"active_controller": ("supervisor.active", NOTHING), "switch_reason": ("supervisor.reason", NOTHING)}),
         (watched, {signal: (f"gap_observer.{port}", NOTHING) for signal, port in _OBSERVED.items()}),
     )

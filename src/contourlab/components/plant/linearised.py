@@ -1,0 +1,138 @@
+"""The linear model of a plant that has a step of its own, from differences of that step about rest.
+
+Each state and input is moved by `NUDGE` and by half of it, both ways, and the differences are extrapolated: a linear step gives its matrix
+to rounding, a smooth one to the fourth power of `NUDGE` over the distance on which it bends. The nudges are powers of two, so that scaling
+adds no error. A step that jumps or has a kink at rest is refused.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from contourlab.arrays import Array
+from contourlab.components.contract import LinearModel
+from contourlab.engine.step import Port, pack, record, rows, unpack
+from contourlab.errors import ComponentError
+from contourlab.primitives import Clock, Table, dot
+
+if TYPE_CHECKING:
+    from contourlab.components.plant.plant import Plant
+
+NUDGE = 2.0**-20
+"""Change of a state or an input [its unit]."""
+
+BRIEF = 2.0**-20
+"""Period [s] of the steps whose matrix gives the model in continuous time; far below every time constant."""
+
+UNEVEN, BENT, ABSENT = 1e-3, 0.1, 1e-6
+"""Largest relative change of a slope with half the nudge, and over it; slopes below this part of the largest of their row do not count."""
+
+
+def tick_matrix(plant: Plant, par: Any, dt: float) -> Array:
+    """Return the derivatives (n_state + n_output, n_state + n_input) of a plant's step at rest.
+
+    Parameters
+    ----------
+    par : object
+        Its constants for the period dt [s].
+
+    Raises
+    ------
+    ComponentError
+        If the step jumps or has a kink there.
+    """
+    step = plant.make_step()
+    seen = step.par_type(*(getattr(par, name) for name in step.parameters), *map(Table, plant.table_values().values()))
+    resting, n = plant.at_rest(0.0)[0], rows(step.states)
+    at = np.array([*pack(step.states, [resting.get(p.name, (0.0,) * p.size or 0.0) for p in step.states]), *[0.0] * rows(step.inputs)])
+
+    def tick(state: Array) -> Array:
+        x, inp = (_record(ports, part.tolist()) for ports, part in ((step.states, state[:n]), (step.inputs, state[n:])))
+        after, out = step.function(seen, x, inp, Clock(0.0, 0.0, dt))
+        return np.array([*pack(step.states, after), *pack(step.outputs, out)], dtype=float)
+
+    rest, ends = tick(at), (-1.0, -0.5, 0.5, 1.0)
+    moved = np.array([[tick(at + NUDGE * end * unit) for end in ends] for unit in np.eye(at.size)]) - rest
+    coarse, fine = (moved[:, 3] - moved[:, 0]).T / (2.0 * NUDGE), (moved[:, 2] - moved[:, 1]).T / NUDGE
+    floor = ABSENT * np.abs(fine).max(axis=1, keepdims=True)
+    bend = (moved[:, 3] + moved[:, 0]).T / NUDGE
+    if not ((np.abs(fine - coarse) <= UNEVEN * np.abs(fine) + floor) & (np.abs(bend) <= BENT * np.abs(fine) + floor)).all():
+        raise ComponentError(f"a {plant.kind} is not smooth at rest, so it has no linear model: write its `linear`")
+    return np.asarray(fine + (fine - coarse) / 3.0)
+
+
+def _record(ports: tuple[Port, ...], values: list[float]) -> Any:
+    return record(tuple(port.name for port in ports))(*unpack(ports, values)) if ports else ()
+
+
+def continuous_model(plant: Plant) -> LinearModel:
+    """Return the model in continuous time from which the step, with command and load held, follows."""
+    from scipy.linalg import logm
+
+    par = SimpleNamespace(**plant.block(BRIEF))
+    step, whole = plant.make_step(), tick_matrix(plant, par, BRIEF)
+    n, m = rows(step.states), rows(step.inputs)
+    held = np.eye(n + m)
+    held[:n] = whole[:n]
+    model = np.real(logm(held))[:n] / BRIEF
+    # Outputs are those at the end of the step.
+    told = [port.name for port in step.outputs if port.name.endswith(("position", "velocity")) or port.name == plant.measured]
+    names = [port.name for port in step.outputs for _ in range(port.rows)]
+    c = whole[n:, :n] @ np.linalg.inv(whole[:n, :n])
+    d = whole[n:, n:] - c @ whole[:n, n:]
+    kept = [names.index(name) for name in told]
+    return LinearModel(model[:, :n], model[:, n:], c[kept], d[kept], tuple(port.name for port in step.inputs), tuple(told))
+
+
+def linearised(plant: Plant) -> Any:
+    """Return a plant with the same parameters and ports, whose step is linear: the matrix of the plant's step about rest."""
+    kind = _linear_kind(type(plant), tuple(plant.states), tuple(plant.inputs), tuple(plant.outputs))
+    return kind(**plant.values())
+
+
+@cache
+def _linear_kind(kind: type[Plant], states: tuple[Port, ...], inputs: tuple[Port, ...], outputs: tuple[Port, ...]) -> type[Plant]:
+    height, width = rows(states) + rows(outputs), rows(states) + rows(inputs)
+    names = tuple(f"slope_{i}_{j}" for i in range(height) for j in range(width))
+
+    def derive(self: Any, par: Any, dt: float) -> tuple[Any, ...]:
+        plant: Any = kind(**self.values())
+        numbers = {name: np.asarray(getattr(par, name)) for name in kind.numeric()}
+        if not any(np.ndim(value) for value in numbers.values()):
+            return tuple(tick_matrix(plant, SimpleNamespace(**plant.block(dt, vars(par))), dt).ravel().tolist())
+        lanes = np.broadcast_arrays(*numbers.values())
+        variants = [dict(zip(numbers, row, strict=True)) for row in np.column_stack(lanes).tolist()]
+        return tuple(np.array([tick_matrix(plant, SimpleNamespace(**plant.block(dt, one)), dt).ravel() for one in variants]).T)
+
+    first = len(kind.numeric())
+    step = staticmethod(matrix_step(states, inputs, outputs, first))
+    made: type[Plant] = type(kind)(f"Linear{kind.__name__}", (kind,), {"derived": names, "derive": derive, "step": step, "linear": _same})
+    return made
+
+
+def _same(self: Any) -> Any:
+    return self
+
+
+def matrix_step(states: tuple[Port, ...], inputs: tuple[Port, ...], outputs: tuple[Port, ...], first: int) -> Any:
+    """Return the step (x_next, out) = M (x, inp); M is a part of `par` from the place `first` on, row by row."""
+    height, width = rows(states) + rows(outputs), rows(states) + rows(inputs)
+    taken = tuple(port.size for port in (*states, *inputs))
+    places, row = [], 0
+    for port in (*states, *outputs):
+        places.append((row, row + port.size))
+        row += port.rows
+    given, split = tuple(places), len(states)
+
+    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+        values = (*x, *inp)
+        u = tuple(number for value, size in zip(values, taken, strict=True) for number in (value if size else (value,)))
+        y = tuple(dot(par[first + i * width : first + (i + 1) * width], u) for i in range(height))
+        shaped = tuple(y[start:end] if end > start else y[start] for start, end in given)
+        return shaped[:split], shaped[split:]
+
+    return step
