@@ -7,6 +7,7 @@ import importlib
 import inspect
 import math
 import re
+from typing import Any
 
 from contourlab.components.contract import Component, Parameter, fault
 from contourlab.components.families import FAMILY, Form, size_of
@@ -162,7 +163,8 @@ def _check_ports(kind: type[Component]) -> None:
             raise fault(kind, f"a {kind.family} cannot have the input {name!r}; its inputs are: {offered}")
     wanted = family.outputs
     if kind.family == "plant":
-        wanted = (*wanted, *(("motor_position", "motor_velocity") if getattr(kind, "two_sided", False) else ()), kind.measured)
+        plant: Any = kind
+        wanted = (*wanted, *(("motor_position", "motor_velocity") if plant.two_sided else ()), plant.measured)
     if family.either and any(name in gives for name in wanted):
         wanted = tuple(name for name in wanted if name in gives)
     for what, names, needed in (("inputs", takes, () if family.chooses else family.inputs), ("outputs", gives, wanted)):

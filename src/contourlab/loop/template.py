@@ -65,6 +65,8 @@ def add_plants(builder: Builder) -> None:
         on_motor = axis.motor_friction.block(builder.period, builder.changed(f"{prefix}.motor_friction"))
         values |= {f"{MOTOR_FRICTION}{row}": value for row, value in on_motor.items()}
         initial, start = builder.resting(name)
+        if speed and axis.plant.steps_itself and all(port.name != "velocity" for port in axis.plant.states):
+            raise ParameterError("moving", "true", f"false: a {axis.plant.kind} names no state velocity")
         initial = {**initial, **_speeds(axis.plant.states, float(speed))}
         start = {**start, **_speeds(axis.plant.outputs, float(speed))}
         pushed: dict[str, Any] = {"command": f"{name}.drive.applied", "load": load}

@@ -83,7 +83,8 @@ def link(plant: Component, friction: Component, motor_friction: Component | None
             [tuple(port.name for port in ports) for ports in (plant.states, plant.inputs, plant.outputs)],
         )
         if not isinstance(friction, NoFriction):
-            function = rubbed(function, type(friction), names[0], names[1], names[2].index("velocity"))
+            rough: Any = type(friction)
+            function = rubbed(function, rough, names[0], names[1], names[2].index("velocity"))
         return Step(name, function, parameters, plant.tables, plant.ring, states, plant.inputs, plant.outputs)
     makers: dict[str, Callable[..., Any]] = {"smooth": _smooth, "sticking": _sticking, "bristle": _bristle}
     if any(port.name == "force" for port in plant.states):

@@ -15,9 +15,10 @@ import numpy as np
 
 from contourlab.arrays import Array
 from contourlab.components.contract import LinearModel
+from contourlab.components.mechanics.matrix_step import matrix_step
 from contourlab.engine.step import Port, pack, record, rows, unpack
 from contourlab.errors import ComponentError
-from contourlab.primitives import Clock, Table, dot
+from contourlab.primitives import Clock, Table
 
 if TYPE_CHECKING:
     from contourlab.components.plant.plant import Plant
@@ -90,12 +91,12 @@ def continuous_model(plant: Plant) -> LinearModel:
 
 def linearised(plant: Plant) -> Any:
     """Return a plant with the same parameters and ports, whose step is linear: the matrix of the plant's step about rest."""
-    kind = _linear_kind(type(plant), tuple(plant.states), tuple(plant.inputs), tuple(plant.outputs))
-    return kind(**plant.values())
+    kind: Any = type(plant)
+    return _linear_kind(kind, plant.states, plant.inputs, plant.outputs)(**plant.values())
 
 
 @cache
-def _linear_kind(kind: type[Plant], states: tuple[Port, ...], inputs: tuple[Port, ...], outputs: tuple[Port, ...]) -> type[Plant]:
+def _linear_kind(kind: Any, states: tuple[Port, ...], inputs: tuple[Port, ...], outputs: tuple[Port, ...]) -> Any:
     height, width = rows(states) + rows(outputs), rows(states) + rows(inputs)
     names = tuple(f"slope_{i}_{j}" for i in range(height) for j in range(width))
 
@@ -110,29 +111,8 @@ def _linear_kind(kind: type[Plant], states: tuple[Port, ...], inputs: tuple[Port
 
     first = len(kind.numeric())
     step = staticmethod(matrix_step(states, inputs, outputs, first))
-    made: type[Plant] = type(kind)(f"Linear{kind.__name__}", (kind,), {"derived": names, "derive": derive, "step": step, "linear": _same})
-    return made
+    return type(kind)(f"Linear{kind.__name__}", (kind,), {"derived": names, "derive": derive, "step": step, "linear": _same})
 
 
 def _same(self: Any) -> Any:
     return self
-
-
-def matrix_step(states: tuple[Port, ...], inputs: tuple[Port, ...], outputs: tuple[Port, ...], first: int) -> Any:
-    """Return the step (x_next, out) = M (x, inp); M is a part of `par` from the place `first` on, row by row."""
-    height, width = rows(states) + rows(outputs), rows(states) + rows(inputs)
-    taken = tuple(port.size for port in (*states, *inputs))
-    places, row = [], 0
-    for port in (*states, *outputs):
-        places.append((row, row + port.size))
-        row += port.rows
-    given, split = tuple(places), len(states)
-
-    def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        values = (*x, *inp)
-        u = tuple(number for value, size in zip(values, taken, strict=True) for number in (value if size else (value,)))
-        y = tuple(dot(par[first + i * width : first + (i + 1) * width], u) for i in range(height))
-        shaped = tuple(y[start:end] if end > start else y[start] for start, end in given)
-        return shaped[:split], shaped[split:]
-
-    return step
