@@ -18,6 +18,7 @@ __version__ = "0.1.0"
 _HOMES = {
     "contourlab.analysis.learning.learning_analysis": ("learning_analysis",),
     "contourlab.analysis.linear.contour_transfer": ("contour_margins", "internal_stability"),
+    "contourlab.analysis.linear.systems": ("from_system", "linear"),
     "contourlab.components.conformance": ("check_component",),
     "contourlab.components.contract": ("Component", "Port", "param", "text_param"),
     "contourlab.components.registry": ("component", "load_plugin"),

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from functools import cache
 from types import SimpleNamespace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -19,9 +19,6 @@ from contourlab.components.mechanics.matrix_step import matrix_step
 from contourlab.engine.step import Port, pack, record, rows, unpack
 from contourlab.errors import ComponentError
 from contourlab.primitives import Clock, Table
-
-if TYPE_CHECKING:
-    from contourlab.components.plant.plant import Plant
 
 NUDGE = 2.0**-20
 """Change of a state or an input [its unit]."""
@@ -33,7 +30,7 @@ UNEVEN, BENT, ABSENT = 1e-3, 0.1, 1e-6
 """Largest relative change of a slope with half the nudge, and over it; slopes below this part of the largest of their row do not count."""
 
 
-def tick_matrix(plant: Plant, par: Any, dt: float) -> Array:
+def tick_matrix(plant: Any, par: Any, dt: float) -> Array:
     """Return the derivatives (n_state + n_output, n_state + n_input) of a plant's step at rest.
 
     Parameters
@@ -70,7 +67,7 @@ def _record(ports: tuple[Port, ...], values: list[float]) -> Any:
     return record(tuple(port.name for port in ports))(*unpack(ports, values)) if ports else ()
 
 
-def continuous_model(plant: Plant) -> LinearModel:
+def continuous_model(plant: Any) -> LinearModel:
     """Return the model in continuous time from which the step, with command and load held, follows."""
     from scipy.linalg import logm
 
@@ -89,7 +86,7 @@ def continuous_model(plant: Plant) -> LinearModel:
     return LinearModel(model[:, :n], model[:, n:], c[kept], d[kept], tuple(port.name for port in step.inputs), tuple(told))
 
 
-def linearised(plant: Plant) -> Any:
+def linearised(plant: Any) -> Any:
     """Return a plant with the same parameters and ports, whose step is linear: the matrix of the plant's step about rest."""
     kind: Any = type(plant)
     return _linear_kind(kind, plant.states, plant.inputs, plant.outputs)(**plant.values())
