@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from contourlab.analysis.learning.learning_analysis import learning_analysis as learning_analysis
 from contourlab.analysis.linear.contour_transfer import contour_margins as contour_margins
 from contourlab.analysis.linear.contour_transfer import internal_stability as internal_stability
+from contourlab.analysis.linear.systems import from_system as from_system
+from contourlab.analysis.linear.systems import linear as linear
 from contourlab.components.conformance import check_component as check_component
 from contourlab.components.contract import Component as Component
 from contourlab.components.contract import param as param
@@ -165,6 +167,7 @@ __all__ = [
     "contour_margins",
     "contour_names",
     "export",
+    "from_system",
     "identify",
     "internal_stability",
     "interpolate",
@@ -173,6 +176,7 @@ __all__ = [
     "learning_analysis",
     "limit_report",
     "limits",
+    "linear",
     "link",
     "load_log",
     "load_plugin",

@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from contourlab.arrays import Array
-from contourlab.components.contract import param, text_param
-from contourlab.engine.step import ports
+from contourlab.components.contract import Component, param, text_param
+from contourlab.components.mechanics.matrix_step import matrix_step
+from contourlab.engine.step import Step, ports
 from contourlab.errors import ParameterError, refuse
 
 HIGHEST_ORDER = 12
@@ -19,7 +20,6 @@ MATRICES = (
     param(default=(), vector=True, doc="B (n, inputs), row by row"),
     param(default=(), vector=True, doc="C (n)"),
 )
-MATRIX_NAMES = ("a", "b", "c")
 POLYNOMIALS = (
     param(vector=True, doc="coefficients in falling powers of s [rad/s], or of z"),
     param(vector=True, doc="coefficients likewise, of degree 12 at most"),
@@ -38,7 +38,7 @@ PERIOD: Any = param(
     doc="servo period of numbers for discrete time, in z; 0: they are for continuous time",
 )
 
-EDGE = 1e-4
+EDGE = 1e-6
 """How far a pole may lie beyond the edge of stability, as a part of the fastest: rounding moves multiple poles."""
 HIDDEN = 1e-13
 """Largest distance from a mode that no input reaches, or no output shows, relative to the matrix."""
@@ -84,7 +84,6 @@ def checked(part: Any, system: System, furthest: float = math.inf) -> System:
     `furthest` is how far it may, as a part of the fastest.
     """
     a, b, c, d = system
-    discrete = part.period > 0.0
     if not len(a):
         return system
     from scipy.linalg import matrix_balance
@@ -92,7 +91,7 @@ def checked(part: Any, system: System, furthest: float = math.inf) -> System:
     even, (unit, _) = matrix_balance(a, permute=False, separate=True)
     reach, show, poles = b / unit[:, None], c * unit, np.linalg.eigvals(even)
     size = float(np.linalg.norm(even)) or 1.0
-    place = part.parameters["a" if "a" in part.parameters else "denominator"].name
+    place = "a" if "a" in part.parameters else "denominator"
     for pole in poles:
         free = pole * np.eye(len(a)) - even
         reached, shown = np.hstack([free, _sized(reach, size)]), np.vstack([free, _sized(show, size)])
@@ -100,9 +99,9 @@ def checked(part: Any, system: System, furthest: float = math.inf) -> System:
             if np.linalg.svd(sides, compute_uv=False)[-1] <= HIDDEN * size:
                 bound = f"left out or cancelled: {why} it"
                 raise ParameterError(f"{part.kind}.{place}", f"a mode at {complex(pole):.4g}", bound)
-        beyond = abs(pole) - 1.0 if discrete else pole.real / max(float(np.abs(poles).max()), 1e-300)
+        beyond = abs(pole) - 1.0 if part.discrete else pole.real / max(float(np.abs(poles).max()), 1e-300)
         if beyond > furthest:
-            edge = "inside the unit circle" if discrete else "in the left half plane"
+            edge = "inside the unit circle" if part.discrete else "in the left half plane"
             raise ParameterError(f"{part.kind}.{place}", f"a pole at {complex(pole):.4g}", edge)
     return np.asarray(even, dtype=float), reach, show, d
 
@@ -121,7 +120,7 @@ def sampled(part: Any, system: System, dt: float) -> System:
     """
     a, b, c, d = system
     n, m = b.shape
-    if part.period:
+    if part.discrete:
         if not math.isclose(part.period, dt, rel_tol=1e-9):
             raise ParameterError(f"{part.kind}.period", f"{1e3 * part.period:g}", f"{1e3 * dt:g}, the period at which it runs", "ms")
         return system
@@ -135,14 +134,46 @@ def sampled(part: Any, system: System, dt: float) -> System:
     return held[:n, :n], held[:n, n:], c, d
 
 
-def prepare(part: Any, system: System, height: int, width: int) -> None:
-    """Give a part its states and the names of the matrix of its step."""
-    n = len(system[0])
-    entries = tuple(f"entry_{i}_{j}" for i in range(height) for j in range(width))
-    for name, value in {"system": system, "states": ports(*(f"state_{i + 1}" for i in range(n))), "derived": entries}.items():
-        object.__setattr__(part, name, value)
+class LinearPart(Component):
+    """Base of the kinds "state-space" and "transfer-function" of all families.
 
+    Attributes
+    ----------
+    system : tuple of ndarray
+        A, B, C and D as they are sampled.
+    """
 
-def flat(values: dict[str, Any]) -> dict[str, Any]:
-    """Return arguments whose matrices may be arrays or nested lists as flat tuples."""
-    return {name: tuple(np.ravel(value).tolist()) if np.ndim(value) > 1 else value for name, value in values.items()}
+    reference = "Franklin, Powell & Workman, Digital Control of Dynamic Systems, chapters 4, 6 and 9"
+    without_effect = ("period",)  # the examples are continuous
+    system: System
+
+    def __init__(self, **values: Any) -> None:
+        super().__init__(**{name: tuple(np.ravel(value).tolist()) if np.ndim(value) > 1 else value for name, value in values.items()})
+
+    @property
+    def discrete(self) -> bool:
+        """Whether its numbers are for discrete time."""
+        part: Any = self
+        return bool(part.period > 0.0)
+
+    def given(self, n_input: int = 1) -> System:
+        """Return the matrices as given."""
+        return from_matrices(self, n_input) if "a" in self.parameters else from_polynomials(self)
+
+    def prepare(self, system: System, height: int, width: int) -> None:
+        """Take a system, its states, and the names of the matrix (height, width) of the step."""
+        entries = tuple(f"entry_{i}_{j}" for i in range(height) for j in range(width))
+        names = ports(*(f"state_{i + 1}" for i in range(len(system[0]))))
+        for name, value in {"system": system, "states": names, "derived": entries}.items():
+            object.__setattr__(self, name, value)
+
+    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
+        a, b, c, d = sampled(self, self.system, dt)
+        return tuple(np.block([[a, b], [c, d]]).ravel().tolist())
+
+    def step_function(self) -> Any:
+        return matrix_step(self.states, self.inputs, self.outputs, 0)
+
+    def make_step(self, n_axis: int = 1) -> Step:
+        name = f"{self.family}/{self.kind}"
+        return Step(name, self.step_function(), self.derived, (), "", self.states, self.inputs, self.outputs)

@@ -17,7 +17,7 @@ from contourlab.geometry import Line, Path
 control = pytest.importorskip("control")
 
 PLANT = make("plant", "two-mass", mass=20.0, force_constant=50.0, resonance=40.0, damping=80.0)
-LAW = make("controller", "pid", proportional_gain=150.0, integral_gain=300.0, derivative_gain=10.0)
+LAW = make("controller", "pid", proportional_gain=60.0, integral_gain=60.0, derivative_gain=5.0)
 OBSERVER = make("observer", "disturbance-observer", model_gain=2.5, model_damping=4.0, bandwidth=20.0)
 DRIVE = make("drive", "delayed-saturation", limit=1e9, delay=2e-3)
 MACHINE = cl.Machine("m", (cl.Axis("x", PLANT, drive=DRIVE, substeps=4),), PERIOD)

@@ -165,7 +165,7 @@ def test_a_smooth_plant_has_margins_about_rest() -> None:
     found = np.linalg.eigvals(bent.linearize().a)
     assert np.sort_complex(found) == pytest.approx(np.sort_complex(np.linalg.eigvals(a)), rel=1e-6, abs=1e-5)
     assert loop.stable and wanted.shape == (7, 7)
-    assert bent.linear().linear().values() == bent.values()
+    assert bent.linear().linear().values() == bent.values() and bent.linear().mobilities() == bent.mobilities()
 
 
 def test_variants_have_their_own_models() -> None:

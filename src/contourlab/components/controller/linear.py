@@ -9,21 +9,8 @@ import numpy as np
 
 from contourlab.components.contract import LinearModel, param
 from contourlab.components.controller.law import ControlLaw
-from contourlab.components.linear_part import (
-    EDGE,
-    MATRICES,
-    METHOD,
-    PERIOD,
-    POLYNOMIALS,
-    System,
-    checked,
-    flat,
-    from_matrices,
-    from_polynomials,
-    prepare,
-    sampled,
-)
-from contourlab.engine.step import Step, ports
+from contourlab.components.linear_part import EDGE, MATRICES, METHOD, PERIOD, POLYNOMIALS, LinearPart, System, checked
+from contourlab.engine.step import ports
 from contourlab.errors import ParameterError, refuse
 from contourlab.primitives import dot
 
@@ -31,54 +18,38 @@ SIGNALS = ("reference", "position", "reference_velocity", "velocity")
 """Inputs of a controller with several; one with a single input gets the position error."""
 
 
-class LinearLaw(ControlLaw):
+class LinearLaw(LinearPart, ControlLaw):
     """Base of controllers y = C x + D w, x' = A x + B w: command = y + feedforward - disturbance estimate.
 
     w is the position error r - p (one input), (r, p) or (r, p, r', v), as the number of numbers in D says. Its poles lie on or inside the
     edge of stability. It has no limit and no anti-windup: states that integrate wind up while the drive saturates.
     """
 
-    without_effect = ("period",)  # the example is continuous
     inputs = ports("reference", "position", "disturbance_estimate", "feedforward")
-    system: System
-
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**flat(values))
-
-    def matrices(self) -> System:
-        """Return the matrices as given."""
-        raise NotImplementedError
 
     def check_values(self) -> None:
-        system = checked(self, self.matrices(), EDGE)
+        system = checked(self, self.given(), EDGE)
         n, m = system[1].shape
-        prepare(self, system, n + 1, n + m)
+        self.prepare(system, n + 1, n + m)
         object.__setattr__(self, "inputs", ports(*SIGNALS[: max(m, 2)], "disturbance_estimate", "feedforward"))
 
     def at_rest(self, position: float) -> tuple[dict[str, float], dict[str, float]]:
         """Return the states that hold with reference and position there, if there are any; else zero."""
-        part: Any = self
         a, b, _, _ = self.system
         n, m = b.shape
-        change = a - np.eye(n) * (part.period > 0.0)
+        change = a - np.eye(n) * self.discrete
         wanted = -b[:, :2].sum(axis=1) * (m > 1)
         place = np.linalg.lstsq(change, wanted)[0]
         met = np.allclose(change @ place, wanted, rtol=1e-9, atol=1e-9 * float(np.abs(wanted).max(initial=0.0)))
         return {port.name: position * (float(one) if met else 0.0) for port, one in zip(self.states, place, strict=True)}, {}
 
-    def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
-        a, b, c, d = sampled(self, self.system, dt)
-        return tuple(np.block([[a, b], [c, d]]).ravel().tolist())
-
-    def make_step(self, n_axis: int = 1) -> Step:
-        n, m = self.system[1].shape
-        return Step(f"controller/{self.kind}", _law(n, m), self.derived, (), "", self.states, self.inputs, self.outputs)
+    def step_function(self) -> Any:
+        return _law(*self.system[1].shape)
 
     def linearize(self) -> LinearModel | None:
         """Return the model; None if it is discrete."""
-        part: Any = self
         a, b, c, d = self.system
-        if part.period > 0.0:
+        if self.discrete:
             return None
         if b.shape[1] == 1:
             b, d = (np.hstack([matrix, -matrix]) for matrix in (b, d))
@@ -108,7 +79,6 @@ class StateSpaceController(LinearLaw):
     """
 
     kind = "state-space"
-    reference = "Franklin, Powell & Workman, Digital Control of Dynamic Systems, chapters 4, 6 and 9"
     example = {
         "a": (0.0, 1.0, -4e4, -300.0),
         "b": (0.0, 0.0, 0.0, 0.0, 3e4, -3e4, 10.0, -20.0),
@@ -122,10 +92,10 @@ class StateSpaceController(LinearLaw):
     method: str = METHOD
     period: float = PERIOD
 
-    def matrices(self) -> System:
+    def given(self, n_input: int = 1) -> System:
         m = len(self.d)
         refuse(m not in (1, 2, 4), ParameterError, f"{self.kind}.d", f"{m} numbers", "1 (error), 2 (r, p) or 4 (r, p, r', v)")
-        return from_matrices(self, m)
+        return super().given(m)
 
 
 class TransferFunctionController(LinearLaw):
@@ -135,13 +105,9 @@ class TransferFunctionController(LinearLaw):
     """
 
     kind = "transfer-function"
-    reference = "Franklin, Powell & Workman, Digital Control of Dynamic Systems, chapters 4 and 6"
     example = {"numerator": (20.0, 900.0, 2000.0), "denominator": (1e-3, 1.0, 0.5)}
     unbounded = ("numerator", "denominator")
 
     numerator, denominator = POLYNOMIALS
     method: str = METHOD
     period: float = PERIOD
-
-    def matrices(self) -> System:
-        return from_polynomials(self)

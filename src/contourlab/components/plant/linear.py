@@ -7,25 +7,12 @@ from typing import Any
 import numpy as np
 
 from contourlab.components.contract import LinearModel, param
-from contourlab.components.linear_part import (
-    MATRICES,
-    PERIOD,
-    POLYNOMIALS,
-    System,
-    checked,
-    flat,
-    from_matrices,
-    from_polynomials,
-    prepare,
-    sampled,
-)
-from contourlab.components.mechanics.matrix_step import matrix_step
+from contourlab.components.linear_part import MATRICES, PERIOD, POLYNOMIALS, LinearPart, System, checked, sampled
 from contourlab.components.plant.plant import Plant
-from contourlab.engine.step import Step
 from contourlab.errors import ParameterError
 
 
-class LinearPlant(Plant):
+class LinearPlant(LinearPart, Plant):
     """Base of plants p = C x, x' = A x + B u, u in V. A load acts as a command does, in V, unless a column of its own is given.
 
     The velocity is p' in continuous time, and the last difference in discrete time. It rests at any position if it has an integrator, else
@@ -34,31 +21,26 @@ class LinearPlant(Plant):
 
     command_unit = "V"
     force_unit = "V"
-    without_effect = ("period",)  # the example is continuous
-    system: System
     resting: Any
 
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**flat(values))
-
-    def matrices(self) -> System:
-        """Return the matrices as given, B with columns for command and load."""
-        raise NotImplementedError
+    def given(self, n_input: int = 1) -> System:
+        """Return the matrices as given; B has columns for command and load."""
+        a, b, c, d = super().given()
+        return a, np.hstack([b, b]), c, np.hstack([d, d])
 
     def check_values(self) -> None:
-        part: Any = self
-        a, b, c, d = self.matrices()
+        a, b, c, d = self.given()
         if d.any() or not len(a):
             raise ParameterError(f"{self.kind}.d", f"{d[0, 0]:g}", "0: a position cannot jump with the command; a plant has states")
-        a, b, c, d = checked(part, (a, b, c, d))
-        n, discrete = len(a), part.period > 0.0
+        a, b, c, d = checked(self, (a, b, c, d))
+        n, discrete = len(a), self.discrete
         _, sizes, rows = np.linalg.svd(a - np.eye(n) * discrete)
         free = sizes[-1] <= 1e-9 * sizes[0] and abs(c @ rows[-1])[0] > 0.0
         resting: Any = rows[-1] / float((c @ rows[-1])[0]) if free else None
         if discrete:  # one state more: the last position
             a, b, c = np.block([[a, np.zeros((n, 1))], [c, np.zeros((1, 1))]]), np.pad(b, ((0, 1), (0, 0))), np.pad(c, ((0, 0), (0, 1)))
             resting = np.append(resting, 1.0) if free else None
-        prepare(self, (a, b, c, d), len(a) + 3, len(a) + 2)
+        self.prepare((a, b, c, d), len(a) + 3, len(a) + 2)
         object.__setattr__(self, "resting", resting)
 
     def at_rest(self, position: float) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -70,40 +52,30 @@ class LinearPlant(Plant):
         return dict(zip((port.name for port in self.states), place.tolist(), strict=True)), {"position": position}
 
     def derive(self, par: Any, dt: float) -> tuple[Any, ...]:
-        part: Any = self
         a, b, c, _ = self.system
-        ad, bd, _, _ = sampled(part, self.system, dt)
+        ad, bd, _, _ = sampled(self, self.system, dt)
         after = np.hstack([ad, bd])
         place = c @ after
-        if part.period > 0.0:
-            before, last = np.hstack([c, 0.0 * c[:, :2]])[:, : after.shape[1]], np.eye(1, after.shape[1], len(a) - 1)
-            speed = (place - before) / dt
-            change = (speed - (before - last) / dt) / dt
+        if self.discrete:
+            before, last = np.hstack([c, np.zeros((1, 2))]), np.eye(1, len(a) + 2, len(a) - 1)
+            speed, change = (place - before) / dt, (place - 2.0 * before + last) / dt**2
         else:
             speed = c @ a @ after + np.hstack([0.0 * c, c @ b])
             change = (speed - np.hstack([c @ a, c @ b])) / dt
         return tuple(np.vstack([after, place, speed, change]).ravel().tolist())
 
-    def step_function(self) -> Any:
-        return matrix_step(self.states, self.inputs, self.outputs, 0)
-
-    def make_step(self, n_axis: int = 1) -> Step:
-        return Step(f"plant/{self.kind}", self.step_function(), self.derived, (), "", self.states, self.inputs, self.outputs)
-
     def mobilities(self) -> tuple[float, ...]:
         a, b, c, _ = self.system
-        part: Any = self
         pushed, largest = (float((row @ b[:, 1])[0]) for row, b in ((c @ a, b), (np.abs(c @ a), np.abs(b))))
-        return (pushed,) if not part.period and pushed > 1e-9 * largest else ()
+        return (pushed,) if not self.discrete and pushed > 1e-9 * largest else ()
 
     def linear(self) -> Any:
         return self
 
     def linearize(self) -> LinearModel | None:
         """Return the model; None if it is discrete."""
-        part: Any = self
         a, b, c, _ = self.system
-        if part.period > 0.0:
+        if self.discrete:
             return None
         return LinearModel(a, b, np.vstack([c, c @ a]), np.vstack([0.0 * c @ b, c @ b]), ("command", "load"), ("position", "velocity"))
 
@@ -117,7 +89,6 @@ class StateSpacePlant(LinearPlant):
     """
 
     kind = "state-space"
-    reference = "Franklin, Powell & Workman, Digital Control of Dynamic Systems, chapters 4 and 6"
     example = {"a": (0.0, 1.0, 0.0, -5.0), "b": (0.0, 2.0), "c": (1.0, 0.0), "load_input": (0.0, 0.1)}
     unbounded = ("a", "b", "c", "load_input")
 
@@ -125,15 +96,16 @@ class StateSpacePlant(LinearPlant):
     load_input: tuple[float, ...] = param(default=(), vector=True, doc="column of a load in N; without it a load acts as a command, in V")
     period: float = PERIOD
 
-    def matrices(self) -> System:
-        a, b, c, _ = from_matrices(self, 1)
+    def given(self, n_input: int = 1) -> System:
+        a, b, c, d = super().given()
         if self.load_input:
             object.__setattr__(self, "force_unit", "N")
             if len(self.load_input) != len(a):
                 raise ParameterError(
                     f"{self.kind}.load_input", f"{len(self.load_input)} numbers", f"{len(a)}, as A is {len(a)} by {len(a)}"
                 )
-        return a, np.column_stack([b, np.array(self.load_input) if self.load_input else b]), c, np.zeros((1, 2))
+            b = np.column_stack([b[:, 0], np.array(self.load_input)])
+        return a, b, c, d
 
 
 class TransferFunctionPlant(LinearPlant):
@@ -144,13 +116,8 @@ class TransferFunctionPlant(LinearPlant):
     """
 
     kind = "transfer-function"
-    reference = "Franklin, Powell & Workman, Digital Control of Dynamic Systems, chapters 4 and 6"
     example = {"numerator": (2.0,), "denominator": (1.0, 5.0, 0.0)}
     unbounded = ("numerator", "denominator")
 
     numerator, denominator = POLYNOMIALS
     period: float = PERIOD
-
-    def matrices(self) -> System:
-        a, b, c, d = from_polynomials(self)
-        return a, np.hstack([b, b]), c, np.hstack([d, d])

@@ -98,18 +98,13 @@ def _linear_kind(kind: Any, states: tuple[Port, ...], inputs: tuple[Port, ...], 
     names = tuple(f"slope_{i}_{j}" for i in range(height) for j in range(width))
 
     def derive(self: Any, par: Any, dt: float) -> tuple[Any, ...]:
-        plant: Any = kind(**self.values())
-        numbers = {name: np.asarray(getattr(par, name)) for name in kind.numeric()}
-        if not any(np.ndim(value) for value in numbers.values()):
-            return tuple(tick_matrix(plant, SimpleNamespace(**plant.block(dt, vars(par))), dt).ravel().tolist())
-        lanes = np.broadcast_arrays(*numbers.values())
-        variants = [dict(zip(numbers, row, strict=True)) for row in np.column_stack(lanes).tolist()]
-        return tuple(np.array([tick_matrix(plant, SimpleNamespace(**plant.block(dt, one)), dt).ravel() for one in variants]).T)
+        plant = kind(**self.values())
+        own = kind.derive(self, par, dt)
+        lanes = np.broadcast_arrays(*(np.atleast_1d(getattr(par, name)) for name in kind.numeric()), np.zeros(1))
+        numbers = [dict(zip(kind.numeric(), row, strict=False)) for row in np.column_stack(lanes).tolist()]
+        slopes = np.array([tick_matrix(plant, SimpleNamespace(**plant.block(dt, one)), dt).ravel() for one in numbers])
+        return (*own, *(slopes.T if len(slopes) > 1 else slopes[0].tolist()))
 
-    first = len(kind.numeric())
-    step = staticmethod(matrix_step(states, inputs, outputs, first))
-    return type(kind)(f"Linear{kind.__name__}", (kind,), {"derived": names, "derive": derive, "step": step, "linear": _same})
-
-
-def _same(self: Any) -> Any:
-    return self
+    step = staticmethod(matrix_step(states, inputs, outputs, len(kind.numeric()) + len(kind.derived)))
+    names = (*kind.derived, *names)
+    return type(kind)(f"Linear{kind.__name__}", (kind,), {"derived": names, "derive": derive, "step": step, "linear": lambda self: self})
