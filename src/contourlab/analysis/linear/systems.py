@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,6 +13,7 @@ from contourlab.arrays import Array, ByValue
 from contourlab.components.contract import Component
 from contourlab.components.registry import component
 from contourlab.errors import ParameterError, hint, refuse
+from contourlab.extras import extra_module
 from contourlab.loop.machine import Controller, Machine
 
 
@@ -22,7 +24,7 @@ class LinearSystem(ByValue):
     Attributes
     ----------
     a, b, c, d : ndarray (n_state, n_state), (n_state, n_input), (n_output, n_state), (n_output, n_input)
-        Inputs and outputs in SI.
+        In the units of inputs and outputs [SI].
     dt : float [s]
         Servo period.
     inputs, outputs : tuple of str
@@ -38,9 +40,7 @@ class LinearSystem(ByValue):
 
     def to_control(self) -> Any:
         """Return the system as a `control.StateSpace` with named signals; needs python-control."""
-        import control
-
-        return control.ss(self.a, self.b, self.c, self.d, self.dt, inputs=list(self.inputs), outputs=list(self.outputs))
+        return extra_module("control").ss(self.a, self.b, self.c, self.d, self.dt, inputs=list(self.inputs), outputs=list(self.outputs))
 
     def to_scipy(self) -> Any:
         """Return the system as a `scipy.signal.StateSpace` in discrete time."""
@@ -82,6 +82,10 @@ def linear(machine: Machine, controller: Controller, axis: str) -> LinearAxis:
     controller : Controller
     axis : str
         Its name.
+
+    Returns
+    -------
+    LinearAxis
 
     Raises
     ------
@@ -153,6 +157,10 @@ def from_system(system: Any, family: str = "controller", **values: Any) -> Compo
     **values
         Further parameters, such as ``method="zero-order-hold"``.
 
+    Returns
+    -------
+    Component
+
     Raises
     ------
     ParameterError
@@ -168,18 +176,19 @@ def from_system(system: Any, family: str = "controller", **values: Any) -> Compo
         system = system.to_ss()
     period = getattr(system, "dt", None)
     refuse(period is True, ParameterError, "dt", "True", "the servo period in s")
+    rational = hasattr(system, "num")
+    kind: Callable[..., Component] = component(family, "transfer-function" if rational else "state-space")
     given: dict[str, Any] = {"period": float(period or 0.0), **values}
-    if hasattr(system, "num"):
-        above, below = (_only(getattr(system, name)) for name in ("num", "den"))
-        return component(family, "transfer-function")(numerator=above, denominator=below, **given)
+    if rational:
+        return kind(numerator=_only(system.num), denominator=_only(system.den), **given)
     found = {name: getattr(system, name.upper(), getattr(system, name, None)) for name in "abcd"}
     refuse(any(value is None for value in found.values()), ParameterError, "system", type(system).__name__, "one with A, B, C and D")
-    a, b, c, d = (np.atleast_2d(np.asarray(value, dtype=float)) for value in found.values())
-    refuse(len(d) != 1, ParameterError, "system", f"with {len(d)} outputs", "one output: choose one, as system[0, :] of python-control")
+    numbers = {name: np.atleast_2d(np.asarray(value, dtype=float)) for name, value in found.items()}
+    outputs, direct = len(numbers["d"]), numbers["d"].any()
+    refuse(outputs != 1, ParameterError, "system", f"with {outputs} outputs", "one output: choose one, as system[0, :] of python-control")
     if family == "plant":
-        refuse(bool(d.any()), ParameterError, "system", f"with D = {d.tolist()}", "D = 0: a position cannot jump with the command")
-        return component(family, "state-space")(a=a.ravel(), b=b.ravel(), c=c.ravel(), **given)
-    return component(family, "state-space")(a=a.ravel(), b=b.ravel(), c=c.ravel(), d=d.ravel(), **given)
+        refuse(direct, ParameterError, "system", f"with D = {numbers.pop('d').tolist()}", "D = 0: a position cannot jump with the command")
+    return kind(**{name: matrix.ravel() for name, matrix in numbers.items()}, **given)
 
 
 def _only(polynomials: Any) -> Array:
