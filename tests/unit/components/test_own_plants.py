@@ -327,3 +327,21 @@ def test_vectors_and_structure() -> None:
     assert np.abs(a - wanted).max() < 1e-5 * 900.0  # its step is of first order
     found = run_alone(Chain(**Chain.example), {"command": np.full(300, 0.2)}, friction=FRICTIONS[0], substeps=4, jit=True)
     assert 0.0 < found["position"][-1] < 0.5 * 0.6 * 0.3**2
+
+
+def test_a_run_is_the_exact_loop() -> None:
+    """State feedback of the motor and a filter, around the matrices held over each period."""
+    gains, keep = (90.0, 9.0), np.exp(-800.0 * PERIOD)
+    law = cl.component("controller", "state-space")(d=(gains[0], -gains[0], gains[1], -gains[1]))
+    smooth = cl.component("filter", "state-space")(a=(-800.0,), b=(800.0,), c=(1.0,), method="zero-order-hold")
+    true = cl.component("velocity", "true")()
+    parts = cl.AxisController(law, velocity=true, feedback="motor", velocity_feedback="motor", filters=(("smooth", smooth),))
+    run = cl.simulate(cl.Machine("m", (cl.Axis("x", PLANT, substeps=100),), PERIOD), cl.Controller({"x": parts}), MOVE)
+    ad, bd = held(*matrices(PLANT), PERIOD)
+    block = MOVE.block(0, MOVE.n_sample)
+    x, y, found = np.zeros(7), 0.0, []
+    for r, rv in zip(block.position[:, 0], block.velocity[:, 0], strict=True):
+        found.append(x[5])
+        u = gains[0] * (r - x[3]) + gains[1] * (rv - x[4])
+        x, y = ad @ x + bd[:, 0] * y, keep * y + (1.0 - keep) * u
+    assert np.abs(run["axis_position"][:, 0] - found).max() < 1e-9 * 0.05
