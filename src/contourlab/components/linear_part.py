@@ -15,27 +15,15 @@ from contourlab.errors import ParameterError, refuse
 
 HIGHEST_ORDER = 12
 
-MATRICES = (
-    param(default=(), vector=True, doc="A (n, n), row by row; n up to 12"),
-    param(default=(), vector=True, doc="B (n, inputs), row by row"),
-    param(default=(), vector=True, doc="C (n)"),
-)
+_SIZES = "A (n, n), row by row; n up to 12", "B (n, inputs), row by row", "C (n)"
+MATRICES = tuple(param(default=(), vector=True, doc=doc) for doc in _SIZES)
 POLYNOMIALS = (
     param(vector=True, doc="coefficients in falling powers of s [rad/s], or of z"),
     param(vector=True, doc="coefficients likewise, of degree 12 at most"),
 )
-METHOD = text_param(
-    "tustin",
-    ("tustin", "zero-order-hold"),
-    doc="from continuous time by the trapezoidal rule, or exact for an input held over the period",
-)
+METHOD = text_param("tustin", ("tustin", "zero-order-hold"), doc="sampling: trapezoidal rule, or exact for an input held over the period")
 PERIOD: Any = param(
-    default=0.0,
-    unit="s",
-    minimum=0.0,
-    display="ms",
-    structural=True,
-    doc="servo period of numbers for discrete time, in z; 0: they are for continuous time",
+    default=0.0, unit="s", minimum=0.0, display="ms", structural=True, doc="servo period of discrete numbers; 0: continuous"
 )
 
 EDGE = 1e-6
@@ -52,13 +40,13 @@ def from_matrices(part: Any, n_input: int) -> System:
     n = math.isqrt(len(part.a))
     wanted = f"n^2 numbers, row by row, n at most {HIGHEST_ORDER}"
     refuse(n * n != len(part.a) or n > HIGHEST_ORDER, ParameterError, f"{part.kind}.a", f"{len(part.a)} numbers", wanted)
-    given = {"b": n * n_input, "c": n, "d": n_input}
-    direct = getattr(part, "d", (0.0,) * n_input)
-    for name, size in given.items():
-        found = len(direct if name == "d" else getattr(part, name))
-        refuse(found != size, ParameterError, f"{part.kind}.{name}", f"{found} numbers", f"{size}, as A is {n} by {n}")
-    shapes = (part.a, (n, n)), (part.b, (n, n_input)), (part.c, (1, n)), (direct, (1, n_input))
-    return tuple(np.array(values, dtype=float).reshape(shape) for values, shape in shapes)  # type: ignore[return-value]
+    found = []
+    for name, shape in {"a": (n, n), "b": (n, n_input), "c": (1, n), "d": (1, n_input)}.items():
+        values = getattr(part, name, (0.0,) * n_input)  # a plant has no D
+        wrong, wanted = len(values) != math.prod(shape), f"{math.prod(shape)}, as A is {n} by {n}"
+        refuse(wrong, ParameterError, f"{part.kind}.{name}", f"{len(values)} numbers", wanted)
+        found.append(np.array(values, dtype=float).reshape(shape))
+    return tuple(found)  # type: ignore[return-value]
 
 
 def from_polynomials(part: Any) -> System:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from typing import Any
 
 import numpy as np
@@ -253,6 +254,9 @@ def test_they_survive_a_file_and_run_in_a_module(tmp_path: Any) -> None:
 
 def test_a_matrix_in_rows_is_one_in_a_list() -> None:
     kind = cl.component("plant", "state-space")
+    part = kind(a=(0, 1, 0, -5), b=(0, 2), c=(1, 0))
+    again = pickle.loads(pickle.dumps(part))
+    assert again == part and again.derive(None, PERIOD) == part.derive(None, PERIOD)
     assert kind(a=[[0, 1], [0, -5]], b=[[0], [2]], c=[[1, 0]]) == kind(a=(0, 1, 0, -5), b=(0, 2), c=(1, 0))
 
 

@@ -110,6 +110,9 @@ LAW = PID(proportional_gain=100.0, derivative_gain=9.0)
 MOVE = cl.plan(cl.route_from_path(Path([Line((0.0,), (0.05,))]), 0.05), cl.AxisLimits(1.0, 5.0, 100.0), PERIOD)
 
 
+MOVING = cl.uniform(cl.contour("circle", radius=0.01), 1.0, 1, PERIOD)
+
+
 def exact_motion(u: Array) -> Array:
     ad, bd = held(*matrices(PLANT), PERIOD)
     x, found = np.zeros(7), []
@@ -345,3 +348,22 @@ def test_a_run_is_the_exact_loop() -> None:
         u = gains[0] * (r - x[3]) + gains[1] * (rv - x[4])
         x, y = ad @ x + bd[:, 0] * y, keep * y + (1.0 - keep) * u
     assert np.abs(run["axis_position"][:, 0] - found).max() < 1e-9 * 0.05
+
+
+def test_a_load_that_pushes_nothing_ends_the_run() -> None:
+    class Deaf(Mass):
+        """A mass that no load reaches."""
+
+        kind = "deaf"
+
+        @staticmethod
+        def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+            v = x.velocity + clock.dt * 60.0 * inp.command * par.mobility_value
+            return (x.position + clock.dt * v, v), (x.position + clock.dt * v, v, 0.0)
+
+    controller = cl.Controller({"x": cl.AxisController(LAW)})
+    with pytest.raises(cl.DivergenceError, match="x"):
+        cl.simulate(machine(Deaf(mass=20.0), friction=FRICTIONS[0]), controller, MOVE)
+    with refuses(ParameterError, name="moving"):
+        two = cl.Machine("m", tuple(cl.Axis(name, Chain(**Chain.example)) for name in "xy"), PERIOD)
+        cl.simulate(two, cl.Controller(dict.fromkeys("xy", cl.AxisController(LAW))), MOVING, moving=True)

@@ -79,12 +79,7 @@ class StateSpaceController(LinearLaw):
     """
 
     kind = "state-space"
-    example = {
-        "a": (0.0, 1.0, -4e4, -300.0),
-        "b": (0.0, 0.0, 0.0, 0.0, 3e4, -3e4, 10.0, -20.0),
-        "c": (1.0, 1e-3),
-        "d": (9.0, -9.0, 0.3, -0.2),
-    }
+    example = {"a": (-40.0,), "b": (3e4, -3e4, 10.0, -20.0), "c": (1e-3,), "d": (9.0, -9.0, 0.3, -0.2)}
     unbounded = ("a", "b", "c", "d")
 
     a, b, c = MATRICES

@@ -13,7 +13,7 @@ from typing import Any
 
 from contourlab.components.mechanics.laws import ITERATIONS, SETTLED, friction_of
 from contourlab.engine.step import record
-from contourlab.primitives import fabs, select
+from contourlab.primitives import fabs, select, sqrt
 
 
 @cache
@@ -37,9 +37,11 @@ def rubbed(base: Any, friction: Any, states: tuple[str, ...], inputs: tuple[str,
         state = own(*x[: len(states)])
         free = base(par, state, inp, clock)[1][velocity]
         more = base(par, state, pushed(*inp[:load], inp.load + 1.0, *inp[load + 1 :]), clock)[1][velocity]
-        force, kept = meeting(par, x, free, more - free, clock.dt)
+        # A load that does not push the velocity forward ends the run.
+        gain = select(more > free, more - free, sqrt(-1.0))
+        force, kept = meeting(par, x, free, gain, clock.dt)
         after, out = base(par, state, pushed(*inp[:load], inp.load - force, *inp[load + 1 :]), clock)
-        return (*after, *kept), out
+        return (*after, *kept), (*out[:velocity], out[velocity] + 0.0 * force, *out[velocity + 1 :])
 
     return step
 
@@ -66,7 +68,7 @@ def _resists(friction: Any) -> Callable[..., Any]:
                 low, high, side = select(over, low, speed), select(over, speed, high), select(over, 1.0, -1.0)
                 if fabs(value) <= SETTLED * most:
                     break
-        return (free - way * speed) / select(gain > 0.0, gain, 1.0), ()
+        return (free - way * speed) / gain, ()
 
     return meeting
 
