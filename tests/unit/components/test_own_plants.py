@@ -22,7 +22,7 @@ from contourlab.components.plant.two_sided import TwoMass
 from contourlab.engine.step import Port, ports
 from contourlab.errors import ComponentError, ParameterError
 from contourlab.geometry import Line, Path
-from contourlab.primitives import sin
+from contourlab.primitives import fabs, select, sin, sqrt
 
 Array = NDArray[np.float64]
 PERIOD = 1e-3
@@ -194,6 +194,38 @@ class Kinked(Flexible):
 def test_what_is_not_smooth_has_no_model() -> None:
     with pytest.raises(ComponentError, match="not smooth"):
         Kinked(**Kinked.example).linearize()
+
+
+@pytest.mark.parametrize(
+    ("force", "slope"),
+    [
+        (lambda v: v * fabs(v) * 1e3, 0.0),
+        (lambda v: 5e3 * v * v, 0.0),
+        (lambda v: 7.0 * v + 1e5 * v * v * v, 7.0),
+        (lambda v: 7.0 * sin(1e3 * v), 7e3),
+        (lambda v: select(v > 0.0, 1e-3, -1e-3), None),
+        (lambda v: 1e-2 * fabs(v), None),
+        (lambda v: sqrt(fabs(v)) * select(v > 0.0, 1.0, -1.0), None),
+        (lambda v: select(v > 0.0, 3.0, 1.0) * v, None),
+    ],
+)
+def test_smooth_forces_have_slopes_and_others_are_refused(force: Any, slope: float | None) -> None:
+    class Pulled(Mass):
+        """A mass under a force of velocity."""
+
+        kind = "pulled"
+
+        @staticmethod
+        def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
+            pull = (60.0 * inp.command + inp.load - force(x.velocity)) * par.mobility_value
+            v = x.velocity + clock.dt * pull
+            return (x.position + clock.dt * v, v), (x.position + clock.dt * v, v, pull)
+
+    if slope is None:
+        with pytest.raises(ComponentError, match="not smooth"):
+            Pulled(mass=20.0).linearize()
+    else:
+        assert Pulled(mass=20.0).linearize().a[1, 1] == pytest.approx(-slope / 20.0, rel=1e-3, abs=1e-2)
 
 
 class Mass(cl.Plant):

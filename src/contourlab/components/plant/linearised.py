@@ -23,11 +23,11 @@ from contourlab.primitives import Clock, Table
 NUDGE = 2.0**-20
 """Change of a state or an input [its unit]."""
 
-BRIEF = 2.0**-20
+BRIEF = 2.0**-24
 """Period [s] of the steps whose matrix gives the model in continuous time; far below every time constant."""
 
 UNEVEN, BENT, ABSENT = 1e-3, 0.1, 1e-6
-"""Largest relative change of a slope with half the nudge, and over it; slopes below this part of the largest of their row do not count."""
+"""Largest relative rise of a slope over half the nudge, and turn at rest; below this part of the largest of its row none counts."""
 
 
 def tick_matrix(plant: Any, par: Any, dt: float) -> Array:
@@ -57,8 +57,10 @@ def tick_matrix(plant: Any, par: Any, dt: float) -> Array:
     moved = np.array([[tick(at + NUDGE * end * unit) for end in ends] for unit in np.eye(at.size)]) - rest
     coarse, fine = (moved[:, 3] - moved[:, 0]).T / (2.0 * NUDGE), (moved[:, 2] - moved[:, 1]).T / NUDGE
     floor = ABSENT * np.abs(fine).max(axis=1, keepdims=True)
-    bend = (moved[:, 3] + moved[:, 0]).T / NUDGE
-    if not ((np.abs(fine - coarse) <= UNEVEN * np.abs(fine) + floor) & (np.abs(bend) <= BENT * np.abs(fine) + floor)).all():
+    bent, half_bent = np.abs(moved[:, 3] + moved[:, 0]).T / NUDGE, np.abs(moved[:, 2] + moved[:, 1]).T / (0.5 * NUDGE)
+    # Over half the distance the slope over a jump doubles, and that of a kink turns as much; what is smooth turns half as much.
+    jumps = np.abs(fine) - np.abs(coarse) > UNEVEN * np.abs(fine) + floor
+    if (jumps | ((half_bent > 0.75 * bent) & (bent > BENT * np.abs(fine) + floor))).any():
         raise ComponentError(f"a {plant.kind} is not smooth at rest, so it has no linear model: write its `linear`")
     return np.asarray(fine + (fine - coarse) / 3.0)
 
