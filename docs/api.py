@@ -91,7 +91,7 @@ GROUPS = {
         "Signals with units, how a run ended, one page about runs, and the viewer in a notebook.",
         ("Result", "Signal", "Status", "report", "show"),
     ),
-    "Analyse": ("Margins without a run.", ("contour_margins", "internal_stability")),
+    "Analyse": ("Margins and matrices without a run.", ("contour_margins", "internal_stability", "linear", "from_system")),
     "Learn": ("Learning from trial to trial.", ("Stopping", "LearnedTable", "Learned", "learning_analysis")),
     "Components": (
         "Find, write, check and translate the parts of a machine.",
@@ -99,6 +99,7 @@ GROUPS = {
             "component",
             "load_plugin",
             "Component",
+            "Plant",
             "Port",
             "param",
             "text_param",

@@ -18,6 +18,7 @@ __version__ = "0.1.0"
 _HOMES = {
     "contourlab.analysis.learning.learning_analysis": ("learning_analysis",),
     "contourlab.analysis.linear.contour_transfer": ("contour_margins", "internal_stability"),
+    "contourlab.analysis.linear.systems": ("from_system", "linear"),
     "contourlab.components.conformance": ("check_component",),
     "contourlab.components.contract": ("Component", "Port", "param", "text_param"),
     "contourlab.components.registry": ("component", "load_plugin"),
@@ -56,7 +57,7 @@ _HOMES = {
         "simulate_batch",
         "with_values",
     ),
-    "contourlab.components.plant.plant": ("reflected_inertia", "reflected_mass"),
+    "contourlab.components.plant.plant": ("Plant", "reflected_inertia", "reflected_mass"),
     "contourlab.metrics.circles": ("backlash_from_circle", "backlash_of_runs", "circles_of"),
     "contourlab.metrics.figures": ("Metrics", "summarise"),
     "contourlab.metrics.judge": ("judge",),

@@ -7,11 +7,14 @@ from collections.abc import Sequence
 from contourlab.analysis.learning.learning_analysis import learning_analysis as learning_analysis
 from contourlab.analysis.linear.contour_transfer import contour_margins as contour_margins
 from contourlab.analysis.linear.contour_transfer import internal_stability as internal_stability
+from contourlab.analysis.linear.systems import from_system as from_system
+from contourlab.analysis.linear.systems import linear as linear
 from contourlab.components.conformance import check_component as check_component
 from contourlab.components.contract import Component as Component
 from contourlab.components.contract import param as param
 from contourlab.components.contract import text_param as text_param
 from contourlab.components.learning.law import LearningLaw as LearningLaw
+from contourlab.components.plant.plant import Plant as Plant
 from contourlab.components.plant.plant import reflected_inertia as reflected_inertia
 from contourlab.components.plant.plant import reflected_mass as reflected_mass
 from contourlab.components.registry import component as component
@@ -139,6 +142,7 @@ __all__ = [
     "Metrics",
     "Nurbs",
     "Path",
+    "Plant",
     "Port",
     "Program",
     "Reading",
@@ -165,6 +169,7 @@ __all__ = [
     "contour_margins",
     "contour_names",
     "export",
+    "from_system",
     "identify",
     "internal_stability",
     "interpolate",
@@ -173,6 +178,7 @@ __all__ = [
     "learning_analysis",
     "limit_report",
     "limits",
+    "linear",
     "link",
     "load_log",
     "load_plugin",

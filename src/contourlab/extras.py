@@ -11,7 +11,7 @@ EXTRAS = {
     "cvxpy": "design", "ezdxf": "cad", "svgelements": "cad", "pyarrow": "parquet", "pyarrow.parquet": "parquet", "pyarrow.csv": "parquet",
     "pyarrow.dataset": "parquet", "pyarrow.compute": "parquet",
     "duckdb": "sweep", "optuna": "optimise", "cmaes": "optimise", "dask": "cluster", "distributed": "cluster", "dask_jobqueue": "cluster",
-    "cryptography": "cluster", "anywidget": "notebook",
+    "cryptography": "cluster", "anywidget": "notebook", "control": "control",
 }  # fmt: skip
 """The extra that installs each module."""
 

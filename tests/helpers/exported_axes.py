@@ -52,7 +52,8 @@ def exported(case: str) -> AxisControl:
     drive = drive.replace(limit={"unlimited": math.inf, "delayed-saturation": 100.0}.get(kind, 1e9))  # the examples' own limit hides all
     parts: dict[str, Any] = {"controller": example("controller", "position"), "velocity": example("velocity", "filtered-difference")}
     if slot == "filter":
-        parts["filters"] = (("smooth", example("filter", kind, frequency=150.0)),)
+        given = {"frequency": 150.0} if "frequency" in component(slot, kind).parameters else {}
+        parts["filters"] = (("smooth", example("filter", kind, **given)),)
     elif slot != "drive":
         parts[slot] = example(slot, kind)
     if slot == "supervisor":

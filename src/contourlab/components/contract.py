@@ -161,7 +161,7 @@ class Parameter:
                 raise ParameterError(self.name, repr(value), "one of " + ", ".join(self.choices))
             return str(value)
         if self.vector:
-            if isinstance(value, str) or not hasattr(value, "__len__") or len(value) == 0:
+            if isinstance(value, str) or not hasattr(value, "__len__") or (len(value) == 0 and self.default != ()):
                 raise ParameterError(self.name, repr(value), "a list of numbers" + self._in_unit, self._unit_in_words)
             scalar = replace(self, vector=False)
             return tuple(scalar.check(item) for item in value)

@@ -7,6 +7,7 @@ import importlib
 import inspect
 import math
 import re
+from typing import Any
 
 from contourlab.components.contract import Component, Parameter, fault
 from contourlab.components.families import FAMILY, Form, size_of
@@ -161,12 +162,16 @@ def _check_ports(kind: type[Component]) -> None:
             offered = ", ".join(family.inputs) or "none"
             raise fault(kind, f"a {kind.family} cannot have the input {name!r}; its inputs are: {offered}")
     wanted = family.outputs
+    if kind.family == "plant":
+        plant: Any = kind
+        wanted = (*wanted, *(("motor_position", "motor_velocity") if plant.two_sided else ()), plant.measured)
     if family.either and any(name in gives for name in wanted):
         wanted = tuple(name for name in wanted if name in gives)
     for what, names, needed in (("inputs", takes, () if family.chooses else family.inputs), ("outputs", gives, wanted)):
         missing = [name for name in needed if name not in names]
         if missing:
-            raise fault(kind, f"a {kind.family} must declare {missing[0]!r} in its {what}: write {what} = {_written(kind.family, needed)}")
+            example = _written(kind.family, tuple(dict.fromkeys(needed)))
+            raise fault(kind, f"a {kind.family} must declare {missing[0]!r} in its {what}: write {what} = {example}")
     for port in (*kind.inputs, *kind.outputs):
         if port.name in (*family.inputs, *family.outputs) and port.size != size_of(kind.family, port.name):
             raise fault(kind, f"port {port.name!r} has the size {port.size}: write {_port(kind.family, port.name)}")

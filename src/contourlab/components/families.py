@@ -136,6 +136,7 @@ _FOLLOWER = Form(
     "contourlab.components.plant.stepper.Follower",
     constants=dict.fromkeys(("mobility_value", "decay_value", "stiffness_value", "damper_value", "feed_value", "step_value"), ""),
 )
+_OWN = Form((_ADVANCE,), "contourlab.components.plant.plant.Plant")
 _FRICTIONS = (
     Form((Method("force(par, v)", "the friction force at the velocity v, with the sign of v"),), law="smooth"),
     Form(
@@ -162,7 +163,7 @@ FAMILY = {
         "axes.NAME.plant",
         ("command", "load"),
         ("position", "velocity", "acceleration"),
-        (_LAGGED, _FOLLOWER, *_PLANTS),
+        (_LAGGED, _FOLLOWER, *_PLANTS, _OWN),
     ),
     "friction": Family("resists the motion", "axes.NAME.friction", forms=_FRICTIONS),
     "drive": Family("limits and delays the command", "axes.NAME.drive", ("command",), ("applied",), _STEP),

@@ -99,6 +99,11 @@ class Builder:
                     fitting = '"steps"' if axis.plant.takes_position else "one that closes a loop"
                     bound = f"{fitting}: the commands of a {axis.plant.kind} are in {axis.plant.command_unit}"
                     raise ParameterError(f"controller.axes.{axis.name}.{slot}", f'"{law.kind}"', bound)
+            for label, part in given[axis.name].filters if axis.plant.takes_position else ():
+                gain = getattr(part, "rest_gain", 1.0)
+                if abs(gain - 1.0) > 1e-9:
+                    place = f"controller.axes.{axis.name}.filters.{label}"
+                    raise ParameterError(place, f"with the gain {gain:g} at rest", "one with 1: the commands are positions")
         units = [axis.plant.command_unit for axis in self.machine.axes]
         if len(set(units)) > 1 and coupling is not None and coupling.gives("correction"):
             bound = f"one that acts on the reference, because the axes take commands in {', '.join(units)}"
@@ -258,7 +263,9 @@ class Sensing:
         self.velocity_on(self.parts.velocity_feedback)
 
     def _signal(self, side: str, what: str) -> str:
-        return f"{self.name}.plant.{'motor_' if side == 'motor' and self.axis.plant.two_sided else ''}{what}"
+        if side == "motor" and self.axis.plant.two_sided:
+            return f"{self.name}.plant.motor_{what}"
+        return f"{self.name}.plant.{self.axis.plant.measured if what == 'position' else what}"
 
     def position_on(self, side: str) -> Any:
         """Return the wire of the position measured on a side."""

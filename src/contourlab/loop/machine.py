@@ -382,9 +382,14 @@ class Machine:
     def _check_step(self, axis: Axis) -> None:
         """Raise if the axis needs more sub-steps: the Runge-Kutta step is stable up to a decay by friction of 2.78 per step."""
         plant = self.loaded_plant(axis.name)
+        for slot, friction in (("friction", axis.friction), ("motor_friction", axis.motor_friction)) if plant.steps_itself else ():
+            if not isinstance(friction, NoFriction) and (slot == "motor_friction" or not plant.mobilities()):
+                why = "takes no friction at its motor" if slot == "motor_friction" else 'names no "mobility_value" of its load'
+                bound = f'"none": a {plant.kind} {why}; or put the friction into its step'
+                raise ParameterError(f"axes.{axis.name}.{slot}", f'"{friction.kind}"', bound)
         wanted, why = plant.fewest_substeps(self.servo_period)
         refuse(axis.substeps < wanted, ParameterError, f"axes.{axis.name}.substeps", f"{axis.substeps}", f"at least {wanted} for {why}")
-        for friction, mobility in zip((axis.friction, axis.motor_friction), plant.mobilities(), strict=False):
+        for friction, mobility in zip((axis.friction, axis.motor_friction), () if plant.steps_itself else plant.mobilities(), strict=False):
             steepest = getattr(type(friction), "steepest", None)
             decay = mobility * steepest(friction.constants()) * self.servo_period if steepest is not None else 0.0
             if decay / axis.substeps > 2.78:

@@ -75,6 +75,8 @@ def add_plants(builder: Builder) -> None:
         on_motor = axis.motor_friction.block(builder.period, builder.changed(f"{prefix}.motor_friction"))
         values |= {f"{MOTOR_FRICTION}{row}": value for row, value in on_motor.items()}
         initial, start = builder.resting(name)
+        if speed and axis.plant.steps_itself and all(port.name != "velocity" for port in axis.plant.states):
+            raise ParameterError("moving", "true", f"false: a {axis.plant.kind} names no state velocity")
         initial = {**initial, **_speeds(axis.plant.states, float(speed))}
         start = {**start, **_speeds(axis.plant.outputs, float(speed))}
         pushed: dict[str, Any] = {"command": f"{name}.drive.applied", "load": load}
@@ -211,11 +213,12 @@ def signal_map(builder: Builder, sensing: Mapping[str, Sensing]) -> dict[str, tu
 def _inside(builder: Builder) -> dict[str, tuple[str, ...]]:
     """Return the internal signals that only some axes have; zero, or the load's signal, for the others."""
     split = {axis.name: axis.plant.two_sided for axis in builder.machine.axes}
+    gapped = {axis.name: axis.plant.gives("gap_state") for axis in builder.machine.axes}
     led = {name: builder.controller.axes[name].supervisor is not None for name in builder.names}
     watched = {name: builder.controller.axes[name].gap_observer is not None for name in builder.names}
     groups: tuple[tuple[dict[str, bool], dict[str, tuple[str, str]]], ...] = (
         (split, {f"motor_{what}": (f"plant.motor_{what}", f"plant.{what}") for what in ("position", "velocity")}),
-        (split, {"gap_state": ("plant.gap_state", NOTHING), "shaft_force": ("plant.shaft_force", NOTHING)}),
+        (gapped, {"gap_state": ("plant.gap_state", NOTHING), "shaft_force": ("plant.shaft_force", NOTHING)}),
         (led, {"active_controller": ("supervisor.active", NOTHING), "switch_reason": ("supervisor.reason", NOTHING)}),
         (watched, {signal: (f"gap_observer.{port}", NOTHING) for signal, port in _OBSERVED.items()}),
     )

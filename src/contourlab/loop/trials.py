@@ -247,8 +247,8 @@ def _undisturbed(parts: AxisController) -> AxisController:
 def _followed(wire: Any, names: tuple[str, ...]) -> Any:
     """Return the reference's wire in place of a plant's, as if the plant followed exactly."""
     axis, _, signal = (wire.signal if isinstance(wire, Late) else "").partition(".plant.")
-    what = {"position": "reference", "velocity": "reference_velocity"}.get(signal.removeprefix("motor_"))
-    return wire if what is None else f"in.{what}[{names.index(axis)}]"
+    what = "reference_velocity" if signal.endswith("velocity") else "reference"
+    return wire if not signal else f"in.{what}[{names.index(axis)}]"
 
 
 def feedforward_command(machine: Machine, controller: Controller, reference: Reference, *, jit: bool | None = None) -> Array:

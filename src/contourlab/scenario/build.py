@@ -137,7 +137,7 @@ def _value(parameter: Parameter, given: Any) -> Any:
         return given
     if parameter.vector:
         numbers = read_list(given, parameter.unit, parameter.display)
-        refuse(not numbers, UnitError, "the list is empty: write at least one value")
+        refuse(not numbers and parameter.default != (), UnitError, "the list is empty: write at least one value")
         scalar = replace(parameter, vector=False)
         return tuple(in_range(number, scalar, f"item {i + 1}") for i, number in enumerate(numbers))
     return in_range(read_number(given, parameter.unit, parameter.display), parameter, repr(given))

@@ -156,6 +156,11 @@ def drag(tmp_path: Path) -> Path:
     return write(tmp_path, next(block for block in blocks("python") if "class Drag(Component)" in block), "drag.py")
 
 
+def test_the_plant_in_the_guide_keeps_the_contract(tmp_path: Path) -> None:
+    (kind,) = cl.load_plugin(write(tmp_path, next(block for block in blocks("python") if "class Covered(Plant)" in block), "covered.py"))
+    assert "linear model agrees with the step" in cl.check_component(kind)
+
+
 @pytest.mark.slow
 def test_the_command_in_the_guide_works(drag: Path) -> None:
     line = next(line for block in blocks("sh") for line in block.splitlines() if "--plugin" in line)

@@ -14,7 +14,8 @@ polynomial in time over the step: by the exponential Runge-Kutta method of fourt
 classical one. A reversal is located on the motion itself; from there the axis is held while the force goes on, and breaks away at the
 instant at which the force passes the breakaway friction.
 
-A plant whose motor and load can differ in position has a friction on either side and links them itself: `two_mass_mechanics`.
+A plant whose motor and load can differ in position has a friction on either side and links them itself: `two_mass_mechanics`. One that has
+a step of its own keeps it; friction acts on its load: `rubbing`.
 
 References
 ----------
@@ -32,6 +33,7 @@ from contourlab.components.friction.laws import NoFriction
 from contourlab.components.mechanics.following import following
 from contourlab.components.mechanics.laws import friction_of
 from contourlab.components.mechanics.propagator import DOUBLINGS, land, propagator, speed
+from contourlab.components.mechanics.rubbing import rubbed
 from contourlab.engine.step import Port, Step, record
 from contourlab.errors import ComponentError
 from contourlab.native.generated import generated
@@ -43,7 +45,7 @@ MOTOR_FRICTION, LOAD_FRICTION = "motor_friction_", "load_friction_"
 
 def friction_prefix(plant: Any) -> str:
     """Return the prefix of the names of the load friction's parameters."""
-    return LOAD_FRICTION if getattr(plant, "two_sided", False) else ""
+    return LOAD_FRICTION if hasattr(plant, "joined") else ""
 
 
 def moves_its_count(plant: Any) -> bool:
@@ -56,7 +58,7 @@ def link(plant: Component, friction: Component, motor_friction: Component | None
 
     Parameters
     ----------
-    plant : SingleMass, LaggedMass, or a plant with two sides
+    plant : SingleMass, LaggedMass, a plant with two sides, or one with a step of its own
     friction : Component of the family friction
     motor_friction : Component of the family friction, optional
         Of the motor, on a plant with two sides; its parameters have the prefix `MOTOR_FRICTION`.
@@ -68,22 +70,31 @@ def link(plant: Component, friction: Component, motor_friction: Component | None
     ComponentError
         If plant and friction have a parameter of the same name, or the plant does not support the friction's law.
     """
-    if getattr(plant, "two_sided", False):
+    if hasattr(plant, "joined"):
         return _two_sided(plant, friction, motor_friction or NoFriction())
     shared = sorted({*plant.numeric(), *plant.derived} & {*friction.numeric(), *friction.derived})
     if shared:
         raise ComponentError(f"plant {plant.kind} and friction {friction.kind} both have a parameter {shared[0]!r}: rename one")
+    parameters = (*plant.numeric(), *plant.derived, *friction.numeric(), *friction.derived)
+    states, name = (*plant.states, *friction.states), f"plant/{plant.kind}+{friction.kind}"
+    if getattr(plant, "steps_itself", False):
+        function, names = (
+            plant.step_function(),
+            [tuple(port.name for port in ports) for ports in (plant.states, plant.inputs, plant.outputs)],
+        )
+        if not isinstance(friction, NoFriction):
+            rough: Any = type(friction)
+            function = rubbed(function, rough, names[0], names[1], names[2].index("velocity"))
+        return Step(name, function, parameters, plant.tables, plant.ring, states, plant.inputs, plant.outputs)
     makers: dict[str, Callable[..., Any]] = {"smooth": _smooth, "sticking": _sticking, "bristle": _bristle}
     if any(port.name == "force" for port in plant.states):
         makers = {"smooth": lagged_smooth, "sticking": lagged_sticking, "bristle": lagged_bristle}
     law = getattr(friction, "law", "")
     if law not in makers:
         raise ComponentError(f"friction {friction.kind}: law {law!r} is not one of {', '.join(makers)}")
-    parameters = (*plant.numeric(), *plant.derived, *friction.numeric(), *friction.derived)
-    states = (*plant.states, *friction.states)
     kinds: tuple[Any, Any] = (type(plant), type(friction))
     function = following(*kinds, makers[law], substeps) if moves_its_count(plant) else makers[law](*kinds)
-    return Step(f"plant/{plant.kind}+{friction.kind}", function, parameters, (), "", states, plant.inputs, plant.outputs)
+    return Step(name, function, parameters, (), "", states, plant.inputs, plant.outputs)
 
 
 def _two_sided(plant: Any, friction: Component, motor_friction: Component) -> Step:

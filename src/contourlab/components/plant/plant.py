@@ -7,16 +7,26 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from contourlab.components.contract import Component, LinearModel, param
+from contourlab.components.contract import Component, LinearModel, param, response_of
+from contourlab.components.plant.linearised import continuous_model, linearised
 from contourlab.engine.step import Port
-from contourlab.errors import ParameterError
+from contourlab.errors import ComponentError, ParameterError
+
+SLOW, FREE = 1e-3, 1e-5
+"""Frequency of slow motions, as a part of the slowest mode; modes below this part of the fastest are free motions."""
 
 
 class Plant(Component):
-    """Base of plants: one mass, or several in series.
+    """Base of plants: one mass, or several in series; of a plant of any shape, with a `step` of its own.
+
+    Such a plant has states of its own and moves to the end of the step, under the inputs `command` and `load`. Its outputs `position`,
+    `velocity` and `acceleration` are those of the axis; it may add a `motor_position` and `motor_velocity`, and what the sensor reads.
+    The machine's friction acts on it if it has a constant ``mobility_value``: `load` then pushes the mass whose velocity it gives.
 
     Attributes
     ----------
+    measured : str
+        The output that the sensor of the axis reads.
     command_unit, force_unit : str
         Units of the command that drives it and of the forces on it.
     two_sided : bool
@@ -30,6 +40,26 @@ class Plant(Component):
     force_unit: ClassVar[str] = "N"
     two_sided: ClassVar[bool] = False
     rest_depends: ClassVar[tuple[str, ...]] = ()
+    measured: ClassVar[str] = "position"
+
+    @property
+    def steps_itself(self) -> bool:
+        """Whether it has a step of its own, instead of one made from its constants."""
+        return (type(self).step, type(self).step_function) != (Component.step, Component.step_function)
+
+    def at_rest(self, position: float) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Return states and outputs at rest: all whose name ends in position, and what is measured, are there; the others are zero."""
+        there = [port for port in (*self.states, *self.outputs) if port.name.endswith("position") or port.name == self.measured]
+        values = {port.name: (position,) * port.size or position for port in there}
+        return values, values
+
+    def linear(self) -> Any:
+        """Return the plant without its nonlinear parts; with a step of its own its linear model about rest."""
+        return linearised(self) if self.steps_itself and not self.ring else self
+
+    def linearize(self) -> LinearModel | None:
+        """Return the linear model about rest; None if it looks back in time."""
+        return continuous_model(self) if self.steps_itself and not self.ring else None
 
     @staticmethod
     def moved_mass(par: Any) -> Any:
@@ -38,7 +68,18 @@ class Plant(Component):
 
     def rigid_model(self) -> tuple[float, float]:
         """Return gain a [m/s^2 per command] and damping b [1/s] of v' = a u - b v, the plant for slow motions."""
-        raise NotImplementedError
+        (to_command, _), s = self._slow()
+        return float(s.imag / (1.0 / to_command).imag), float((1.0 / to_command).real * s.imag / (1.0 / to_command).imag)
+
+    def _slow(self) -> tuple[Any, complex]:
+        """Return the response of velocity to command and load at s, far below all modes, and s."""
+        model = self.linearize()
+        if model is None:
+            raise ComponentError(f"a {self.kind} has no linear model, which the design of gains needs")
+        rates = np.abs(np.linalg.eigvals(model.a))
+        s = 1j * SLOW * float(min(rates[rates > FREE * rates.max(initial=0.0)], default=1.0))
+        at = [model.inputs.index(name) for name in ("command", "load")]
+        return response_of(model.a, model.b, model.c, model.d, s)[0, model.outputs.index("velocity"), at], s
 
     @property
     def takes_position(self) -> bool:
@@ -63,11 +104,16 @@ class Plant(Component):
     @property
     def force_per_command(self) -> float:
         """Force of the drive on the axis per command."""
-        raise NotImplementedError
+        to_command, to_load = self._slow()[0]
+        return float((to_command / to_load).real)
 
     def mobilities(self) -> tuple[float, ...]:
-        """Return the acceleration per force [m/s^2 per force unit] where a friction acts: at the load, and at the motor if it has one."""
-        raise NotImplementedError
+        """Return the acceleration per force [m/s^2 per force unit] where a friction acts: at the load, and at the motor if it has one.
+
+        Empty if it tells none: then it takes no friction.
+        """
+        known = self.block(1.0)
+        return (float(known["mobility_value"]),) if "mobility_value" in known else ()
 
 
 class SingleMass(Plant):

@@ -141,10 +141,10 @@ class LogRun:
         ResultError
             If the run diverges.
         """
-        name = self.machine.axis_names[0]
-        plant = self.machine.axis(name).plant
-        parameter = plant.numeric()[0]
-        signals = self.simulated({f"axes.{name}.plant.{parameter}": [plant.values()[parameter]]})[:, :, 0]
+        axis = self.machine.axes[0]
+        slot, part = next((slot, part) for slot in ("plant", "drive") if (part := getattr(axis, slot)).numeric())
+        parameter = part.numeric()[0]
+        signals = self.simulated({f"axes.{axis.name}.{slot}.{parameter}": [part.values()[parameter]]})[:, :, 0]
         refuse(not np.isfinite(signals).all(), ResultError, f"{self.label}: the simulated run diverges along the log's reference")
         return signals
 
