@@ -40,7 +40,9 @@ COMPARED: dict[str, Callable[[float, float], bool]] = {
     "==": operator.eq,
     "!=": operator.ne,
 }
-_COSTS = {"fdiv": 8, "sqrt": 10, "exp": 40, "tanh": 50, "log": 40, "sin": 40, "cos": 40, "uniform": 15}
+LIBRARY = ("exp", "log", "tanh", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "pow", "fmod")
+"""Operations that a mathematical library computes; all others are exact everywhere, and so is `fmod`."""
+_COSTS = {"fdiv": 8, "sqrt": 10, "uniform": 15} | dict.fromkeys(LIBRARY, 40)
 _KEEPS_WHOLE = ("fadd", "fsub", "fmul", "fneg")
 _FIXED = ("constant", "parameter", "table", "size", "period", "dt")
 """Values that are the same in every tick; what is computed from them alone is computed once."""
@@ -176,8 +178,12 @@ class Graph:
         made = self._computed(kind, args)
         if kind not in _KEEPS_WHOLE or not all(map(_whole, values)):
             return made
-        whole = reduce(lambda p, q: self.logic("and", p, q), map(_whole, values))
-        if kind == "fneg" or (kind == "fmul" and not any(op.kind == "constant" and op.extra > 0.0 for op in args)):
+        return self.whole(made, *values, zero=kind == "fneg" or (kind == "fmul" and not any(map(_is_positive, args))))
+
+    def whole(self, made: Op, *values: Any, zero: bool = True) -> Any:
+        """Return a number marked as whole where all values are; `zero` says whether it may be -0.0, which a whole number is not."""
+        whole = reduce(lambda p, q: self.logic("and", p, q), map(_whole, values), True)
+        if zero and whole is not False:
             made = self.select(whole, self._computed("fadd", [made, self.constant(0.0)]), made)  # -0.0 + 0.0 is 0.0
         return _marked(made, whole)
 
@@ -232,7 +238,7 @@ class Graph:
             return then() if condition else other()
         blocks, values = [], []
         for side in (then, other):
-            with self._within(Block(self.block)) as block:
+            with self.within(Block(self.block)) as block:
                 values.append(side())
             blocks.append(block)
         if all(map(_is_light, blocks)):
@@ -288,9 +294,9 @@ class Graph:
             if isinstance(head, int):
                 made.index = Op("index", (made,), NUMBER, head)
             else:
-                with self._within(made.blocks[0]) as block:
+                with self.within(made.blocks[0]) as block:
                     block.ends = (self._as_condition(head(before)),)
-            with self._within(made.blocks[1]) as block:
+            with self.within(made.blocks[1]) as block:
                 after = body(made.index, before)
                 block.ends = tuple(self._kept(value, op) for value, op in zip(after, begin, strict=True))
                 now = [_whole(value) for value in after]
@@ -302,7 +308,7 @@ class Graph:
             wholes = [whole if still else self._as_condition(whole) for whole, still in zip(wholes, same, strict=True)]
 
     @contextmanager
-    def _within(self, block: Block) -> Iterator[Block]:
+    def within(self, block: Block) -> Iterator[Block]:
         """Build into another block for a while."""
         held, self.block = self.block, block
         try:
@@ -338,7 +344,7 @@ class Graph:
         def joined(convert: Callable[[Any], Op], *values: Any) -> Op:
             pair: list[Op] = []
             for side, value in zip(sides, values, strict=True):
-                with self._within(side):
+                with self.within(side):
                     pair.append(convert(value))
             return pair[0] if pair[0] is pair[1] else join(*pair)
 
@@ -366,6 +372,10 @@ def _marked_each(ops: Sequence[Op], wholes: Sequence[Op | bool]) -> list[Op]:
     return [_marked(op, next(more) if isinstance(whole, Op) else whole) for op, whole in zip(ops, wholes, strict=False)]
 
 
+def _is_positive(op: Op) -> bool:
+    return op.kind == "constant" and op.extra > 0.0
+
+
 def _is(op: Op, value: float) -> bool:
     return op.kind == "constant" and op.extra == value and math.copysign(1.0, op.extra) == math.copysign(1.0, value)
 
@@ -382,7 +392,7 @@ def _is_light(block: Block) -> bool:
     return all(op.kind not in _GUARDED and op.type for op in block.ops) and sum(_COSTS.get(op.kind, 1) for op in block.ops) <= LIGHT
 
 
-_DECIDING = ("compare", "floor", "rint", "lookup", "delayed", "uniform", "bit")
+_DECIDING = ("compare", "floor", "rint", "fmod", "lookup", "delayed", "uniform", "bit")
 """Operations that jump: the last digit of what they read may decide."""
 
 

@@ -126,7 +126,12 @@ class _Writer(ControlWriter):
 
     parameters, arrays, tick = "", "", "s_tick"
     symbols: ClassVar = ControlWriter.symbols | {"and": "AND", "or": "OR", "not": "NOT ", "==": "=", "!=": "<>"}
-    functions: ClassVar = {"sqrt": "SQRT", "fabs": "ABS", "exp": "EXP", "log": "LN", "sin": "SIN", "cos": "COS"}
+    functions: ClassVar = {
+        **{name: name.upper() for name in ("sqrt", "exp", "sin", "cos", "tan", "asin", "acos", "atan", "atan2")},
+        "fabs": "ABS",
+        "log": "LN",
+        "pow": "EXPT",
+    }
     declares = False
     assigns, if_, else_, while_, leave = ":=", "IF {} THEN", "ELSE", "WHILE TRUE DO", "IF NOT {} THEN EXIT; END_IF"
     end_if, end_for, end_while = "END_IF", "END_FOR", "END_WHILE"
@@ -156,8 +161,8 @@ class _Writer(ControlWriter):
             return f"SEL({args[1]} < 0.0, ABS({args[0]}), -ABS({args[0]}))"
         if op.kind == "lookup":
             return f"{args[0]}[TRUNC({args[1]})]"
-        if op.kind == "uniform":
-            raise MismatchError("random numbers: Structured Text has none")
+        if op.kind in ("uniform", "fmod"):
+            raise MismatchError(f"{'random numbers' if op.kind == 'uniform' else '% and // of numbers'}: Structured Text has none")
         return super().text(op, *args)
 
     def compute(self, op: Op, pad: str) -> None:
