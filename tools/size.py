@@ -11,28 +11,28 @@ from collections import Counter
 from pathlib import Path
 
 BUDGETS = {
-    "analysis": 4622,
+    "analysis": 4623,
     "app": 926,
     "cli": 495,
     "components": 5219,
     "contours": 1553,
     "controls": 692,
     "engine": 3404,
-    "features": 19344,
-    "feed": 3131,
+    "features": 19249,
+    "feed": 3149,
     "findings": 55,
     "geometry": 2220,
     "logs": 1922,
-    "loop": 2445,
+    "loop": 2449,
     "metrics": 1130,
     "native": 320,
     "papers": 3363,
-    "program": 2609,
+    "program": 2601,
     "rendering": 2554,
     "result": 539,
-    "scenario": 2054,
+    "scenario": 2061,
     "study": 1405,
-    "without papers": 57322,
+    "without papers": 57249,
 }
 """Most code lines of each room. A budget may only fall; a commit that raises one names the capability that pays for it."""
 

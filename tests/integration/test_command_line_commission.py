@@ -11,9 +11,11 @@ from reference_data import reference_file
 
 from contourlab.analysis.identification.descent import DescentSettings
 from contourlab.cli.main import main
+from contourlab.features.commission.identification import IdentifiedAxis
+from contourlab.features.commission.loop import AxisModel, Law
 from contourlab.features.commission.records import read_log
 from contourlab.features.commission.setup import read_setup
-from contourlab.findings import finding
+from contourlab.findings import Finding, finding
 from contourlab.logs.window import parse_window
 
 
@@ -80,7 +82,9 @@ STEPPERS = {"trial3": ("router.ini", "router.hal", "xyz"), "field/stepgen": FIEL
 def called(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, dict[str, Any]]:
     """Return exit code and JSON of the command."""
     code = main(["commission", "linuxcnc", *map(str, words), "--json"])
-    return code, json.loads(capsys.readouterr().out)
+    said = capsys.readouterr()
+    assert said.out, said.err
+    return code, json.loads(said.out)
 
 
 def codes(result: dict[str, Any], axis: str) -> set[str]:
@@ -211,21 +215,29 @@ def test_a_velocity_drive_is_named_and_answered_after_its_log(
         assert result["predicted"][axis]["after"] < 0.3 * result["predicted"][axis]["before"]
 
 
-@pytest.mark.parametrize(("velocity", "said", "refused"), [(True, "torque", ["x", "y"]), (False, "velocity", ["x"])])
+@pytest.mark.parametrize(("lag", "said", "refused"), [(2e-3, "torque", "xy"), (0.0, "velocity", "x"), (20e-3, "torque", "xy")])
 def test_a_log_of_another_drive_than_said_gives_no_gains(
     made: bench.Made,
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
-    velocity: bool,
+    lag: float,
     said: str,
-    refused: list[str],
+    refused: str,
 ) -> None:
-    monkeypatch.setattr("contourlab.features.commission.command.identify_axis", lambda *_, **__: finding("CL886", "axis y", parameters=()))
-    ini, hal, log = velocity_made(made, tmp_path, 2e-3) if velocity else (*wired(made, tmp_path), made.log(tmp_path / "log1.csv"))
+    """A slow loop is what no torque explains; without a lag the axes take a torque."""
+    drive = IdentifiedAxis(AxisModel(1.0, 50.0), {}, 99.0, Law(1e-3), np.zeros(0), 0.0, 0.0, 0.0, 0.0, 0.0)
+
+    def identify(*_: object, velocity: bool) -> IdentifiedAxis | Finding:
+        return drive if velocity and lag else finding("CL886", "axis y", parameters=())
+
+    monkeypatch.setattr("contourlab.features.commission.command.identify_axis", identify)
+    ini, hal, log = velocity_made(made, tmp_path, lag) if lag else (*wired(made, tmp_path), made.log(tmp_path / "log1.csv"))
     code, result = called(capsys, ini, hal, "--log", log, "--out", tmp_path / "out", "--drive", said)
     assert (code, result["pid"]) == (1, {})
-    assert [axis for axis in "xy" if "CL869" in codes(result, axis)] == refused
+    assert [axis for axis in "xy" if "CL869" in codes(result, axis)] == list(refused)
+    assert main(["commission", "linuxcnc", str(ini), str(hal), "--log", str(log), "--out", str(tmp_path / "out"), "--drive", said]) == 1
+    assert "next:" not in capsys.readouterr().out
 
 
 @pytest.mark.slow

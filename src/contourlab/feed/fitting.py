@@ -481,6 +481,10 @@ def replaced(route: Route, quintics: Quintics, low: Array, high: Array, start: A
     return spliced(route, [(rounds, begin)], (quintics.data[piece], quintics.joint[piece], last), (low, high, start, end))[0]
 
 
+STAYS = 1e-9
+"""Part of a curve that is nothing."""
+
+
 def spliced(
     route: Route, rounds: Sequence[tuple[CurveBatch, Array]], of_each: tuple[Index, Index, Flags], stays: tuple[Array, Array, Array, Array]
 ) -> tuple[Route, Index]:
@@ -502,7 +506,7 @@ def spliced(
         For each curve of the route its number among the old curves or, after these, among the `rounds`.
     """
     path, span, (low, high, start, end) = route.path, np.diff(route.path.breaks), stays
-    stay = high - low > 1e-9 * span
+    stay = high - low > STAYS * span
     cut, kept, place = stay & ((low > 0.0) | (high < span)), np.flatnonzero(stay), path.breaks[:-1] + low
     parts = [*rounds, *path.curves.parts(np.where(stay & ~cut, place, -1.0))]
     for batch, numbers in path.kinds:

@@ -33,7 +33,7 @@ import numpy as np
 
 from contourlab.arrays import Array, Flags, Index
 from contourlab.feed.bounds import AxisLimits, LinuxCNC
-from contourlab.feed.fitting import spliced
+from contourlab.feed.fitting import STAYS, spliced
 from contourlab.feed.route import Course, Route
 from contourlab.geometry import Arc
 from contourlab.geometry.blend import blends, halves, quintic_bezier
@@ -55,7 +55,16 @@ HALVINGS = 3
 
 
 def run_chains(points: Array, tolerance: Array, linked: Flags) -> Index:
-    """Return the number of the first line of each chain; arguments as of `contourlab.feed.blending.run_starts`."""
+    """Return the number of the first line of each chain, whose points all lie within the tolerance of the line between its ends.
+
+    Parameters
+    ----------
+    points : ndarray (n + 1, n_axis) [m]
+        Ends of n successive lines.
+    tolerance : ndarray (n,) [m]
+    linked : ndarray (n,) of bool
+        Which lines may be merged with the next.
+    """
     begins = np.ones(len(points) - 1, dtype=np.int64)
     _mark_chains(*(np.ascontiguousarray(part, dtype=float) for part in (points, tolerance, linked)), begins)
     return np.flatnonzero(begins)
@@ -241,16 +250,19 @@ def _arcs(
     return _Blends(reach, centre, np.where(possible, speed, 0.0), steep, alone)
 
 
-def _parabola(route: Route, moves: _Moves, i: Index, j: Index, steep: Sequence[Array], top: Sequence[Array], left: Sequence[Array]):
+def _parabola(
+    route: Route, moves: _Moves, i: Index, j: Index, overall: Array, steep: Sequence[Array], top: Sequence[Array], left: Sequence[Array]
+):
     """Return the speeds of both moves between which they are added, and the speed along the corner; arrays (m,).
 
-    `steep` and `top` are acceleration and speed of the moves, `left` their lengths; a shorter one is reached at most half way.
+    `steep` and `top` are acceleration and speed of the moves, `left` their lengths; a shorter one is reached at most half way. `overall` is
+    the acceleration of the second for turning as well.
     """
     # Of an arc the direction in its plane counts, at its start the one of its acceleration.
     ends, bent = (route.path.ends, route.path.starts), [moves.bent[k][:, None] for k in (i, j)]
     spokes = [_unit(_space(ends[k][0][of]) - moves.centre[of]) for k, of in enumerate((i, j))]
     u, w = (np.where(bent[k], _unit(np.cross(moves.normal[of], spokes[k])), _space(ends[k][1][of])) for k, of in enumerate((i, j)))
-    pull = (0.25 * np.minimum(route.feedrate, moves.speed)[j] ** 2 / moves.radius[j] / moves.steep[j])[:, None]
+    pull = (0.25 * np.minimum(route.feedrate, moves.speed)[j] ** 2 / moves.radius[j] / overall)[:, None]
     theta = 0.5 * (np.pi - angle_between(u, np.where(bent[1], _unit(w - pull * spokes[1]), w)))
     time = np.minimum(left[0] / top[0], left[1] / top[1])
     time = np.minimum(time, np.maximum(top[0] / steep[0], top[1] / steep[1]))
@@ -288,8 +300,8 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
         arcs = _arcs(route, moves, i, j, pace, taken, limits, planner, added[i])
         half = [moves.steep[k] * 0.5 * (1.0 - kink) * np.where(moves.bent[k], TANGENTIAL, 1.0) for k in (i, j)]
         left = moves.length[i] - taken[i], moves.length[j]
-        top = [np.minimum(np.sqrt(0.5 * half[k] * left[k]), asked[of]) for k, of in enumerate((i, j))]
-        added_speed = 0.5 * _parabola(route, moves, i, j, half, top, left)[2]
+        quick = [np.minimum(np.sqrt(0.5 * half[k] * left[k]), pace[of]) for k, of in enumerate((i, j))]
+        added_speed = 0.5 * _parabola(route, moves, i, j, 0.5 * (1.0 - kink) * moves.steep[j], half, quick, left)[2]
         best = np.argmax([added_speed, by_kink, arcs.speed], axis=0)
         parabola, arc, old = best == 0, best == 2, taken
         reach, taken = arcs.reach * arc, np.zeros(n)
@@ -306,35 +318,36 @@ def rounded(route: Route, limits: AxisLimits) -> Route:
     steep = moves.steep * (1.0 - np.maximum(lost, np.roll(lost, 1))) * np.where(added, 0.5, 1.0)
     length = np.maximum(high_end - low_end, 1e-12)
     speed = np.minimum(moves.speed, length / cycle)
-    turning = np.where(waits, 0.0, speed**2 / moves.bend / steep)
+    overall, turning = steep.copy(), np.where(waits, 0.0, speed**2 / moves.bend / steep)
     speed = np.where(moves.bent & (turning > NORMAL), np.sqrt(NORMAL * steep * moves.bend), speed)
     steep *= np.where(moves.bent, np.where(waits | (turning > NORMAL), TANGENTIAL, np.sqrt(1.0 - np.minimum(turning, 1.0) ** 2)), 1.0)
-    nominal = np.minimum(route.feedrate, np.minimum(speed, length / (SEGMENT * cycle)))
+    top = np.minimum(speed, length / (SEGMENT * cycle))
+    nominal, top = np.minimum(route.feedrate, top), np.where(waits, np.minimum(pace, top), top)
     corner = np.where(share < kink, low, 0.0)
     corner[i] = by_kink
     corner[stops] = 0.0
     if not (arc | parabola).any():
-        return replace(route, **UNROUNDED, course=Course(nominal, steep, corner, counts))
+        return replace(route, **UNROUNDED, course=Course(nominal, top, steep, corner, counts))
     sole = np.flatnonzero(arc & arcs.alone)
-    quick = np.minimum(np.maximum(asked[i], asked[j]), arcs.speed)
-    nominal[i[sole]], steep[i[sole]] = quick[sole], TANGENTIAL * arcs.steep[sole]
+    wanted = np.minimum(np.maximum(asked[i], asked[j]), arcs.speed)
+    nominal[i[sole]], top[i[sole]], steep[i[sole]] = wanted[sole], arcs.speed[sole], TANGENTIAL * arcs.steep[sole]
     corner[i[arc]] = np.inf
     counts[i[sole]] = 0.0
     on = np.flatnonzero(parabola)
     known = length * np.where(waits, 0.5, 1.0)
-    parts, (reach[:, on], corner[i[on]], leave) = _added(route, moves, i[on], j[on], nominal, steep, length, known)
+    parts, (reach[:, on], corner[i[on]], leave) = _added(route, moves, i[on], j[on], overall, nominal, steep, length, known)
     low_end[j[on]], high_end[i[on]] = low_end[j[on]] + reach[1, on], high_end[i[on]] - reach[0, on]
-    arcs = arcs._replace(reach=reach, speed=quick)
-    course = Course(nominal, steep, corner, counts)
-    return _assembled(route, (i, j), (low_end, high_end), (arcs, parts, leave), (np.flatnonzero(arc), on), course)
+    arcs = arcs._replace(reach=reach)
+    course = Course(nominal, top, steep, corner, counts)
+    return _assembled(route, (i, j), (low_end, high_end), (arcs, wanted, parts, leave), (np.flatnonzero(arc), on), course)
 
 
-def _added(route: Route, moves: _Moves, i: Index, j: Index, nominal: Array, steep: Array, length: Array, known: Array):
+def _added(route: Route, moves: _Moves, i: Index, j: Index, overall: Array, nominal: Array, steep: Array, length: Array, known: Array):
     """Return parabolas: of parts (k,) the powers (k, 6, n_axis) of the share of their time, corner and time; reaches (2, m) and speeds."""
     path = route.path
     left, a = (length[i], length[j]), (steep[i], steep[j])
     top = [np.minimum(np.sqrt(a[k] * known[of]), nominal[of]) for k, of in enumerate((i, j))]
-    v = _parabola(route, moves, i, j, a, top, left)[0]
+    v = _parabola(route, moves, i, j, overall[j], a, top, left)[0]
     # The first move brakes; the second speeds up, and may reach its speed: then this is a second piece.
     stop, rise = v / a[0], np.minimum(v / a[0], nominal[j] / a[1])
     owner = np.repeat(np.arange(i.size), np.where(rise < 0.999 * stop, 2, 1))
@@ -364,7 +377,7 @@ def _assembled(
     route: Route, moves: Sequence[Index], stays: Sequence[Array], blended: tuple[Any, ...], at: Sequence[Index], course: Course
 ) -> Route:
     """Return the route with its blend arcs and parabolas, each `at` some of the corners between the `moves`."""
-    (i, j), (arcs, (powers, owner, duration), leave), (arc, parabola), path = moves, blended, at, route.path
+    (i, j), (arcs, quick, (powers, owner, duration), leave), (arc, parabola), path = moves, blended, at, route.path
     start, end, span = path.starts[0].copy(), path.ends[0].copy(), np.diff(path.breaks)
     (first, u), (second, w) = path.at(i, span[i] - arcs.reach[0], 1), path.at(j, arcs.reach[1], 1)
     end[i], start[j], begin, turn = first, second, path.breaks[i] + span[i] - arcs.reach[0], angle_between(u, w)
@@ -373,7 +386,7 @@ def _assembled(
         size = np.linalg.norm(first - (centre := arcs.centre[:, : path.n_axis]), axis=1)
         rounds.append((Arcs([Arc(centre[k], size[k], 0.0, turn[k], inner[k], u[k]) for k in arc.tolist()]), begin[arc]))
     part = np.zeros(0, dtype=np.int64)
-    own = np.array([arcs.speed[arc], TANGENTIAL * arcs.steep[arc], np.full(arc.size, np.inf), np.ones(arc.size)])
+    own = np.array([quick[arc], arcs.speed[arc], TANGENTIAL * arcs.steep[arc], np.full(arc.size, np.inf), np.ones(arc.size)])
     if parabola.size:
         curves, piece = blends(powers)
         batch: Any = Curves.of(curves).batches[0]
@@ -384,12 +397,13 @@ def _assembled(
         speed = np.linalg.norm(batch.coefficients[:, 1], axis=1) / time
         leave = np.where(np.diff(part, append=-1) != 0, leave[part], np.roll(speed, -1))
         steep = np.maximum(np.abs(leave**2 - speed**2) / (2.0 * batch.length), 1e-6) * (1.0 + 1e-9)
-        own = np.append(own, [np.maximum(speed, leave), steep, leave, np.zeros(part.size)], axis=1)
+        own = np.append(own, [*[np.maximum(speed, leave)] * 2, steep, leave, np.zeros(part.size)], axis=1)
         done = np.cumsum(batch.length) - batch.length
         share = (done - done[np.searchsorted(part, part)]) / np.bincount(part, weights=batch.length)[part]
         rounds.append((batch, begin[parabola][part] + share * arcs.reach.sum(axis=0)[parabola][part]))
     which, last = np.append(arc, parabola[part]), np.append(arc >= 0, np.diff(part, append=-1) != 0)
     data = np.where(route.feedrate[i] >= route.feedrate[j], i, j)[which]
-    changed, source = spliced(route, rounds, (data, i[which], last), (stays[0], stays[1], start, end))
-    nominal, steep, corner, counts = np.append(np.array(course), own, axis=1)[:, source]
-    return replace(changed, **UNROUNDED, course=Course(nominal, steep, corner, counts))
+    whole = stays[1][j] - stays[0][j] <= STAYS * span[j]  # a blend that takes all of the second move stops where that would
+    joint = np.where(whole, j, i)[which]
+    changed, source = spliced(route, rounds, (data, joint, last), (stays[0], stays[1], start, end))
+    return replace(changed, **UNROUNDED, course=Course(*np.append(np.array(course), own, axis=1)[:, source]))

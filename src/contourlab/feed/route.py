@@ -22,7 +22,7 @@ from contourlab.geometry.line_and_arc import Lines
 from contourlab.geometry.path import CORNER_ANGLE
 from contourlab.native.kernel import kernel
 from contourlab.program import Arc as ArcMove
-from contourlab.program import Dwell, Program, Spline, Traverse
+from contourlab.program import Dwell, Mode, Program, Spline, Traverse
 
 
 @kernel("f8[:] f8[:] f8[:] f8[:]")
@@ -130,8 +130,8 @@ class Course(NamedTuple):
 
     Parameters
     ----------
-    nominal : ndarray (n_curve,) [m/s]
-        Speed without the neighbours.
+    nominal, top : ndarray (n_curve,) [m/s]
+        Speed without the neighbours, with the feedrate and without it.
     steep : ndarray (n_curve,) [m/s^2]
         Acceleration along the curve.
     corner : ndarray (n_curve,) [m/s]
@@ -141,6 +141,7 @@ class Course(NamedTuple):
     """
 
     nominal: Array
+    top: Array
     steep: Array
     corner: Array
     counts: Array
@@ -309,8 +310,8 @@ class _Row(NamedTuple):
     dwell: float = 0.0
 
 
-def _row(move: Any, default_tolerance: float, default_control: str) -> _Row:
-    mode, rapid = move.mode, isinstance(move, Traverse)
+def _row(move: Any, mode: Mode, default_tolerance: float, default_control: str) -> _Row:
+    rapid = isinstance(move, Traverse)
     corner = merge = 0.0
     if (mode.control or default_control) == "blend":
         corner = default_tolerance if mode.tolerance is None else mode.tolerance
@@ -319,7 +320,12 @@ def _row(move: Any, default_tolerance: float, default_control: str) -> _Row:
 
 
 def route_from_program(
-    program: Program, axes: Sequence[str] = ("x", "y", "z"), *, default_tolerance: float = 0.0, default_control: PathControl = "exact_path"
+    program: Program,
+    axes: Sequence[str] = ("x", "y", "z"),
+    *,
+    default_tolerance: float = 0.0,
+    default_control: PathControl = "exact_path",
+    mode: Mode | None = None,
 ) -> Route:
     """Return the route of a part program, as programmed; `blended` then rounds its corners.
 
@@ -335,6 +341,8 @@ def route_from_program(
         For corners and merged lines under G64 without P; inf, as LinuxCNC plans, for corners without a bound and no merged lines.
     default_control : {"exact_path", "blend"}
         For moves before the first G61 or G64.
+    mode : Mode, optional
+        In place of that of each move.
 
     Returns
     -------
@@ -366,7 +374,7 @@ def route_from_program(
                 before += move.seconds
             continue
         _check_axes(program, move, columns)
-        row = _row(move, default_tolerance, default_control)
+        row = _row(move, mode or move.mode, default_tolerance, default_control)
         try:
             bent = _bent_curves(move, columns)
         except GeometryError as error:

@@ -94,15 +94,16 @@ def course(route: Route, limits: AxisLimits) -> Course:
     if isinstance(planner, LinuxCNC):
         own = route.course or rounded(controlled(route, "exact_path", 0.0), limits).course
         assert own is not None
-        nominal, steep, corner, counts = own
+        nominal, top, steep, corner, counts = own
     else:
         assert planner is not None
         (nominal, steep, corner), counts = _as_grbl(route, limits, planner), np.ones(route.n_curve)
-    corner = np.minimum(corner, np.minimum(nominal, np.roll(nominal, -1)))
+        top = nominal
+    corner = np.minimum(corner, np.minimum(top, np.roll(top, -1)))
     corner[(route.dwell > 0.0) | route.exact_stop] = 0.0
     if not route.path.closed:
         corner[-1] = 0.0
-    return Course(nominal, steep, corner, counts)
+    return Course(nominal, top, steep, corner, counts)
 
 
 def _as_grbl(route: Route, limits: AxisLimits, grbl: Grbl) -> tuple[Array, Array, Array]:
@@ -129,7 +130,7 @@ def trapezoids(route: Route, limits: AxisLimits, laps: int) -> Array:
     """
     assert limits.planner is not None
     once = course(route, limits)
-    length, dwell, nominal, steep, corner, counts = (np.tile(part, laps) for part in (np.diff(route.path.breaks), route.dwell, *once))
+    length, dwell, nominal, _, steep, corner, counts = (np.tile(part, laps) for part in (np.diff(route.path.breaks), route.dwell, *once))
     square, gain = np.empty(length.size + 1), 2.0 * steep * length
     if isinstance(limits.planner, LinuxCNC):
         # The last move that it knows may lose a half to a blend: where another joins it without one, it plans to rest in its middle.
@@ -137,19 +138,26 @@ def trapezoids(route: Route, limits: AxisLimits, laps: int) -> Array:
         waits[-1] = True
         gain[waits & (np.roll(counts, 1) > 0.0)] *= 0.5
     place = np.cumsum(counts)
-    _squares(gain, corner**2, np.searchsorted(place, place + limits.planner.planner_blocks - 2), square)
+    _squares(
+        gain,
+        corner**2,
+        np.minimum(nominal, np.roll(nominal, -1)) ** 2,
+        np.searchsorted(place, place + limits.planner.planner_blocks - 2),
+        square,
+    )
     enter, leave = square[:-1], square[1:]
-    top = np.minimum(nominal**2, 0.5 * (enter + leave) + steep * length)
+    top = np.maximum(np.minimum(nominal**2, 0.5 * (enter + leave) + steep * length), leave)
     peak, v0, v1 = np.sqrt(top), np.sqrt(enter), np.sqrt(leave)
-    up, down = (top - enter) / (2.0 * steep), (top - leave) / (2.0 * steep)
+    first = np.where(top < enter, -steep, steep)
+    up, down = (top - enter) / (2.0 * first), (top - leave) / (2.0 * steep)
     end = np.cumsum(length)
-    zero, rise, cruise, fall = np.zeros_like(end), (peak - v0) / steep, np.maximum(length - up - down, 0.0) / peak, (peak - v1) / steep
+    zero, rise, cruise, fall = np.zeros_like(end), (peak - v0) / first, np.maximum(length - up - down, 0.0) / peak, (peak - v1) / steep
     if isinstance(limits.planner, LinuxCNC):  # from stop to stop in whole cycles
         stops = np.flatnonzero(leave == 0.0)
         cycles = np.diff(np.cumsum(rise + cruise + fall)[stops], prepend=0.0) / limits.planner.cycle
         dwell[stops] += (np.ceil(cycles - 1e-6) - cycles) * limits.planner.cycle
     spans = [
-        (rise, end - length, v0, steep, zero),
+        (rise, end - length, v0, first, zero),
         (cruise, end - length + up, peak, zero, zero),
         (fall, end - down, peak, -steep, zero),
         (np.maximum(dwell, 0.0), end, zero, zero, zero),
@@ -157,9 +165,11 @@ def trapezoids(route: Route, limits: AxisLimits, laps: int) -> Array:
     return np.array(spans).transpose(2, 0, 1).reshape(-1, 5)
 
 
-@kernel("f8[:] f8[:] i8[:] f8[:]")
-def _squares(gain, ceiling, known, square):
+@kernel("f8[:] f8[:] f8[:] i8[:] f8[:]")
+def _squares(gain, ceiling, asked, known, square):
     """Fill the squared speeds (n + 1,) at the ends of n lines; `gain` 2 a l, `ceiling` of the squared speed at the end of each.
+
+    Within the ceilings a line brakes to the square that is `asked` at its end as far as it can.
 
     While line i runs, its control knows the lines before `known` (n,)[i], and plans to rest at the end of the last.
     """
@@ -169,4 +179,4 @@ def _squares(gain, ceiling, known, square):
         permitted = 0.0
         for k in range(known[i] - 1, i - 1, -1):
             permitted = min(ceiling[k - 1], permitted + gain[k])
-        square[i] = min(permitted, square[i - 1] + gain[i - 1])
+        square[i] = max(min(permitted, asked[i - 1], square[i - 1] + gain[i - 1]), square[i - 1] - gain[i - 1])

@@ -288,7 +288,7 @@ class Machine:
     planner_blocks: int | None = field(default=None, metadata=setting(minimum=3, maximum=1000))
     kink_ratio: float | None = field(default=None, metadata=setting(minimum=0.001, maximum=0.7071))
     gap_cycles: float | None = field(default=None, metadata=setting(minimum=0.0, maximum=1000.0))
-    largest_override: float | None = field(default=None, metadata=setting(minimum=0.01, maximum=100.0))
+    largest_override: float | None = field(default=None, metadata=setting(minimum=1.0, maximum=100.0))
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.servo_period) and self.servo_period > 0.0):
@@ -324,6 +324,12 @@ class Machine:
             given = f'machine = {{file = "{self.control.file.name}"}} and [axes.{names[0]}] file = "axis.toml"'
             bound = f"given in a scenario, with {given}: {why}"
             raise ParameterError("plant", f"unknown for {listing(names)}", bound)
+
+    def planned_as(self, planner: Planner | None) -> Machine:
+        """Return the machine with another planner, without the buffer of its own; the same for None."""
+        if planner in (None, self.planner):
+            return self
+        return replace(self, planner=planner, planner_blocks=None if self.planner else self.planner_blocks)
 
     @property
     def own_planner(self) -> Grbl | LinuxCNC | None:

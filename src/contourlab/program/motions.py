@@ -410,17 +410,9 @@ class _Cycle:
 
     def _next_hole(self) -> None:
         """Go to the next hole, absolute or incremental."""
-        state = self.state
-        if "@" in self.words or "^" in self.words:
-            state.position = (self.u, self.v, state.position[2])
-            self.u, self.v = state.polar(self.words)
-            return
-        places = []
-        for axis, old in zip(self.axes[:2], (self.u, self.v), strict=True):
-            word = self.words.get("XYZ"[axis])
-            value = None if word is None else state.coordinate(axis, word)
-            places.append(old if value is None else value if state.absolute else old + value)
-        self.u, self.v = places
+        first, second, normal = self.axes
+        end = self.state.target({letter: word for letter, word in self.words.items() if letter != "XYZ"[normal]})
+        self.u, self.v = end[first], end[second]
 
     def _point(self, depth: float, aside: tuple[float, float]) -> Point:
         first, second, normal = self.axes

@@ -606,7 +606,7 @@ def _case(name: str, layers: Table, motion: Motion, place: Table, reader: Reader
         raise node.error("write a table [controller], or the name of its file")
     controller = build_controller(settle(spread(node, machine.axis_names)), machine)
     feed = read_feed(settle(layers.table("feed")), motion, machine)
-    machine = replace(machine, planner=feed.planner or machine.planner)
+    machine = machine.planned_as(feed.planner)
     run_table = settle(layers.table("run"))
     run, changes = RunSettings(**read_values(run_table, RunSettings, parts=("changes",))), read_changes(run_table, machine, reader)
     if motion.n_axis != len(machine.axes):

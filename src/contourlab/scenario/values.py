@@ -25,7 +25,7 @@ from contourlab.loop import Change, Controller, Machine
 from contourlab.loop.machine import Planner
 from contourlab.loop.simulate import UNITS
 from contourlab.notebook import facts_line
-from contourlab.program import Program, Reading
+from contourlab.program import Mode, Program, Reading
 from contourlab.scenario.placing import beyond_travel, check_motion, check_route, placed
 from contourlab.units import setting
 
@@ -36,11 +36,20 @@ DEFAULT_CORNER_TOLERANCE = 1e-5
 """Corner tolerance of G64 without P [m]."""
 
 
-def program_route(program: Program, axes: Sequence[str], tolerance: float | None = None, planner: Grbl | LinuxCNC | None = None) -> Route:
-    """Return the path of a program with its feedrates; `tolerance` [m] is that of G64 without P, by default the one of the planner."""
+def program_route(
+    program: Program,
+    axes: Sequence[str],
+    tolerance: float | None = None,
+    planner: Grbl | LinuxCNC | None = None,
+    mode: Mode | None = None,
+) -> Route:
+    """Return the path of a program with its feedrates.
+
+    `tolerance` [m] is that of G64 without P, by default the one of the planner; `mode` stands in place of the program's own.
+    """
     own = isinstance(planner, LinuxCNC)
     allowed = (math.inf if own else DEFAULT_CORNER_TOLERANCE) if tolerance is None else tolerance
-    return route_from_program(program, axes, default_tolerance=allowed, default_control="blend" if own else "exact_path")
+    return route_from_program(program, axes, default_tolerance=allowed, default_control="blend" if own else "exact_path", mode=mode)
 
 
 def program_motion(program: Program, axes: Sequence[str], limits: AxisLimits, servo_period: float) -> Reference:
@@ -142,9 +151,9 @@ class PartProgram:
     note: str = ""
     _routes: dict[Any, Route] = field(default_factory=dict, init=False, repr=False, compare=False)
 
-    def route(self, corner_tolerance: float | None, planner: Grbl | LinuxCNC | None = None) -> Route:
+    def route(self, corner_tolerance: float | None, planner: Grbl | LinuxCNC | None = None, mode: Mode | None = None) -> Route:
         """Return the path of the program with its feedrates, as `program_route`."""
-        if (key := (corner_tolerance, planner)) not in self._routes:
+        if (key := (corner_tolerance, planner, mode)) not in self._routes:
             self._routes[key] = program_route(self.program, self.letters, *key)
         return self._routes[key]
 
@@ -431,14 +440,15 @@ class Case:
     def _route(self, factor: float) -> Route:
         planner = self.machine.own_planner
         tolerance = math.inf if self.feed.corner_tolerance is None and isinstance(planner, LinuxCNC) else self.feed.default_tolerance
+        control, merge = self.feed.path_control, self.feed.merge_tolerance
         if isinstance(self.motion, Contour):
             assert self.feed.feedrate is not None  # checked by the reader
-            route = route_from_path(self.motion.path, self.feed.feedrate)
+            route = controlled(route_from_path(self.motion.path, self.feed.feedrate), control, tolerance, merge)
         else:
-            route = self.motion.route(tolerance, planner)
+            merge = (tolerance if tolerance < math.inf else 0.0) if merge is None else merge
+            route = self.motion.route(tolerance, planner, None if control == "program" else Mode(control, tolerance, merge))
         if factor != 1.0:
             route = replace(route, feedrate=np.where(route.rapid, route.feedrate, route.feedrate * factor))
-        route = controlled(route, self.feed.path_control, tolerance, self.feed.merge_tolerance)
         check_route(route, self.machine, self._fault, self._cure)
         return blended(route, self.limits)
 

@@ -189,6 +189,7 @@ def test_the_file_says_how_linuxcnc_plans(tmp_path: Path) -> None:
     saved = tmp_path / "saved.toml"
     save(load_machine(machine), saved)
     assert load_machine(saved).own_planner == LinuxCNC(1e-3, 0.7071, 82, 2.0, 1.5)
+    assert load_machine(saved).planned_as("grbl").own_planner.planner_blocks == Grbl().planner_blocks
     plain, _ = made(tmp_path)
     assert load_machine(plain).own_planner == LinuxCNC()
 

@@ -43,6 +43,10 @@ PLUNGE = made(
 )  # no arc lies in the plane of a plunge and a circle: parabolas
 RAPIDS = made(((10, 0, 5), 0), ((10, 10, 5), 0), ((10, 10, 0), 10), ((30, 10, 0), 40), ((30, 5, 0), 30), ((30, 5, 5), 0))
 
+HORN = "G3 X-8.8 Y-2.3 I-3.8 J-3.5 F2400\nG3 X-8.5 Y-1.8 I0.65 J-0.05\nG3 X0.7 Y1.2 I4.6 J1.5\nG3 X0.2 Y1.9 I-0.25 J0.35\n"
+SPRING = "G1 X20 F2400\nG3 X20 Y10 Z3 I3 J5\nG1 X0 Y12\nG2 X0 Y2 Z0 I-4 J-5\nG1 X10 Y0\n"
+SLOWER = "G1 X-6.5 F4800\nG1 X-7.9 Y0.4 F100\nG0 X-9 Y20\n"  # within the second move it brakes to the feedrate
+
 
 def off_corners(route: Route, limits: AxisLimits) -> tuple[float, float]:
     """Return the duration of a motion [s], and the largest distance of a programmed corner from it [m]."""
@@ -77,6 +81,32 @@ def test_times_and_deviations_of_linuxcnc(route: Route, within: tuple[float, flo
         assert away == pytest.approx(off, rel=0.05)
         report = limit_report(plan(blended(tolerant, limits_of()), limits_of(), CYCLE), limits_of())
         assert all(worst.ratio <= 1.01 for worst in report.velocity)
+
+
+@pytest.mark.parametrize(
+    ("moves", "within", "without"),
+    [
+        (HORN, (1.402, 0.0373e-3), (1.365, 0.0758e-3)),
+        (SPRING, (3.217, 0.0761e-3), (2.500, 2.0000e-3)),
+        (SLOWER.partition("G0")[0], (0.737, 0.0500e-3), (0.731, 0.0508e-3)),
+        (SLOWER, (0.893, 0.0500e-3), (0.893, 0.0508e-3)),
+    ],
+)
+def test_parabolas_into_arcs_and_a_lower_feedrate(moves: str, within: tuple[float, float], without: tuple[float, float]) -> None:
+    """Measured in the same way, in G-code."""
+    for mode, (measured, off) in (("G64 P0.05 Q0", within), ("G64", without)):
+        program = parse_program(f"G21 G90 G17 {mode}\n{moves}M2\n")
+        duration, away = off_corners(route_from_program(program, default_tolerance=math.inf), limits_of())
+        assert duration == pytest.approx(measured - CYCLE, rel=0.002)
+        assert away == pytest.approx(off, rel=0.05)
+
+
+def test_a_dwell_stays_after_a_move_that_its_blend_takes_whole() -> None:
+    helices = "G2 X24.20108 Y-4.14969 Z1.7927 I11.812756 J-3.753207 F12000\nG2 X24.873196 Y-4.665946 Z-0.6598 I-1.387074 J-2.501479\n"
+    route = route_from_program(parse_program(f"G21 G90 G17 G64\n{helices}G4 P0.35\nM2\n"), default_tolerance=math.inf)
+    planned = blended(route, limits_of())
+    assert planned.dwell[-1] == 0.35
+    assert planned.path.ends[0][-1] == pytest.approx(route.path.ends[0][-1], abs=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ from contourlab.errors import FeedError
 from contourlab.feed import Route, blended, route_from_program
 from contourlab.geometry import BSpline, Line, Path
 from contourlab.geometry.blend import Blend
-from contourlab.program import parse_program
+from contourlab.program import Mode, parse_program
 
 HEAD = "G21 G90 G1 F600\n"
 
@@ -53,3 +53,16 @@ def test_a_programmed_spline_becomes_that_curve() -> None:
 def test_an_invalid_tolerance_is_refused(name: str, wrong: float) -> None:
     with pytest.raises(FeedError, match=rf"{name}: .*>= 0 m"):
         Route(Path([Line((0.0, 0.0), (1.0, 0.0))]), 0.1, False, 0.0, 0, **{name: wrong})  # type: ignore[arg-type]
+
+
+def test_stops_at_events_stay_under_another_path_control() -> None:
+    program = parse_program(HEAD + "G64 P0.02\nX1\nM8\nX2\nY1\nG61.1\nX3\nM2\n")
+    for mode, tolerance, stops in (
+        (Mode("blend", 1e-5, 0.0), 1e-5, [True, False, False, False]),
+        (Mode("exact_path"), 0.0, [True, False, False, False]),
+        (Mode("exact_stop"), 0.0, [True] * 4),
+        (None, None, [True, False, False, True]),
+    ):
+        route = route_from_program(program, ("x", "y"), mode=mode)
+        assert route.exact_stop.tolist() == stops
+        assert mode is None or route.corner_tolerance.tolist() == [tolerance] * 4

@@ -66,8 +66,7 @@ def machine_for(options: Any, reading: Reading) -> Machine:
     from contourlab.scenario.load import machine_of
     from contourlab.scenario.placing import anchored
 
-    machine = anchored(machine_of(options.machine or DEFAULT_MACHINE), reading)
-    return replace(machine, planner=options.planner or machine.planner)
+    return anchored(machine_of(options.machine or DEFAULT_MACHINE), reading).planned_as(options.planner)
 
 
 def reading_of(file: str | Path, options: Dialect) -> Reading:

@@ -20,7 +20,7 @@ from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array
 from contourlab.controls.linuxcnc.loops import LoopClass
 from contourlab.errors import ParameterError, refuse
-from contourlab.features.commission.control_terms import Term, cascade_of, check_control, term_table, terms_of
+from contourlab.features.commission.control_terms import Term, cascade_of, term_table, terms_of
 from contourlab.features.commission.excitation import excitation, sampler, steps
 from contourlab.features.commission.identification import IdentifiedAxis, identify_axis
 from contourlab.features.commission.log_command import log as of_any_log
@@ -43,7 +43,6 @@ OFF_RUNS = 8
 """Runs that begin with LinuxCNC off, where the log shows it."""
 CIRCLE = 0.01
 """Radius of the circle in the report [m]."""
-Rows: TypeAlias = Mapping[str, Array]
 Curves: TypeAlias = Mapping[str, tuple[Array, Array]]
 
 
@@ -129,9 +128,10 @@ class Commissioned(Answer):
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
         """Log a run: of the excitation, or of the safe gains."""
-        if not (self.pid or (self.files and not asked.settings.log)):
+        logged = bool(asked.settings.log)
+        if SECOND[1] not in self.contents if logged else not self.files:
             return None
-        log = "log2.txt" if asked.settings.log else "log1.txt"
+        log = "log2.txt" if logged else "log1.txt"
         return ["commission", "linuxcnc", *asked.inputs, "--log", log, "--out", asked.files.out]
 
     @property
@@ -172,15 +172,13 @@ def commission(
         If an option or the control is unknown.
     """
     refuse(control != "linuxcnc", ParameterError, "control", repr(control), "'linuxcnc'")
-    if settings.for_ is not None:
-        check_control(settings.for_)
     setup, program = read_setup(ini, hal), settings.program
     inputs = (ini, hal, *settings.log, *([] if program is None else [program]))
     for name in (SECOND if settings.log else FIRST) if session.saving else ():
         check_file(session.folder / name, inputs, "--out")
     if not settings.log:
         return _prepared(setup, inputs, session)
-    findings = [doubt for doubt in setup.findings if doubt.code != "CL868"]  # a log tells more
+    findings = list(setup.findings)
     records = list[dict[str, AxisLog]]()
     for number, log in enumerate(settings.log):
         record, more = read_log(log, setup, window_of(log, settings.of_log(number, len(settings.log))))
@@ -257,6 +255,10 @@ class _Axis:
         return f"{listed} for {name}: {change}{remains}"
 
 
+def _usable(found: IdentifiedAxis | Finding) -> bool:
+    return isinstance(found, IdentifiedAxis) and found.usable
+
+
 @dataclass(frozen=True, eq=False)
 class _Work:
     """The axes, their logs, and the commands of a program, by axis."""
@@ -278,15 +280,22 @@ class _Work:
         findings += [finding("CL899", place, backlash=axis.setup.backlash * unit)] if axis.setup.backlash else []
         if any(doubt.entry.severity == "error" for doubt in findings):
             return findings
-        given, said = axis.loop, self.settings.drive
-        if said:
-            given = LoopClass("velocity drive" if said == "velocity" else "servo", f"--drive {said} says so")
-        shown = decided([(log.output, log.measured) for log in logs], self.setup.period, unit, given.loop)
+        said = self.settings.drive
+        given = LoopClass("velocity drive" if said == "velocity" else "servo", f"--drive {said} says so") if said else axis.loop
+        signals = [(log.output, log.measured) for log in logs]
+        shown = decided(signals, self.setup.period, unit, given.loop)
         axis.loop = (given.loop == "unknown" and shown) or given
         velocity = axis.loop.loop == "velocity drive"
         if shown and shown.loop != axis.loop.loop and (said or velocity):
             return [*findings, finding("CL869", place, given=given.why, why=shown.why)]
         identified = identify_axis(logs, axis.present, checked[0][0], velocity=velocity)
+        if not velocity and not _usable(identified) and decided(signals, self.setup.period, unit, "velocity drive") != shown:
+            other = identify_axis(logs, axis.present, checked[0][0], velocity=True)  # its loop may have what no torque explains
+            if _usable(other):
+                why = "the log fits no torque, but a velocity"
+                if given.loop != "unknown":
+                    return [*findings, finding("CL869", place, given=given.why, why=why)]
+                identified, velocity, axis.loop = other, True, LoopClass("velocity drive", why)
         if isinstance(identified, Finding):
             return [*findings, identified]
         axis.identified = identified
@@ -368,12 +377,10 @@ def _answered(work: _Work, findings: Sequence[Finding], inputs: tuple[str | Path
     findings = [*findings, finding("CL867", setup.ini.file.name, axes=silent)] if silent else findings
     present = {axis.name: axis.gains for axis in setup.axes if axis.name in gains}
     tables = {"Gains": gain_table(setup.axes, {"present": present, "safe first": safe, "proposed": gains})}
-    terms = tuple[Term, ...]()
-    if control is not None:
-        terms = terms_of(control, {name: cascade_of(row, known[name]) for name, row in rows.items()})
-        tables |= {f"The proposed gains in other terms: {control}": term_table(terms)} if terms else {}
+    terms = terms_of(control, {name: cascade_of(row, known[name]) for name, row in rows.items()}) if control and rows else ()
+    tables |= {f"The proposed gains in other terms: {control}": term_table(terms)} if terms else {}
     tables = {head: table for head, table in tables.items() if table.rows}
-    diff, circle = "" if silent else changes(setup, gains), _circle(work, rows)
+    diff, circle = "" if silent else changes(setup, gains), circle_errors(work, rows)
     charts = tuple(circle_charts(circle))
     picture = picture_bytes(lambda: drawing_of(charts, 4.2), "png") if charts else []
     report, gain_diff, safe_diff, image = SECOND
@@ -433,16 +440,6 @@ def _limits(setup: Setup, letter: str) -> tuple[float, float] | None:
     return None if None in values else (float(values[0] or 0.0), float(values[1] or 0.0))
 
 
-def _circle(work: _Work, after: Mapping[str, Array]) -> Curves:
-    """Return the errors on a circle with the gains in use and with others, if both x and y are known."""
-    known = {name: (axis.task, axis.identified) for name, axis in work.axes.items() if name in ("x", "y") and axis.task and axis.identified}
-    if len(known) < 2:
-        return {}
-    strongest = min(work.axes[name].setup.limits["acceleration"] for name in known) * work.setup.unit
-    rows = {"before": {name: work.axes[name].present for name in known}, "after": after}
-    return circle_errors(known, rows, strongest)
-
-
 # --- what a person gets: the changes as a diff, the circle before and after, and a page --------------------------------------------
 
 
@@ -483,23 +480,21 @@ def _lines(file: Path) -> list[str]:
     return [f"{line}\n" for line in file.read_text(encoding="utf-8", errors="replace").splitlines()]
 
 
-def circle_errors(axes: Mapping[str, tuple[AxisTask, IdentifiedAxis]], gains: Mapping[str, Rows], fastest: float) -> Curves:
-    """Return angle [rad] and radial error [m] on a circle of x and y, simulated with each set of gains; of the last one at the load too.
+def circle_errors(work: _Work, after: Mapping[str, Array]) -> Curves:
+    """Return angle [rad] and radial error [m] on a circle, simulated with the gains in use and others (7,), and at the load.
 
-    Parameters
-    ----------
-    axes : mapping of str to (AxisTask, IdentifiedAxis)
-    gains : mapping of str to mapping of str to ndarray (7,)
-        By name of the set and axis, per metre.
-    fastest : float [m/s^2]
-        An eighth of this acceleration is used.
+    Empty unless both x and y are known. An eighth of the acceleration is used.
     """
-    period, turn, start = axes["x"][0].law.period, 0.5 * math.sqrt(0.5 * fastest / CIRCLE), 0.3
+    axes = {name: (axis.task, axis.identified) for name, axis in work.axes.items() if name in ("x", "y") and axis.task and axis.identified}
+    if len(axes) < 2:
+        return {}
+    fastest = min(work.axes[name].setup.limits["acceleration"] for name in axes) * work.setup.unit
+    period, turn, start = work.setup.period, 0.5 * math.sqrt(0.5 * fastest / CIRCLE), 0.3
     time = period * np.arange(round((start + 4.0 * math.pi / turn) / period))
     phase = turn * np.where(time < start, time**2 / (2.0 * start), time - 0.5 * start)  # from rest, two turns
     commands, last = {"x": CIRCLE * np.cos(phase), "y": CIRCLE * np.sin(phase)}, phase > phase[-1] - 2.0 * math.pi
     curves: dict[str, tuple[Array, Array]] = {}
-    for label, rows in gains.items():
+    for label, rows in {"before": {name: work.axes[name].present for name in axes}, "after": after}.items():
         places, loads = list[Array](), list[Array]()
         for name, command in commands.items():
             task, model = axes[name]

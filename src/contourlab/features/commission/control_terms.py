@@ -15,7 +15,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from contourlab.arrays import Array
-from contourlab.errors import ParameterError, refuse
 from contourlab.features.commission.identification import IdentifiedAxis
 from contourlab.figures import figure
 from contourlab.rendering.table import Column, Table
@@ -125,15 +124,9 @@ class Term:
     values: dict[str, float]
 
 
-def check_control(control: str) -> None:
-    """Raise ParameterError for an unknown control."""
-    refuse(control not in CONTROLS, ParameterError, "--for", control, f"one of {', '.join(CONTROLS)}")
-
-
 def terms_of(control: str, cascades: Mapping[str, Cascade]) -> tuple[Term, ...]:
     """Return the parameters of a control for each axis."""
-    rows = CONTROLS[control] if cascades else ()
-    return tuple(Term(name, unit, maps, {a: value(c) for a, c in cascades.items()}) for name, unit, maps, value in rows)
+    return tuple(Term(name, unit, maps, {a: value(c) for a, c in cascades.items()}) for name, unit, maps, value in CONTROLS[control])
 
 
 def term_table(terms: tuple[Term, ...]) -> Table:

@@ -371,7 +371,7 @@ def lost_motion_at_motor(logs: Sequence[AxisLog], model: AxisModel, noise: float
     """Return the travel after slow reversals over which the motor needs less force, and its deviation; nan if the force shows none."""
     travels, steps, turns, least, fastest = list[float](), list[float](), list[float](), 4.0 * noise, 0.0
     for log in logs:
-        speed = np.diff(log.command) / log.period
+        force, speed = _motor_force(log, model), np.diff(log.command) / log.period
         way = np.where(np.abs(speed) > 1e-6, np.sign(speed), 0.0)
         for (first, turn), (start, last) in pairwise(true_spans(way)):
             most = float(np.abs(speed[first:last]).max())
@@ -379,10 +379,8 @@ def lost_motion_at_motor(logs: Sequence[AxisLog], model: AxisModel, noise: float
                 continue
             fastest = max(fastest, most)
             travel = way[turn] * (log.measured[turn:last] - log.measured[turn])
-            whole = round(max(model.delay, 0.0) / log.period)
-            force = way[turn] * (model.gain * log.output[turn - whole : last - whole] - model.offset)
             moved = travel > least
-            place, step = _step(travel[moved], force[moved])
+            place, step = _step(travel[moved], way[turn] * force[turn:last][moved])
             travels.append(place)
             turns.append(-float(np.quantile(travel, 0.01)))
             steps.append(step / max(model.friction, 1e-12))
@@ -397,6 +395,15 @@ def lost_motion_at_motor(logs: Sequence[AxisLog], model: AxisModel, noise: float
     if onward > RUN_ON * place:
         return math.nan, math.nan
     return place + 0.5 * (onward + late - windup), math.hypot(spread / math.sqrt(len(travels)), 0.5 * onward, 0.5 * late, 0.5 * windup)
+
+
+def _motor_force(log: AxisLog, model: AxisModel) -> Array:
+    """Return the force (n,) [m/s^2] of the motor: that of the output, less what the velocity loop of the drive takes off."""
+    whole = round(max(model.delay, 0.0) / log.period)
+    asked = model.gain * np.concatenate([np.full(whole, log.output[0]), log.output])[: log.output.size] - model.offset
+    held = model.reset * (log.period * np.cumsum(asked) - model.regulated * (log.measured - log.measured[0]))
+    padded = np.pad(log.measured, NEAR, mode="edge")
+    return np.asarray(asked + held - model.regulated * (padded[2 * NEAR :] - padded[: -2 * NEAR]) / (2 * NEAR * log.period))
 
 
 def _step(travel: Array, force: Array) -> tuple[float, float]:

@@ -22,7 +22,7 @@ from contourlab.features.identify.command import axes_of
 from contourlab.features.identify.options import Identify
 from contourlab.features.identify.position_loop import WELL, check_follows, reverses
 from contourlab.features.identify.records import AxisRecord, Request
-from contourlab.figures import FACTORS, NONE, figure, number
+from contourlab.figures import FACTORS, NONE, number
 from contourlab.findings import Finding, finding
 from contourlab.logs.load import Log, about
 from contourlab.rendering.table import Column, Table, paragraphs
@@ -56,16 +56,12 @@ class LoggedAxis:
     ----------
     figures : dict of str to Bounds
         In SI, with intervals of 95 %; those that the log does not determine are missing.
-    left : dict of str to float [m]
-        Parts of the following error at the largest velocity and acceleration of the log: what velocity and acceleration feedforward would
-        take away, what the delay leaves, and friction.
     stays : float
         Share of the following error that the model does not explain.
     terms : tuple of LogTerm
     """
 
     figures: dict[str, Bounds]
-    left: dict[str, float]
     stays: float
     terms: tuple[LogTerm, ...]
 
@@ -143,6 +139,11 @@ def _axis(record: AxisRecord, control: str) -> tuple[LoggedAxis, list[Finding]]:
         loop = fit_servo(record, control == BALANCE, known)
         stays = loop.stays
         figures = _determined(loop) | figures
+        if any(doubt.code == "CL944" for doubt in findings):
+            figures = {name: figure for name, figure in figures.items() if name in ("shown", "drive_gain")}
+        weight = figures.get("velocity_feedforward")
+        if weight is not None and weight.low <= 1.0 <= weight.high and figures["Kv"] is loop.figures["Kv"]:
+            findings.append(finding("CL947", place))
         findings += [finding("CL594", place, stays=stays)] if stays > WELL else []
         rest, asked, explained = (
             np.diff(values) / record.period for values in (record.position - loop.position, record.asked(), loop.position)
@@ -152,17 +153,8 @@ def _axis(record: AxisRecord, control: str) -> tuple[LoggedAxis, list[Finding]]:
             findings.append(finding("CL941", place, parameters=unknown))
     except ParameterError as error:
         findings.append(finding("CL942", place, reason=str(error)))
-        figures |= _shown(record)
     findings += [] if reverses(record) else [finding("CL593", place)]
-    return LoggedAxis(figures, _left(record, figures), stays, terms_of_log(control, figures)), findings
-
-
-def _shown(record: AxisRecord) -> dict[str, Bounds]:
-    """Return velocity over following error."""
-    speed, late = np.gradient(record.asked(), record.period), record.asked() - record.position
-    solution, covariance, _ = fit_records([np.column_stack([speed, np.ones(speed.size)])], [late])
-    time, deviation = float(solution[0]), SURE * float(covariance.deviations[0])
-    return {"shown": Bounds(1.0 / time, 1.0 / (time + deviation), 1.0 / (time - deviation))} if deviation < 0.3 * time else {}
+    return LoggedAxis(figures, stays, terms_of_log(control, figures)), findings
 
 
 def _determined(loop: FittedLoop) -> dict[str, Bounds]:
@@ -175,20 +167,6 @@ def _determined(loop: FittedLoop) -> dict[str, Bounds]:
         return figures
     scale = {"Kv": x["Kv"].value, "velocity_feedforward": 1.0, "equivalent_time": x["equivalent_time"].value, "delay": 1.0}
     return figures | {name: x[name] for name, most in DETERMINED.items() if x[name].half < most * scale[name]}
-
-
-def _left(record: AxisRecord, x: Mapping[str, Bounds]) -> dict[str, float]:
-    """Return parts of the following error at the largest velocity and acceleration [m]."""
-    speed = np.gradient(record.asked(), record.period)
-    fastest, strongest = float(np.abs(speed).max()), float(np.quantile(np.abs(np.gradient(speed, record.period)), 0.999))
-    value = {name: figure.value for name, figure in x.items()}
-    gain, nan = value.get("Kv", math.nan), math.nan
-    return {
-        "velocity": (1.0 - value.get("velocity_feedforward", nan)) / gain * fastest,
-        "acceleration": value.get("equivalent_time", nan) / gain * strongest,
-        "delay": value.get("delay", nan) * fastest,
-        "friction": value.get("friction_offset", nan),
-    }
 
 
 # --- the drive command --------------------------------------------------------------------------------------------------------------
@@ -256,22 +234,18 @@ def _law(record: AxisRecord) -> tuple[float, float, float]:
 
 def _tables(axes: Mapping[str, LoggedAxis], control: str) -> tuple[Table, ...]:
     axis, interval, unit = Column("axis", left=True), Column("95 %", left=True), Column("unit", left=True)
-    seen, terms, left = list[Sequence[str]](), list[Sequence[str]](), list[Sequence[str]]()
+    seen, terms = list[Sequence[str]](), list[Sequence[str]]()
     for name, one in axes.items():
         for key, (words, shown) in FIGURES.items():
             if key in one.figures:
                 x, factor = one.figures[key], FACTORS[shown]
                 seen.append((name, words, *_cells(Bounds(factor * x.value, factor * x.low, factor * x.high)), shown))
         terms += [(name, term.name, *_cells(term.value), number(term.proposed), term.unit) for term in one.terms]
-        if not math.isnan(one.left["velocity"]):
-            left.append((name, *(figure(part, "um") for part in one.left.values())))
-    of_error = [axis, *map(Column, ("velocity", "acceleration", "delay", "friction"))]
     return (
         Table([axis, Column("", left=True), Column("value"), interval, unit], "What the log shows", rows=seen),
         Table(
             [axis, Column(control, left=True), Column("value"), interval, Column("proposed"), unit], f"In terms of {control}", rows=terms
         ),
-        Table(of_error, "Parts of the following error, at the largest velocity and acceleration", rows=left),
     )
 
 

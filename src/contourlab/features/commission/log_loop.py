@@ -23,12 +23,17 @@ from contourlab.features.identify.position_loop import counting, reverses, run_i
 from contourlab.features.identify.records import AxisRecord
 from contourlab.native.kernel import kernel
 
-STEP, TICKS = 5e-4, 1e-3
-"""Longest step of the simulated loop [s], and a usual tick of a control [s]."""
+STEP = 5e-4
+"""Longest step of the simulated loop [s]."""
+TICKS = (1e-3, 2e-3)
+"""Usual ticks of controls [s]: the shortest and the longest; a log is no faster than its control."""
 DEAD_TIMES = (0.0, 1.0, 2.0, 3.0, 4.0)
-"""Dead times in the loop that are tried [usual ticks]."""
-KINDS = "the feedforward acts with the error", "a tick before it", "undelayed, where the control delays what the position controller sees"
-"""What is tried: the same delay of the log hides each of them."""
+"""Dead times in the loop that are tried [ticks]."""
+EARLY = (0, 1, -1, 0)
+"""How much earlier than the error the feedforward acts [ticks], for each kind of loop; the last kind has the position controller see a
+delayed reference, which the feedforward is not. All are tried: the same delay of the log hides each of them."""
+BALANCED = 3
+"""The last kind."""
 SHARES = (0.0, 0.5, 1.0)
 """Velocity feedforward at which the fit starts."""
 AS_GOOD = 4.0
@@ -37,6 +42,8 @@ FLOOR = 0.002
 """Share of the following error that no simple loop explains: dead times that leave less count as well."""
 TICK = 0.25
 """Deviation of the instants within a period at which a control reads, computes and acts [samples]."""
+FAR = 1e6
+"""No axis gets as far [m]."""
 ROWS = 2000
 """Blocks of a log, at the least: each is a row of the fit."""
 CLOCK = 1e-3
@@ -66,7 +73,7 @@ def _follow(
     v = first
     p[0] = seen[0] - (1.0 - weight) * first / gain
     for k in range(r.size - 1):
-        ahead = min(k + early, r.size - 2)
+        ahead = min(max(k + early, 0), r.size - 2)
         asked[k] = gain * (seen[k] - p[k]) + weight * (r[ahead + 1] - r[ahead]) / step
         newer = asked[k - whole] if k >= whole else first
         older = asked[k - whole - 1] if k > whole else first
@@ -94,6 +101,11 @@ class _Loop:
         steps = math.ceil(self.record.period / STEP)
         return steps, np.interp(np.arange((asked.size - 1) * steps + 1) / steps, np.arange(asked.size), asked)
 
+    @property
+    def tick(self) -> float:
+        """A usual tick [s] of the control."""
+        return min(max(self.record.period, TICKS[0]), TICKS[1])
+
     @cached_property
     def motion(self) -> slice:
         """The samples of the motion."""
@@ -106,7 +118,7 @@ class _Loop:
         held = x.get("friction_offset", 0.0) * x["Kv"]
         k = np.arange(r.size, dtype=float)
         late = k - delay_of(x) / step
-        seen = np.interp(late, k, r) + (r[1] - r[0]) * np.minimum(late, 0.0) if kind == 2 else r
+        seen = np.interp(late, k, r) + (r[1] - r[0]) * np.minimum(late, 0.0) if kind == BALANCED else r
         _follow(
             r,
             seen,
@@ -116,11 +128,12 @@ class _Loop:
             x["lag"],
             dead / step,
             held,
-            round(TICKS / step) * (kind == 1),
+            EARLY[kind] * round(self.tick / step),
             np.zeros(r.size),
             p,
         )
-        return np.asarray((p if kind == 2 else np.interp(late, k, p))[::steps][-n:])
+        p = np.nan_to_num(np.clip(p, -FAR, FAR), nan=FAR)  # of an unstable loop
+        return np.asarray((p if kind == BALANCED else np.interp(late, k, p))[::steps][-n:])
 
     def counted(self, error: Array) -> Array:
         """Return what counts of an error (n,): the motion, in means over blocks, less its mean."""
@@ -212,12 +225,12 @@ def fit_servo(record: AxisRecord, balanced: bool, known: tuple[float, float] | N
     starts = [{"velocity_feedforward": w, "Kv": min(max((1.0 - w) / max(overall, 1e-4), 10.0), 100.0)} for w in SHARES]
 
     fits = list[tuple[float, OutputFit]]()
-    kinds = [(kind, dead) for kind in range(3 if balanced else 2) for dead in DEAD_TIMES]
+    kinds = [(kind, dead) for kind in range(BALANCED + balanced) for dead in DEAD_TIMES]
     first: dict[int, OutputFit] = {}
     for kind, dead in kinds:
         if kind not in first:
-            first[kind] = max((fit(start, TICKS, kind, 1e-5) for start in starts), key=lambda one: one.fit)
-        fits.append((dead * TICKS, between_parts(fit(first[kind].parameters, dead * TICKS, kind), dead * TICKS, kind)))
+            first[kind] = max((fit(start, loop.tick, kind, 1e-5) for start in starts), key=lambda one: one.fit)
+        fits.append((dead * loop.tick, between_parts(fit(first[kind].parameters, dead * loop.tick, kind), dead * loop.tick, kind)))
     sums = np.array([float(np.sum((one.measured - one.predicted) ** 2)) for _, one in fits])
     best = int(np.argmin(sums))
     residual = fits[best][1].measured - fits[best][1].predicted

@@ -22,7 +22,6 @@ TERMS: dict[str, tuple[tuple[str, str, str, float, float, str], ...]] = {
         ("MD32610 VELO_FFW_WEIGHT", "", "velocity_feedforward", 1.0, 1.0, ""),
         ("MD32620 FFW_MODE", "", "", 1.0, 3.0, ""),
         ("MD32810 EQUIV_SPEEDCTRL_TIME", "s", TIME, 1.0, 1.0, TIME),
-        ("MD32650 AX_INERTIA", "kg", "mass", 1.0, nan, ""),
     ),
     "twincat": (
         ("Proportional Factor Kv", "1/s", "Kv", 1.0, nan, ""),
@@ -31,8 +30,7 @@ TERMS: dict[str, tuple[tuple[str, str, str, float, float, str], ...]] = {
     ),
     "cia402": (
         ("position loop: gain", "1/s", "Kv", 1.0, nan, ""),
-        ("0x60B1 velocity offset", "set velocity", "velocity_feedforward", 1.0, 1.0, ""),
-        ("0x60B2 torque offset", "kg set acceleration", "mass", 1.0, nan, ""),
+        ("0x60B1 velocity offset", "of set velocity", "velocity_feedforward", 1.0, 1.0, ""),
     ),
 }
 """Name, unit, figure that it is and its factor; and what is proposed: a number, or a number times a figure."""

@@ -138,8 +138,6 @@ def _doubtful(axis: AxisSetup, unit: float, period: float) -> Iterator[Finding]:
     if axis.loop.loop == "step generator":
         wanted = {"maxvel": HEADROOM * speed, "maxaccel": HEADROOM * axis.limits["acceleration"] * unit, "age": speed * period}
         yield finding("CL864", place, p=axis.gains["Pgain"], ff1=axis.gains["FF1"], most=1.0 / period, **wanted)
-    if axis.loop.loop == "velocity drive":
-        yield finding("CL868", place, why=axis.loop.why)
     if axis.idle:
         yield finding("CL865", place, pid=axis.pid)
 

@@ -77,11 +77,6 @@ class AxisTask:
         largest = [run_lanes(np.zeros(noise.size), noise, gains, [model], self.law, free=self.free).largest for noise in self.off]
         return np.asarray(np.mean(largest, axis=0)) if largest else np.zeros(len(gains))
 
-    @property
-    def slower(self) -> AxisModel:
-        """The axis with more delay, for the margins."""
-        return replace(self.model, delay=max(self.model.delay, 0.0) + UNSEEN * self.law.period)
-
     def runs(self, gains: Array) -> Moves:
         """Return commands and positions with one set of gains."""
         return [(command, run.position) for command, run in self.traced(gains)]
@@ -183,10 +178,11 @@ def tune_axis(task: AxisTask, *, unit: float = 1e-3, seed: int = 0) -> TunedAxis
     """
     moves = [(command, noise, restless(command, task.law.period)) for command, noise in task.pairs()]
     lively = [(command[kept], noise[kept]) for command, noise, kept in moves]
+    slower = replace(task.model, delay=max(task.model.delay, 0.0) + UNSEEN * task.law.period)
 
     def objective(points: Array) -> Array:
         gains = task.gains(points)
-        good = keep_margins(gains, task.slower, task.law.period, task.gain_margin, task.phase_margin)
+        good = keep_margins(gains, slower, task.law.period, task.gain_margin, task.phase_margin)
         values = np.full(len(points), np.inf)
         if not good.any():
             return values

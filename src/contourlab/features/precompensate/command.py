@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import math
-import shutil
-import subprocess
-import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
+from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -18,14 +15,15 @@ from contourlab.app.json_values import HIDDEN
 from contourlab.app.options import positive
 from contourlab.app.results import check_file, spared
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
+from contourlab.app.shared_options import Dialect
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ProgramError, ResultError
 from contourlab.features.check.reading import reading_of
 from contourlab.features.measure.log_choice import content_of
-from contourlab.features.precompensate.law import CUTOFF, Learned, Run, fit_loop, forgotten, learn, proposed, smoother, spread
+from contourlab.features.precompensate.law import CUTOFF, Learned, Run, fit_loop, forgotten, learn, proposed, spread
 from contourlab.features.precompensate.options import Precompensate
-from contourlab.features.precompensate.passes import STATE, AddedDwell, Passes, PassFigures, digest_of, load, save
-from contourlab.features.precompensate.runs import Measured, cycle_time, limits_of, open_run, run_of, simulated
+from contourlab.features.precompensate.passes import AddedDwell, Passes, PassFigures, digest_of, load, save
+from contourlab.features.precompensate.runs import Measured, cycle_time, open_run, run_of, simulated
 from contourlab.features.precompensate.starts import LONGEST, UNKNOWN, Start, settling_time, starts_of, without
 from contourlab.features.precompensate.writing import (
     MARK,
@@ -40,13 +38,11 @@ from contourlab.features.precompensate.writing import (
 )
 from contourlab.features.run import options
 from contourlab.features.run.source import scenario_of
-from contourlab.feed import LimitReport
 from contourlab.feed.route import controlled
 from contourlab.figures import figure, grouped
 from contourlab.findings import Finding, finding
 from contourlab.loop import Machine
-from contourlab.program import Program, Reading
-from contourlab.program.reader import read_text, split_lines
+from contourlab.program import Reading
 from contourlab.rendering.charts import Chart, traces_chart
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
@@ -55,15 +51,11 @@ from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 
 NODE_TIME = 1e-3
 """Least time between nodes at the programmed feed [s]."""
-SMOOTHER = 0.8
-"""Factor on the cutoff after a pass that took too long."""
 LOOSER = 4.0
 """Factor on how far the control may round and smooth the written lines, after each pass that took too long."""
 SLOWED = 0.01
 """Share by which a pass may be slower than the program, up to which lines get feed words. They slow down a control that merges lines of one
 feed, or whose acceleration is zero between lines."""
-POOR = 0.5
-"""Unexplained share of the following error from which the model of the loop is doubted."""
 COVERED = 0.98
 """Share of the corrected path that a log must cover."""
 HELPED = 0.5
@@ -81,14 +73,12 @@ ROUNDED = 0.2
 class Work:
     """A program, its passes so far, and the program of the pass that was run last."""
 
-    def __init__(
-        self, part: Path, axes: Sequence[str], settings: Precompensate, reading: Reading, machine: Machine | None, period: float
-    ) -> None:
-        self.part, self.reading, self.machine = part, reading, machine
+    def __init__(self, part: Path, axes: Sequence[str], settings: Precompensate, reading: Reading, period: float) -> None:
+        self.part, self.reading = part, replace(reading, folder=reading.folder or part.parent)
         self.tolerance, self.cap, self.lead_in = settings.si("tolerance"), settings.si("cap"), settings.lead_in
         self.band = positive("--band", settings.band, "", 'a share, such as "2 %"')
         period = max(NODE_TIME, period)
-        source = read_blocks(part, reading, axes)
+        source = read_blocks(part, self.reading, axes)
         if any(MARK in line for line in source.program.lines[:3]):
             raise ProgramError("is a corrected program: give the one before any correction, and the folder with --passes", file=part)
         self.contour = contour_of(source, axes, period)
@@ -96,7 +86,6 @@ class Work:
             raise ProgramError(f"no cutting move along {', '.join(axes)} can be corrected", file=part)
         known = repr((tuple(axes), period, self.tolerance))
         self.passes = Passes(digest_of("\n".join(source.program.lines).encode("utf-8", "replace"), known.encode()), tuple(axes))
-        self.needs: LimitReport | None = None
         self.settles: float | None = None
         self._read: tuple[Written, Contour] | None = None
 
@@ -110,17 +99,9 @@ class Work:
             self._read = written, self.contour_again(written)
         return self._read[1]
 
-    @cached_property
-    def is_interpreted(self) -> bool:
-        """Whether LinuxCNC's interpreter is installed and reads the program itself."""
-        if shutil.which("rs274") is None or self.reading.dialect != "linuxcnc":
-            return False
-        return not complaint("\n".join(split_lines(read_text(self.part))) + "\n", self.part.parent)
-
     def contour_again(self, written: Written) -> Contour:
         """Read a written program, and check that it is the corrected path and nothing else."""
-        reading = replace(self.reading, folder=self.part.parent) if self.reading.folder is None else self.reading
-        source = parse_blocks(written.text, f"corrected {self.part.name}", reading, self.contour.axes)
+        source = parse_blocks(written.text, f"corrected {self.part.name}", self.reading, self.contour.axes)
         contour = contour_of(source, self.contour.axes, self.contour.period)
         breaks = np.asarray(contour.path.breaks)
         if len(breaks) != len(written.corrected_arc) or np.abs(breaks - written.corrected_arc).max() > 1e-6 + 1e-6 * breaks[-1]:
@@ -155,30 +136,18 @@ class Work:
 
     def learn(self, measured: Measured, runs: list[Run]) -> list[Finding]:
         """Learn from the runs of a pass; return the findings."""
-        passes, nodes = self.passes, self.contour.nodes
-        number, findings = len(passes.figures), list[Finding]()
+        passes, number = self.passes, len(self.passes.figures)
         if not passes.loops:
             loops = tuple(fit_loop(*pair, measured.period) for pair in zip(measured.command.T, measured.motor.T, strict=True))
             cutoff = CUTOFF * min(loop.bandwidth for loop in loops)
             passes = replace(passes, loops=loops, cutoff=min(cutoff, 0.2 / measured.period))
-            findings += [
-                finding("CL913", f"axis {axis}", share=loop.unexplained)
-                for axis, loop in zip(passes.axes, loops, strict=True)
-                if loop.unexplained > POOR
-            ]
         figures = self._figures(number, runs, passes.cutoff)
-        learned = learn(passes.learned, runs, list(passes.loops), nodes, passes.cutoff)
+        learned = learn(passes.learned, runs, list(passes.loops), self.contour.nodes, passes.cutoff)
         self.passes = replace(passes, figures=(*passes.figures, figures), learned=learned)
-        best = self.passes.figures[self.passes.best]
-        if number and best.number != number and figures.in_time:
-            values: dict[str, Any] = {"rms": figures.rms, "largest": figures.largest, "least": best.rms, "least_largest": best.largest}
-            findings.append(finding("CL914", number=number, best=best.number, **values))
-        if not figures.in_time:
-            cutoff = SMOOTHER * passes.cutoff
-            self.passes = replace(self.passes, cutoff=cutoff, learned=smoother(learned, runs[0], nodes, cutoff))
-            change = (figures.duration - figures.dwell) / passes.figures[0].duration - 1.0
-            findings += [finding("CL911", number=number, change=change, band=self.band), *self._free_corners()]
-        return findings
+        if figures.in_time:
+            return []
+        change = (figures.duration - figures.dwell) / passes.figures[0].duration - 1.0
+        return [finding("CL911", number=number, change=change, band=self.band), *self._free_corners()]
 
     def _figures(self, number: int, runs: Sequence[Run], cutoff: float) -> PassFigures:
         """Return the figures of a pass."""
@@ -228,7 +197,8 @@ class Work:
         speed = np.interp(contour.path.breaks[1:-1], contour.nodes, self.learned.speed)
         step = 3.0 * max(self.passes.figures[0].acceleration) * contour.period
         passed = speed > np.maximum(ROUNDED * np.minimum(contour.route.feedrate[1:], contour.route.feedrate[:-1]), step)
-        return not (passed & (self._turns > CORNER) & (self._controls == "None")[:-1]).any()
+        # A control without G64, as grbl, stops at no short line.
+        return contour.source.rules.blend is not None and not (passed & (self._turns > CORNER) & (self._controls == "None")[:-1]).any()
 
     @property
     def _controls(self) -> Array:
@@ -318,22 +288,7 @@ class Work:
         written = write_corrected(self.contour, tried, self.tolerance, fastest, self._blend(number), self.dwells, self.stops)
         written = replace(written, text=marked(written.text, number, self.part.name))
         self.passes = replace(self.passes, learned=replace(learned, tried=tried), written=(*self.passes.written, written))
-        driven = self.driven.source.program
-        findings = [finding("CL910", cap=self.cap, share=float(capped.mean()))] if capped.any() else []
-        if self.machine is not None and set(self.machine.axis_names) >= set(self.contour.axes):
-            findings += self._limits(self.machine, driven)
-        message = complaint(written.text, self.part.parent) if self.is_interpreted else ""
-        return [*findings, finding("CL916", message=message)] if message else findings
-
-    def _limits(self, machine: Machine, program: Program) -> Iterator[Finding]:
-        """Plan the written program on the machine, and compare what it needs with the program itself."""
-        self.needs = self.needs or limits_of(self.contour.source.program, machine)
-        after = limits_of(program, machine)
-        for kind in ("velocity", "acceleration", "jerk"):
-            for old, new in zip(getattr(self.needs, kind), getattr(after, kind), strict=True):
-                if new.ratio > max(1.005, 1.005 * old.ratio):
-                    axis = machine.axis_names[new.axis]
-                    yield finding("CL912", kind=kind, axis=axis, use=new.ratio, before=old.ratio, machine=machine.name)
+        return [finding("CL910", cap=self.cap, share=float(capped.mean()))] if capped.any() else []
 
     def _longer(self, number: int) -> Iterator[Finding]:
         """Say by how much a written program is longer: as its run showed; if it has not run, as planned."""
@@ -367,9 +322,8 @@ class Work:
         number = len(passes.written) if proceed else passes.best
         written = passes.written[number - 1] if number else None
         source = self.contour.source
-        left = [LeftMove(source.numbers[b.lines[0] - 1], b.reason) for b in source.blocks if b.reason not in ("", "-")]
-        lines = grouped((move.reason, move.line) for move in left)
-        more = [finding("CL909", count=len(those), reason=reason, line=those[0]) for reason, those in lines.items()]
+        left = grouped((b.reason, source.numbers[b.lines[0] - 1]) for b in source.blocks if b.reason not in ("", "-"))
+        more = [finding("CL909", count=len(those), reason=reason, line=those[0]) for reason, those in left.items()]
         more += [] if passes.helps else [finding("CL915", best=passes.best)]
         first, best = passes.figures[0], passes.figures[passes.best]
         if (best.rms - first.rms) * (best.largest - first.largest) < 0.0:
@@ -377,7 +331,7 @@ class Work:
                 finding("CL925", best=best.number, rms=best.rms, before=first.rms, largest=best.largest, largest_before=first.largest)
             )
         uncontrolled = np.flatnonzero((self._controls == "None") & self.contour.corrected)
-        if number and uncontrolled.size and self.stops and source.rules.blend is not None:
+        if number and uncontrolled.size and self.stops:
             line = source.blocks[self.contour.route.source_line[uncontrolled[0]] - 1].lines[0]
             more.append(finding("CL928", line=source.numbers[line - 1], tolerance=self._blend(number)))
         more += self._longer(number) if number else []
@@ -391,47 +345,16 @@ class Work:
             best=passes.best,
             written=number,
             status="next pass" if proceed else "done" if number else "no gain",
-            bandwidth={axis: loop.bandwidth for axis, loop in zip(passes.axes, passes.loops, strict=True) if np.isfinite(loop.bandwidth)},
             cutoff=passes.cutoff,
             correction=float(np.linalg.norm(learned.tried if proceed else learned.kept, axis=1).max()),
             lines=0 if written is None else written.n_line,
-            shortest_line=None if written is None else written.shortest,
-            left=tuple(left),
+            left=left,
             findings=(*findings, *more),
             writer=partial(self.save, folder),
         )
 
 
-def complaint(text: str, folder: Path) -> str:
-    """Return what LinuxCNC's interpreter says against a program; empty for nothing."""
-    with tempfile.TemporaryDirectory() as name:
-        file = Path(name, "program.ngc")
-        file.write_text(text, encoding="utf-8", errors="replace")
-        try:
-            ran = subprocess.run(
-                ["rs274", "-g", str(file)], capture_output=True, text=True, errors="replace", timeout=60, cwd=folder, check=False
-            )
-        except (OSError, subprocess.TimeoutExpired):
-            return ""
-    lines = [line.strip() for line in ran.stderr.splitlines() if line.strip()]
-    return "" if ran.returncode == 0 else (lines[-1] if lines else f"code {ran.returncode}")[:200]
-
-
 # --- the answer ---
-
-
-@dataclass(frozen=True)
-class LeftMove:
-    """A cutting move that stays as programmed.
-
-    Attributes
-    ----------
-    line : int
-    reason : str
-    """
-
-    line: int
-    reason: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -455,17 +378,14 @@ class Precompensated(Answer):
         The pass that `out` holds; 0 for none.
     status : str
         ``"next pass"``: run it; ``"done"``: no further pass helps, and it is the best one; ``"no gain"``: none is better than `program`.
-    bandwidth : dict of str to float [Hz]
-        Of the loop of each axis that moves.
     cutoff : float [Hz]
         Of the robustness filter.
     correction : float [m]
         Largest displacement of the path.
     lines : int
         Short lines in the written program.
-    shortest_line : float or None [s]
-        Shortest time of one at its feed.
-    left : tuple of LeftMove
+    left : dict of str to list of int
+        Lines of the cutting moves that stay as programmed, by the reason.
     findings : tuple of Finding
     """
 
@@ -481,12 +401,10 @@ class Precompensated(Answer):
     best: int
     written: int
     status: str
-    bandwidth: dict[str, float]
     cutoff: float
     correction: float
     lines: int
-    shortest_line: float | None
-    left: tuple[LeftMove, ...]
+    left: dict[str, list[int]]
     findings: tuple[Finding, ...]
     writer: Callable[[Precompensated], None] | None = field(default=None, metadata=HIDDEN, repr=False)
 
@@ -520,7 +438,7 @@ class Precompensated(Answer):
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
         """Check the program."""
-        return ["check", self.out, "--machine", asked.settings.machine] if self.written else None
+        return ["check", self.out, "--machine", asked.settings.machine, *asked.settings.words_of(Dialect)] if self.written else None
 
     @property
     def gain(self) -> float | None:
@@ -557,7 +475,7 @@ class Precompensated(Answer):
         if self.written:
             size, cutoff = figure(self.correction, "um"), figure(self.cutoff, "Hz")
             what = f"{self.lines} lines, path displaced by up to {size}, filtered at {cutoff}"
-            lines.append(f"\nwritten: {self.out}, pass {self.written}: {what}")
+            lines += ["", paragraphs([f"written: {self.out}, pass {self.written}: {what}"])]
         else:
             lines.insert(0, "No pass is better than the program itself: nothing is written.\n")
         first, more = (paragraphs(str(one) for one in self.findings if (one.code == "CL919") == at_top) for at_top in (True, False))
@@ -596,13 +514,13 @@ def precompensate(part: str | Path, *, settings: Precompensate, session: Session
     if not settings.log:
         return _simulated(Path(part), settings, reading, session)
     if settings.passes is not None:
-        check_file(settings.passes / STATE, given, "--passes")
+        check_file(settings.passes / "passes", given, "--passes")
     machine = None if settings.machine is None else machine_of(settings.machine, settings.plugin)
     opened = [open_run(log, settings.of_log(k, len(settings.log)), machine) for k, log in enumerate(settings.log)]
     measured, axes, _ = opened[0]
     if any(other[1] != axes for other in opened):
         raise ParameterError("--log", "axes differ", f"logs of the axes {', '.join(axes)}")
-    work = Work(Path(part), axes, settings, reading, machine, measured.period)
+    work = Work(Path(part), axes, settings, reading, measured.period)
     digests = tuple(digest_of(content_of(log)) for log in settings.log)
     if settings.passes is not None:
         work.passes = load(settings.passes, work.passes)
@@ -625,9 +543,7 @@ def precompensate(part: str | Path, *, settings: Precompensate, session: Session
 
 def _log_findings(measured: Measured, run: Run, rest: float | None, machine: Machine | None) -> list[Finding]:
     findings = []
-    if rest is None:
-        findings.append(finding("CL905"))
-    elif rest > run.rms / 3.0:
+    if rest is not None and rest > run.rms / 3.0:
         findings.append(finding("CL906", rest=rest, rms=run.rms))
     if measured.source == "motor":
         findings.append(finding("CL907"))
@@ -638,11 +554,11 @@ def _log_findings(measured: Measured, run: Run, rest: float | None, machine: Mac
 
 def _simulated(part: Path, settings: Precompensate, reading: Reading, session: Session) -> Precompensated:
     """Simulate pass after pass."""
-    parts = {name: getattr(settings, name) for name in ("machine", "controller", "dialect", "plugin")}
+    parts = {name: getattr(settings, name) for name in ("machine", "controller", "dialect", "plugin", "planner")}
     scenario = scenario_of(part, options.Run(**parts, no_require_end=True))
     machine, controller = scenario.machine, scenario.controller
     axes = tuple(axis for axis in machine.axis_names if axis in "xyz")
-    work = Work(part, axes, settings, reading, machine, machine.servo_period)
+    work = Work(part, axes, settings, reading, machine.servo_period)
     findings: list[Finding] = []
     rest: float | None = None
     stages = session.stages()

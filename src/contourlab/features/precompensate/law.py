@@ -38,6 +38,8 @@ NEAR = 0.5
 """Time over which an error counts for its place, times the cutoff."""
 RESTS = 1.0 / 10.0
 """Error over the first error, both rms, up to which a place is left as it is."""
+LEFT = 0.5
+"""Share of what the control rounds itself that the first pass does not correct: short lines are rounded less than those of the program."""
 FORGOTTEN = 1e-6
 """Mean square of the error where nothing is known [m^2]: any run is better."""
 STEEPEST = 0.5
@@ -55,8 +57,6 @@ class Loop:
     zero : float [s], >= 0
     velocity_lag : float [s]
     acceleration_lag : float [s^2]
-    unexplained : float
-        Rms of what the model leaves of command minus position, as a share of its rms.
     bandwidth : float [Hz]
         Where the response falls by 3 dB; inf for an axis that does not move.
     """
@@ -64,7 +64,6 @@ class Loop:
     zero: float = 0.0
     velocity_lag: float = 0.0
     acceleration_lag: float = 0.0
-    unexplained: float = 0.0
     bandwidth: float = math.inf
 
     def inverse(self, frequency: Array) -> Array:
@@ -134,8 +133,7 @@ def _fit(command: Array, position: Array, period: float, band: float) -> Loop:
     scale = np.sqrt((columns[used] ** 2).mean(axis=0)) + 1e-300
     solved, *_ = np.linalg.lstsq(columns[used] / scale, late[used], rcond=1e-9)
     zero, velocity, acceleration, _ = (solved / scale).tolist()
-    rest = late[used] - columns[used] @ (solved / scale)
-    loop = Loop(max(zero, 0.0), velocity, acceleration, math.sqrt((rest**2).mean() / max((late[used] ** 2).mean(), 1e-300)))
+    loop = Loop(max(zero, 0.0), velocity, acceleration)
     frequency = np.geomspace(0.02, 0.45 / period, 2000)
     below = np.flatnonzero(np.abs(loop.inverse(frequency)) > math.sqrt(2.0))
     return replace(loop, bandwidth=float(frequency[below[0]] if below.size else frequency[-1]))
@@ -160,6 +158,8 @@ class Run:
         From the first to the last motion of the command.
     velocity, acceleration : ndarray (n_axis,) [m/s, m/s^2]
         Largest values of the command.
+    rounded : ndarray (n, n_axis) [m]
+        From the command to its foot point on the path that it was to follow: what the control rounds.
     """
 
     period: float
@@ -170,6 +170,7 @@ class Run:
     duration: float
     velocity: Array
     acceleration: Array
+    rounded: Array
 
     @property
     def rms(self) -> float:
@@ -218,7 +219,6 @@ class Learned:
         Of the command in the program itself.
     rests : float [m]
         Error at which a place is left as it is.
-    cutoff : float [Hz]
     """
 
     kept: Array
@@ -228,7 +228,6 @@ class Learned:
     tried: Array
     speed: Array
     rests: float
-    cutoff: float
 
 
 def learn(before: Learned | None, runs: list[Run], loops: list[Loop], nodes: Array, cutoff: float) -> Learned:
@@ -254,8 +253,9 @@ def learn(before: Learned | None, runs: list[Run], loops: list[Loop], nodes: Arr
     step = np.mean([one.at(nodes, filtered(one.error, one.period, response, longest)) for one in runs], axis=0)
     square = np.mean([one.at(nodes, _nearby((one.error**2).sum(axis=1), one.period, cutoff)) for one in runs], axis=0)[:, 0]
     if before is None:
+        step = step - LEFT * np.mean([one.at(nodes, smoothed(one.rounded, one.period, cutoff)) for one in runs], axis=0)
         nothing, speed = np.zeros_like(step), run.at(nodes, run.speed[:, None])[:, 0]
-        return Learned(nothing, step, square, np.ones(len(nodes)), nothing, speed, RESTS * run.rms, cutoff)
+        return Learned(nothing, step, square, np.ones(len(nodes)), nothing, speed, RESTS * run.rms)
     better = np.interp(run.place, nodes, (square < before.error).astype(np.float64))
     share = run.at(nodes, _nearby(better, run.period, cutoff)).clip(0.0, 1.0)
     return replace(
@@ -264,7 +264,6 @@ def learn(before: Learned | None, runs: list[Run], loops: list[Loop], nodes: Arr
         step=before.step + share * (step - before.step),
         error=before.error + share[:, 0] * (square - before.error),
         gain=before.gain * (0.5 + 0.5 * share[:, 0]),
-        cutoff=cutoff,
     )
 
 
@@ -299,10 +298,3 @@ def forgotten(learned: Learned, nodes: Array, begin: float, end: float, after: f
     weight = np.where(nodes < begin, 1.0, np.clip((nodes - end) / max(after - end, 1e-12), 0.0, 1.0))
     error = np.where(weight < 1.0, FORGOTTEN, learned.error)
     return replace(learned, kept=learned.kept * weight[:, None], step=learned.step * weight[:, None], error=error)
-
-
-def smoother(learned: Learned, run: Run, nodes: Array, cutoff: float) -> Learned:
-    """Return what is learned, with correction and step below a lower cutoff [Hz]: a smoother path takes less time."""
-    in_time = (np.column_stack([np.interp(run.place, nodes, column) for column in part.T]) for part in (learned.kept, learned.step))
-    kept, step = (run.at(nodes, smoothed(part, run.period, cutoff)) for part in in_time)
-    return replace(learned, kept=kept, step=step, cutoff=cutoff)

@@ -6,12 +6,12 @@ from pathlib import Path
 
 from contourlab.app.options import REQUIRED, option, options
 from contourlab.app.session import Command
-from contourlab.app.shared_options import Dialect, LogAxes, OfPart, Plugins, Seeded, Shown
+from contourlab.app.shared_options import Dialect, LogAxes, OfPart, Planned, Plugins, Seeded, Shown
 from contourlab.errors import ParameterError
 
 
 @options
-class Precompensate(Seeded, Plugins, Dialect, LogAxes):
+class Precompensate(Seeded, Plugins, Planned, Dialect, LogAxes):
     """Correct a part program by the contour error that repeats, so that the same control makes a better part."""
 
     log: tuple[Path, ...] = option((), "Log of a run of the pass written last; repeatable.", objects="Log")
@@ -28,6 +28,8 @@ class Precompensate(Seeded, Plugins, Dialect, LogAxes):
         super().__post_init__()
         if self.log and self.controller is not None:
             raise ParameterError("--controller", repr(self.controller), "left out: with --log the real one is corrected")
+        if self.log and self.planner is not None:
+            raise ParameterError("--planner", repr(self.planner), "left out: with --log nothing is planned")
         if not self.log and self.machine is None:
             raise ParameterError("--log", "missing", "the log of a run; or --machine and --controller, to simulate")
         if not self.log and self.passes is not None:

@@ -17,8 +17,6 @@ HELPS = 0.02
 """Least gain of two passes over the best before them, as a share of its rms; of one pass, where the error is below `RESTS`."""
 LATE = 3
 """Passes in a row that took too long after which no further one is tried."""
-STATE = "passes.npz"
-"""File of an older version."""
 
 
 @dataclass(frozen=True)
@@ -155,16 +153,15 @@ def load(folder: Path, none: Passes) -> Passes:
     ParameterError
         If they are of another program or of other options.
     ResultError
-        If they are damaged, or of an older version.
+        If they are damaged.
     """
-    kept, older = _kept(folder, none), folder / STATE
+    kept = _kept(folder, none)
     arrays, cure = kept.load(kept.path()), "use a new folder with --passes"
     if arrays is not None:
         try:
             return unpacked(arrays, Passes)
         except (KeyError, ValueError) as error:
             raise ResultError(f"{kept.home}: {error_text(error)}: {cure}") from error
-    refuse(older.exists(), ResultError, f"{older}: is of an older version, which wrote no digest: {cure}")
     refuse(kept.damaged, ResultError, f"{kept.home}: is damaged: {cure}")
     other = "a new folder: this one holds passes of another program, of other options or of an older version"
     refuse(kept.others, ParameterError, "--passes", repr(str(folder)), other)
@@ -172,4 +169,4 @@ def load(folder: Path, none: Passes) -> Passes:
 
 
 def _kept(folder: Path, passes: Passes) -> Checkpoint:
-    return Checkpoint(folder, f"contourlab-passes/3 {passes.digest}")
+    return Checkpoint(folder, f"contourlab-passes/4 {passes.digest}")

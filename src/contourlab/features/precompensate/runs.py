@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import accumulate, product
+from itertools import accumulate
 from pathlib import Path
 from typing import Any
 
@@ -19,19 +20,13 @@ from contourlab.features.measure.measured_path import moving, progress_along
 from contourlab.features.measure.plausibility import known_signal
 from contourlab.features.precompensate.law import Run
 from contourlab.features.precompensate.writing import Contour, Written
-from contourlab.feed import AxisLimits, LimitReport, Reference, Route, blended, limit_report, plan
+from contourlab.feed import AxisLimits, Route, blended, plan
 from contourlab.logs import Column, Log, Record
 from contourlab.logs.load import LONG_GAP, about
 from contourlab.loop import Controller, Machine, simulate
 from contourlab.program import Program
 from contourlab.scenario.values import program_motion
 
-NAMES = (
-    ("reference", ("{}_cmd", "{}-cmd", "{}_command")),
-    ("position", ("{}", "{}_fb", "{}-fb")),
-    ("axis_position", ("{}_load", "{}-load")),
-)
-"""Names of columns in logs of HAL."""
 AFTER = 0.3
 """Time after the last motion of the command that is looked at [s]."""
 WINDOW = 1e-3
@@ -119,10 +114,10 @@ def open_run(file: Path, options: LogAxes, machine: Machine | None = None) -> tu
 
 
 def _of_hal(record: Record) -> Iterator[Column]:
-    """Yield the columns of a log of HAL by their names."""
-    names = {channel.name.lower(): channel.name for channel in record.channels}
-    for axis, (signal, forms) in product("xyz", NAMES):
-        yield from (Column(signal, axis, names[form.format(axis)]) for form in forms if form.format(axis) in names)
+    """Yield the columns of a log of HAL whose names mean something else in other logs."""
+    signals = {"load": "axis_position", "command": "reference"}
+    names = ((channel.name, re.fullmatch("([xyz])[-_](load|command)", channel.name.lower())) for channel in record.channels)
+    yield from (Column(signals[own[2]], own[1], name) for name, own in names if own)
 
 
 def _check_followed(axes: Sequence[str], command: Array, position: Array, file: str | Path) -> None:
@@ -184,7 +179,8 @@ def run_of(contour: Contour, measured: Measured, driven: Contour | None = None, 
         from_first = contour.path.foot_point(command, place, WINDOW).position - command
         if away > ALIKE and float(np.sqrt((from_first**2).sum(axis=1).mean())) < 0.5 * away:
             raise ResultError("the log is of the program before any correction.")
-    place = np.append(place, np.full(stop - first - len(place), place[-1]))
+    after = stop - first - len(place)
+    place, rounded = np.append(place, np.full(after, place[-1])), np.pad(at.position - command, ((0, after), (0, 0)))
     farthest = float(np.linalg.norm(measured.command[first:stop] - load, axis=1).max())
     foot = contour.path.foot_point(load, place, min(4.0 * farthest + 1e-4, 0.25 * contour.path.length))
     off = foot.position - load
@@ -207,34 +203,26 @@ def run_of(contour: Contour, measured: Measured, driven: Contour | None = None, 
         duration=(last - first) * period,
         velocity=np.abs(steps).max(axis=0) / period,
         acceleration=np.abs(np.diff(steps, axis=0)).max(axis=0) / period**2,
+        rounded=np.where(on[:, None], rounded, 0.0),
     )
 
 
 def simulated(program: Program, machine: Machine, controller: Controller, seed: int, trial: int) -> Measured:
-    """Simulate a run of a program."""
-    result = simulate(machine, controller, planned(program, machine), seed=seed, trial=trial)
-    columns = [k for k, axis in enumerate(machine.axis_names) if axis in "xyz"]
-    command, motor, load = (np.asarray(result[name][:, columns]) for name in ("reference", "position", "tool_position"))
-    return Measured(machine.servo_period, command, motor, load, "model")
-
-
-def planned(program: Program, machine: Machine) -> Reference:
-    """Return the motion of a program on a machine.
+    """Simulate a run of a program.
 
     Raises
     ------
     ProgramError, FeedError
         If it cannot be planned.
     """
-    return program_motion(program, machine.axis_names, machine.planner_limits(), machine.servo_period)
+    reference = program_motion(program, machine.axis_names, machine.planner_limits(), machine.servo_period)
+    result = simulate(machine, controller, reference, seed=seed, trial=trial)
+    columns = [k for k, axis in enumerate(machine.axis_names) if axis in "xyz"]
+    command, motor, load = (np.asarray(result[name][:, columns]) for name in ("reference", "position", "tool_position"))
+    return Measured(machine.servo_period, command, motor, load, "model")
 
 
 def cycle_time(route: Route, velocity: Sequence[float], acceleration: Sequence[float], period: float) -> float:
     """Return the time [s] of a route, planned with the largest speeds [m/s] and accelerations [m/s^2] that a control used."""
     limits = AxisLimits(np.maximum(velocity, 1e-3), np.maximum(acceleration, 1e-2))
     return plan(blended(route, limits), limits, period).duration
-
-
-def limits_of(program: Program, machine: Machine) -> LimitReport:
-    """Return what a program needs of the limits of a machine."""
-    return limit_report(planned(program, machine), machine.planner_limits())

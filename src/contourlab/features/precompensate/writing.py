@@ -6,8 +6,8 @@ import itertools
 import math
 import re
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, fields, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import astuple, dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
@@ -80,12 +80,9 @@ class Regions:
             self._before = values
         else:
             self.found[-1].last = line
-            changed = {key: value for key, value in values.items() if self._before.get(key) != value}
-            self.found[-1].text += [
-                f"#<{key}> = {_number(value)}" if isinstance(key, str) else f"#{key} = {_number(value)}"
-                for key, value in changed.items()
-                if isinstance(key, str) or key < _FIRST_OF_INTERPRETER
-            ]
+            for key, value in values.items():
+                if self._before.get(key) != value and (isinstance(key, str) or key < _FIRST_OF_INTERPRETER):
+                    self.found[-1].text.append(f"#{f'<{key}>' if isinstance(key, str) else key} = {_number(value)}")
         self._call = ""
 
 
@@ -224,7 +221,7 @@ def read_blocks(file: Path, reading: Reading, axes: Sequence[str]) -> Source:
         If it cannot be read.
     """
     lines = split_lines(read_text(file))
-    reading = replace(reading, folder=file.parent) if reading.folder is None else reading
+    reading = replace(reading, folder=reading.folder or file.parent)
     source, regions = _source(lines, file, reading, axes)
     if not any(region.corrected for region in regions.found):
         return source
@@ -239,18 +236,16 @@ def read_blocks(file: Path, reading: Reading, axes: Sequence[str]) -> Source:
 def _same(program: Program, other: Program) -> bool:
     """Return whether two programs move alike, apart from rounding, and have the same events."""
 
-    def values(one: Program) -> Iterable[object]:
-        for move in one.moves:
-            yield type(move)
-            yield from (getattr(move, one.name) for one in fields(move) if one.name != "source_line")
-        yield from ((event.word, event.value) for event in one.events)
+    def values(one: Program) -> tuple[object, ...]:
+        moves = ((type(move), *astuple(replace(move, source_line=1))) for move in one.moves)
+        return (*moves, *((event.word, event.value) for event in one.events))
 
     def equal(a: object, b: object) -> bool:
         if isinstance(a, tuple) and isinstance(b, tuple):
             return len(a) == len(b) and all(map(equal, a, b))
         return math.isclose(a, b, rel_tol=1e-9, abs_tol=1e-12) if isinstance(a, float) and isinstance(b, float) else a == b
 
-    return equal(tuple(values(program)), tuple(values(other)))
+    return equal(values(program), values(other))
 
 
 def parse_blocks(text: str, name: str, reading: Reading, axes: Sequence[str]) -> Source:
@@ -510,15 +505,12 @@ class Written:
         The same places along the programmed path.
     n_line : int
         Lines that replace corrected moves.
-    shortest : float [s]
-        Shortest time of such a line at its feed.
     """
 
     text: str
     corrected_arc: Array
     programmed_arc: Array
     n_line: int
-    shortest: float
 
 
 @dataclass(eq=False)
@@ -566,20 +558,17 @@ def write_corrected(
     """
     fastest, blend = np.broadcast_to(fastest, len(contour.nodes)), blend or 2.0 * tolerance
     replaced: dict[int, _Lines] = {}
-    blocks, shortest = contour.source.blocks, np.inf
+    blocks = contour.source.blocks
     for first, last in contour.chunks:
         lines = _Lines(contour.path.position(contour.path.breaks[first : first + 1])[0], blend)
         numbers = contour.route.source_line[first:last]
         for k in np.unique(numbers).tolist():
             curves = first + np.flatnonzero(numbers == k)
             index = contour.node_range(int(curves[0]), int(curves[-1]))
-            ends, start = curves[-1] == last - 1, lines.end
-            lines = _replacing(contour, blocks[k - 1], index, correction, lines, tolerance, ends, fastest)
+            lines = _replacing(contour, blocks[k - 1], index, correction, lines, tolerance, curves[-1] == last - 1, fastest)
             if stops and blocks[k - 1].move.mode.control is None:
                 lines.text = [*_blending(contour.source.rules, blend * blocks[k - 1].scale), *lines.text]
                 stops = False
-            steps = np.linalg.norm(np.diff(np.vstack([start, *lines.points]), axis=0), axis=1)
-            shortest = min(shortest, float(steps.min(initial=np.inf)) / float(contour.route.feedrate[curves[0]]))
             replaced[k - 1] = lines
     arcs, places, at = [0.0], [0.0], np.asarray(contour.path.position(np.zeros(1))[0])
     breaks = contour.path.breaks
@@ -597,7 +586,7 @@ def write_corrected(
                 places.append(place)
                 at = point
     n_line = sum(len(lines.points) for lines in replaced.values())
-    return Written(with_dwells(contour, dwells or {}, replaced), np.array(arcs), np.array(places), n_line, shortest)
+    return Written(with_dwells(contour, dwells or {}, replaced), np.array(arcs), np.array(places), n_line)
 
 
 def _replacing(

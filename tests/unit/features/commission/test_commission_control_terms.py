@@ -1,6 +1,7 @@
 """The terms of other controls against the law of HAL's pid, and against their definitions."""
 
 from dataclasses import replace
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -8,8 +9,9 @@ import numpy as np
 import pytest
 
 from contourlab.errors import ParameterError
-from contourlab.features.commission.control_terms import CONTROLS, Cascade, cascade_of, check_control, terms_of
+from contourlab.features.commission.control_terms import CONTROLS, Cascade, cascade_of, terms_of
 from contourlab.features.commission.loop import AxisModel, Law, law_output
+from contourlab.features.commission.options import LinuxCNC
 
 PERIOD = 1e-3
 ROW = np.array([20e3, 400.0, 150.0, 0.0, 36.0, 0.45, 0.0])
@@ -75,7 +77,7 @@ def test_without_gain_in_the_velocity_loop_the_damping_of_the_axis_is_it() -> No
 
 
 def test_unknown_control_is_refused() -> None:
+    log = Path("log.csv")
     with pytest.raises(ParameterError):
-        check_control("fanuc")
-    for control in CONTROLS:
-        check_control(control)
+        LinuxCNC(log=(log,), for_="fanuc")
+    assert [LinuxCNC(log=(log,), for_=control).for_ for control in CONTROLS] == list(CONTROLS)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from made_circles import behind
 
-from contourlab.features.commission.identification import IdentifiedAxis, count_of, identify_axis
+from contourlab.features.commission.identification import IdentifiedAxis, count_of, identify_axis, lost_motion_at_motor
 from contourlab.features.commission.loop import AxisModel, Law, run_lanes
 from contourlab.features.commission.records import AxisLog, decided
 from contourlab.features.commission.tuning import AxisTask, tune_axis
@@ -105,6 +105,22 @@ def test_a_slow_drive_is_what_the_user_says_it_is() -> None:
         "servo": "servo",
         "velocity drive": "velocity drive",
     }
+
+
+@pytest.mark.parametrize(("reset", "behind_play"), [(0.0, False), (10.0, True)])
+def test_the_loop_of_a_drive_is_no_play(reset: float, behind_play: bool) -> None:
+    """At slow reversals speed and force rise together; with play, friction behind it comes back after 30 um."""
+    time = PERIOD * np.arange(10_000)
+    slow = 2e-4 * np.abs((time + 0.5) % 2.0 - 1.0)  # at 0.2 mm/s
+    model = AxisModel(0.4, 440.0, friction=0.15, offset=0.03, delay=3e-3, regulated=400.0, reset=reset)
+    if behind_play:
+        model = replace(model, resonance=60.0, damping_ratio=0.03, share=0.7, behind=0.4, play=3e-5)
+    run = run_lanes(slow, np.zeros(time.size), present(model)[None], [model], Law(PERIOD), trace=True)
+    log = AxisLog("made", "x", PERIOD, slow, 1e-6 * np.round(1e6 * run.position), run.command_output)
+    play, deviation = lost_motion_at_motor([log], model, 3e-7)
+    assert np.isnan(play) != behind_play
+    if behind_play:
+        assert abs(play - 3e-5) < max(2.0 * deviation, 1e-6)
 
 
 @pytest.mark.parametrize(("count", "expected"), [(0.0, 0.0), (1e-6, 1e-6), (25.4e-3 / 8192, 25.4e-3 / 8192)])

@@ -38,7 +38,6 @@ def test_the_loop_comes_back_from_its_log() -> None:
     # 3 dB below: |1600 + 25 s|^2 = |s^2 + 30 s + 1600|^2 / 2
     square = np.roots([1.0, DAMPING**2 - 2.0 * STIFFNESS - 2.0 * FORWARD**2, -(STIFFNESS**2)])
     assert loop.bandwidth == pytest.approx(math.sqrt(square.real.max()) / (2.0 * math.pi), rel=0.05)
-    assert loop.unexplained < 0.15
 
 
 def test_the_low_pass_shifts_nothing() -> None:
@@ -49,8 +48,10 @@ def test_the_low_pass_shifts_nothing() -> None:
     np.testing.assert_allclose(kept, kept[::-1], atol=1e-12)
 
 
-def made_run(error: np.ndarray, place: np.ndarray) -> Run:
-    return Run(PERIOD, place, error[:, None], np.ones(len(place), dtype=bool), np.full(len(place), 0.02), 1.0, np.zeros(1), np.zeros(1))
+def made_run(error: np.ndarray, place: np.ndarray, rounded: float = 0.0) -> Run:
+    n = len(place)
+    off, rest = np.full((n, 1), rounded), np.zeros(1)
+    return Run(PERIOD, place, error[:, None], np.ones(n, dtype=bool), np.full(n, 0.02), 1.0, rest, rest, off)
 
 
 def test_one_pass_removes_what_the_model_explains_below_the_cutoff() -> None:
@@ -64,6 +65,16 @@ def test_one_pass_removes_what_the_model_explains_below_the_cutoff() -> None:
     assert not capped.any()
     left = bump - response(correction[:, 0])
     assert np.abs(left).max() < 0.05 * np.abs(bump).max()
+
+
+def test_half_of_what_the_control_rounds_is_left_to_the_second_pass() -> None:
+    """The short lines of the first pass are rounded less by themselves; a correction of it all would go too far."""
+    place = 0.02 * PERIOD * np.arange(4000)
+    loop = fit_loop(moves(), response(moves()), PERIOD)
+    learned = learn(None, [made_run(np.full(4000, 50e-6), place, 40e-6)], [loop], place, 10.0)
+    assert learned.step[2000, 0] == pytest.approx(30e-6, abs=1e-8)
+    learned = learn(learned, [made_run(np.full(4000, 20e-6), place, 10e-6)], [loop], place, 10.0)
+    assert learned.step[2000, 0] == pytest.approx(20e-6, abs=1e-8)
 
 
 def test_a_place_keeps_its_best_correction() -> None:

@@ -84,7 +84,7 @@ def test_what_remains_without_the_starts() -> None:
     error = np.full((1000, 1), 3e-6)
     error[100:200] = 50e-6
     moves = np.ones(1000, dtype=bool)
-    run = Run(PERIOD, np.linspace(0.0, 1.0, 1000), error, moves, np.ones(1000), 1.0, np.ones(1), np.ones(1))
+    run = Run(PERIOD, np.linspace(0.0, 1.0, 1000), error, moves, np.ones(1000), 1.0, np.ones(1), np.ones(1), np.zeros_like(error))
     start = Start(0, 1, 100, 0.0, 50e-6)
     assert without(run, [start], 0.1) == (pytest.approx(3e-6), pytest.approx(3e-6))
     assert without(run, [start], 0.05)[1] == pytest.approx(50e-6)
@@ -93,7 +93,7 @@ def test_what_remains_without_the_starts() -> None:
 
 def test_what_was_learned_of_a_start_is_forgotten_without_a_jump() -> None:
     nodes, ones = np.linspace(0.0, 1.0, 101), np.ones((101, 2))
-    learned = Learned(ones, 2.0 * ones, np.full(101, 1e-12), np.ones(101), ones, np.ones(101), 1e-6, 20.0)
+    learned = Learned(ones, 2.0 * ones, np.full(101, 1e-12), np.ones(101), ones, np.ones(101), 1e-6)
     left = forgotten(learned, nodes, 0.2, 0.4, 0.6)
     np.testing.assert_allclose(left.kept[:, 0], np.interp(nodes, [0.199, 0.2, 0.4, 0.6], [1.0, 0.0, 0.0, 1.0]), atol=1e-9)
     np.testing.assert_allclose(left.step, 2.0 * left.kept)
