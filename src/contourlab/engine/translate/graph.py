@@ -176,13 +176,17 @@ class Graph:
             return FOLDED[kind](*values)
         args = [self.number(value) for value in values]
         made = self._computed(kind, args)
-        if kind not in _KEEPS_WHOLE or not all(map(_whole, values)):
+        if kind not in _KEEPS_WHOLE or not all(map(is_whole, values)):
             return made
         return self.whole(made, *values, zero=kind == "fneg" or (kind == "fmul" and not any(map(_is_positive, args))))
 
+    def exact(self, made: Op) -> Any:
+        """Return a number up to 2**53, beyond which Python's whole numbers have digits that a float64 has not; else NaN."""
+        return self.select(self.compare("<=", self.arithmetic("fabs", made), 2.0**53), made, math.nan)
+
     def whole(self, made: Op, *values: Any, zero: bool = True) -> Any:
         """Return a number marked as whole where all values are; `zero` says whether it may be -0.0, which a whole number is not."""
-        whole = reduce(lambda p, q: self.logic("and", p, q), map(_whole, values), True)
+        whole, made = reduce(lambda p, q: self.logic("and", p, q), map(is_whole, values), True), self.number(made)
         if zero and whole is not False:
             made = self.select(whole, self._computed("fadd", [made, self.constant(0.0)]), made)  # -0.0 + 0.0 is 0.0
         return _marked(made, whole)
@@ -284,7 +288,7 @@ class Graph:
         The loop is built again if a number is whole before a round and not after it, or the reverse: a condition then says where it is.
         """
         begin = [self._as_condition(value) if _is_condition(value) else self.number(value) for value in start]
-        wholes = [_whole(value) for value in start]
+        wholes = [is_whole(value) for value in start]
         while True:
             made = Op("loop", (*begin, *(whole for whole in wholes if isinstance(whole, Op))), "")
             made.blocks = (Block(self.block), Block(self.block))
@@ -299,7 +303,7 @@ class Graph:
             with self.within(made.blocks[1]) as block:
                 after = body(made.index, before)
                 block.ends = tuple(self._kept(value, op) for value, op in zip(after, begin, strict=True))
-                now = [_whole(value) for value in after]
+                now = [is_whole(value) for value in after]
                 block.ends += tuple(self._as_condition(q) for p, q in zip(wholes, now, strict=True) if isinstance(p, Op))
             same = [isinstance(p, Op) or p is q or op.type == CONDITION for op, p, q in zip(begin, wholes, now, strict=True)]
             if all(same):
@@ -350,11 +354,11 @@ class Graph:
 
         if _is_condition(a) and _is_condition(b):
             return joined(self._as_condition, a, b)
-        wholes = _whole(a), _whole(b)
+        wholes = is_whole(a), is_whole(b)
         return _marked(joined(self.number, a, b), wholes[0] if wholes[0] is wholes[1] else joined(self._as_condition, *wholes))
 
 
-def _whole(value: Any) -> Op | bool:
+def is_whole(value: Any) -> Op | bool:
     """Return where a value is a whole number or a truth value of Python: always, never, or where a condition holds."""
     if isinstance(value, Op):
         return value.extra if value.type == WHOLE else value.type == CONDITION

@@ -184,8 +184,8 @@ def fmod(a: float, b: float) -> float:
 def power(a: float, b: float) -> float:
     """Return a**b, |b log a| eps off."""
     x = fabs(a)
-    made = select(x == 0.0, select(b > 0.0, 0.0, math.inf), exp(b * log(x)))
-    made = select(b == 0.0, 1.0, made)
+    made = select(x == 0.0, select(b > 0.0, 0.0, select(b < 0.0, math.inf, b)), exp(b * log(x)))
+    made = select(b == 0.0 or a == 1.0, 1.0, made)
     whole = floor(b) == b
     turned = select(whole, select(odd(select(whole, b, 0.0)), -made, made), math.nan)
     return select(a < 0.0, turned, made)

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from contourlab import primitives
-from contourlab.engine.translate.graph import MismatchError, Op
+from contourlab.engine.translate.graph import MismatchError, Op, is_whole
 from contourlab.errors import refuse
 
 Primitive = Callable[..., Any]
@@ -33,7 +33,7 @@ def written(function: Callable[..., Any]) -> Primitive:
 
 def _whole(made: Primitive) -> Primitive:
     """Return a function whose result is a whole number of Python."""
-    return lambda run, x: run.graph.whole(made(run, x))
+    return lambda run, x: run.graph.whole(run.graph.exact(made(run, x)))
 
 
 def known(function: Callable[..., Any], made: Primitive) -> Primitive:
@@ -69,7 +69,8 @@ def _all_of(kind: str, start: bool) -> Primitive:
 
 def _power(run: Any, a: Any, b: Any) -> Any:
     made = run.call(math.pow, (a, b))
-    return run.graph.whole(made, a, b) if isinstance(b, int) and b >= 0 else made
+    where = is_whole(a) if isinstance(b, int) and b >= 0 else False
+    return run.graph.whole(run.graph.select(where, run.graph.exact(made), made), a) if where is not False else made
 
 
 def _mod(a: float, b: float) -> float:
@@ -117,13 +118,14 @@ def _bitwise(run: Any, kind: str, a: Any, b: Any) -> Any:
 
 _NUMBERS: Mapping[Any, Primitive] = {
     **{getattr(math, name): operation(name) for name in ("tan", "asin", "acos", "atan", "atan2", "pow", "fmod", "exp")},
-    **{getattr(math, name): written(getattr(primitives, name)) for name in ("sqrt", "sin", "cos", "tanh", "log", "fabs", "copysign")},
+    **{getattr(math, name): written(getattr(primitives, name)) for name in ("sqrt", "sin", "cos", "tanh", "log", "fabs")},
     math.floor: _whole(written(primitives.floor)),
     math.ceil: _whole(written(_ceil)),
     round: _whole(written(primitives.rint)),
     math.trunc: _whole(written(_trunc)),
     int: _whole(written(_trunc)),
-    math.isnan: lambda run, x: run.graph.compare("!=", x, x),
+    **dict.fromkeys((math.copysign, np.copysign), lambda run, x, y: run.graph.arithmetic("copysign", x, y)),
+    **dict.fromkeys((math.isnan, np.isnan), lambda run, x: run.graph.compare("!=", x, x)),
     math.isinf: lambda run, x: run.graph.compare("==", run.graph.arithmetic("fabs", x), math.inf),
     math.isfinite: lambda run, x: run.graph.compare("<", run.graph.arithmetic("fabs", x), math.inf),
     math.degrees: lambda run, x: run.graph.arithmetic("fmul", x, 180.0 / math.pi),
@@ -142,7 +144,7 @@ _NUMBERS: Mapping[Any, Primitive] = {
     operator.and_: lambda run, a, b: _bitwise(run, "and", a, b),
     operator.or_: lambda run, a, b: _bitwise(run, "or", a, b),
     operator.xor: lambda run, a, b: _bitwise(run, "xor", a, b),
-    **{getattr(np, name): written(getattr(primitives, name)) for name in ("sqrt", "fabs", "floor", "rint", "copysign")},
+    **{getattr(np, name): written(getattr(primitives, name)) for name in ("sqrt", "fabs", "floor", "rint")},
     np.absolute: written(primitives.fabs),
     np.minimum: written(primitives.minimum),
     np.maximum: written(primitives.maximum),
@@ -150,7 +152,6 @@ _NUMBERS: Mapping[Any, Primitive] = {
     np.ceil: written(_ceil),
     np.trunc: written(_trunc),
     np.clip: written(_clip),
-    np.isnan: lambda run, x: run.graph.compare("!=", x, x),
 }
 PYTHONS: Mapping[Any, Primitive] = {function: known(function, made) for function, made in _NUMBERS.items()}
 """Functions and operators of Python, `math` and `numpy`."""
