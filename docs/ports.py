@@ -18,8 +18,14 @@ the same table. [CONTRIBUTING](../../CONTRIBUTING.md#add-a-component-in-ten-minu
 ## What a step may use
 
 `if`, `for`, `while`, tuples, functions of your own, and the functions below, from `contourlab.primitives`. `range`, `len`, `zip`,
-`enumerate`, `reversed`, `tuple` and `float` shape tuples and loops. Everything else is refused with file and line: `max` and `math.exp`,
-lists, `**`, `%`, `//`, `try`, `print`, and whatever keeps something outside the states. So plain Python and machine code compute the same.
+`enumerate`, `reversed`, `tuple` and `float` shape tuples and loops. Python's own operators and functions give Python's own values: `**`,
+`%`, `//`, `& | ^` of conditions, `:=`, `break`, `continue`, `return` and `else` in loops, `min`, `max`, `abs`, `round`, `int`, `divmod`,
+`any`, `all`, most of `math`, and of numpy what is exact everywhere, such as `np.sign` and `np.clip`. Everything else is refused with file
+and line: lists, `sum`, `math.hypot` and `np.sin`, whose last digit depends on Python or the processor, `try`, `print`, and whatever keeps
+something outside the states. So plain Python and machine code compute the same.
+
+Where Python raises, as for `1 / 0`, the value is infinite or NaN; a whole number beyond `2**53` is NaN. Then the run stops and names the
+component. In lanes polynomials take the place of the mathematical library: `a**b` loses about as many digits as its exponent of ten has.
 
 | function | returns |
 |---|---|
