@@ -33,7 +33,7 @@ def test_a_recorded_program_is_measured_with_no_option(tmp_path: Path) -> None:
     (run,) = measured.runs
     assert measured.passed and run.metrics.basis == "cutting moves"
     assert run.metrics.judged_time == pytest.approx((40.0 + np.pi * 10.0 + np.hypot(40.0, 20.0)) / 25.0, rel=0.05)
-    assert set(run.lines.tolist()) == {0, 3, 4, 5, 6, 7}
+    assert set(run.lines(np.arange(run.result.n_sample)).tolist()) == {0, 3, 4, 5, 6, 7}
     assert run.shift == pytest.approx({"x": 0.0, "y": 0.0, "z": 0.0}, abs=1e-8)  # though LinuxCNC rounds the corners
     assert 1e-6 < run.metrics.planning_deviation.max <= 21e-6
     # The tool follows with the error that the log has, and an independent sum gives it.
