@@ -57,13 +57,7 @@ HALVINGS = 3
 def run_chains(points: Array, tolerance: Array, linked: Flags) -> Index:
     """Return the number of the first line of each chain, whose points all lie within the tolerance of the line between its ends.
 
-    Parameters
-    ----------
-    points : ndarray (n + 1, n_axis) [m]
-        Ends of n successive lines.
-    tolerance : ndarray (n,) [m]
-    linked : ndarray (n,) of bool
-        Which lines may be merged with the next.
+    The arguments are those of `contourlab.feed.blending.run_starts`.
     """
     begins = np.ones(len(points) - 1, dtype=np.int64)
     _mark_chains(*(np.ascontiguousarray(part, dtype=float) for part in (points, tolerance, linked)), begins)

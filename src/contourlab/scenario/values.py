@@ -36,6 +36,11 @@ DEFAULT_CORNER_TOLERANCE = 1e-5
 """Corner tolerance of G64 without P [m]."""
 
 
+def free_tolerance(planner: Grbl | LinuxCNC | None) -> float:
+    """Return how far a control rounds corners under G64 without P [m]: inf for no bound."""
+    return math.inf if isinstance(planner, LinuxCNC) else DEFAULT_CORNER_TOLERANCE
+
+
 def program_route(
     program: Program,
     axes: Sequence[str],
@@ -47,8 +52,7 @@ def program_route(
 
     `tolerance` [m] is that of G64 without P, by default the one of the planner; `mode` stands in place of the program's own.
     """
-    own = isinstance(planner, LinuxCNC)
-    allowed = (math.inf if own else DEFAULT_CORNER_TOLERANCE) if tolerance is None else tolerance
+    own, allowed = isinstance(planner, LinuxCNC), free_tolerance(planner) if tolerance is None else tolerance
     return route_from_program(program, axes, default_tolerance=allowed, default_control="blend" if own else "exact_path", mode=mode)
 
 
@@ -214,10 +218,9 @@ class FeedSettings:
     path_velocity: float | None = field(default=None, metadata=setting("m/s", "mm/min", minimum=0.0, exclusive=True))
     planner: Planner | None = None
 
-    @property
-    def default_tolerance(self) -> float:
-        """Corner tolerance of G64 without P [m]."""
-        return DEFAULT_CORNER_TOLERANCE if self.corner_tolerance is None else self.corner_tolerance
+    def default_tolerance(self, planner: Grbl | LinuxCNC | None) -> float:
+        """Return the corner tolerance of G64 without P [m]."""
+        return free_tolerance(planner) if self.corner_tolerance is None else self.corner_tolerance
 
 
 JUDGED_LINES = re.compile(r"lines ([1-9]\d{0,8})(?:-([1-9]\d{0,8}))?")
@@ -439,7 +442,7 @@ class Case:
 
     def _route(self, factor: float) -> Route:
         planner = self.machine.own_planner
-        tolerance = math.inf if self.feed.corner_tolerance is None and isinstance(planner, LinuxCNC) else self.feed.default_tolerance
+        tolerance = self.feed.default_tolerance(planner)
         control, merge = self.feed.path_control, self.feed.merge_tolerance
         if isinstance(self.motion, Contour):
             assert self.feed.feedrate is not None  # checked by the reader

@@ -174,7 +174,7 @@ def test_other_curves_are_refused() -> None:
 
 
 def test_the_command_stays_on_the_lines_and_within_the_limits() -> None:
-    """Of axes and feedrate; the velocity jumps at corners, which is said and not bounded."""
+    """Of axes and feedrate. The velocity jumps at corners; no limit bounds that."""
     points = walk(80, 3e-3, 1.2, 7)
     route, limits, period = of_points(points), limits_of(), 1e-3
     reference = plan(blended(route, limits), limits, period)

@@ -16,7 +16,7 @@ import numpy as np
 from contourlab import geometry
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import ProgramError
-from contourlab.feed import Route, route_from_program
+from contourlab.feed import Route
 from contourlab.geometry.thinning import polygon_corners
 from contourlab.program import Arc, Dwell, Feed, Move, Point, Program, Reader, Reading, Spline, Traverse
 from contourlab.program.block import Block as Executed
@@ -26,7 +26,7 @@ from contourlab.program.moves import PLANE_AXES
 from contourlab.program.reader import read_text, split_lines
 from contourlab.program.state import Frame
 from contourlab.program.vocabulary import CYCLES, G_GROUPS
-from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
+from contourlab.scenario.values import program_route
 
 COMMENT = re.compile(r"\([^()]*\)|;.*")
 _COMPUTED = re.compile(r"[#\[]|M\s*0*9[89](?!\d)", re.IGNORECASE)
@@ -463,8 +463,7 @@ def contour_of(source: Source, axes: Sequence[str], period: float) -> Contour:
     """
     columns = ["xyz".index(axis) for axis in axes]
     moves = tuple(_flat(replace(block.move, source_line=k + 1), columns) for k, block in enumerate(source.blocks))
-    route = route_from_program(replace(source.program, moves=moves), tuple(axes), default_tolerance=DEFAULT_CORNER_TOLERANCE)
-    return Contour(source, tuple(axes), route, period)
+    return Contour(source, tuple(axes), program_route(replace(source.program, moves=moves), tuple(axes)), period)
 
 
 def _flat(move: Move, columns: Sequence[int]) -> Move:

@@ -284,7 +284,7 @@ def run_case(
     DivergenceError
         If the loop diverges.
     OutputError
-        If its signals do not fit into the space that is free for temporary files; told by the first samples.
+        With the first samples, if all signals do not fit into the space that is free for temporary files.
     """
     shown, machine, controller = stages or Stages(), case.machine, case.controller
     begin, numbers = shown.begin, numbers_of(machine, controller)
@@ -399,7 +399,7 @@ def _remarks(case: Case, reference: Reference, foretold: LearningAnalysis | None
     if isinstance(case.motion, PartProgram) and case.feed.path_control == "program" and case.machine.own_planner is None:
         modes = PathModes()
         modes.add(case.motion.program.moves)
-        yield from modes.findings(case.feed.default_tolerance)
+        yield from modes.findings(case.feed.default_tolerance(case.machine.own_planner))
     last = reference.n_sample * reference.servo_period
     for change in case.changes:
         if change.sample(reference.servo_period) >= reference.n_sample:

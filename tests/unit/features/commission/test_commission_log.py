@@ -102,7 +102,7 @@ def test_a_torque_command_shows_the_mass(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_an_integral_is_not_taken_for_feedforward(tmp_path: Path) -> None:
-    """Positions show a sixth of the gain, with full feedforward, and that is said; with the drive command there is no gain."""
+    """From positions the gain is six times too low and feedforward full: a finding warns. With the drive command there is no gain."""
     reference, place, speed, drift = moves(), 0.0, 0.0, 0.0
     position, asked = np.zeros(reference.size), np.zeros(reference.size)
     for k, wanted in enumerate(reference):
