@@ -88,7 +88,7 @@ def _exits(statements: Sequence[ast.stmt]) -> bool:
 def _after(loop: ast.For | ast.While, inside: bool) -> list[ast.stmt]:
     """Return the statements that follow a loop: what it returned is returned, or ends the loop `inside` of which it is, and its else."""
     returned = ast.Break() if inside else ast.Return(ast.Name(_VALUE, ast.Load()))
-    made = [ast.If(ast.Name(_RETURNED, ast.Load()), [returned], [])] if _returns(loop) else []
+    made = [ast.If(ast.Name(_RETURNED, ast.Load()), [returned], [])] if any(map(_returns, loop.body)) else []
     made += [ast.If(ast.Name(_ENDED, ast.Load()), loop.orelse, [])] if loop.orelse else []
     return [ast.fix_missing_locations(ast.copy_location(one, loop)) for one in made]
 
@@ -477,11 +477,13 @@ class Evaluator:
     def _if(self, statement: ast.If, rest: Sequence[ast.stmt], frame: Frame) -> Any:
         """Run an if; return a tuple of the returned value if a side returns, else `NOTHING`."""
         test = self.graph.condition(self.expression(statement.test, frame))
+        # The statements after an if that returns belong to the side that goes on.
         if not isinstance(test, Op):
-            found = self.body(statement.body if test else statement.orelse, frame)
-            return NOTHING if found is NOTHING else (found,)
+            part = statement.body if test else statement.orelse
+            found = self.body([*part, *rest] if _returns(statement) else part, frame)
+            return (found,) if _returns(statement) else NOTHING
         if _returns(statement):
-            # The statements after it belong to the side that goes on.
+
             def side(part: Sequence[ast.stmt]) -> Any:
                 found = self.body([*part, *rest], frame.copy())
                 refuse(found is NOTHING, MismatchError, "one side of an if returns, the other does not")
@@ -539,17 +541,17 @@ class Evaluator:
         if _exits(statement.body):
             self._leaving(statement, frame, lambda own: self._left(statement, items, own))
             return
-        frame.env[_ENDED] = True
         if len(items) > _WRITTEN_OUT and self._repeated(statement, frame, len(items)):
             assign(statement.target, items[-1], frame.env)
-            return
-        for item in items:
-            assign(statement.target, item, frame.env)
-            self.body(statement.body, frame)
+        else:
+            for item in items:
+                assign(statement.target, item, frame.env)
+                self.body(statement.body, frame)
+        frame.env[_ENDED] = True
 
     def _leaving(self, statement: ast.For | ast.While, frame: Frame, run: Callable[[Frame], None]) -> None:
         """Run a loop that may be left; if it returns, once more before, apart, to see what kind of value."""
-        if _returns(statement):
+        if any(map(_returns, statement.body)):
             held, self._returned, own = self._returned, [], frame.copy()
             with self.graph.within(Block(self.graph.block)):
                 run(own)

@@ -114,7 +114,7 @@ LANES: Mapping[Any, Primitive] = {
     primitives.exp: _exp(written(polynomials.exp)),
     primitives.tanh: _saturated(written(polynomials.tanh)),
     primitives.log: written(polynomials.log),
-    math.exp: written(primitives.exp),
+    math.exp: written(polynomials.unbounded_exp),
     math.pow: known(math.pow, _power),
     **{
         getattr(math, name): known(getattr(math, name), written(getattr(polynomials, name)))

@@ -178,14 +178,19 @@ def fmod(a: float, b: float) -> float:
     r = select(r < 0.0, r + y, r)
     r = select(r >= y, r - y, r)
     r = select(n < 9007199254740992.0, r, math.nan)
-    return copysign(select(y == math.inf, x, r), a)
+    return copysign(select(x < y == math.inf, x, r), a)
+
+
+def unbounded_exp(x: float) -> float:
+    """Return e**x, and infinity where `exp` stays at e**709."""
+    return select(x > 709.0, math.inf, exp(x))
 
 
 def power(a: float, b: float) -> float:
     """Return a**b, |b log a| eps off."""
     x = fabs(a)
-    made = select(x == 0.0, select(b > 0.0, 0.0, select(b < 0.0, math.inf, b)), exp(b * log(x)))
-    made = select(b == 0.0 or a == 1.0, 1.0, made)
-    whole = floor(b) == b
-    turned = select(whole, select(odd(select(whole, b, 0.0)), -made, made), math.nan)
+    made = select(b == 0.0 or a == 1.0 or (a == -1.0 and fabs(b) == math.inf), 1.0, unbounded_exp(b * log(x)))
+    large = fabs(b) >= 9007199254740992.0  # and even
+    whole = select(large, 0.0, floor(b))
+    turned = select(large or x == math.inf or whole == b, select(odd(whole) and whole == b, -made, made), math.nan)
     return select(a < 0.0, turned, made)

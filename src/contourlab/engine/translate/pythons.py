@@ -96,7 +96,7 @@ def _trunc(x: float) -> float:
 
 
 def _ceil(x: float) -> float:
-    return -primitives.floor(-x)
+    return -primitives.floor(-float(x))  # of a whole 0 too
 
 
 def _sign(x: float) -> float:
@@ -124,7 +124,7 @@ _NUMBERS: Mapping[Any, Primitive] = {
     round: _whole(written(primitives.rint)),
     math.trunc: _whole(written(_trunc)),
     int: _whole(written(_trunc)),
-    **dict.fromkeys((math.copysign, np.copysign), lambda run, x, y: run.graph.arithmetic("copysign", x, y)),
+    **dict.fromkeys((math.copysign, np.copysign), written(primitives.copysign)),  # the sign of a NaN depends on the processor
     **dict.fromkeys((math.isnan, np.isnan), lambda run, x: run.graph.compare("!=", x, x)),
     math.isinf: lambda run, x: run.graph.compare("==", run.graph.arithmetic("fabs", x), math.inf),
     math.isfinite: lambda run, x: run.graph.compare("<", run.graph.arithmetic("fabs", x), math.inf),

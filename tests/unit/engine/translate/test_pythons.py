@@ -47,10 +47,11 @@ EXPRESSIONS: list[Function] = [
     lambda a, b: (math.sin(a), math.cos(a), math.tan(a)),
     lambda a, b: (math.tanh(a), math.atan(a), math.atan2(a, b)),
     lambda a, b: (math.asin(a), math.acos(a)),
-    lambda a, b: (math.degrees(a), math.radians(b), math.copysign(a, b)),
+    lambda a, b: (math.degrees(a), math.radians(b), math.copysign(a, 0.0 if b != b else b)),
     lambda a, b: (float(math.isnan(a)), float(math.isinf(a)), float(math.isfinite(a))),
     lambda a, b: (np.sqrt(a), np.sign(a), np.floor(a), np.ceil(a), np.trunc(a), np.rint(a), np.fabs(a), np.abs(b)),
-    lambda a, b: (np.copysign(a, b), float(np.isnan(a))),
+    lambda a, b: (np.copysign(a, 0.0 if b != b else b), float(np.isnan(a))),
+    lambda a, b: np.ceil(int(a)) / 3.0,
     lambda a, b: np.clip(a, -1.0, 1.0) if a != 0.0 else a,
     lambda a, b: (np.minimum(a, b), np.maximum(a, b)) if a != b else (a, b),
     lambda a, b: (1.0 if (a > 0.0) & (b > 0.0) else 0.0) + (2.0 if (a > 0.0) | (b > 0.0) else 0.0),
@@ -158,6 +159,31 @@ def nested(a: float, b: float) -> Any:
     return 8.0
 
 
+def returning_from_else(a: float, b: float) -> Any:
+    for level in LEVELS:
+        b += level * a
+    else:
+        if LEVELS[0] > 0.0:
+            if a > 0.0:
+                return b
+            a += 1.0
+        else:
+            return a
+        return a - b
+
+
+def breaking_within(a: float, b: float) -> Any:
+    for i in range(1, 7, 2):
+        for level in LEVELS:
+            if LEVELS[0] > 0.0:
+                b += i * a
+                break
+            b += level
+    else:
+        return b
+    return a
+
+
 def augmented(a: float, b: float) -> Any:
     a **= 2
     b %= 3.0
@@ -174,6 +200,8 @@ BODIES: list[Function] = [
     breaking_a_tuple,
     indexing,
     nested,
+    returning_from_else,
+    breaking_within,
     augmented,
 ]
 
@@ -239,7 +267,7 @@ def test_lanes_give_the_values_of_python(function: Function) -> None:
     run = compiled(step_of(function), LANES)
     for a, b in pairs(2):
         wanted = values(function, a, b)
-        if wanted is not None and not any(0.0 < abs(x) < 1e-6 or abs(x) > 1e6 for x in (a, b)):
+        if wanted is not None and not any(0.0 < abs(x) < 1e-6 or 1e6 < abs(x) < math.inf for x in (a, b)):
             assert run(a, b) == pytest.approx(wanted, rel=3e-13, abs=1e-15, nan_ok=True), (a, b)
 
 
