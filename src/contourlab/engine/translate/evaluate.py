@@ -8,6 +8,7 @@ use its index become loops; any other ``for`` is written out.
 from __future__ import annotations
 
 import ast
+import builtins
 import inspect
 import math
 import operator as operators
@@ -52,7 +53,7 @@ class Frame:
         """Return the value of a name, here or around."""
         value = self.env[wanted] if wanted in self.env else self.outer(wanted)
         if value is UNSET:
-            raise MismatchError(f"{wanted} may have no value here")
+            raise MismatchError(f"{wanted} may have no value here: give it one before the if or the loop")
         return value
 
 
@@ -173,17 +174,21 @@ _ARITHMETIC = {ast.Add: "fadd", ast.Sub: "fsub", ast.Mult: "fmul", ast.Div: "fdi
 _SIGNS = {ast.Lt: "<", ast.Gt: ">", ast.LtE: "<=", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="}
 _INSTEAD = {
     "fix": "trunc of math",
-    "where": "select",
+    "where": "select of contourlab.primitives",
     "add": "+",
     "sub": "-",
-    "sum": "dot, or + in a loop; they round after each term",
-    "fsum": "dot, or + in a loop; they round after each term",
+    "power": "**",
+    "square": "x*x",
+    **dict.fromkeys(("sum", "fsum"), "dot of contourlab.primitives, or + in a loop; they round after each term"),
     "hypot": "sqrt(a*a + b*b)",
     **{f"arc{name}": f"a{name} of math" for name in ("tan", "sin", "cos", "tan2")},
-    **{name: f"{name} of math" for name in ("exp", "log", "tanh", "sin", "cos", "tan")},
-    "random": "uniform",
-    "gauss": "normal",
-    "normalvariate": "normal",
+    **{f"log{base}": f"log(x, {base}.0) of math" for base in (2, 10)},
+    "sorted": "min and max",
+    "map": "tuple(f(v) for v in values)",
+    **dict.fromkeys(("array", "asarray"), "a tuple"),
+    "float64": "float",
+    "random": "uniform of contourlab.primitives",
+    **dict.fromkeys(("gauss", "normalvariate"), "normal of contourlab.primitives"),
 }
 """Functions that a step cannot call, and what it uses instead: the last digit of `numpy.sin` depends on the processor, that of `hypot` and
 `sum` on the version of Python."""
@@ -243,15 +248,14 @@ class Evaluator:
             primitive = self.primitives.get(function)
         except TypeError:
             primitive = None
-        if primitive is not None and not isinstance(function, FunctionType):
+        if primitive is not None:
+            if isinstance(function, FunctionType) and (named or len(args) != function.__code__.co_argcount):
+                args, named = [*bound(tree_of(function).args, {}, args, named or {}).values()], None
             try:
                 return primitive(self, *args, **(named or {}))
-            except TypeError as error:  # such as a key for max, or digits for round
-                raise MismatchError(f"{function.__name__} cannot be called so here: {error_text(error)}") from error
-        if primitive is not None:
-            if named or len(args) != function.__code__.co_argcount:
-                args = list(bound(tree_of(function).args, {}, args, named or {}).values())
-            return primitive(self, *args)
+            except TypeError as error:
+                said = f"{function.__name__} cannot be called so here: give numbers alone, no key, default or digits"
+                raise MismatchError(said) from error
         if isinstance(function, Closure):
             around = function.around.origin
             frame = Frame(function.around.file, lambda name: around.now.name(name), function.around.title)
@@ -280,7 +284,22 @@ class Evaluator:
             return function(*args, **named)
         if function is range:
             raise MismatchError("range of a number known only in the run: loop over a fixed range, and break")
-        raise MismatchError(_refused(function))
+        raise MismatchError(self._refused(function))
+
+    def _refused(self, function: Any) -> str:
+        """Return the message about a function that a step cannot call."""
+        name, module = getattr(function, "__name__", repr(function)), getattr(function, "__module__", None)
+        if name in _INSTEAD:
+            instead = _INSTEAD[name]
+        elif getattr(math, name, None) in self.primitives:
+            instead = f"{name} of math"
+        elif getattr(builtins, name, None) in self.primitives:
+            instead = name
+        elif name in language.__all__:
+            instead = f"{name} of contourlab.primitives"
+        else:
+            instead = "the functions of contourlab.primitives, or your own"
+        return f"{'' if module in (None, 'builtins') else f'{module}.'}{name} cannot be called here: use {instead}"
 
     def _run(self, node: Any, frame: Frame) -> Any:
         self._depth += 1
@@ -331,7 +350,7 @@ class Evaluator:
             return _PYTHON[type(operator)](a, b)
         if type(operator) in _ARITHMETIC:
             return self.graph.arithmetic(_ARITHMETIC[type(operator)], a, b)
-        refuse(type(operator) not in _PYTHON, MismatchError, f"a step cannot use {words_of(operator)}: use arithmetic and comparisons")
+        refuse(type(operator) not in _PYTHON, MismatchError, f"a step cannot use {words_of(operator)}")
         return self.primitives[_PYTHON[type(operator)]](self, a, b)
 
     def _unaryop(self, tree: ast.UnaryOp, frame: Frame) -> Any:
@@ -361,7 +380,7 @@ class Evaluator:
                 found = self.graph.logic("or", found, self.graph.compare("==", left, item))
             return found if isinstance(operator, ast.In) else self.graph.logic("not", found)
         if any(isinstance(v, Op) for v in flat((left, right))) and not (left is None or right is None):
-            raise MismatchError(f"{words_of(operator)} of values that are not known")
+            raise MismatchError(f"{words_of(operator)} of values that are not known: compare numbers one by one, with ==")
         return _PYTHON[type(operator)](left, right)
 
     def _boolop(self, tree: ast.BoolOp, frame: Frame) -> Any:
@@ -412,7 +431,7 @@ class Evaluator:
             parts = (tree.slice.lower, tree.slice.upper, tree.slice.step)
             return tuple(value)[slice(*(None if part is None else self.expression(part, frame) for part in parts))]
         index = self.expression(tree.slice, frame)
-        refuse(isinstance(index, Op), MismatchError, "an index that is not known: use lookup")
+        refuse(isinstance(index, Op), MismatchError, "an index that is not known: use lookup of contourlab.primitives")
         return value[index]
 
     def _call(self, tree: ast.Call, frame: Frame) -> Any:
@@ -672,23 +691,26 @@ class Evaluator:
         return True
 
 
-def _refused(function: Any) -> str:
-    """Return the message about a function that a step cannot call."""
-    name, module = getattr(function, "__name__", repr(function)), getattr(function, "__module__", None)
-    instead = _INSTEAD.get(name, name)
-    if instead in language.__all__:
-        instead = f"{instead} of contourlab.primitives"
-    elif name not in _INSTEAD:
-        instead = "the functions of contourlab.primitives, or your own"
-    return f"{'' if module in (None, 'builtins') else f'{module}.'}{name} cannot be called here: use {instead}"
+_WORDS: dict[type, str] = {
+    **dict.fromkeys((ast.List, ast.ListComp), "a list: use a tuple"),
+    **dict.fromkeys((ast.Dict, ast.DictComp), "a dict: use a tuple, or a named tuple"),
+    ast.JoinedStr: "an f-string",
+    ast.Match: "match: use if and elif",
+    ast.Try: "try: nothing is raised here; ask with if before",
+    ast.Raise: "raise: return math.nan, and the run stops",
+    ast.Assert: "assert: leave it out",
+    ast.Delete: "del: leave it out",
+    ast.Global: "global: keep what changes in a state",
+    **dict.fromkeys((ast.Import, ast.ImportFrom), "an import: write it at the top of the file"),
+    ast.MatMult: "@: use dot of contourlab.primitives",
+}
+"""Constructs that a step cannot use, and what it uses instead."""
 
 
 def words_of(tree: ast.AST) -> str:
     """Return the name of a construct, as text."""
-    if isinstance(tree, (ast.List, ast.ListComp)):
-        return "a list: use a tuple"
-    if isinstance(tree, ast.JoinedStr):
-        return "an f-string"
+    if type(tree) in _WORDS:
+        return _WORDS[type(tree)]
     if isinstance(tree, ast.Expr):
         return f"{ast.unparse(tree)}, a line without effect on its result: leave it out"
     return "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in type(tree).__name__).strip()

@@ -24,14 +24,21 @@ def _exp(function: Primitive) -> Primitive:
     return exp
 
 
-def _inside(graph: Any, index: Any, sign: str, end: Any, read: Callable[[Any], Op]) -> Any:
+def _inside(graph: Any, index: Any, sign: str, end: Any, read: Callable[[Any], Any]) -> Any:
     """Return ``read(index)``, and NaN where the index is not above -1 or not below the end."""
     inside = graph.logic("and", graph.compare(">", index, -1.0), graph.compare(sign, index, end))
     return graph.select(inside, read(graph.select(inside, index, 0.0)), math.nan)
 
 
-def _lookup(run: Any, table: Op, index: Any) -> Any:
+def _lookup(run: Any, table: Any, index: Any) -> Any:
     graph = run.graph
+    if not isinstance(table, Op):  # a tuple
+
+        def entry(at: Any) -> Any:
+            inner = range(len(table) - 1, 0, -1)
+            return reduce(lambda found, i: graph.select(graph.compare("<", at, i), table[i - 1], found), inner, table[-1])
+
+        return _inside(graph, index, "<", len(table), entry)
     size = graph.op("size", extra=("table", table.extra))
     return _inside(graph, index, "<", size, lambda at: graph.op("lookup", [table, graph.number(at)]))
 

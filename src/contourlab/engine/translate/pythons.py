@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable, Mapping
-from functools import reduce
+from functools import partial, reduce
 from typing import Any
 
 import numpy as np
@@ -118,7 +118,8 @@ def _bitwise(run: Any, kind: str, a: Any, b: Any) -> Any:
 
 _NUMBERS: Mapping[Any, Primitive] = {
     **{getattr(math, name): operation(name) for name in ("tan", "asin", "acos", "atan", "atan2", "pow", "fmod", "exp")},
-    **{getattr(math, name): written(getattr(primitives, name)) for name in ("sqrt", "sin", "cos", "tanh", "log", "fabs")},
+    **{getattr(math, name): written(getattr(primitives, name)) for name in ("sqrt", "sin", "cos", "tanh", "fabs")},
+    math.log: lambda run, *x: reduce(partial(run.graph.arithmetic, "fdiv"), [run.call(primitives.log, (one,)) for one in x]),
     math.floor: _whole(written(primitives.floor)),
     math.ceil: _whole(written(_ceil)),
     round: _whole(written(primitives.rint)),

@@ -17,6 +17,7 @@ from contourlab.engine.step import Port, Step
 from contourlab.engine.translate.maths import EXACT, LANES
 from contourlab.engine.translate.step_graph import graph_of
 from contourlab.errors import EngineError
+from contourlab.primitives import lookup
 
 Function = Callable[[float, float], Any]
 SPECIAL = [0.0, -0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -2.5, 3.0, 1e-300, 1e300, math.inf, -math.inf, math.nan]
@@ -43,7 +44,8 @@ EXPRESSIONS: list[Function] = [
     lambda a, b: (-int(a), int(a) * -1, int(a) % 3, int(a) // 3, int(a) % -7, -(int(a) % 5)),
     lambda a, b: (float(bool(a)), float(any((a > 0.0, b > 0.0))), float(all((a, b > 0.0)))),
     lambda a, b: (math.sqrt(a), math.exp(a)),
-    lambda a, b: (math.log(a), math.fabs(b)),
+    lambda a, b: (math.log(a), math.log(a, 2.0), math.fabs(b)),
+    lambda a, b: (lookup(LEVELS, a), lookup((a, 1, b), int(b)), LEVELS[1]),
     lambda a, b: (math.sin(a), math.cos(a), math.tan(a)),
     lambda a, b: (math.tanh(a), math.atan(a), math.atan2(a, b)),
     lambda a, b: (math.asin(a), math.acos(a)),
@@ -281,6 +283,10 @@ def test_lanes_give_the_values_of_python(function: Function) -> None:
         (lambda a, b: float(str(a)), "the functions of contourlab.primitives"),
         (lambda a, b: np.arctan2(a, b), "atan2 of math"),
         (lambda a, b: sum((a, b)), "+ in a loop"),
+        (lambda a, b: np.isfinite(a) * a, "isfinite of math"),
+        (lambda a, b: np.max((a, b)), "use max"),
+        (lambda a, b: LEVELS[a], "lookup of contourlab.primitives"),  # type: ignore[call-overload]
+        (lambda a, b: {0: a}[0], "named tuple"),
         (lambda a, b: 1.0 if ~(a > 0.0) else 0.0, "not"),
         (lambda a, b: 6 & a, "conditions alone"),
         (lambda a, b: max(a, b, key=abs), "max cannot be called so"),
