@@ -11,9 +11,13 @@ from typing import Any
 import numpy as np
 import pytest
 from each import each
+from structured_text import FunctionBlock
 from translated_group import in_c, in_machine_code
 
-from contourlab.engine.step import Port, Step
+from contourlab.engine.runner import CompiledGroup
+from contourlab.engine.step import Node, Port, Schedule, Step
+from contourlab.engine.translate import structured_text
+from contourlab.engine.translate.control import Field, control_of
 from contourlab.engine.translate.maths import EXACT, LANES
 from contourlab.engine.translate.step_graph import graph_of
 from contourlab.errors import EngineError
@@ -325,6 +329,36 @@ def test_c99_gives_the_values_of_python(tmp_path: Path) -> None:
             wanted = values(function, a, b)
             if wanted is not None:
                 assert run(a, b) == pytest.approx(wanted, rel=1e-15, abs=0.0, nan_ok=True), (a, b)
+
+
+IN_STRUCTURED_TEXT: list[Function] = [
+    lambda a, b: a**2 - b**-3,
+    lambda a, b: math.atan2(a, b) + math.atan(a) * math.tan(b),
+    lambda a, b: math.asin(min(1.0, max(-1.0, a))) * abs(b) ** 0.5,
+    lambda a, b: math.acos(max(-1, min(a, 1))) - round(b) * int(a) + lookup(LEVELS, b),
+    returning,
+    continuing_while,
+    breaking_a_tuple,
+    returning_from_else,
+]
+
+
+@each("function", IN_STRUCTURED_TEXT)
+def test_structured_text_gives_the_values_of_python(function: Function, tmp_path: Path) -> None:
+    pytest.importorskip("blark")
+    made = step_of(function)
+    schedule = Schedule((Node("x.s", made, {"a": "in.a", "b": "in.b"}, {}, {}),), made.inputs, 1e-3, 1)
+    group = CompiledGroup(schedule, 1, slice(0, 1))
+    control = control_of(
+        schedule, group.places, group.memory[:, 0].copy(), np.zeros(len(group.memory)), output="x.s.y0", command=Field("command"),
+        inputs={"a": Field("a"), "b": Field("b")}, parameters={}, constants={}, name="made", notes=(),
+    )  # fmt: skip
+    (tmp_path / "made.st").write_text(structured_text.plain(control))
+    block = FunctionBlock(tmp_path / "made.st")
+    for a, b in [(a, b) for a in (0.0, -0.3, 0.5, 1.0, -2.5, 7.0) for b in (0.0, -1.0, 0.25, 1.5, 6.0)]:
+        wanted = values(function, a, b)
+        if wanted is not None:
+            assert block(enable=True, a=a, b=b) == pytest.approx(wanted[0], rel=1e-14, nan_ok=True), (a, b)
 
 
 @pytest.mark.parametrize("a", [1e16, 2.0**53 + 2.0, -3e200])
