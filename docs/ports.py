@@ -31,7 +31,7 @@ and `np.sin` too, whose last digit depends on Python or the processor. So plain 
 Python's own operators and functions give Python's own values, where these are real numbers. Where Python raises, as for `1 / 0`, a number
 is infinite or NaN. Whole numbers beyond `2**53` are NaN, and so is what takes its sign from NaN. Once in a state or an output, either stops
 the run, with the name of the component. `in` compares by `==`. In lanes polynomials take the place of the mathematical library: `a**b`
-loses about as many digits as its exponent of ten has.
+loses about as many digits as its exponent of ten has, and `%` is NaN where the quotient exceeds `2**53`.
 
 | function | returns |
 |---|---|

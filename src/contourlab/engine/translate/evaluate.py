@@ -289,16 +289,9 @@ class Evaluator:
     def _refused(self, function: Any) -> str:
         """Return the message about a function that a step cannot call."""
         name, module = getattr(function, "__name__", repr(function)), getattr(function, "__module__", None)
-        if name in _INSTEAD:
-            instead = _INSTEAD[name]
-        elif getattr(math, name, None) in self.primitives:
-            instead = f"{name} of math"
-        elif getattr(builtins, name, None) in self.primitives:
-            instead = name
-        elif name in language.__all__:
-            instead = f"{name} of contourlab.primitives"
-        else:
-            instead = "the functions of contourlab.primitives, or your own"
+        twins = [f"{name}{of}" for place, of in ((math, " of math"), (builtins, "")) if getattr(place, name, None) in self.primitives]
+        other = f"{name} of contourlab.primitives" if name in language.__all__ else "the functions of contourlab.primitives, or your own"
+        instead = _INSTEAD.get(name, [*twins, other][0])
         return f"{'' if module in (None, 'builtins') else f'{module}.'}{name} cannot be called here: use {instead}"
 
     def _run(self, node: Any, frame: Frame) -> Any:

@@ -178,7 +178,8 @@ class Graph:
         made = self._computed(kind, args)
         if kind not in _KEEPS_WHOLE or not all(map(is_whole, values)):
             return made
-        return self.whole(made, *values, zero=kind == "fneg" or (kind == "fmul" and not any(map(_is_positive, args))))
+        positive = any(op.kind == "constant" and op.extra > 0.0 for op in args)
+        return self.whole(made, *values, zero=kind == "fneg" or (kind == "fmul" and not positive))
 
     def exact(self, made: Op) -> Any:
         """Return a number up to 2**53, beyond which Python's whole numbers have digits that a float64 has not; else NaN."""
@@ -374,10 +375,6 @@ def _marked_each(ops: Sequence[Op], wholes: Sequence[Op | bool]) -> list[Op]:
     """Mark the numbers that a loop carries; the conditions that it carries for some of them follow."""
     more = iter(ops[len(wholes) :])
     return [_marked(op, next(more) if isinstance(whole, Op) else whole) for op, whole in zip(ops, wholes, strict=False)]
-
-
-def _is_positive(op: Op) -> bool:
-    return op.kind == "constant" and op.extra > 0.0
 
 
 def _is(op: Op, value: float) -> bool:
