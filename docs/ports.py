@@ -29,9 +29,9 @@ Everything else is refused with file and line: lists, `try`, `print`, and whatev
 and `np.sin` too, whose last digit depends on Python or the processor. So plain Python and machine code compute the same.
 
 Python's own operators and functions give Python's own values, where these are real numbers. Where Python raises, as for `1 / 0`, a number
-is infinite or NaN. Whole numbers beyond `2**53` are NaN, and so is what takes its sign from NaN. Once in a state or an output, either stops
-the run, with the name of the component. `in` compares by `==`. In lanes polynomials take the place of the mathematical library: `a**b`
-loses about as many digits as its exponent of ten has, and `%` is NaN where the quotient exceeds `2**53`.
+is infinite or NaN; with `jit=False` it raises. Whole numbers beyond `2**53` are NaN, and so is what takes its sign from NaN. Where either
+reaches the loop, the run stops and names axis and time. `in` compares by `==`. In lanes polynomials take the place of the mathematical
+library: `a**b` loses about as many digits as its exponent of ten has, and `%` is NaN where the quotient exceeds `2**53`.
 
 | function | returns |
 |---|---|
