@@ -85,11 +85,23 @@ def _exits(statements: Sequence[ast.stmt]) -> bool:
     )
 
 
+def _breaks(statements: Sequence[ast.stmt]) -> bool:
+    """Return whether statements may break the loop around them."""
+    return any(
+        isinstance(one, ast.Break)
+        or (isinstance(one, ast.If) and _breaks([*one.body, *one.orelse]))
+        or (isinstance(one, (ast.For, ast.While)) and _breaks(one.orelse))
+        for one in statements
+    )
+
+
 @cache
 def _after(loop: ast.For | ast.While, inside: bool) -> list[ast.stmt]:
     """Return the statements that follow a loop: what it returned is returned, or ends the loop `inside` of which it is, and its else."""
     returned = ast.Break() if inside else ast.Return(ast.Name(_VALUE, ast.Load()))
-    made = [ast.If(ast.Name(_RETURNED, ast.Load()), [returned], [])] if any(map(_returns, loop.body)) else []
+    endless = isinstance(loop, ast.While) and isinstance(loop.test, ast.Constant) and loop.test.value and not _breaks(loop.body)
+    made: list[ast.stmt] = [returned if endless else ast.If(ast.Name(_RETURNED, ast.Load()), [returned], [])]
+    made = made if any(map(_returns, loop.body)) else []
     made += [ast.If(ast.Name(_ENDED, ast.Load()), loop.orelse, [])] if loop.orelse else []
     return [ast.fix_missing_locations(ast.copy_location(one, loop)) for one in made]
 

@@ -190,6 +190,18 @@ def breaking_within(a: float, b: float) -> Any:
     return a
 
 
+def endless(a: float, b: float) -> Any:
+    n = 0
+    while True:
+        n += 1
+        while True:
+            b += 1.0
+            if not -20.0 < b < 3.0:
+                break
+        if n > 7 or not n < a:
+            return n * b
+
+
 def augmented(a: float, b: float) -> Any:
     a **= 2
     b %= 3.0
@@ -208,6 +220,7 @@ BODIES: list[Function] = [
     nested,
     returning_from_else,
     breaking_within,
+    endless,
     augmented,
 ]
 
