@@ -204,6 +204,8 @@ _INSTEAD = {
 }
 """Functions that a step cannot call, and what it uses instead: the last digit of `numpy.sin` depends on the processor, that of `hypot` and
 `sum` on the version of Python."""
+_OWN = (language.__file__, __file__.removesuffix("evaluate.py"))
+"""Where functions begin that stand for operations."""
 _DEEPEST = 60
 """Most calls within each other: more is a recursion."""
 _PYTHON: dict[type, Callable[[Any, Any], Any]] = {
@@ -318,8 +320,8 @@ class Evaluator:
             raise
         except Exception as error:  # Python itself may refuse what it computes now
             said = str(error) if isinstance(error, MismatchError) else error_text(error)
-            if frame.file == language.__file__:
-                raise MismatchError(f"{frame.title}: {said}") from error  # the line that calls a primitive is at fault
+            if frame.file.startswith(_OWN):
+                raise MismatchError(f"{frame.title.strip('_')}: {said}") from error  # the line that calls a primitive is at fault
             raise EngineError(f"{frame.title}: {said}", file=frame.file, line=getattr(error, "line", node.lineno)) from error
         finally:
             self._depth -= 1

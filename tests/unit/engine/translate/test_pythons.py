@@ -302,6 +302,8 @@ def test_lanes_give_the_values_of_python(function: Function) -> None:
         (lambda a, b: sum((a, b)), "+ in a loop"),
         (lambda a, b: np.isfinite(a) * a, "isfinite of math"),
         (lambda a, b: np.max((a, b)), "use max"),
+        (lambda a, b: a % (b, 2.0), "mod: a number is needed"),  # type: ignore[operator]
+        (lambda a, b: math.ceil((a, b)), "ceil: a number is needed"),  # type: ignore[arg-type]
         (lambda a, b: LEVELS[a], "lookup of contourlab.primitives"),  # type: ignore[call-overload]
         (lambda a, b: {0: a}[0], "named tuple"),
         (lambda a, b: 1.0 if ~(a > 0.0) else 0.0, "not"),
