@@ -75,22 +75,12 @@ def _returns(tree: ast.AST) -> bool:
     return isinstance(tree, ast.Return) or any(map(_returns, inner))
 
 
-def _exits(statements: Sequence[ast.stmt]) -> bool:
+def _exits(statements: Sequence[ast.stmt], by: tuple[type[ast.stmt], ...] = (ast.Break, ast.Continue, ast.Return)) -> bool:
     """Return whether statements may end a round of the loop around them."""
     return any(
-        isinstance(one, (ast.Break, ast.Continue, ast.Return))
-        or (isinstance(one, ast.If) and _exits([*one.body, *one.orelse]))
-        or (isinstance(one, (ast.For, ast.While)) and (_returns(one) or _exits(one.orelse)))
-        for one in statements
-    )
-
-
-def _breaks(statements: Sequence[ast.stmt]) -> bool:
-    """Return whether statements may break the loop around them."""
-    return any(
-        isinstance(one, ast.Break)
-        or (isinstance(one, ast.If) and _breaks([*one.body, *one.orelse]))
-        or (isinstance(one, (ast.For, ast.While)) and _breaks(one.orelse))
+        isinstance(one, by)
+        or (isinstance(one, ast.If) and _exits([*one.body, *one.orelse], by))
+        or (isinstance(one, (ast.For, ast.While)) and ((ast.Return in by and _returns(one)) or _exits(one.orelse, by)))
         for one in statements
     )
 
@@ -99,7 +89,7 @@ def _breaks(statements: Sequence[ast.stmt]) -> bool:
 def _after(loop: ast.For | ast.While, inside: bool) -> list[ast.stmt]:
     """Return the statements that follow a loop: what it returned is returned, or ends the loop `inside` of which it is, and its else."""
     returned = ast.Break() if inside else ast.Return(ast.Name(_VALUE, ast.Load()))
-    endless = isinstance(loop, ast.While) and isinstance(loop.test, ast.Constant) and loop.test.value and not _breaks(loop.body)
+    endless = isinstance(loop, ast.While) and getattr(loop.test, "value", 0) == 1 and not _exits(loop.body, (ast.Break,))  # while True
     made: list[ast.stmt] = [returned if endless else ast.If(ast.Name(_RETURNED, ast.Load()), [returned], [])]
     made = made if any(map(_returns, loop.body)) else []
     made += [ast.If(ast.Name(_ENDED, ast.Load()), loop.orelse, [])] if loop.orelse else []
