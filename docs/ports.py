@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import builtins
 import inspect
+import math
+from collections.abc import Iterator
 
+import numpy as np
 from markup import plain
 
 from contourlab import primitives
 from contourlab.components.families import FAMILY, Family, Form, size_of
+from contourlab.engine.translate.pythons import PYTHONS
 
 HEAD = """\
 # Ports and methods of components
@@ -17,9 +22,16 @@ the same table. [CONTRIBUTING](../../CONTRIBUTING.md#add-a-component-in-ten-minu
 
 ## What a step may use
 
-`if`, `for`, `while`, tuples, functions of your own, and the functions below, from `contourlab.primitives`. `range`, `len`, `zip`,
-`enumerate`, `reversed`, `tuple` and `float` shape tuples and loops. Everything else is refused with file and line: `max` and `math.exp`,
-lists, `**`, `%`, `//`, `try`, `print`, and whatever keeps something outside the states. So plain Python and machine code compute the same.
+`if`, `for`, `while` with `break`, `continue`, `else` and `return`, tuples and named tuples, `tuple(... for ...)`, `:=`, functions of your
+own, the operators of numbers, comparisons and conditions, and the functions below. Constants of your module or class may be used. What
+`range`, `len`, `zip`, `enumerate`, `reversed` and `tuple` take must be known before the run, as must an index: `lookup` takes any.
+Everything else is refused with file and line: lists, `try`, `print`, and whatever keeps something outside the states; `sum`, `math.hypot`
+and `np.sin` too, whose last digit depends on Python or the processor. So plain Python and machine code compute the same.
+
+Python's own operators and functions give Python's own values, where these are real numbers. Where Python raises, as for `1 / 0`, a number
+is infinite or NaN; with `jit=False` it raises. Whole numbers beyond `2**53` are NaN, and so is what takes its sign from NaN. Where either
+reaches the loop, the run stops and names axis and time. `in` compares by `==`. In lanes polynomials take the place of the mathematical
+library: `a**b` loses about as many digits as its exponent of ten has, and `%` is NaN where the quotient exceeds `2**53`.
 
 | function | returns |
 |---|---|
@@ -93,10 +105,18 @@ def ports_page() -> str:
             call = f"{name}({', '.join(inspect.signature(function).parameters)})"
             summary = (inspect.getdoc(function) or "").splitlines()[0].removeprefix("Return ").rstrip(".")
             rows.append(f"| `{call}` | {plain(summary)} |")
+    rows += [f"| `{names}` | as in {place} |" for place, names in _pythons()]
     parts = [HEAD + "\n".join(rows), ARGUMENTS]
     parts += [_family(name, family) for name, family in FAMILY.items()]
     ports = [f"| `{name}` | {unit or '1'} | {meaning} |" for name, (unit, meaning) in PORTS.items()]
     return "\n".join([*parts, PORT_TABLE + "\n".join(ports)]) + "\n"
+
+
+def _pythons() -> Iterator[tuple[str, str]]:
+    """Yield where functions of Python that a step may use come from, and their names."""
+    for place, module in (("Python", builtins), ("`math`", math), ("numpy", np)):
+        found = {name: value for name, value in vars(module).items() if name[0] != "_" and callable(value)}
+        yield place, "`, `".join(sorted(name for name, value in found.items() if value in PYTHONS or value is float))
 
 
 def _family(name: str, family: Family) -> str:

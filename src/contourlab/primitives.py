@@ -5,7 +5,7 @@ own version of each function below (libm for a single variant, branch-free polyn
 
 No function raises for a number, so that compiled code and plain Python take the same path. A NaN stays a NaN in every one of them. An
 argument without a result, such as the square root of -1, gives a NaN too. So do an index outside of a table and a delay longer than the
-past that is kept: the run stops and names the component.
+past that is kept: the run stops and names axis and time.
 
 Conditions: `select(condition, a, b)` evaluates both sides and suits lanes; `if` is allowed too where the sides are cheap.
 """

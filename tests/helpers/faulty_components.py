@@ -142,12 +142,12 @@ class Branching(Loaded):
         return (max(par.rate, 1.0),)
 
 
-class Greatest(Amplifier):
-    """Uses `max`, which differs from machine code for NaN."""
+class Summed(Amplifier):
+    """Uses `sum`, which rounds each term or none, as the version of Python says."""
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:
-        return (), (max(inp.command, 0.0),)
+        return (), (sum((inp.command, 0.0)),)
 
 
 MEMORY = [0.0]

@@ -38,6 +38,8 @@ _FUNCTIONS: dict[str, Callable[..., Any]] = {
     "LN": math.log,
     "SIN": math.sin,
     "COS": math.cos,
+    **{name.upper(): getattr(math, name) for name in ("tan", "asin", "acos", "atan")},
+    "EXPT": math.pow,
     "LREAL_TO_LINT": round,
     "LINT_TO_LREAL": float,
 }
@@ -159,7 +161,7 @@ class FunctionBlock:
         return float(self.kept["command"])
 
     def _run(self, block: Any) -> None:
-        for statement in block.statements:
+        for statement in block.statements if block else ():
             getattr(self, f"_{type(statement).__name__.lower()}")(statement)
 
     def _assignmentstatement(self, statement: Any) -> None:

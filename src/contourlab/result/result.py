@@ -15,7 +15,7 @@ from contourlab.errors import ResultError, hint, refuse
 from contourlab.feed import Reference
 from contourlab.notebook import Figure, Frame, Panel, curves, facts_line, facts_table, frame, svg
 from contourlab.result.netcdf import FORMAT, ResultWriter, read_netcdf
-from contourlab.result.signals import Signal, Status
+from contourlab.result.signals import JUDGED, Signal, Status
 from contourlab.result.stored import Stored
 
 if TYPE_CHECKING:
@@ -77,10 +77,11 @@ class Result:
         Raises
         ------
         ResultError
-            If there is no such signal; the message names the nearest, or lists all.
+            If there is no such signal; the message names what adds it, or the nearest, or lists all.
         """
         if name not in self.signals:
-            raise ResultError(f"no signal {name!r} in {self.scheme}: {hint(name, self.signals)}")
+            cure = "judge(result, reference) adds it" if name in JUDGED else hint(name, self.signals)
+            raise ResultError(f"no signal {name!r} in {self.scheme}: {cure}")
         return self.signals[name].data
 
     def __contains__(self, name: object) -> bool:

@@ -10,6 +10,8 @@ from contourlab.arrays import Array, ByValue
 from contourlab.errors import ResultError
 
 DIMENSIONS = (("sample",), ("sample", "axis"))
+JUDGED = ("contour_error", "part_error", "planning_deviation", "foot_arc_length", "tracking_error")
+"""Signals that the judge adds to those of a run."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -26,6 +26,7 @@ from contourlab.loop.machine import Planner
 from contourlab.loop.simulate import UNITS
 from contourlab.notebook import facts_line
 from contourlab.program import Mode, Program, Reading
+from contourlab.result.signals import JUDGED
 from contourlab.scenario.placing import beyond_travel, check_motion, check_route, placed
 from contourlab.units import setting
 
@@ -238,10 +239,6 @@ def checked_judge(choice: str) -> str:
     if choice not in ("cutting", "all") and (lines is None or int(lines[1]) > int(lines[2] or lines[1])):
         raise ValueError(f'{choice!r}: write "cutting", "all" or "lines 10-40"')
     return choice
-
-
-JUDGED = ("contour_error", "part_error", "planning_deviation", "foot_arc_length", "tracking_error")
-"""Signals that the judge adds to those of a run."""
 
 
 def _checked_signal(name: str) -> str:

@@ -21,7 +21,7 @@ IN_PLAIN_PYTHON = [
     (faults.Scribbler, r"assign to par\.scratch\[0\]"),
     (faults.Reassigner, r"assign to par\.gain"),
     (faults.Counter, "range of a number"),
-    (faults.Greatest, "max cannot be called.* maximum"),
+    (faults.Summed, "sum cannot be called.* dot"),
     (faults.Branching, "derive must take arrays.* numpy"),
     (faults.Idle, "parameter trim"),
     (faults.IdleWord, "parameter rule"),
@@ -77,7 +77,7 @@ def test_a_fault_is_found_in_plain_python(faulty: type[Component], said: str) ->
 @pytest.mark.parametrize(
     ("faulty", "said"),
     [
-        (faults.WideInteger, "int cannot be called"),
+        (faults.WideInteger, "the compiled form and plain Python differ"),
         (faults.Uncompilable, "cannot use an f-string"),
         (faults.Loaded, "two runs differ"),
         (faults.NotANumber, "finite"),

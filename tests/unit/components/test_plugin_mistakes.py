@@ -117,13 +117,13 @@ IN_A_CLASS = [
     (gives("return (), (par.gain * sqrt(error),)"), CLASS, "not finite"),
     (gives('return (), (par.gain * error * float("nan"),)'), CLASS, "not finite"),
     # the language of steps
-    (gives("return (), (max(par.gain * error, 0.0),)"), "return", "maximum"),
-    (gives("return (), (max(1.0, 2.0) * par.gain * error,)"), "return", "maximum"),
-    (gives("return (), (min(par.gain * error, 0.0),)"), "return", "minimum"),
-    (gives("return (), (abs(par.gain * error),)"), "return", "fabs"),
-    (gives("return (), (round(par.gain * error),)"), "return", "rint"),
+    (gives("return (), (sum((par.gain * error, 0.0)),)"), "return", "dot"),
+    (gives("return (), (sum((1.0, 2.0)) * par.gain * error,)"), "return", "dot"),
+    (gives("return (), (sorted((par.gain * error, 0.0))[0],)"), "return", "sorted"),
+    (gives("return (), (max(error, 0.0, key=abs) * par.gain,)"), "return", "called so"),
+    (gives("return (), (round(par.gain * error, 2),)"), "return", "called so"),
     (gives("return (), (sum((par.gain, error)),)"), "return", "dot"),
-    (gives("return (), (par.gain * error**2,)"), "return", "**"),
+    (gives("return (), (par.gain * ~(error > 0.0),)"), "return", "~"),
     (gives("return (), (par.gain * err,)"), "return", "'err'"),
     (gives("return (), (par.Gain * error,)"), "return", "par has: gain"),
     (gives("return (), (par.gain * inp.velocity,)"), "return", "inp has: reference, position"),
@@ -216,8 +216,8 @@ def test_two_classes_of_one_kind_name_each_other(capsys: pytest.CaptureFixture[s
 
 
 def test_a_function_beside_the_class_is_named_with_the_class(capsys: pytest.CaptureFixture[str]) -> None:
-    text = spoilt("controller", RETURN, "return (), (half(par.gain * error),)") + "\n\ndef half(v):\n    return max(v, 0.5 * v)\n"
-    assert said_of(text, capsys).startswith(f"{place(text, 'max(')}Mine: half: max cannot be called")
+    text = spoilt("controller", RETURN, "return (), (half(par.gain * error),)") + "\n\ndef half(v):\n    return sum((v, 0.5 * v))\n"
+    assert said_of(text, capsys).startswith(f"{place(text, 'sum(')}Mine: half: sum cannot be called")
 
 
 # --- in a run
@@ -247,7 +247,12 @@ def unloaded(monkeypatch: pytest.MonkeyPatch) -> None:
     ("how", "slot", "at", "words"),
     [
         (("smooth", "def force", "def resistance"), FRICTION, CLASS, "Mine: "),
-        (("smooth", "return par.coefficient * v * fabs(v)", "return max(v, 0.0) * par.coefficient"), FRICTION, "return", "Mine.force: max"),
+        (
+            ("smooth", "return par.coefficient * v * fabs(v)", "return sum((v, 0.0)) * par.coefficient"),
+            FRICTION,
+            "return",
+            "Mine.force: sum",
+        ),
         (("smooth", "    @static", f"{DERIVE}par.c\n\n    @static"), FRICTION, "par.c\n", "Mine.derive: AttributeError"),
         (("smooth", "    @static", f"{DERIVE}1.0\n\n    @static"), FRICTION, "def derive", "Mine: derive returns 1.0"),
         (("smooth", "class Mine(Component):", "class Mine(Component)"), FRICTION, CLASS, "SyntaxError"),

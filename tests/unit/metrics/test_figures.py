@@ -186,7 +186,7 @@ def test_window_outside_the_run(window: tuple[int, int]) -> None:
 
 def test_an_unjudged_run() -> None:
     reference = circle_laps(100)
-    with pytest.raises(ResultError, match="'tracking_error'"):
+    with pytest.raises(ResultError, match=r"'tracking_error'.* judge\(result, reference\)"):
         summarise(made_run(reference, reference.block(0, 100).position), reference)
 
 

@@ -7,10 +7,9 @@ import re
 from collections.abc import Sequence
 from typing import ClassVar
 
-from contourlab.engine.translate.graph import CONDITION, TABLE, Block, Op
+from contourlab.engine.translate.graph import CONDITION, LIBRARY, TABLE, Block, Op
 from contourlab.engine.translate.step_graph import StepGraph
 
-_LIBRARY = ("sqrt", "fabs", "floor", "rint", "copysign", "fma", "exp", "log", "tanh", "sin", "cos")
 _LEAVES = {"parameter": "par", "state": "x", "input": "inp", "table": "tables"}
 _TYPES = {CONDITION: "bool", TABLE: "const double *"}
 HASH = """
@@ -87,7 +86,7 @@ class Writer:
     elsewhere: tuple[str, ...] = ("constant", "k", "t", "dt", "ring")
     """Kinds of operations without a variable of their own."""
     symbols: ClassVar = {"fadd": "+", "fsub": "-", "fmul": "*", "fdiv": "/", "and": "&&", "or": "||", "fneg": "-", "not": "!"}
-    functions: ClassVar = {name: name for name in (*_LIBRARY, "uniform")}
+    functions: ClassVar = {name: name for name in ("sqrt", "fabs", "floor", "rint", "copysign", "fma", *LIBRARY, "uniform")}
     declares = True
     """Whether a variable is declared where it is first assigned."""
     assigns, if_, else_, while_, leave = "=", "if ({}) {{", "} else {", "for (;;) {", "if (!{}) break;"

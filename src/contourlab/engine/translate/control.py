@@ -11,12 +11,10 @@ from dataclasses import dataclass, field
 from contourlab.arrays import Array
 from contourlab.engine.step import Schedule, rows
 from contourlab.engine.translate.c99 import HASH, Writer, literal
-from contourlab.engine.translate.graph import Op, prune
+from contourlab.engine.translate.graph import LIBRARY, Op, prune
 from contourlab.engine.translate.maths import EXACT
 from contourlab.engine.translate.step_graph import Rows, TickGraph, tick_graph
 
-LIBRARY = ("exp", "log", "tanh", "sin", "cos")
-"""Operations that a mathematical library computes, each within about 1 ulp; all others are exact everywhere."""
 IN_PLACE = ("constant", "parameter", "external", "before", "table", "size", "ring", "tick", "time", "period")
 """Kinds of operations that are printed without a variable of their own."""
 

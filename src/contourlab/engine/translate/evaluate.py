@@ -1,14 +1,16 @@
 """Run a function of the scalar language over graph values: what is known now is computed now, the rest becomes operations.
 
 Tuples, named tuples, closures and whole numbers are Python's own and leave no trace. Numbers and conditions that are not known become
-operations. An ``if`` over them becomes a branch. A ``while``, a ``for`` that breaks and a long ``for`` that does not use its index become
-loops; any other ``for`` is written out.
+operations. An ``if`` over them becomes a branch. A ``while``, a ``for`` over a range that it may leave, and a long ``for`` that does not
+use its index become loops; any other ``for`` is written out.
 """
 
 from __future__ import annotations
 
 import ast
+import builtins
 import inspect
+import math
 import operator as operators
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
@@ -16,7 +18,7 @@ from types import FunctionType
 from typing import Any
 
 from contourlab import primitives as language
-from contourlab.engine.translate.graph import COMPARED, CONDITION, FOLDED, NUMBER, UNSET, WHOLE, Graph, MismatchError, Op
+from contourlab.engine.translate.graph import COMPARED, CONDITION, FOLDED, NUMBER, UNSET, WHOLE, Block, Graph, MismatchError, Op
 from contourlab.engine.translate.outer import Outer, Reads, attribute, file_of, positional, tree_of
 from contourlab.errors import EngineError, error_text, refuse
 
@@ -51,7 +53,7 @@ class Frame:
         """Return the value of a name, here or around."""
         value = self.env[wanted] if wanted in self.env else self.outer(wanted)
         if value is UNSET:
-            raise MismatchError(f"{wanted} may have no value here")
+            raise MismatchError(f"{wanted} may have no value here: give it one before the if or the loop")
         return value
 
 
@@ -68,7 +70,36 @@ def assigned(*trees: ast.AST) -> list[str]:
 
 @cache
 def _returns(tree: ast.AST) -> bool:
-    return any(isinstance(node, ast.Return) for node in ast.walk(tree))
+    """Return whether a statement returns; a function that it defines does not count."""
+    inner = () if isinstance(tree, (ast.FunctionDef, ast.Lambda)) else ast.iter_child_nodes(tree)
+    return isinstance(tree, ast.Return) or any(map(_returns, inner))
+
+
+def _exits(statements: Sequence[ast.stmt], by: tuple[type[ast.stmt], ...] = (ast.Break, ast.Continue, ast.Return)) -> bool:
+    """Return whether statements may end a round of the loop around them."""
+    return any(
+        isinstance(one, by)
+        or (isinstance(one, ast.If) and _exits([*one.body, *one.orelse], by))
+        or (isinstance(one, (ast.For, ast.While)) and ((ast.Return in by and _returns(one)) or _exits(one.orelse, by)))
+        for one in statements
+    )
+
+
+@cache
+def _after(loop: ast.For | ast.While, inside: bool) -> list[ast.stmt]:
+    """Return the statements that follow a loop: what it returned is returned, or ends the loop `inside` of which it is, and its else."""
+    returned = ast.Break() if inside else ast.Return(ast.Name(_VALUE, ast.Load()))
+    endless = isinstance(loop, ast.While) and getattr(loop.test, "value", 0) == 1 and not _exits(loop.body, (ast.Break,))  # while True
+    made: list[ast.stmt] = [returned if endless else ast.If(ast.Name(_RETURNED, ast.Load()), [returned], [])]
+    made = made if any(map(_returns, loop.body)) else []
+    made += [ast.If(ast.Name(_ENDED, ast.Load()), loop.orelse, [])] if loop.orelse else []
+    return [ast.fix_missing_locations(ast.copy_location(one, loop)) for one in made]
+
+
+def _binds(*trees: ast.AST) -> None:
+    """Refuse ``:=`` where it does not always run."""
+    found = any(isinstance(node, ast.NamedExpr) for tree in trees for node in ast.walk(tree))
+    refuse(found, MismatchError, "a := that does not always run, or runs in a loop: give the name its value on a line before")
 
 
 def assign(target: ast.expr, value: Any, env: Env) -> None:
@@ -144,33 +175,27 @@ NOTHING: Any = object()
 _ARITHMETIC = {ast.Add: "fadd", ast.Sub: "fsub", ast.Mult: "fmul", ast.Div: "fdiv"}
 _SIGNS = {ast.Lt: "<", ast.Gt: ">", ast.LtE: "<=", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="}
 _INSTEAD = {
-    "max": "maximum",
-    "min": "minimum",
-    "abs": "fabs",
-    "absolute": "fabs",
-    "round": "rint",
-    "int": "copysign(floor(fabs(x)), x)",
-    "trunc": "copysign(floor(fabs(x)), x)",
-    "fix": "copysign(floor(fabs(x)), x)",
-    "ceil": "-floor(-x)",
-    "where": "select",
+    "fix": "trunc of math",
+    "where": "select of contourlab.primitives",
     "add": "+",
     "sub": "-",
-    "sum": "dot, or + in a loop; they round after each term",
-    "fsum": "dot, or + in a loop; they round after each term",
-    "pow": "a product; x*x may differ from x**2 in the last digit",
-    "bool": "a comparison",
-    "random": "uniform",
-    "gauss": "normal",
-    "normalvariate": "normal",
+    "power": "**",
+    "square": "x*x",
+    **dict.fromkeys(("sum", "fsum"), "dot of contourlab.primitives, or + in a loop; they round after each term"),
+    "hypot": "sqrt(a*a + b*b)",
+    **{f"arc{name}": f"a{name} of math" for name in ("tan", "sin", "cos", "tan2")},
+    **{f"log{base}": f"log(x, {base}.0) of math" for base in (2, 10)},
+    "sorted": "min and max",
+    "map": "tuple(f(v) for v in values)",
+    **dict.fromkeys(("array", "asarray"), "a tuple"),
+    "float64": "float",
+    "random": "uniform of contourlab.primitives",
+    **dict.fromkeys(("gauss", "normalvariate"), "normal of contourlab.primitives"),
 }
-"""Functions that a step cannot call, and what it uses instead. Some of them differ from machine code, such as `max` for NaN or, from
-Python 3.12 on, `sum`, which does not round after each term; all are refused, so that the rule has no exceptions."""
-_SYMBOLS: dict[type, tuple[str, str]] = {
-    ast.Pow: ("**", "a product, or exp(n*log(x)) for x > 0; x*x may differ from x**2 in the last digit"),
-    ast.Mod: ("%", "a - b*floor(a/b); they may differ unless a and b are whole numbers, so count ticks (clock.k), not seconds"),
-    ast.FloorDiv: ("//", "floor(a/b); they may differ unless a and b are whole numbers, so count ticks (clock.k), not seconds"),
-}
+"""Functions that a step cannot call, and what it uses instead: the last digit of `numpy.sin` depends on the processor, that of `hypot` and
+`sum` on the version of Python."""
+_OWN = (language.__file__, __file__.removesuffix("evaluate.py"))
+"""Where functions begin that stand for operations."""
 _DEEPEST = 60
 """Most calls within each other: more is a recursion."""
 _PYTHON: dict[type, Callable[[Any, Any], Any]] = {
@@ -179,6 +204,9 @@ _PYTHON: dict[type, Callable[[Any, Any], Any]] = {
     ast.FloorDiv: operators.floordiv,
     ast.Mod: operators.mod,
     ast.Pow: operators.pow,
+    ast.BitAnd: operators.and_,
+    ast.BitOr: operators.or_,
+    ast.BitXor: operators.xor,
     ast.Is: operators.is_,
     ast.IsNot: operators.is_not,
     ast.In: lambda a, b: a in b,
@@ -188,8 +216,8 @@ _PYTHON: dict[type, Callable[[Any, Any], Any]] = {
 
 _WRITTEN_OUT = 4
 """Most rounds of a ``for`` that are written out although it could be a loop."""
-_ON = "the loop goes on"
-"""Name, within a round of a loop, of the condition that no break was met."""
+_ON, _ENDED, _RETURNED, _VALUE = "the loop goes on", "the loop has ended", "a loop has returned", "what a loop has returned"
+"""Names of the conditions that a round met no break, that a loop ended without one, and that one returned, and of what it returned."""
 
 
 class Evaluator:
@@ -208,6 +236,7 @@ class Evaluator:
     def __init__(self, graph: Graph, primitives: Mapping[Any, Callable[..., Any]], reads: Reads | None = None) -> None:
         self.graph, self.primitives, self.reads = graph, primitives, reads or Reads()
         self._depth = 0
+        self._returned: list[Any] = []
 
     def call(self, function: Any, args: Sequence[Any], named: Mapping[str, Any] | None = None) -> Any:
         """Return the value of a function over graph values.
@@ -224,9 +253,13 @@ class Evaluator:
         except TypeError:
             primitive = None
         if primitive is not None:
-            if named or len(args) != function.__code__.co_argcount:
-                args = list(bound(tree_of(function).args, {}, args, named or {}).values())
-            return primitive(self, *args)
+            if isinstance(function, FunctionType) and (named or len(args) != function.__code__.co_argcount):
+                args, named = [*bound(tree_of(function).args, {}, args, named or {}).values()], None
+            try:
+                return primitive(self, *args, **(named or {}))
+            except TypeError as error:
+                said = f"{function.__name__} cannot be called so here: give numbers alone, no key, default or digits"
+                raise MismatchError(said) from error
         if isinstance(function, Closure):
             around = function.around.origin
             frame = Frame(function.around.file, lambda name: around.now.name(name), function.around.title)
@@ -255,7 +288,15 @@ class Evaluator:
             return function(*args, **named)
         if function is range:
             raise MismatchError("range of a number known only in the run: loop over a fixed range, and break")
-        raise MismatchError(_refused(function))
+        raise MismatchError(self._refused(function))
+
+    def _refused(self, function: Any) -> str:
+        """Return the message about a function that a step cannot call."""
+        name, module = getattr(function, "__name__", repr(function)), getattr(function, "__module__", None)
+        twins = [f"{name}{of}" for place, of in ((math, " of math"), (builtins, "")) if getattr(place, name, None) in self.primitives]
+        other = f"{name} of contourlab.primitives" if name in language.__all__ else "the functions of contourlab.primitives, or your own"
+        instead = _INSTEAD.get(name, [*twins, other][0])
+        return f"{'' if module in (None, 'builtins') else f'{module}.'}{name} cannot be called here: use {instead}"
 
     def _run(self, node: Any, frame: Frame) -> Any:
         self._depth += 1
@@ -269,8 +310,8 @@ class Evaluator:
             raise
         except Exception as error:  # Python itself may refuse what it computes now
             said = str(error) if isinstance(error, MismatchError) else error_text(error)
-            if frame.file == language.__file__:
-                raise MismatchError(f"{frame.title}: {said}") from error  # the line that calls a primitive is at fault
+            if frame.file.startswith(_OWN):
+                raise MismatchError(f"{frame.title.strip('_')}: {said}") from error  # the line that calls a primitive is at fault
             raise EngineError(f"{frame.title}: {said}", file=frame.file, line=getattr(error, "line", node.lineno)) from error
         finally:
             self._depth -= 1
@@ -304,11 +345,10 @@ class Evaluator:
         """Return the result of an operator; of plain values as Python computes it."""
         if not isinstance(a, Op) and not isinstance(b, Op) and type(operator) in _PYTHON:
             return _PYTHON[type(operator)](a, b)
-        kind = _ARITHMETIC.get(type(operator))
-        if kind is None:
-            sign, cure = _SYMBOLS.get(type(operator), (words_of(operator), "arithmetic and comparisons"))
-            raise MismatchError(f"a step cannot use {sign}: use {cure}")
-        return self.graph.arithmetic(kind, a, b)
+        if type(operator) in _ARITHMETIC:
+            return self.graph.arithmetic(_ARITHMETIC[type(operator)], a, b)
+        refuse(type(operator) not in _PYTHON, MismatchError, f"a step cannot use {words_of(operator)}")
+        return self.primitives[_PYTHON[type(operator)]](self, a, b)
 
     def _unaryop(self, tree: ast.UnaryOp, frame: Frame) -> Any:
         value = self.expression(tree.operand, frame)
@@ -316,7 +356,7 @@ class Evaluator:
             return self.graph.logic("not", self.graph.condition(value))
         if isinstance(tree.op, ast.USub):
             return self.graph.arithmetic("fneg", value) if isinstance(value, Op) else -value
-        refuse(isinstance(tree.op, ast.Invert), MismatchError, "a step cannot use ~")
+        refuse(isinstance(tree.op, ast.Invert), MismatchError, "~ of a condition is true in Python, whatever it is: use not")
         return value
 
     def _compare(self, tree: ast.Compare, frame: Frame) -> Any:
@@ -337,7 +377,7 @@ class Evaluator:
                 found = self.graph.logic("or", found, self.graph.compare("==", left, item))
             return found if isinstance(operator, ast.In) else self.graph.logic("not", found)
         if any(isinstance(v, Op) for v in flat((left, right))) and not (left is None or right is None):
-            raise MismatchError(f"{words_of(operator)} of values that are not known")
+            raise MismatchError(f"{words_of(operator)} of values that are not known: compare numbers one by one, with ==")
         return _PYTHON[type(operator)](left, right)
 
     def _boolop(self, tree: ast.BoolOp, frame: Frame) -> Any:
@@ -348,6 +388,8 @@ class Evaluator:
             if len(parts) == 1:
                 return held
             test = self.graph.condition(held)
+            if isinstance(test, Op):
+                _binds(*parts[1:])
             if isinstance(tree.op, ast.And):
                 return self.one_of(test, lambda: value(parts[1:]), lambda: held)
             return self.one_of(test, lambda: held, lambda: value(parts[1:]))
@@ -356,7 +398,13 @@ class Evaluator:
 
     def _ifexp(self, tree: ast.IfExp, frame: Frame) -> Any:
         test = self.graph.condition(self.expression(tree.test, frame))
+        if isinstance(test, Op):
+            _binds(tree.body, tree.orelse)
         return self.one_of(test, lambda: self.expression(tree.body, frame), lambda: self.expression(tree.orelse, frame))
+
+    def _namedexpr(self, tree: ast.NamedExpr, frame: Frame) -> Any:
+        frame.env[tree.target.id] = value = self.expression(tree.value, frame)
+        return value
 
     def one_of(self, test: Any, then: Callable[[], Any], other: Callable[[], Any]) -> Any:
         """Return the value of one of two sides, which must be of one kind."""
@@ -380,7 +428,7 @@ class Evaluator:
             parts = (tree.slice.lower, tree.slice.upper, tree.slice.step)
             return tuple(value)[slice(*(None if part is None else self.expression(part, frame) for part in parts))]
         index = self.expression(tree.slice, frame)
-        refuse(isinstance(index, Op), MismatchError, "an index that is not known: use lookup")
+        refuse(isinstance(index, Op), MismatchError, "an index that is not known: use lookup of contourlab.primitives")
         return value[index]
 
     def _call(self, tree: ast.Call, frame: Frame) -> Any:
@@ -405,6 +453,7 @@ class Evaluator:
 
     def _generatorexp(self, tree: ast.GeneratorExp, frame: Frame) -> Any:
         made: list[Any] = []
+        _binds(tree)
 
         def fill(depth: int, own: Frame) -> None:
             if depth == len(tree.generators):
@@ -432,44 +481,49 @@ class Evaluator:
                     if found is not NOTHING:
                         return found[0]
                     continue
-                found = self._statement(statement, frame)
+                self._statement(statement, frame)
+                if isinstance(statement, (ast.For, ast.While)) and _after(statement, False):
+                    return self.body([*_after(statement, False), *statements[i + 1 :]], frame)
             except Exception as error:
                 if not hasattr(error, "line"):
                     error.line = statement.lineno  # type: ignore[attr-defined]
                 raise
-            if found is not NOTHING:
-                return found
         return NOTHING
 
     def _if(self, statement: ast.If, rest: Sequence[ast.stmt], frame: Frame) -> Any:
         """Run an if; return a tuple of the returned value if a side returns, else `NOTHING`."""
         test = self.graph.condition(self.expression(statement.test, frame))
+        # The statements after an if that returns belong to the side that goes on.
         if not isinstance(test, Op):
-            found = self.body(statement.body if test else statement.orelse, frame)
-            return NOTHING if found is NOTHING else (found,)
+            part = statement.body if test else statement.orelse
+            found = self.body([*part, *rest] if _returns(statement) else part, frame)
+            return (found,) if _returns(statement) else NOTHING
         if _returns(statement):
-            # The statements after it belong to the side that goes on.
+
             def side(part: Sequence[ast.stmt]) -> Any:
                 found = self.body([*part, *rest], frame.copy())
                 refuse(found is NOTHING, MismatchError, "one side of an if returns, the other does not")
                 return found
 
             return (self.one_of(test, lambda: side(statement.body), lambda: side(statement.orelse)),)
-        self._both_sides(test, statement, self.body, assigned(statement), frame)
+        sides = (lambda own: self.body(statement.body, own)), (lambda own: self.body(statement.orelse, own))
+        self._both_sides(test, *sides, assigned(statement), frame)
         return NOTHING
 
-    def _both_sides(self, test: Op, statement: ast.If, run: Callable[[Any, Frame], Any], names: Sequence[str], frame: Frame) -> None:
+    def _both_sides(
+        self, test: Op, then: Callable[[Frame], Any], other: Callable[[Frame], Any], names: Sequence[str], frame: Frame
+    ) -> None:
         """Run both sides of an if over copies of the names, and join those that either may change."""
 
-        def outcome(part: Sequence[ast.stmt]) -> tuple[Any, ...]:
+        def outcome(run: Callable[[Frame], Any]) -> tuple[Any, ...]:
             own = frame.copy()
-            run(part, own)
+            run(own)
             return tuple(own.env.get(name, UNSET) for name in names)
 
-        joined = self.graph.branch(test, lambda: outcome(statement.body), lambda: outcome(statement.orelse))
+        joined = self.graph.branch(test, lambda: outcome(then), lambda: outcome(other))
         frame.env.update(zip(names, joined, strict=True))
 
-    def _statement(self, statement: ast.stmt, frame: Frame) -> Any:
+    def _statement(self, statement: ast.stmt, frame: Frame) -> None:
         if isinstance(statement, ast.Assign):
             value = self.expression(statement.value, frame)
             for target in statement.targets:
@@ -484,41 +538,75 @@ class Evaluator:
             here = frame.name(statement.target.id)
             frame.env[statement.target.id] = self.operation(statement.op, here, self.expression(statement.value, frame))
         elif isinstance(statement, ast.For):
-            return self._for(statement, frame)
-        elif isinstance(statement, ast.While) and not statement.orelse:
-            self._loop(statement, frame, lambda own: self.expression(statement.test, own), None)
+            self._for(statement, frame)
+        elif isinstance(statement, ast.While):
+            _binds(statement.test)
+            self._leaving(
+                statement, frame, lambda own: self._loop(statement, own, lambda inner: self.expression(statement.test, inner), None)
+            )
         elif isinstance(statement, ast.FunctionDef):
             frame.env[statement.name] = self.closure(statement, frame)
         elif not isinstance(statement, ast.Pass) and not (isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant)):
             raise MismatchError(f"a step cannot use {words_of(statement)}")
-        return NOTHING
 
     # --- loops
 
-    def _for(self, statement: ast.For, frame: Frame) -> Any:
-        refuse(statement.orelse, MismatchError, "a step cannot use else after a loop")
+    def _for(self, statement: ast.For, frame: Frame) -> None:
         items = self.expression(statement.iter, frame)
         refuse(isinstance(items, Op), MismatchError, "a loop needs a known range or tuple")
-        if _breaks(statement.body):
-            refuse(not isinstance(items, range), MismatchError, "a loop that breaks needs a range")
-            self._loop(statement, frame, None, items)
-            return NOTHING
+        if _exits(statement.body):
+            self._leaving(statement, frame, lambda own: self._left(statement, items, own))
+            return
         if len(items) > _WRITTEN_OUT and self._repeated(statement, frame, len(items)):
             assign(statement.target, items[-1], frame.env)
-            return NOTHING
+        else:
+            for item in items:
+                assign(statement.target, item, frame.env)
+                self.body(statement.body, frame)
+        frame.env[_ENDED] = True
+
+    def _leaving(self, statement: ast.For | ast.While, frame: Frame, run: Callable[[Frame], None]) -> None:
+        """Run a loop that may be left; if it returns, once more before, apart, to see what kind of value."""
+        if any(map(_returns, statement.body)):
+            held, self._returned, own = self._returned, [], frame.copy()
+            with self.graph.within(Block(self.graph.block)):
+                run(own)
+            found, self._returned = self._returned, [*held, *self._returned]
+            refuse(not is_numeric(tuple(found)), MismatchError, "a return inside a loop needs a number, or a tuple of numbers")
+            unknown = [shaped([value], [math.nan] * len(flat([value])))[0] for value in found]
+            alike = all(repr(value) == repr(unknown[0]) for value in unknown)
+            refuse(not alike, MismatchError, "the returns inside a loop give values of different kinds")
+            frame.env |= {_RETURNED: False, _VALUE: unknown[0] if unknown else 0.0}
+        run(frame)
+
+    def _left(self, statement: ast.For, items: Any, frame: Frame) -> None:
+        """Run a ``for`` that may be left: as a loop over a range if that is possible, else written out."""
+        if isinstance(items, range):
+            try:
+                self._loop(statement, frame, None, items)
+                return
+            except (MismatchError, EngineError, ValueError):
+                pass  # such as an index of a tuple, known where it is written out
+        on: Any = True
         for item in items:
-            assign(statement.target, item, frame.env)
-            found = self.body(statement.body, frame)
-            if found is not NOTHING:
-                return found
-        return NOTHING
+
+            def round_(own: Frame, item: Any = item) -> None:
+                assign(statement.target, item, own.env)
+                own.env[_ON] = self._until_left(statement.body, own)
+
+            if isinstance(on, Op):
+                self._both_sides(on, round_, lambda own: own.env.update({_ON: False}), [*assigned(statement), *_flags(frame)], frame)
+            elif on:
+                round_(frame)
+            on = frame.env.pop(_ON, on)
+        frame.env[_ENDED] = on
 
     def _repeated(self, statement: ast.For, frame: Frame, count: int) -> bool:
         """Make a loop of a ``for`` whose body does not use its index; return whether that is possible."""
         names, own = assigned(*statement.body), frame.copy()
         known = all(is_numeric(frame.env.get(name, UNSET)) for name in names)
         indexed = any(_names(part) & _names(statement.target) for part in statement.body)
-        if not known or indexed or _returns(statement):
+        if not known or indexed:
             return False
         shapes = [frame.env[name] for name in names]
 
@@ -535,10 +623,10 @@ class Evaluator:
         return True
 
     def _loop(self, statement: ast.For | ast.While, frame: Frame, test: Callable[[Frame], Any] | None, items: range | None) -> None:
-        """Make a loop of a ``while``, or of a ``for`` over a range that may break."""
-        if _returns(statement):
-            raise MismatchError("a return inside a loop: set a name, break, and return after the loop")
-        names = [name for name in assigned(statement) if is_numeric(frame.env.get(name, UNSET))]
+        """Make a loop of a ``while``, or of a ``for`` over a range that may be left."""
+        if items is not None and len(items):
+            assign(statement.target, items[0], frame.env)  # type: ignore[union-attr]
+        names = [name for name in (*assigned(statement), _RETURNED, _VALUE) if is_numeric(frame.env.get(name, UNSET))]
         shapes = [frame.env[name] for name in names]
         own = frame.copy()
 
@@ -560,58 +648,71 @@ class Evaluator:
 
         def round_(_: None, values: Sequence[Op]) -> list[Any]:
             enter(values)
-            on = self._until_break(statement.body, own)
+            on = self._until_left(statement.body, own)
             count = self.graph.arithmetic("fadd", values[1], 1) if items is not None else values[1]
             return [on, count, *flat(own.name(name) for name in names)]
 
         after = self.graph.repeat(goes_on, [True, 0, *flat(shapes)], round_)
         frame.env.update(dict.fromkeys(assigned(statement), UNSET))
         frame.env.update(zip(names, shaped(shapes, after[2:]), strict=True))
+        frame.env[_ENDED] = after[0]
 
-    def _until_break(self, statements: Sequence[ast.stmt], frame: Frame) -> Any:
+    def _until_left(self, statements: Sequence[ast.stmt], frame: Frame) -> Any:
         """Run one round; return whether the loop goes on."""
         for i, statement in enumerate(statements):
-            if isinstance(statement, ast.Break):
+            if isinstance(statement, (ast.Break, ast.Continue)):
+                return isinstance(statement, ast.Continue)
+            if isinstance(statement, ast.Return):
+                value = self.expression(statement.value, frame) if statement.value else None
+                self._returned.append(value)
+                frame.env |= {_RETURNED: True, _VALUE: value}
                 return False
-            if not _breaks([statement]):
+            if not _exits([statement]):
                 self.body([statement], frame)
                 continue
+            rest = statements[i + 1 :]
+            if isinstance(statement, (ast.For, ast.While)):
+                self._statement(statement, frame)
+                return self._until_left([*_after(statement, True), *rest], frame)
             assert isinstance(statement, ast.If)
             test = self.graph.condition(self.expression(statement.test, frame))
-            rest = statements[i + 1 :]
             if not isinstance(test, Op):
-                return self._until_break([*(statement.body if test else statement.orelse), *rest], frame)
+                return self._until_left([*(statement.body if test else statement.orelse), *rest], frame)
 
-            def side(part: Sequence[ast.stmt], own: Frame, rest: Sequence[ast.stmt] = rest) -> None:
-                own.env[_ON] = self._until_break([*part, *rest], own)
+            def side(part: Sequence[ast.stmt], rest: Sequence[ast.stmt] = rest) -> Callable[[Frame], None]:
+                return lambda own: own.env.update({_ON: self._until_left([*part, *rest], own)})
 
-            self._both_sides(test, statement, side, [*assigned(statement, *rest), _ON], frame)
+            names = [*assigned(statement, *rest), *_flags(frame)]
+            self._both_sides(test, side(statement.body), side(statement.orelse), names, frame)
             return frame.env.pop(_ON)
         return True
 
 
-def _refused(function: Any) -> str:
-    """Return the message about a function that a step cannot call."""
-    name, module = getattr(function, "__name__", repr(function)), getattr(function, "__module__", None)
-    instead = _INSTEAD.get(name, name)
-    if instead in language.__all__:
-        instead = f"{instead} of contourlab.primitives"
-    elif name not in _INSTEAD:
-        instead = "the functions of contourlab.primitives, or your own"
-    return f"{'' if module in (None, 'builtins') else f'{module}.'}{name} cannot be called here: use {instead}"
+_WORDS: dict[type, str] = {
+    **dict.fromkeys((ast.List, ast.ListComp), "a list: use a tuple"),
+    **dict.fromkeys((ast.Dict, ast.DictComp), "a dict: use a tuple, or a named tuple"),
+    ast.JoinedStr: "an f-string",
+    ast.Match: "match: use if and elif",
+    ast.Try: "try: nothing is raised here; ask with if before",
+    ast.Raise: "raise: return math.nan, and the run stops",
+    ast.Assert: "assert: leave it out",
+    ast.Delete: "del: leave it out",
+    ast.Global: "global: keep what changes in a state",
+    **dict.fromkeys((ast.Import, ast.ImportFrom), "an import: write it at the top of the file"),
+    ast.MatMult: "@: use dot of contourlab.primitives",
+}
+"""Constructs that a step cannot use, and what it uses instead."""
 
 
 def words_of(tree: ast.AST) -> str:
     """Return the name of a construct, as text."""
-    if isinstance(tree, (ast.List, ast.ListComp)):
-        return "a list: use a tuple"
-    if isinstance(tree, ast.JoinedStr):
-        return "an f-string"
+    if type(tree) in _WORDS:
+        return _WORDS[type(tree)]
     if isinstance(tree, ast.Expr):
         return f"{ast.unparse(tree)}, a line without effect on its result: leave it out"
     return "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in type(tree).__name__).strip()
 
 
-def _breaks(statements: Sequence[ast.stmt]) -> bool:
-    """Return whether statements may end the loop around them; a break of an inner loop does not."""
-    return any(isinstance(one, ast.Break) or (isinstance(one, ast.If) and _breaks([*one.body, *one.orelse])) for one in statements)
+def _flags(frame: Frame) -> list[str]:
+    """Return the names that say how a round has ended."""
+    return [_ON, *(name for name in (_ENDED, _RETURNED, _VALUE) if name in frame.env)]

@@ -40,7 +40,9 @@ COMPARED: dict[str, Callable[[float, float], bool]] = {
     "==": operator.eq,
     "!=": operator.ne,
 }
-_COSTS = {"fdiv": 8, "sqrt": 10, "exp": 40, "tanh": 50, "log": 40, "sin": 40, "cos": 40, "uniform": 15}
+LIBRARY = ("exp", "log", "tanh", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "pow", "fmod")
+"""Operations that a mathematical library computes; all others are exact everywhere, and so is `fmod`."""
+_COSTS = {"fdiv": 8, "sqrt": 10, "uniform": 15} | dict.fromkeys(LIBRARY, 40)
 _KEEPS_WHOLE = ("fadd", "fsub", "fmul", "fneg")
 _FIXED = ("constant", "parameter", "table", "size", "period", "dt")
 """Values that are the same in every tick; what is computed from them alone is computed once."""
@@ -174,10 +176,19 @@ class Graph:
             return FOLDED[kind](*values)
         args = [self.number(value) for value in values]
         made = self._computed(kind, args)
-        if kind not in _KEEPS_WHOLE or not all(map(_whole, values)):
+        if kind not in _KEEPS_WHOLE or not all(map(is_whole, values)):
             return made
-        whole = reduce(lambda p, q: self.logic("and", p, q), map(_whole, values))
-        if kind == "fneg" or (kind == "fmul" and not any(op.kind == "constant" and op.extra > 0.0 for op in args)):
+        positive = any(op.kind == "constant" and op.extra > 0.0 for op in args)
+        return self.whole(made, *values, zero=kind == "fneg" or (kind == "fmul" and not positive))
+
+    def exact(self, made: Op) -> Any:
+        """Return a number up to 2**53, beyond which Python's whole numbers have digits that a float64 has not; else NaN."""
+        return self.select(self.compare("<=", self.arithmetic("fabs", made), 2.0**53), made, math.nan)
+
+    def whole(self, made: Op, *values: Any, zero: bool = True) -> Any:
+        """Return a number marked as whole where all values are; `zero` says whether it may be -0.0, which a whole number is not."""
+        whole, made = reduce(lambda p, q: self.logic("and", p, q), map(is_whole, values), True), self.number(made)
+        if zero and whole is not False:
             made = self.select(whole, self._computed("fadd", [made, self.constant(0.0)]), made)  # -0.0 + 0.0 is 0.0
         return _marked(made, whole)
 
@@ -232,7 +243,7 @@ class Graph:
             return then() if condition else other()
         blocks, values = [], []
         for side in (then, other):
-            with self._within(Block(self.block)) as block:
+            with self.within(Block(self.block)) as block:
                 values.append(side())
             blocks.append(block)
         if all(map(_is_light, blocks)):
@@ -278,7 +289,7 @@ class Graph:
         The loop is built again if a number is whole before a round and not after it, or the reverse: a condition then says where it is.
         """
         begin = [self._as_condition(value) if _is_condition(value) else self.number(value) for value in start]
-        wholes = [_whole(value) for value in start]
+        wholes = [is_whole(value) for value in start]
         while True:
             made = Op("loop", (*begin, *(whole for whole in wholes if isinstance(whole, Op))), "")
             made.blocks = (Block(self.block), Block(self.block))
@@ -288,12 +299,12 @@ class Graph:
             if isinstance(head, int):
                 made.index = Op("index", (made,), NUMBER, head)
             else:
-                with self._within(made.blocks[0]) as block:
+                with self.within(made.blocks[0]) as block:
                     block.ends = (self._as_condition(head(before)),)
-            with self._within(made.blocks[1]) as block:
+            with self.within(made.blocks[1]) as block:
                 after = body(made.index, before)
                 block.ends = tuple(self._kept(value, op) for value, op in zip(after, begin, strict=True))
-                now = [_whole(value) for value in after]
+                now = [is_whole(value) for value in after]
                 block.ends += tuple(self._as_condition(q) for p, q in zip(wholes, now, strict=True) if isinstance(p, Op))
             same = [isinstance(p, Op) or p is q or op.type == CONDITION for op, p, q in zip(begin, wholes, now, strict=True)]
             if all(same):
@@ -302,7 +313,7 @@ class Graph:
             wholes = [whole if still else self._as_condition(whole) for whole, still in zip(wholes, same, strict=True)]
 
     @contextmanager
-    def _within(self, block: Block) -> Iterator[Block]:
+    def within(self, block: Block) -> Iterator[Block]:
         """Build into another block for a while."""
         held, self.block = self.block, block
         try:
@@ -338,17 +349,17 @@ class Graph:
         def joined(convert: Callable[[Any], Op], *values: Any) -> Op:
             pair: list[Op] = []
             for side, value in zip(sides, values, strict=True):
-                with self._within(side):
+                with self.within(side):
                     pair.append(convert(value))
             return pair[0] if pair[0] is pair[1] else join(*pair)
 
         if _is_condition(a) and _is_condition(b):
             return joined(self._as_condition, a, b)
-        wholes = _whole(a), _whole(b)
+        wholes = is_whole(a), is_whole(b)
         return _marked(joined(self.number, a, b), wholes[0] if wholes[0] is wholes[1] else joined(self._as_condition, *wholes))
 
 
-def _whole(value: Any) -> Op | bool:
+def is_whole(value: Any) -> Op | bool:
     """Return where a value is a whole number or a truth value of Python: always, never, or where a condition holds."""
     if isinstance(value, Op):
         return value.extra if value.type == WHOLE else value.type == CONDITION
@@ -382,7 +393,7 @@ def _is_light(block: Block) -> bool:
     return all(op.kind not in _GUARDED and op.type for op in block.ops) and sum(_COSTS.get(op.kind, 1) for op in block.ops) <= LIGHT
 
 
-_DECIDING = ("compare", "floor", "rint", "lookup", "delayed", "uniform", "bit")
+_DECIDING = ("compare", "floor", "rint", "fmod", "lookup", "delayed", "uniform", "bit")
 """Operations that jump: the last digit of what they read may decide."""
 
 

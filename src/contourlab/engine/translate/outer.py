@@ -112,6 +112,7 @@ Read = tuple[int, str, Any]
 """The number of an outer object, how it is read, and the name or index."""
 
 _SCALARS = frozenset({bool, int, float, complex, str, bytes, type(None)})
+_BUILT_IN = (BuiltinFunctionType, np.ufunc, type(np.clip))
 _EQUALS: tuple[Any, ...] = (object.__eq__, int.__eq__, float.__eq__, str.__eq__)
 """Comparisons that run no code of the user."""
 _digests: dict[int, tuple[CodeType, str]] = {}
@@ -273,8 +274,8 @@ class Reads:
         if _is_record(kind):
             words.append(("record", kind._fields))
             return tuple.__new__(kind, map(self.take, value))
-        if kind is BuiltinFunctionType or (kind is type and getattr(builtins, value.__name__, None) is value):
-            words.append(("builtin", value.__module__, value.__qualname__))
+        if kind in _BUILT_IN or (kind is type and getattr(builtins, value.__name__, None) is value):
+            words.append(("builtin", getattr(value, "__module__", None), value.__name__))
             return value
         if isinstance(value, type):
             return self._outer(value, value.__qualname__, _is_record(value))

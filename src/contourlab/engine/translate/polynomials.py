@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-from contourlab.primitives import clip, copysign, fabs, minimum, rint, select
+from contourlab.primitives import clip, copysign, fabs, floor, minimum, rint, select, sqrt
 
 
 def fma(a: float, b: float, c: float) -> float:
@@ -124,3 +124,73 @@ def cos(x: float) -> float:
     n, s, c = _sincos_reduced(x)
     b = select(odd(n), s, c)
     return select(twos(n + 1.0), -b, b)
+
+
+def tan(x: float) -> float:
+    return sin(x) / cos(x)
+
+
+def atan(x: float) -> float:
+    """Return the arc tangent: one of five intervals is moved to 0, as in fdlibm."""
+    a = fabs(x)
+    near, middle, far = a < 0.4375, a < 0.6875, a < 1.1875
+    t = select(far, (a - 1.0) / (a + 1.0), select(a < 2.4375, (a - 1.5) / (1.0 + 1.5 * a), -1.0 / a))
+    t = select(near, a, select(middle, (2.0 * a - 1.0) / (2.0 + a), t))
+    high = select(far, 0.7853981633974483, select(a < 2.4375, 0.982793723247329, 1.5707963267948966))
+    low = select(far, 3.061616997868383e-17, select(a < 2.4375, 1.3903311031230998e-17, 6.123233995736766e-17))
+    high = select(near, 0.0, select(middle, 0.46364760900080609, high))
+    low = select(near, 0.0, select(middle, 2.2698777452961687e-17, low))
+    z = t * t
+    s = fma(z, 1.62858201153657823623e-02, -3.65315727442169155270e-02)
+    s = fma(s, z, 4.97687799461593236017e-02)
+    s = fma(s, z, -5.83357013379057348645e-02)
+    s = fma(s, z, 6.66107313738753120669e-02)
+    s = fma(s, z, -7.69187620504482999495e-02)
+    s = fma(s, z, 9.09088713343650656196e-02)
+    s = fma(s, z, -1.11111104054623557880e-01)
+    s = fma(s, z, 1.42857142725034663711e-01)
+    s = fma(s, z, -1.99999999998764832476e-01)
+    s = fma(s, z, 3.33333333333329318027e-01)
+    return copysign(high - ((t * (z * s) - low) - t), x)
+
+
+def atan2(y: float, x: float) -> float:
+    a, b = fabs(y), fabs(x)
+    ratio = select(a == b, select(a == 0.0, 0.0, 1.0), a / select(b > 0.0, b, 1e-300 * minimum(a, 1.0)))
+    angle = atan(ratio)
+    angle = select(copysign(1.0, x) < 0.0, 3.141592653589793 - (angle - 1.2246467991473532e-16), angle)
+    return select(x == x, copysign(angle, y), x)
+
+
+def asin(x: float) -> float:
+    return atan2(x, sqrt((1.0 - x) * (1.0 + x)))
+
+
+def acos(x: float) -> float:
+    return atan2(sqrt((1.0 - x) * (1.0 + x)), x)
+
+
+def fmod(a: float, b: float) -> float:
+    """Return the remainder with the sign of a: exact while the quotient is below 2**53, else NaN."""
+    x, y = fabs(a), fabs(b)
+    n = floor(x / y)
+    r = fma(-n, y, x)
+    r = select(r < 0.0, r + y, r)
+    r = select(r >= y, r - y, r)
+    r = select(n < 9007199254740992.0, r, math.nan)
+    return copysign(select(x < y == math.inf, x, r), a)
+
+
+def unbounded_exp(x: float) -> float:
+    """Return e**x, and infinity where `exp` stays at e**709."""
+    return select(x > 709.0, math.inf, exp(x))
+
+
+def power(a: float, b: float) -> float:
+    """Return a**b, |b log a| eps off."""
+    x = fabs(a)
+    made = select(b == 0.0 or a == 1.0 or (a == -1.0 and fabs(b) == math.inf), 1.0, unbounded_exp(b * log(x)))
+    large = fabs(b) >= 9007199254740992.0  # and even
+    whole = select(large, 0.0, floor(b))
+    turned = select(large or x == math.inf or whole == b, select(odd(whole) and whole == b, -made, made), math.nan)
+    return select(a < 0.0, turned, made)

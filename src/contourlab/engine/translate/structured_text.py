@@ -126,7 +126,12 @@ class _Writer(ControlWriter):
 
     parameters, arrays, tick = "", "", "s_tick"
     symbols: ClassVar = ControlWriter.symbols | {"and": "AND", "or": "OR", "not": "NOT ", "==": "=", "!=": "<>"}
-    functions: ClassVar = {"sqrt": "SQRT", "fabs": "ABS", "exp": "EXP", "log": "LN", "sin": "SIN", "cos": "COS"}
+    functions: ClassVar = {
+        **{name: name.upper() for name in ("sqrt", "exp", "sin", "cos", "tan", "asin", "acos", "atan")},
+        "fabs": "ABS",
+        "log": "LN",
+        "pow": "EXPT",
+    }
     declares = False
     assigns, if_, else_, while_, leave = ":=", "IF {} THEN", "ELSE", "WHILE TRUE DO", "IF NOT {} THEN EXIT; END_IF"
     end_if, end_for, end_while = "END_IF", "END_FOR", "END_WHILE"
@@ -156,19 +161,25 @@ class _Writer(ControlWriter):
             return f"SEL({args[1]} < 0.0, ABS({args[0]}), -ABS({args[0]}))"
         if op.kind == "lookup":
             return f"{args[0]}[TRUNC({args[1]})]"
-        if op.kind == "uniform":
-            raise MismatchError("random numbers: Structured Text has none")
+        if op.kind in ("uniform", "fmod"):
+            found = "random numbers" if op.kind == "uniform" else "fmod, % and // of numbers (write a - b*floor(a/b))"
+            raise MismatchError(f"{found}: Structured Text has none")
         return super().text(op, *args)
 
     def compute(self, op: Op, pad: str) -> None:
-        if op.kind not in ("floor", "rint", "tanh"):
+        if op.kind not in ("floor", "rint", "tanh", "atan2"):
             super().compute(op, pad)
             return
-        # The language lacks these functions.
+        # The language lacks these functions, or TwinCAT does.
         x, name = self.value(op.args[0]), self.name(op)
         sign = f"{name} := SEL({x} < 0.0, {name}, -{name});"
         if op.kind == "tanh":
             steps = [f"{name} := EXP(-2.0 * ABS({x}));", f"{name} := (1.0 - {name}) / (1.0 + {name});", sign]
+        elif op.kind == "atan2":
+            y, x = x, self.value(op.args[1])
+            upright = f"SEL({y} < 0.0, SEL({y} > 0.0, {y}, {0.5 * math.pi}), {-0.5 * math.pi})"
+            steps = [f"IF {x} = 0.0 THEN {name} := {upright}; ELSE {name} := ATAN({y} / {x}); END_IF"]
+            steps += [f"IF {x} < 0.0 THEN {name} := {name} + SEL({y} < 0.0, {math.pi}, {-math.pi}); END_IF"]
         else:
             steps = [f"{name} := ABS({x});", f"IF {name} < {_WHOLE} THEN {name} := ({name} + {_WHOLE}) - {_WHOLE}; END_IF", sign]
             steps += [f"IF {name} > {x} THEN {name} := {name} - 1.0; END_IF"] if op.kind == "floor" else []

@@ -31,7 +31,8 @@ from contourlab.components.ideal import IdealSensor
 from contourlab.engine.runner import InterpretedGroup
 from contourlab.engine.step import Late, Port, Schedule, rows
 from contourlab.engine.translate import fmi, hal, structured_text
-from contourlab.engine.translate.control import LIBRARY, Control, Field, bench_of, control_of, header_of, source_of
+from contourlab.engine.translate.control import Control, Field, bench_of, control_of, header_of, source_of
+from contourlab.engine.translate.graph import LIBRARY
 from contourlab.errors import ParameterError, ScenarioError, refuse
 from contourlab.features.export.options import Export
 from contourlab.features.run.source import Source, case_asked

@@ -62,7 +62,7 @@ class Reported(Drawn):
         super().__post_init__()
         if self.signals:
             from contourlab.loop.simulate import UNITS
-            from contourlab.scenario.values import JUDGED
+            from contourlab.result.signals import JUDGED
 
             known = (*UNITS, *JUDGED)
             for name in self.signals:

@@ -188,15 +188,6 @@ def refusing(a: float, b: float) -> float:
     raise ValueError(a)
 
 
-def with_else(a: float, b: float) -> float:
-    for _ in range(3):
-        if a > b:
-            break
-    else:
-        return b
-    return a
-
-
 def doubling(a: float, b: float, depth: int = 30) -> float:
     if a > b:
         return doubling(a + b, b, depth - 1) if depth else a
@@ -224,15 +215,12 @@ def collecting(a: float, b: float) -> float:
 @pytest.mark.parametrize(
     ("function", "line", "reason"),
     [
-        (lambda a, b: (1.0, 2.0)[int(a)], 0, "int"),
+        (lambda a, b: (1.0, 2.0)[int(a)], 0, "use lookup"),
         (lambda a, b: math.gamma(a), 0, "gamma"),
         (lambda a, b: (a, b) if a > b else a, 0, "different kinds"),
         (endless, 0, "calls itself"),
         (half_set, 3, "c may have no value"),
         (refusing, 1, "cannot use raise"),
-        (lambda a, b: a**b, 0, "**: use a product"),
-        (lambda a, b: a % b, 0, "%: use a - b*floor(a/b)"),
-        (lambda a, b: a // b, 0, "//: use floor"),
         (lambda a, b: [a, b][0], 0, "a list: use a tuple"),
         (lambda a, b: tuple([v for v in (a, b)])[0], 0, "a list: use a tuple"),  # noqa: C416, RUF015
         (lambda a, b: float(f"{a}"), 0, "an f-string"),
@@ -248,8 +236,7 @@ def collecting(a: float, b: float) -> float:
         (lambda a, b: floor(a, b), 0, "too many"),
         (lambda a, b: 1.0 if (a > b) is True else a, 0, "is of"),
         (lambda a, b: 1.0 if (a, b) == (1.0, b) else a, 0, "eq of"),
-        (lambda a, b: a + (6 & 3), 0, "bit and"),
-        (with_else, 1, "else after a loop"),
+        (lambda a, b: a << 2, 0, "l shift"),  # type: ignore[operator]
         (doubling, 2, "more than"),
     ],
 )
@@ -260,36 +247,6 @@ def test_what_cannot_be_translated_is_refused_with_its_line(function: Any, line:
     where, _, message = str(refusal.value).partition(": ")
     assert where == f"{__file__}:{function.__code__.co_firstlineno + line}"
     assert reason in message
-
-
-@each(
-    "function, instead",
-    [
-        (lambda a, b: max(a, b), "max cannot be called here: use maximum of"),
-        (lambda a, b: max((a, b)), "maximum"),
-        (lambda a, b: a * max(1.0, 2.0), "maximum"),
-        (lambda a, b: min(a, b), "minimum"),
-        (lambda a, b: abs(a), "fabs"),
-        (lambda a, b: round(a), "rint"),
-        (lambda a, b: int(a), "floor"),
-        (lambda a, b: bool(a), "a comparison"),
-        (lambda a, b: sum((a, b)), "dot"),
-        (lambda a, b: a * sum((1.0, 2.0)), "dot"),
-        (lambda a, b: pow(a, 2), "a product"),
-        (lambda a, b: math.exp(a), "math.exp cannot be called here: use exp of contourlab.primitives"),
-        (lambda a, b: a * math.sqrt(2.0), "sqrt"),
-        (lambda a, b: math.hypot(a, b), "the functions of"),
-        (lambda a, b: np.sin(a), "sin"),
-        (lambda a, b: np.maximum(a, b), "maximum"),
-        (lambda a, b: float(str(a)), "the functions of"),
-    ],
-)
-def test_a_function_that_is_no_primitive_is_refused_with_the_one_to_use(function: Any, instead: str) -> None:
-    """Also of constants: one rule. `max` and `maximum` differ for NaN and zeros; `sum` compensates from Python 3.12 on."""
-    with pytest.raises(EngineError) as refusal:
-        graph_of(step_of(function))
-    assert refusal.value.line == function.__code__.co_firstlineno and refusal.value.file == __file__
-    assert instead in str(refusal.value)
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import random
 import shutil
 import subprocess
 from collections.abc import Callable
@@ -24,7 +23,6 @@ from contourlab.engine.step import Node, Port, Schedule, Step
 from contourlab.engine.translate import c99
 from contourlab.engine.translate.maths import LANES, SINGLE
 from contourlab.engine.translate.step_graph import graph_of
-from contourlab.errors import EngineError
 from contourlab.primitives import copysign, delayed, exp, fabs, floor, lookup, minimum, rint, select, tanh
 
 WIDTHS = (1, 32)
@@ -271,29 +269,3 @@ def test_a_step_in_c_has_no_unused_argument(tmp_path: Path) -> None:
     subprocess.run(
         ["gcc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-c", "-o", "step.o", source.name], cwd=tmp_path, check=True
     )
-
-
-# --- the cures that refusals name
-
-CURES: list[tuple[Callable[..., Any], Callable[..., Any], bool]] = [
-    (lambda a, b: int(a), lambda x, b: copysign(floor(fabs(x)), x), False),
-    (lambda a, b: math.trunc(a), lambda x, b: copysign(floor(fabs(x)), x), False),
-    (lambda a, b: np.fix(a), lambda x, b: copysign(floor(fabs(x)), x), False),
-    (lambda a, b: math.ceil(a), lambda x, b: -floor(-x), False),
-    (lambda a, b: round(a), lambda x, b: rint(x), False),
-    (lambda a, b: a % b, lambda a, b: a - b * floor(a / b), True),
-    (lambda a, b: a // b, lambda a, b: floor(a / b), True),
-]
-
-
-@pytest.mark.parametrize(("refused", "cure", "of_whole_numbers"), CURES)
-def test_a_cure_computes_what_is_refused(refused: Callable[..., Any], cure: Callable[..., Any], of_whole_numbers: bool) -> None:
-    with pytest.raises(EngineError):
-        graph_of(schedule_of(lambda a, b, par, clock: refused(a, b)).nodes[0].step)
-    graph_of(schedule_of(lambda a, b, par, clock: cure(a, b)).nodes[0].step)
-    draw = random.Random(3)
-    for _ in range(2000):
-        a, b = draw.choice([0.5, 1.5, -0.5, -2.5, draw.gauss(0.0, 3.0), draw.gauss(0.0, 1e9)]), draw.gauss(0.0, 3.0)
-        if of_whole_numbers:
-            a, b = float(draw.randrange(-(10**12), 10**12)), float(draw.choice([-1, 1]) * draw.randrange(1, 10 ** draw.randrange(1, 7)))
-        assert cure(a, b) == refused(a, b)
