@@ -92,7 +92,7 @@ def _undisturbed() -> Iterator[None]:
 
 _CHUNK = 1 << 14
 FORMAT = "contourlab-result/2"
-_FIXED = ("format", "scheme", "axes", "servo_period", "start", "status_ok", "status_sample", "status_axis", "status_reason")
+_FIXED = ("format", "made_by", "scheme", "axes", "servo_period", "start", "status_ok", "status_sample", "status_axis", "status_reason")
 
 
 class ResultWriter:

@@ -16,6 +16,7 @@ from contourlab.feed import Reference
 from contourlab.notebook import Figure, Frame, Panel, curves, facts_line, facts_table, frame, svg
 from contourlab.result.netcdf import FORMAT, ResultWriter, read_netcdf
 from contourlab.result.signals import Signal, Status
+from contourlab.result.stamp import current
 from contourlab.result.stored import Stored
 
 if TYPE_CHECKING:
@@ -214,7 +215,8 @@ class Result:
         OutputError
             If it cannot be written.
         """
-        with ResultWriter(file, self.header(), self.axes, self.n_sample) as writer:
+        made = {} if "made_by" in self.attributes else {"made_by": current()}
+        with ResultWriter(file, self.header() | made, self.axes, self.n_sample) as writer:
             for part in self.blocks():
                 writer.append(part.signals)
 

@@ -26,6 +26,7 @@ from contourlab.program.moves import PLANE_AXES
 from contourlab.program.reader import read_text, split_lines
 from contourlab.program.state import Frame
 from contourlab.program.vocabulary import CYCLES, G_GROUPS
+from contourlab.result.stamp import current
 from contourlab.scenario.values import program_route
 
 COMMENT = re.compile(r"\([^()]*\)|;.*")
@@ -699,4 +700,5 @@ def marked(text: str, number: int, name: str) -> str:
     plain = "".join(letter if letter.isalnum() or letter in "._-" else "_" for letter in name)
     opening = re.match(r"(%.*\n)?([O:][0-9]+[ \t]*(\([^()\n]*\))?[ \t]*\n)?", text, re.IGNORECASE)
     at = opening.end() if opening else 0
-    return f"{text[:at]}{MARK}{number} of {plain})\n{text[at:]}"
+    made = current().partition(" cites=")[0].rstrip(";") + ";"  # a line of LinuxCNC has at most 255 letters
+    return f"{text[:at]}{MARK}{number} of {plain})\n({made})\n{text[at:]}"

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from contourlab import __version__
+from contourlab.app.cite import stamp_of
 from contourlab.app.command_line import as_typed, chosen_options, without_options
 from contourlab.app.json_values import json_values, write_json
 from contourlab.app.results import proposed, staged
@@ -243,7 +244,8 @@ class Runs(JudgedRuns):
             for outcome in self.outcomes:
                 name = names[outcome.name]
                 judged = judged_part(outcome.result, outcome.reference).text  # for a comparison of finished runs
-                result = replace(outcome.result, attributes={**outcome.result.attributes, "judged": judged})
+                made = stamp_of(outcome.case)
+                result = replace(outcome.result, attributes={**outcome.result.attributes, "judged": judged, "made_by": made})
                 if wanted := signals or outcome.case.run.signals:
                     result = result.only(wanted)
                 result.save(stage / "signals" / f"{name}.nc")

@@ -16,6 +16,7 @@ from contourlab.loop.switches import RECORDED, Switches, SwitchLog
 from contourlab.metrics.judge import judge
 from contourlab.result import Result
 from contourlab.result.atomic import replacing
+from contourlab.result.stamp import current
 from contourlab.result.stored import Stored
 
 SWITCH_COLUMNS = ("time_s", "sample", "axis", "from", "to", "reason", "arc_length_m", "line")
@@ -99,7 +100,7 @@ def simulate_stored(
     # The judge will add five signals, and the tracking error of each axis.
     stored = Stored(given.get("stop") or reference.n_sample, spare=8 * (5 + reference.n_axis))
     for signals, status in simulate_blocks(machine, controller, reference, **given):
-        part = result_of(machine, reference, signals, status, scheme=scheme, seed=given.get("seed", 0))
+        part = result_of(machine, controller, reference, signals, status, scheme=scheme, seed=given.get("seed", 0))
         stored.append(part.signals)
         if progress is not None:
             progress(stored.stop)
@@ -115,6 +116,7 @@ def write_switches(file: str | Path, switches: Switches) -> None:
         If it cannot be written.
     """
     with replacing(file) as temporary, temporary.open("w", encoding="utf-8", errors="replace", newline="") as stream:
+        stream.write(f"# {current()}\n")
         rows = csv.writer(stream, lineterminator="\n")
         rows.writerow(SWITCH_COLUMNS)
         for each in switches.rows():
