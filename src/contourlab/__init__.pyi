@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from contourlab.analysis.learning.learning_analysis import learning_analysis as learning_analysis
 from contourlab.analysis.linear.contour_transfer import contour_margins as contour_margins
 from contourlab.analysis.linear.contour_transfer import internal_stability as internal_stability
+from contourlab.app.cite import cite as cite
 from contourlab.components.conformance import check_component as check_component
 from contourlab.components.contract import Component as Component
 from contourlab.components.contract import param as param
@@ -156,6 +157,7 @@ __all__ = [
     "check_component",
     "circle",
     "circles_of",
+    "cite",
     "commission",
     "compare",
     "component",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from functools import cache
 from os import PathLike
@@ -14,11 +14,13 @@ from contourlab import __version__
 from contourlab.app.session import Answer
 from contourlab.components.contract import Component
 from contourlab.errors import ParameterError, refuse
+from contourlab.file_kinds import kind_of
 from contourlab.loop import Controller, Machine
-from contourlab.program import Program
+from contourlab.program import Program, read_program
 from contourlab.result import Result
 from contourlab.result.stamp import identity, parse_stamp, read_stamp, stamp
-from contourlab.scenario import Case, Scenario
+from contourlab.scenario import BUILTIN, Case, Scenario, load_scenario
+from contourlab.scenario.load import machine_of
 
 Cited = Answer | Result | Scenario | Case | Machine | Controller | str | PathLike[str]
 
@@ -75,11 +77,28 @@ def cite(what: Cited) -> str:
 def stamp_of(what: object) -> str:
     """Return the stamp of the files of an answer, or of the runs of a case."""
     objects = list(_objects(what))
+    return stamp(**_all_digests(objects), cites=",".join(sorted(_keys(objects, _question(what)))))
+
+
+def digests_of(file: str | Path) -> dict[str, str]:
+    """Return the digests of ``machine``, ``controller`` and ``program`` that a scenario, a machine or a part program has now.
+
+    Raises
+    ------
+    ScenarioError, ProgramError
+        If it cannot be read as one of them.
+    """
+    kind = kind_of(file)
+    if kind == "a part program":
+        return {"program": identity(read_program(file).lines)}
+    found = load_scenario(file) if kind == "a scenario" or str(file).startswith(BUILTIN) else machine_of(file)
+    return {key: digests for key, digests in _all_digests(list(_objects(found))).items() if digests}
+
+
+def _all_digests(objects: Sequence[Any]) -> dict[str, str]:
     found = list(zip(*map(_digests, objects), strict=True)) or [(), (), ()]
-    digests = {
-        name: ",".join(filter(None, dict.fromkeys(each))) for name, each in zip(("machine", "controller", "program"), found, strict=True)
-    }
-    return stamp(**digests, cites=",".join(sorted(_keys(objects, _question(what)))))
+    names = ("machine", "controller", "program")
+    return {name: ",".join(filter(None, dict.fromkeys(each))) for name, each in zip(names, found, strict=True)}
 
 
 def _objects(what: Any) -> Iterator[Any]:

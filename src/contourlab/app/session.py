@@ -196,6 +196,18 @@ class Answer:
 
         return pandas.json_normalize(list(self.rows))
 
+    def _tables(self) -> Sequence[Any]:
+        """Return the tables of the answer: those of its text."""
+        from contourlab.rendering.table import noted
+
+        with noted() as tables:
+            assert self.text is not None
+        return tables
+
+    def to_latex(self) -> str:
+        """Return the tables that the answer prints as LaTeX, lengths in um, for the package booktabs; a comment says what made them."""
+        return "\n\n".join([f"% {self.stamp()}", *(table.latex() for table in self._tables())]) + "\n"
+
     def _charts(self) -> Iterator[Any]:
         yield from getattr(self, "charts", ())
 

@@ -78,6 +78,11 @@ class JudgedRuns(Answer):
         """The figures of each run, one run a row."""
         return [{self.ROW: name, **figures} for name, figures in self.summary["schemes"].items()]
 
+    def _tables(self) -> Sequence[Any]:
+        from contourlab.rendering.comparison import comparison_table, with_intervals
+
+        return [comparison_table(with_intervals(self.data), self.data.title)]
+
     def _charts(self) -> Iterator[Any]:
         from contourlab.rendering.plots import charts_of
 
