@@ -79,7 +79,7 @@ def _frame_class() -> Any:
             return shown.to_string(line_width=width, max_rows=most, min_rows=least, float_format="{:.4g}".format)
 
         def __reduce_ex__(self, protocol: Any) -> Any:
-            return pandas.DataFrame(self).__reduce_ex__(protocol)
+            return pandas.DataFrame, (pandas.DataFrame(self),)
 
     return Wide
 

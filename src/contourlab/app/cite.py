@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from functools import cache
-from os import PathLike
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +21,7 @@ from contourlab.result.stamp import identity, parse_stamp, read_stamp, stamp
 from contourlab.scenario import BUILTIN, Case, Scenario, load_scenario
 from contourlab.scenario.load import machine_of
 
-Cited = Answer | Result | Scenario | Case | Machine | Controller | str | PathLike[str]
+Cited = Answer | Result | Scenario | Case | Machine | Controller | str | Path
 
 
 @cache
@@ -67,7 +66,7 @@ def cite(what: Cited) -> str:
     refuse(not isinstance(what, Cited), ParameterError, "what", type(what).__name__, "an answer, a run, a machine or a file of contourlab")
     if isinstance(what, Result):
         keys = set(parse_stamp(str(what.attributes.get("made_by", "")), what.scheme).get("cites", "").split(","))
-    elif isinstance(what, str | PathLike):
+    elif isinstance(what, str | Path):
         keys = set(read_stamp(what).get("cites", "").split(","))
     else:
         keys = _keys(list(_objects(what)), _question(what))

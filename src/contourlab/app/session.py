@@ -174,11 +174,11 @@ class Answer:
 
     def to_json(self) -> str:
         """Return the answer as strict JSON, without NaN or infinity, as ``--json`` prints it."""
-        from contourlab.app.json_values import json_text  # the help does without
+        from contourlab.app.json_values import json_text, signed  # the help does without
         from contourlab.result.stamp import stamped
 
         with stamped(self.stamp()):
-            return json_text(self.json, made=True)
+            return signed(json_text(self.json))
 
     ROWS: ClassVar[str] = ""
     """The field whose items are the rows of its table; by default the answer is a single row."""
@@ -196,7 +196,7 @@ class Answer:
 
         return pandas.json_normalize(list(self.rows))
 
-    def _tables(self) -> Sequence[Any]:
+    def _latex_tables(self) -> Sequence[Any]:
         """Return the tables of the answer: those of its text."""
         from contourlab.rendering.table import noted
 
@@ -206,7 +206,7 @@ class Answer:
 
     def to_latex(self) -> str:
         """Return the tables that the answer prints as LaTeX, lengths in um, for the package booktabs; a comment says what made them."""
-        return "\n\n".join([f"% {self.stamp()}", *(table.latex() for table in self._tables())]) + "\n"
+        return "\n\n".join([f"% {self.stamp()}", *(table.latex() for table in self._latex_tables())]) + "\n"
 
     def _charts(self) -> Iterator[Any]:
         yield from getattr(self, "charts", ())

@@ -78,7 +78,7 @@ class JudgedRuns(Answer):
         """The figures of each run, one run a row."""
         return [{self.ROW: name, **figures} for name, figures in self.summary["schemes"].items()]
 
-    def _tables(self) -> Sequence[Any]:
+    def _latex_tables(self) -> Sequence[Any]:
         from contourlab.rendering.comparison import comparison_table, with_intervals
 
         return [comparison_table(with_intervals(self.data), self.data.title)]
