@@ -60,14 +60,14 @@ def frame(columns: Mapping[str, Any], index: Any = None, name: str | None = None
 
     made = _frame_class()(dict(columns), index=None if index is None else pandas.Index(index, name=name))
     made.attrs = {"units": dict(units)} if units else {}
-    return made  # type: ignore[no-any-return]
+    return made
 
 
 @cache
 def _frame_class() -> Any:
     import pandas
 
-    class Wide(pandas.DataFrame):
+    class Wide(pandas.DataFrame):  # type: ignore[misc]
         """A table that is printed in panels where pandas would leave columns out; what is computed from it is a plain one."""
 
         _constructor = pandas.DataFrame
@@ -76,7 +76,7 @@ def _frame_class() -> Any:
             heads = {name: f"{name} [{unit}]" for name, unit in self.attrs.get("units", {}).items() if unit}
             width, most, least = map(pandas.get_option, ("display.width", "display.max_rows", "display.min_rows"))
             shown = self.rename(columns=heads)
-            return shown.to_string(line_width=width, max_rows=most, min_rows=least, float_format="{:.4g}".format)
+            return str(shown.to_string(line_width=width, max_rows=most, min_rows=least, float_format="{:.4g}".format))
 
         def __reduce_ex__(self, protocol: Any) -> Any:
             return pandas.DataFrame, (pandas.DataFrame(self),)
