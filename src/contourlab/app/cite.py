@@ -7,12 +7,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol, runtime_checkable
 
 from contourlab import __version__
-from contourlab.app.session import Answer
 from contourlab.components.contract import Component
-from contourlab.errors import ParameterError, refuse
+from contourlab.errors import ParameterError, ResultError, refuse
 from contourlab.file_kinds import kind_of
 from contourlab.loop import Controller, Machine
 from contourlab.program import Program, read_program
@@ -21,7 +20,16 @@ from contourlab.result.stamp import identity, parse_stamp, read_stamp, stamp
 from contourlab.scenario import BUILTIN, Case, Scenario, load_scenario
 from contourlab.scenario.load import machine_of
 
-Cited = Answer | Result | Scenario | Case | Machine | Controller | str | Path
+
+@runtime_checkable
+class Asked(Protocol):
+    """An answer."""
+
+    def _cited(self) -> tuple[list[Any], set[str]]:
+        """Return what it is about, and words for its question."""
+
+
+Cited = Asked | Result | Scenario | Case | Machine | Controller | str | Path
 
 
 @cache
@@ -57,26 +65,26 @@ def cite(what: Cited) -> str:
     ParameterError
         If it is something else.
     ResultError
-        If the file does not say what made it.
+        If a file or a run does not say by which methods it was made; `simulate` and `simulate_to_file` name machine and controller only.
 
     >>> import contourlab as cl
     >>> print(cl.cite(cl.load_scenario("builtin:ghaffari/demo-stage")).partition(",")[0])
     @misc{contourlab
     """
     refuse(not isinstance(what, Cited), ParameterError, "what", type(what).__name__, "an answer, a run, a machine or a file of contourlab")
-    if isinstance(what, Result):
-        keys = set(parse_stamp(str(what.attributes.get("made_by", "")), what.scheme).get("cites", "").split(","))
-    elif isinstance(what, str | Path):
-        keys = set(read_stamp(what).get("cites", "").split(","))
+    if isinstance(what, str | Path | Result):
+        made = parse_stamp(what.stamp, what.scheme) if isinstance(what, Result) else read_stamp(what)
+        refuse("cites" not in made, ResultError, "its stamp names no methods: cite the answer, or the machine and the controller")
+        keys = set(made["cites"].split(","))
     else:
-        keys = _keys(list(_objects(what)), _question(what))
+        keys = _keys(*_about(what))
     return "\n\n".join(references()[key][0] for key in sorted({"contourlab", *keys} & references().keys(), key=str.lower))
 
 
 def stamp_of(what: object) -> str:
     """Return the stamp of the files of an answer, or of the runs of a case."""
-    objects = list(_objects(what))
-    return stamp(**_all_digests(objects), cites=",".join(sorted(_keys(objects, _question(what)))))
+    objects, words = _about(what)
+    return stamp(**_all_digests(objects), cites=",".join(sorted(_keys(objects, words))))
 
 
 def digests_of(file: str | Path) -> dict[str, str]:
@@ -91,7 +99,7 @@ def digests_of(file: str | Path) -> dict[str, str]:
     if kind == "a part program":
         return {"program": identity(read_program(file).lines)}
     found = load_scenario(file) if kind == "a scenario" or str(file).startswith(BUILTIN) else machine_of(file)
-    return {key: digests for key, digests in _all_digests(list(_objects(found))).items() if digests}
+    return {key: digests for key, digests in _all_digests(_about(found)[0]).items() if digests}
 
 
 def _all_digests(objects: Sequence[Any]) -> dict[str, str]:
@@ -100,18 +108,11 @@ def _all_digests(objects: Sequence[Any]) -> dict[str, str]:
     return {name: ",".join(filter(None, dict.fromkeys(each))) for name, each in zip(names, found, strict=True)}
 
 
-def _objects(what: Any) -> Iterator[Any]:
-    """Yield the cases, machines, controllers and programs that something is about."""
-    for one in (*vars(what).get("_about", ()), *vars(what).values()) if isinstance(what, Answer) else [what]:
-        if isinstance(one, Scenario):
-            yield from one.cases()
-        elif isinstance(one, Case | Machine | Controller | Program):
-            yield one
-
-
-def _question(what: Any) -> set[str]:
-    """Return the words of the place of an answer's class, the name of its question among them."""
-    return set(type(what).__module__.split(".")) if isinstance(what, Answer) else set()
+def _about(what: Any) -> tuple[list[Any], set[str]]:
+    """Return the cases, machines, controllers and programs that something is about, and words for its question."""
+    found, words = what._cited() if isinstance(what, Asked) else ([what], set())
+    cases = [one.cases() if isinstance(one, Scenario) else [one] for one in found]
+    return [one for each in cases for one in each if isinstance(one, Case | Machine | Controller | Program)], words
 
 
 def _digests(one: Any) -> tuple[str, str, str]:

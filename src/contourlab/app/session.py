@@ -128,6 +128,10 @@ class Answer:
         if "save" in vars(cls):
             cls.save = _stamping(cls.save)  # type: ignore[method-assign]
 
+    def _cited(self) -> tuple[list[Any], set[str]]:
+        """Return what it is about, and the words of the place of its class, the name of its question among them."""
+        return [*vars(self).get("_about", ()), *vars(self).values()], set(type(self).__module__.split("."))
+
     def stamp(self) -> str:
         """Return the line that its files hold: what made them."""
         from contourlab.app.cite import stamp_of  # the help does without
@@ -201,7 +205,7 @@ class Answer:
         from contourlab.rendering.table import noted
 
         with noted() as tables:
-            assert self.text is not None
+            str(self.text)
         return tables
 
     def to_latex(self) -> str:

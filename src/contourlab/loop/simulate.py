@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any, Literal
 
@@ -24,7 +25,6 @@ from contourlab.loop.switches import Change, prepared, taken_over
 from contourlab.loop.template import Loop, build
 from contourlab.primitives import normal
 from contourlab.result import Result, Signal, Status
-from contourlab.result.stamp import identity, stamp
 
 LONG_BLOCK = 1 << 20
 """Samples of a block where all signals stay in memory anyway: a run of one block is not copied."""
@@ -138,7 +138,7 @@ def simulate(
             progress(done)
     # Each signal is joined and freed in turn.
     kept = parts[0] if len(parts) == 1 else {name: np.concatenate([part.pop(name) for part in parts]) for name in list(parts[0])}
-    result = result_of(machine, controller, reference, kept, status, scheme=scheme, seed=seed)
+    result = replace(result_of(machine, reference, kept, status, scheme=scheme, seed=seed), made_by=(machine, controller))
     if not status.ok and on_failure == "raise":
         raise diverged(result)
     return result
@@ -160,7 +160,6 @@ def check_kinds(machine: Machine, controller: Controller, reference: Reference) 
 
 def result_of(
     machine: Machine,
-    controller: Controller,
     reference: Reference,
     signals: dict[str, Array],
     status: Status,
@@ -182,7 +181,6 @@ def result_of(
             "machine": machine.name,
             "seed": seed,
             "reference_digest": reference.digest,
-            "made_by": stamp(machine=identity(machine), controller=identity(controller)),
             **{f"command_limit_{axis.name}": float(getattr(axis.drive, "limit", math.inf)) for axis in machine.axes},
         },
         start=start,

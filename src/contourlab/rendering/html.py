@@ -76,7 +76,7 @@ def render_html(data: ReportData) -> str:
         "report.html.j2",
         picture_groups(data),
         title=data.title,
-        made=current(data.schemes[0].result.attributes.get("made_by")),
+        made=current(data.schemes[0].result.stamp),
         data=data,
         sentence=sentence(data),
         comparison=compare(data),
@@ -141,7 +141,7 @@ def _facts(data: ReportData, points: int) -> list[tuple[str, str]]:
     samples = max(int(scheme.result.n_sample) for scheme in data.schemes)
     period = float(first.servo_period)
     facts: Iterable[tuple[str, str]] = (
-        ("Made by", current(first.attributes.get("made_by")).removeprefix("made by ")),
+        ("Made by", current(first.stamp).removeprefix("made by ")),
         ("Command", source.command),
         ("Platform", source.platform),
         ("Seed", "" if source.seed is None else str(source.seed)),

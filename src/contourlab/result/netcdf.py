@@ -248,6 +248,7 @@ def read_netcdf(file: str | Path) -> dict[str, Any]:
             "status": Status(bool(header["status_ok"]), *ending),
             "attributes": {name.removeprefix("attribute_"): value for name, value in header.items() if name not in _FIXED},
             "start": int(header["start"]),
+            "made_by": str(header.get("made_by", "")),
         }
     except (OSError, KeyError, RuntimeError, TypeError, ValueError) as error:
         raise ResultError(f"{file}: cannot be read as a result: {getattr(error, 'strerror', None) or error}") from error

@@ -17,7 +17,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from contourlab.components.contract import Component
+from contourlab import __version__
 from contourlab.errors import ResultError, error_text
 from contourlab.result.record import covered, digest
 
@@ -41,19 +41,14 @@ def stamp(**parts: str) -> str:
     >>> stamp(machine="0123456789abcdef", program="").split()[3:5]
     ['0.1.0', 'machine=0123456789abcdef']
     """
-    own, *libraries = _versions()
-    cites = {"cites": parts.pop("cites", "")}
-    return " ".join([own, *_said(parts), *libraries, *_said(cites)]) + ";"
-
-
-def _said(parts: Mapping[str, str]) -> Iterator[str]:
-    return (f"{key}={text}" for key, text in parts.items() if text)
+    cites = parts.pop("cites", "")
+    said = {**parts, **_libraries(), "cites": cites}
+    return f"{MARK} {__version__}{''.join(f' {key}={text}' for key, text in said.items() if text)};"
 
 
 @cache
-def _versions() -> tuple[str, ...]:
-    own = f"{MARK} {version('contourlab')}"
-    return own, f"python={platform.python_version()}", *(f"{name}={version(name)}" for name in LIBRARIES)
+def _libraries() -> dict[str, str]:
+    return {"python": platform.python_version(), **{name: version(name) for name in LIBRARIES}}
 
 
 def identity(*values: Any) -> str:
@@ -62,9 +57,9 @@ def identity(*values: Any) -> str:
 
 
 def _plain(value: Any) -> Any:
-    if isinstance(value, Component):
+    if hasattr(value, "family"):  # a component
         return [value.family, value.kind, _plain(value.values())]
-    if is_dataclass(value):
+    if is_dataclass(value) and not isinstance(value, type):
         return [type(value).__name__, {each.name: _plain(getattr(value, each.name)) for each in fields(value) if each.compare}]
     if isinstance(value, Mapping):
         return {str(key): _plain(item) for key, item in value.items()}
@@ -72,7 +67,9 @@ def _plain(value: Any) -> Any:
         return [_plain(item) for item in value]
     if isinstance(value, np.ndarray | np.generic):
         return _plain(value.tolist())
-    return value.name if isinstance(value, PurePath) else value
+    if isinstance(value, PurePath):
+        return value.name
+    return value if value is None or isinstance(value, str | int | float) else repr(value)
 
 
 @contextmanager

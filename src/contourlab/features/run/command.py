@@ -249,8 +249,8 @@ class Runs(JudgedRuns):
             for outcome in self.outcomes:
                 name = names[outcome.name]
                 judged = judged_part(outcome.result, outcome.reference).text  # for a comparison of finished runs
-                made = stamp_of(outcome.case)
-                result = replace(outcome.result, attributes={**outcome.result.attributes, "judged": judged, "made_by": made})
+                attributes = {**outcome.result.attributes, "judged": judged}
+                result = replace(outcome.result, attributes=attributes, made_by=stamp_of(outcome.case))
                 if wanted := signals or outcome.case.run.signals:
                     result = result.only(wanted)
                 result.save(stage / "signals" / f"{name}.nc")

@@ -100,11 +100,11 @@ def simulate_stored(
     # The judge will add five signals, and the tracking error of each axis.
     stored = Stored(given.get("stop") or reference.n_sample, spare=8 * (5 + reference.n_axis))
     for signals, status in simulate_blocks(machine, controller, reference, **given):
-        part = result_of(machine, controller, reference, signals, status, scheme=scheme, seed=given.get("seed", 0))
+        part = result_of(machine, reference, signals, status, scheme=scheme, seed=given.get("seed", 0))
         stored.append(part.signals)
         if progress is not None:
             progress(stored.stop)
-    return replace(part, signals=stored)
+    return replace(part, signals=stored, made_by=(machine, controller))
 
 
 def write_switches(file: str | Path, switches: Switches) -> None:
