@@ -81,13 +81,13 @@ def _for_print(figure: Any, width: float, columns: int) -> None:
     lines = [line for place in figure.axes for line in place.lines if line.get_linestyle() == "-"]
     colours = list(dict.fromkeys(str(line.get_color()) for line in lines))
     for line in lines:
-        line.set_linestyle(DASHES[colours.index(str(line.get_color())) % len(DASHES)])  # type: ignore[arg-type]
+        line.set_linestyle(DASHES[colours.index(str(line.get_color())) % len(DASHES)])
     letters = int(0.9 * width * LETTERS_PER_INCH)
     for place in figure.axes:
         place.set_ylabel(place.get_ylabel().replace(" [", "\n["))
         place.tick_params(labelsize=POINTS)
         for side in ("left", "center", "right"):
-            place.set_title(fill(place.get_title(side), letters), loc=side)  # type: ignore[arg-type]
+            place.set_title(fill(place.get_title(side), letters), loc=side)
     rows = legend(figure, columns)
     for text in [text for box in figure.legends for text in box.texts]:
         text.set_text(fill(text.get_text(), letters // columns))
@@ -100,9 +100,9 @@ def _for_print(figure: Any, width: float, columns: int) -> None:
 
 def new_figure(height: float, width: float = WIDTH) -> Figure:
     """Return an empty figure, by default over the width of two columns. A file of it says what made it."""
-    figure = _figure_class()(figsize=(width, height), layout="constrained")
+    figure: Any = _figure_class()(figsize=(width, height), layout="constrained")
     figure.made = current()
-    return figure
+    return cast("Figure", figure)
 
 
 @cache
@@ -114,7 +114,7 @@ def _figure_class() -> Any:
         """A figure that is saved with the looks of print."""
 
         made = ""
-        looks: ClassVar[dict[str, str]] = {}
+        looks: ClassVar[Any] = {}
 
         def savefig(self, fname: Any, **given: Any) -> None:
             """Save it; parameters as of matplotlib."""
