@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any, Protocol, runtime_checkable
+from typing import Any
 
 from contourlab import __version__
 from contourlab.components.contract import Component
@@ -20,16 +20,7 @@ from contourlab.result.stamp import identity, parse_stamp, read_stamp, stamp
 from contourlab.scenario import BUILTIN, Case, Scenario, load_scenario
 from contourlab.scenario.load import machine_of
 
-
-@runtime_checkable
-class Asked(Protocol):
-    """An answer."""
-
-    def _cited(self) -> tuple[list[Any], set[str]]:
-        """Return what it is about, and words for its question."""
-
-
-Cited = Asked | Result | Scenario | Case | Machine | Controller | str | Path
+_KINDS = (Result, Scenario, Case, Machine, Controller, str, Path)
 
 
 @cache
@@ -46,7 +37,7 @@ def references() -> Mapping[str, tuple[str, frozenset[str]]]:
     return found
 
 
-def cite(what: Cited) -> str:
+def cite(what: object) -> str:
     """Return BibTeX of contourlab and of the methods that an answer uses, sorted by key.
 
     Parameters
@@ -71,7 +62,8 @@ def cite(what: Cited) -> str:
     >>> print(cl.cite(cl.load_scenario("builtin:ghaffari/demo-stage")).partition(",")[0])
     @misc{contourlab
     """
-    refuse(not isinstance(what, Cited), ParameterError, "what", type(what).__name__, "an answer, a run, a machine or a file of contourlab")
+    known = isinstance(what, _KINDS) or hasattr(what, "_cited")
+    refuse(not known, ParameterError, "what", type(what).__name__, "an answer, a run, a machine or a file of contourlab")
     if isinstance(what, str | Path | Result):
         made = parse_stamp(what.stamp, what.scheme) if isinstance(what, Result) else read_stamp(what)
         refuse("cites" not in made, ResultError, "its stamp names no methods: cite the answer, or the machine and the controller")
@@ -110,7 +102,7 @@ def _all_digests(objects: Sequence[Any]) -> dict[str, str]:
 
 def _about(what: Any) -> tuple[list[Any], set[str]]:
     """Return the cases, machines, controllers and programs that something is about, and words for its question."""
-    found, words = what._cited() if isinstance(what, Asked) else ([what], set())
+    found, words = what._cited() if hasattr(what, "_cited") else ([what], set())
     cases = [one.cases() if isinstance(one, Scenario) else [one] for one in found]
     return [one for each in cases for one in each if isinstance(one, Case | Machine | Controller | Program)], words
 
