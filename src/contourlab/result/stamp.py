@@ -17,7 +17,6 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from contourlab import __version__
 from contourlab.errors import ResultError, error_text
 from contourlab.result.record import covered, digest
 
@@ -43,12 +42,12 @@ def stamp(**parts: str) -> str:
     """
     cites = parts.pop("cites", "")
     said = {**parts, **_libraries(), "cites": cites}
-    return f"{MARK} {__version__}{''.join(f' {key}={text}' for key, text in said.items() if text)};"
+    return f"{MARK} {said.pop('contourlab')}{''.join(f' {key}={text}' for key, text in said.items() if text)};"
 
 
 @cache
 def _libraries() -> dict[str, str]:
-    return {"python": platform.python_version(), **{name: version(name) for name in LIBRARIES}}
+    return {"contourlab": version("contourlab"), "python": platform.python_version(), **{name: version(name) for name in LIBRARIES}}
 
 
 def identity(*values: Any) -> str:
