@@ -80,11 +80,13 @@ def _for_print(figure: Any, width: float, columns: int) -> None:
 
     lines = [line for place in figure.axes for line in place.lines if line.get_linestyle() == "-"]
     colours = list(dict.fromkeys(str(line.get_color()) for line in lines))
+    named = {line.get_label(): line.get_linestyle() for place in figure.axes for line in place.lines if line not in lines}
     for line in lines:
-        line.set_linestyle(DASHES[colours.index(str(line.get_color())) % len(DASHES)])
+        own = DASHES[colours.index(str(line.get_color())) % len(DASHES)]
+        line.set_linestyle(named.get(line.get_label(), own))
     letters = int(0.9 * width * LETTERS_PER_INCH)
     for place in figure.axes:
-        place.set_ylabel(place.get_ylabel().replace(" [", "\n["))
+        place.set_ylabel(fill(place.get_ylabel(), 16).replace(" [", "\n[") if len(place.get_ylabel()) > 12 else place.get_ylabel())
         place.tick_params(labelsize=POINTS)
         for side in ("left", "center", "right"):
             place.set_title(fill(place.get_title(side), letters), loc=side)

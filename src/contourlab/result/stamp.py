@@ -37,11 +37,10 @@ def stamp(**parts: str) -> str:
     **parts : str
         Digests of `identity`: ``machine``, ``controller``, ``program``; and ``cites``, keys of references. Empty ones are left out.
 
-    >>> stamp(machine="0123456789abcdef", program="").split()[3:5]
-    ['0.1.0', 'machine=0123456789abcdef']
+    >>> stamp(machine="0123456789abcdef", program="").split()[3::5]
+    ['0.1.0', 'machine=0123456789abcdef;']
     """
-    cites = parts.pop("cites", "")
-    said = {**parts, **_libraries(), "cites": cites}
+    said = {**_libraries(), **parts}
     return f"{MARK} {said.pop('contourlab')}{''.join(f' {key}={text}' for key, text in said.items() if text)};"
 
 
@@ -73,7 +72,7 @@ def _plain(value: Any) -> Any:
 
 @contextmanager
 def gathered() -> Iterator[list[Any]]:
-    """Gather what `about` is told inside: the scenarios, machines and programs of a question."""
+    """Gather what `tell` is given inside: the scenarios, machines and programs of a question."""
     token = _told.set([])
     try:
         yield _told.get()
@@ -81,7 +80,7 @@ def gathered() -> Iterator[list[Any]]:
         _told.reset(token)
 
 
-def about(value: ValueT) -> ValueT:
+def tell(value: ValueT) -> ValueT:
     """Tell what the question being asked is about; return it."""
     if (told := _told.get(None)) is not None:
         told.append(value)
