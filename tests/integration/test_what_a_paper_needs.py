@@ -15,11 +15,13 @@ from matplotlib.text import Text
 from typed_commands import invoke
 
 import contourlab as cl
+from contourlab.app.cite import digests_of, stamp_of
 from contourlab.errors import ParameterError, ResultError
 from contourlab.features.export.command import export
+from contourlab.features.precompensate.writing import marked
 from contourlab.rendering.judgement import Interval, Spread
 from contourlab.rendering.table import Column, Table
-from contourlab.result.stamp import identity, read_stamp, stamp
+from contourlab.result.stamp import identity, parse_stamp, read_stamp, stamp
 
 SCENARIO = """
 name = "circle"
@@ -216,3 +218,18 @@ def test_switches_are_a_table_behind_their_stamp(tmp_path: Path) -> None:
         comment, heads = next(csv.reader([stream.readline()])), next(csv.reader(stream))
     assert comment[0].startswith("# made by contourlab") and heads[0] == "time_s"
     assert pandas.read_csv(tmp_path / "switches.csv", comment="#").columns[0] == "time_s"
+
+
+def test_questions_about_a_part_program_name_it_and_its_machine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    lines = ("G21 G90 F600", "G1 X10", "G1 Y10", "M30")
+    Path("part.ngc").write_text("\n".join(lines) + "\n")
+    machine, program = identity(cl.load_scenario("builtin:demo-part").machine), identity(lines)
+    found = parse_stamp(cl.limits("part.ngc", machine="xyz").stamp())
+    assert (found["machine"], found["program"]) == (machine, program)
+    Path("corrected.ngc").write_text(marked("%\nG1 X1\n", 1, "part", lines))
+    assert read_stamp("corrected.ngc")["program"] == program == digests_of("part.ngc")["program"]
+    assert max(map(len, Path("corrected.ngc").read_text().splitlines())) < 256  # as LinuxCNC reads
+    case = cl.run("part.ngc", machine="xyz", controller="xyz-controller", interval=False).scenario.base
+    assert parse_stamp(stamp_of(case))["program"] == program
+    assert {"PhamPham2018", "Koren1980"} <= set(parse_stamp(stamp_of(case))["cites"].split(","))
