@@ -29,11 +29,8 @@ def references() -> Mapping[str, tuple[str, frozenset[str]]]:
     text = (Path(__file__).parent / "references.bib").read_text(encoding="utf-8").replace("@VERSION@", __version__)
     found = {}
     for entry in re.findall(r"^@\w+\{.*?^\}", text, re.MULTILINE | re.DOTALL):
-        use = re.search(r",\n  methodof = \{(.*?)\}", entry)
-        found[entry.partition("{")[2].partition(",")[0]] = (
-            entry.replace(use[0], "") if use else entry,
-            frozenset(use[1].split() if use else ()),
-        )
+        printed, *uses = re.split(r",\n  methodof = \{(.*)\}\n", entry)
+        found[re.findall(r"\{([^,]+),", entry)[0]] = (printed + "\n}", frozenset(uses[0].split())) if uses else (entry, frozenset())
     return found
 
 

@@ -202,11 +202,9 @@ class Answer:
 
     def _latex_tables(self) -> Sequence[Any]:
         """Return the tables of the answer: those of its text."""
-        from contourlab.rendering.table import noted
+        from contourlab.rendering.table import tables_of
 
-        with noted() as tables:
-            str(self.text)
-        return tables
+        return tables_of(lambda: self.text)
 
     def to_latex(self) -> str:
         """Return the tables that the answer prints as LaTeX, lengths in um, for the package booktabs; a comment says what made them."""

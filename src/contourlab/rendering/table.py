@@ -6,9 +6,8 @@ import os
 import re
 import shutil
 import sys
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
-from contextvars import ContextVar
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextvars import ContextVar, copy_context
 from dataclasses import dataclass
 
 PIPE_WIDTH = 80
@@ -31,15 +30,13 @@ def _latex(text: str) -> str:
     return _FORMS.sub(lambda m: "$\\mu$m" if m[0] == "um" else f"$^{{{m[1]}}}$" if m[1] else "$-$" if m[0] == "-" else _LATEX[m[0]], text)
 
 
-@contextmanager
-def noted() -> Iterator[list[Table]]:
-    """Note the tables that are written as text inside."""
+def tables_of(write: Callable[[], str]) -> list[Table]:
+    """Return the tables that are written as text in a function."""
     tables: list[Table] = []
-    token = _noted.set(tables)
-    try:
-        yield tables
-    finally:
-        _noted.reset(token)
+    context = copy_context()
+    context.run(_noted.set, tables)
+    context.run(write)
+    return tables
 
 
 @dataclass(frozen=True)

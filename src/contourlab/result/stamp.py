@@ -6,7 +6,7 @@ import platform
 import re
 import zipfile
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from contextvars import ContextVar
 from dataclasses import fields, is_dataclass
 from functools import cache
@@ -71,13 +71,22 @@ def _plain(value: Any) -> Any:
 
 
 @contextmanager
-def gathered() -> Iterator[list[Any]]:
-    """Gather what `tell` is given inside: the scenarios, machines and programs of a question."""
-    token = _told.set([])
+def _during(variable: ContextVar[ValueT], value: ValueT) -> Iterator[ValueT]:
+    token = variable.set(value)
     try:
-        yield _told.get()
+        yield value
     finally:
-        _told.reset(token)
+        variable.reset(token)
+
+
+def gathered() -> AbstractContextManager[list[Any]]:
+    """Gather what `tell` is given inside: the scenarios, machines and programs of a question."""
+    return _during(_told, [])
+
+
+def stamped(text: str) -> AbstractContextManager[str]:
+    """Let all files that are written inside say `text`."""
+    return _during(_now, text)
 
 
 def tell(value: ValueT) -> ValueT:
@@ -85,16 +94,6 @@ def tell(value: ValueT) -> ValueT:
     if (told := _told.get(None)) is not None:
         told.append(value)
     return value
-
-
-@contextmanager
-def stamped(text: str) -> Iterator[None]:
-    """Let all files that are written inside say `text`."""
-    token = _now.set(text)
-    try:
-        yield
-    finally:
-        _now.reset(token)
 
 
 def current(other: object = None) -> str:

@@ -88,8 +88,8 @@ def save(value: Machine | Controller | Axis | Scenario, file: str | File, machin
     except TypeError as error:
         wanted = "a Machine, an Axis, a Scenario, or a Controller with its machine: save(controller, file, machine)"
         raise ParameterError("value", f"a {type(value).__name__}", wanted) from error
-    made = {Machine: {"machine": value}, Controller: {"controller": value}}.get(type(value), {})
-    write_text_atomic(file, f"# {current(stamp(**{key: identity(one) for key, one in made.items()}))}\n\n{text}")
+    parts = {type(value).__name__.lower(): identity(value)} if isinstance(value, Machine | Controller) else {}
+    write_text_atomic(file, f"# {current(stamp(**parts))}\n\n{text}")
 
 
 # --- tables --------------------------------------------------------------------------------------------------------------------------
