@@ -89,7 +89,7 @@ GROUPS = {
     ),
     "Results": (
         "Signals with units, how a run ended, one page about runs, and the viewer in a notebook.",
-        ("Result", "Signal", "Status", "report", "show"),
+        ("Result", "Signal", "Status", "cite", "report", "show"),
     ),
     "Analyse": ("Margins and matrices without a run.", ("contour_margins", "internal_stability", "linear", "from_system")),
     "Learn": ("Learning from trial to trial.", ("Stopping", "LearnedTable", "Learned", "learning_analysis")),

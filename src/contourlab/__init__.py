@@ -16,6 +16,7 @@ from typing import Any
 __version__ = "0.1.0"
 
 _HOMES = {
+    "contourlab.app.cite": ("cite",),
     "contourlab.analysis.learning.learning_analysis": ("learning_analysis",),
     "contourlab.analysis.linear.contour_transfer": ("contour_margins", "internal_stability"),
     "contourlab.analysis.linear.systems": ("from_system", "linear"),

@@ -9,6 +9,7 @@ from contourlab.analysis.linear.contour_transfer import contour_margins as conto
 from contourlab.analysis.linear.contour_transfer import internal_stability as internal_stability
 from contourlab.analysis.linear.systems import from_system as from_system
 from contourlab.analysis.linear.systems import linear as linear
+from contourlab.app.cite import cite as cite
 from contourlab.components.conformance import check_component as check_component
 from contourlab.components.contract import Component as Component
 from contourlab.components.contract import param as param
@@ -162,6 +163,7 @@ __all__ = [
     "check_component",
     "circle",
     "circles_of",
+    "cite",
     "commission",
     "compare",
     "component",

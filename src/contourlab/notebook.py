@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cache
 from html import escape
 from io import StringIO
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -53,11 +54,34 @@ def _cell(content: object, tag: str = "td", align: str = "left") -> str:
     return f"<{tag} style='{style}'>{escape(str(content))}</{tag}>"
 
 
-def frame(columns: Mapping[str, Any], index: Any = None, name: str | None = None) -> Frame:
-    """Return columns as a table for pandas, with an index of a name if given."""
+def frame(columns: Mapping[str, Any], index: Any = None, name: str | None = None, units: Mapping[str, str] | None = None) -> Frame:
+    """Return columns as a table for pandas, with an index of a name if given; printed, it shows all columns, with their `units`."""
     import pandas
 
-    return pandas.DataFrame(dict(columns), index=None if index is None else pandas.Index(index, name=name))
+    made = _frame_class()(dict(columns), index=None if index is None else pandas.Index(index, name=name))
+    made.attrs = {"units": dict(units)} if units else {}
+    return made
+
+
+@cache
+def _frame_class() -> Any:
+    import pandas
+
+    class Wide(pandas.DataFrame):  # type: ignore[misc]
+        """A table that is printed in panels where pandas would leave columns out; what is computed from it is a plain one."""
+
+        _constructor = pandas.DataFrame
+
+        def __repr__(self) -> str:
+            heads = {name: f"{name} [{unit}]" for name, unit in self.attrs.get("units", {}).items() if unit}
+            width, most, least = map(pandas.get_option, ("display.width", "display.max_rows", "display.min_rows"))
+            shown = self.rename(columns=heads)
+            return str(shown.to_string(line_width=width, max_rows=most, min_rows=least, float_format="{:.4g}".format))
+
+        def __reduce_ex__(self, protocol: Any) -> Any:
+            return pandas.DataFrame, (pandas.DataFrame(self),)
+
+    return Wide
 
 
 def svg(figure: Figure) -> str:

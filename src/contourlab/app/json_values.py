@@ -22,11 +22,18 @@ def json_text(value: Any) -> str:
     return json.dumps(json_values(value), indent=2, allow_nan=False)
 
 
+def signed(text: str) -> str:
+    """Return the text of a JSON object with the key ``made_by``; of another value, the text itself."""
+    from contourlab.result.stamp import current  # would double the start of every command
+
+    return f'{text[:-2]},\n  "made_by": "{current()}"\n}}' if text.startswith("{\n") else text
+
+
 def write_json(file: str | os.PathLike[str], value: Any) -> None:
     """Write a value as a JSON file, whole or not at all; see `json_values`."""
     from contourlab.result import write_text_atomic  # would double the start of every command
 
-    write_text_atomic(os.fspath(file), json_text(value) + "\n")
+    write_text_atomic(os.fspath(file), signed(json_text(value)) + "\n")
 
 
 def json_values(value: Any) -> Any:

@@ -24,6 +24,7 @@ from contourlab.errors import OutputError, ParameterError, ResultError, refuse
 from contourlab.figures import grouped
 from contourlab.result.atomic import replacing
 from contourlab.result.record import read_record, write_record
+from contourlab.result.stamp import current
 
 SAFETY = "contourlab is no safety function: test on the machine with its own limits active."
 """What all proposed gains and exported controllers say."""
@@ -50,8 +51,8 @@ _PRODUCTS = "learned/"
 
 
 def proposed(head: str, text: str) -> str:
-    """Return a TOML file of proposed gains, with a first line and the note on safety."""
-    return f"# {' '.join(head.split())}\n# {SAFETY}\n\n{text}"
+    """Return a TOML file of proposed gains, with a first line, what made it and the note on safety."""
+    return f"# {' '.join(head.split())}\n# {current()}\n# {SAFETY}\n\n{text}"
 
 
 def filled(file: Path, values: Mapping[str, str]) -> str:

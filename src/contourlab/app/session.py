@@ -123,6 +123,21 @@ QUIET = Session()
 class Answer:
     """What a question returns: figures, findings, and perhaps a verdict. Its fields are its JSON."""
 
+    def __init_subclass__(cls, **kwargs: Any) -> None:
+        super().__init_subclass__(**kwargs)
+        if "save" in vars(cls):
+            cls.save = _stamping(cls.save)  # type: ignore[method-assign]
+
+    def _cited(self) -> tuple[list[Any], set[str]]:
+        """Return what it is about, and the words of the place of its class, the name of its question among them."""
+        return [*vars(self).get("_about", ()), *vars(self).values()], set(type(self).__module__.split("."))
+
+    def stamp(self) -> str:
+        """Return the line that its files hold: what made them."""
+        from contourlab.app.cite import stamp_of  # the help does without
+
+        return stamp_of(self)
+
     if not TYPE_CHECKING:
 
         def __getattr__(self, name: str) -> Any:
@@ -163,9 +178,11 @@ class Answer:
 
     def to_json(self) -> str:
         """Return the answer as strict JSON, without NaN or infinity, as ``--json`` prints it."""
-        from contourlab.app.json_values import json_text  # the help does without
+        from contourlab.app.json_values import json_text, signed  # the help does without
+        from contourlab.result.stamp import stamped
 
-        return json_text(self.json)
+        with stamped(self.stamp()):
+            return signed(json_text(self.json))
 
     ROWS: ClassVar[str] = ""
     """The field whose items are the rows of its table; by default the answer is a single row."""
@@ -183,6 +200,16 @@ class Answer:
 
         return pandas.json_normalize(list(self.rows))
 
+    def _latex_tables(self) -> Sequence[Any]:
+        """Return the tables of the answer: those of its text."""
+        from contourlab.rendering.table import tables_of
+
+        return tables_of(lambda: self.text)
+
+    def to_latex(self) -> str:
+        """Return the tables that the answer prints as LaTeX, lengths in um, for the package booktabs; a comment says what made them."""
+        return "\n\n".join([f"% {self.stamp()}", *(table.latex() for table in self._latex_tables())]) + "\n"
+
     def _charts(self) -> Iterator[Any]:
         yield from getattr(self, "charts", ())
 
@@ -192,7 +219,7 @@ class Answer:
 
         yield from (chart for chart in self._charts() if isinstance(chart, Drawn))
 
-    def plot(self, ax: matplotlib.axes.Axes | None = None, *, key: str = "") -> matplotlib.axes.Axes:
+    def plot(self, ax: matplotlib.axes.Axes | None = None, *, key: str = "", width: float | str | None = None) -> matplotlib.axes.Axes:
         """Draw a picture of the answer.
 
         Parameters
@@ -201,14 +228,19 @@ class Answer:
             Where to draw; by default on a new figure. A ball-bar plot and small multiples replace plain axes.
         key : str
             Which picture; by default the first.
+        width : float > 0 [mm], or str, optional
+            Width of a new figure for print: ``"column"`` (88.9 mm) and ``"page"`` (181 mm) are those of IEEE's journals. All letters have
+            8 pt, and lines of different colours have different dashes. ``plot(...).figure.savefig("name.pdf")`` embeds the letters.
 
         Returns
         -------
         matplotlib.axes.Axes
         """
         from contourlab.rendering.matplotlib_view import draw_chart
+        from contourlab.result.stamp import stamped
 
-        return draw_chart(self._charts(), key, ax)
+        with stamped(self.stamp()):
+            return draw_chart(self._charts(), key, ax, width)
 
     def _draw(self, stage: Path, folder: str | Path, formats: Sequence[str]) -> tuple[Path, ...]:
         """Write the pictures into ``plots`` in a temporary folder; return the files that they will be in `folder`."""
@@ -245,6 +277,31 @@ class Answer:
         return f"<pre>{escape(self.text)}</pre>"
 
 
+def _stamping(save: Callable[..., Any]) -> Callable[..., Any]:
+    """Let every file that an answer saves say what made it."""
+
+    @wraps(save)
+    def saved(self: Answer, *args: Any, **kwargs: Any) -> Any:
+        from contourlab.result.stamp import stamped
+
+        with stamped(self.stamp()):
+            answer = save(self, *args, **kwargs)
+        vars(answer).update(_about=vars(self).get("_about", ()))
+        return answer
+
+    return saved
+
+
+def _asked(ask: Callable[..., AnswerT], *inputs: Any, **given: Any) -> AnswerT:
+    """Ask, and let the answer know what it is about."""
+    from contourlab.result.stamp import gathered
+
+    with gathered() as told:
+        answer = ask(*inputs, **given)
+    vars(answer)["_about"] = tuple(told)
+    return answer
+
+
 def question(settings: type[Options], name: str = "") -> Callable[[Callable[..., AnswerT]], Callable[..., AnswerT]]:
     """Make a public function of a question: its keywords are the options of `settings`; it writes no file and prints nothing."""
 
@@ -258,7 +315,7 @@ def question(settings: type[Options], name: str = "") -> Callable[[Callable[...,
             files = [os.fspath(each) for each in inputs if isinstance(each, str | os.PathLike)]  # a log that is read has its name
             words = ["contourlab", name or ask.__name__, *files, *chosen.words()]
             with Session(command=as_typed(words) if len(files) == len(inputs) and chosen.is_typed else "") as session:
-                return ask(*inputs, **direct, settings=chosen, session=session)
+                return _asked(ask, *inputs, **direct, settings=chosen, session=session)
 
         own = [each for each in inspect.signature(ask).parameters.values() if each.name not in ("settings", "session")]
         keys = [each.name for each in own if each.kind is inspect.Parameter.KEYWORD_ONLY]
@@ -389,7 +446,7 @@ def execute(command: Command, name: str, values: dict[str, Any], words: Sequence
     typed = as_typed(["contourlab", *name.split(), *(str(each) for each in inputs if each is not None), *settings.words()])
     ask = getattr(import_module(module), function)
     with Session(saving, progress, typed) as session:
-        answer = getattr(ask, "ask", ask)(*inputs, settings=settings, session=session)
+        answer: Any = _asked(getattr(ask, "ask", ask), *inputs, settings=settings, session=session)
         if "out" in saving:
             answer = answer.save(saving["out"], **{key: value for key, value in saving.items() if key != "out"})
         elif saving:

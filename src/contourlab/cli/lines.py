@@ -28,7 +28,7 @@ LINES = {
     "reproduce": "Recompute the figures of a paper or a log, and compare.",
     "components": "List the components; show a family or one component with all parameters.",
     "machines": "List the shipped machines, axes, controllers and runs with the sources of their numbers; show or copy one.",
-    "explain": "Explain a finding: what it means, and what to do about it.",
+    "explain": "Explain a finding: what it means, and what to do about it. Or a file that contourlab wrote: what made it.",
     "schema": "Print the JSON Schema of what a command prints with --json.",
     "canon": "Print the moves of a part program: tool tip in mm in machine coordinates, feed in mm/min.",
 }

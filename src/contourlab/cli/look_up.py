@@ -33,6 +33,7 @@ class Entry(Answer):
     value: Any
     words: str
     then: Sequence[object] = ()
+    passed: bool | None = None
 
     @property
     def json(self) -> Any:
@@ -142,18 +143,25 @@ def _details(file: Shipped) -> str:
 
 @options
 class Explain(Options):
-    """Explain a finding: what it means, and what to do about it."""
+    """Explain a finding: what it means, and what to do about it. Or a file that contourlab wrote: what made it."""
+
+    cite: bool = option(False, "Print BibTeX of the methods behind a file.")
+    since: Path | None = option(None, "Scenario, machine or part program: say what changed since the file was written.", metavar="FILE")
 
 
 @options
 class OfCode(Shown):
     """The argument."""
 
-    code: str | None = argument("[CODE]", "Code of a finding, such as CL104. Without it, list all.", None)
+    code: str | None = argument("[CODE]", "Code of a finding, such as CL104, or a file. Without it, list all findings.", None)
 
 
 def explain(code: str | None, settings: Explain, session: Session) -> Entry:
-    """List the findings, or explain one."""
+    """List the findings, explain one, or say what made a file."""
+    if code is not None and Path(code).is_file():
+        return _made(code, settings)
+    unused = [name for name, given in (("--cite", settings.cite), ("--since", settings.since)) if given]
+    refuse(bool(unused), ParameterError, ", ".join(unused), "given", "left out: it is about a file that contourlab wrote")
     from contourlab.findings import catalogue
     from contourlab.rendering.table import Column, Table, page_width, paragraphs
 
@@ -167,6 +175,24 @@ def explain(code: str | None, settings: Explain, session: Session) -> Entry:
     entry = entries[code]
     texts = [f"{entry.code} {entry.name} ({entry.severity})", entry.outline, entry.meaning, f"What to do: {entry.remedy}"]
     return Entry([entry], "\n\n".join(paragraphs([text], page_width(), indent="") for text in texts))
+
+
+def _made(file: str, settings: Explain) -> Entry:
+    """Say what made a file, and what changed since."""
+    from contourlab.app.cite import cite, digests_of
+    from contourlab.result.stamp import read_stamp
+
+    made = read_stamp(file)
+    if settings.cite:
+        text = cite(file)
+        return Entry({"bibtex": text}, text)
+    now = {} if settings.since is None else digests_of(settings.since)
+    compared = {key: set(made[key].split(",")) <= set(digests.split(",")) for key, digests in now.items() if key in made}
+    if settings.since is not None:
+        refuse(not compared, ParameterError, "--since", repr(str(settings.since)), f"one of what the file names: {', '.join(made)}")
+    words = {key: "the same" if same else "changed since" for key, same in compared.items()}
+    lines = [f"{key}: {value.replace(',', ', ')}" + (f" ({words[key]})" if key in words else "") for key, value in made.items()]
+    return Entry(made | {f"{key}_now": word for key, word in words.items()}, "\n".join(lines), passed=all(compared.values()))
 
 
 @options
@@ -205,7 +231,7 @@ def results() -> dict[str, Any]:
     of_lists = {
         "canon": Canon,
         "components": tuple[ComponentDescription, ...],
-        "explain": tuple[Explained, ...],
+        "explain": tuple[Explained, ...] | dict[str, str],
         "machines": Shipped | tuple[Shipped, ...] | tuple[Path, ...],
     }
     types = {name: of_lists.get(name) or _printed(import_module(home_of(name)).COMMANDS[name]) for name in PANEL_OF if name != "schema"}

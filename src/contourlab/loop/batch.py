@@ -89,7 +89,7 @@ class BatchResult:
     units: Mapping[str, str]
 
     def to_pandas(self) -> Frame:
-        """Return a row for each variant: the parameters that differ, the figures, and `failed_at`; all in SI, see `units`.
+        """Return a row for each variant: the parameters that differ, the figures, and `failed_at`; all in SI. Printed, it shows `units`.
 
         >>> import contourlab as cl
         >>> case = cl.load_scenario("builtin:ghaffari/demo-stage").base
@@ -98,7 +98,7 @@ class BatchResult:
         >>> table[["axes.1.plant.gain", "contour_error_max"]].shape
         (2, 2)
         """
-        return frame({**self.variants, **self.figures, "failed_at": self.failed_at})
+        return frame({**self.variants, **self.figures, "failed_at": self.failed_at}, units=self.units)
 
     def plot(self, figure: str = "contour_error_max") -> Figure:
         """Draw a figure over the first parameter that differs; as points where others differ independently, or of one variant.

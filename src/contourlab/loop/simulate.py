@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any, Literal
 
@@ -144,7 +145,7 @@ def simulate(
     if PLANNED_TIME in kept:
         reference = followed(reference, kept)
         kept = {name: data for name, data in kept.items() if signals is None or name in signals}
-    result = result_of(machine, reference, kept, status, scheme=scheme, seed=seed)
+    result = replace(result_of(machine, reference, kept, status, scheme=scheme, seed=seed), made_by=(machine, controller))
     if not status.ok and on_failure == "raise":
         raise diverged(result)
     return result

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -224,7 +225,8 @@ class Loop:
         kept = {name: log[:, place] for name, place in self._places.items()}
         kept["tool_position"] = ToolPosition(self.machine, self.seed).of(kept["axis_position"], kept["axis_velocity"])
         motion = followed(self.reference, kept) if self._varies else self.reference
-        return result_of(self.machine, motion, kept, self.status, scheme=scheme, seed=self.seed)
+        result = result_of(self.machine, motion, kept, self.status, scheme=scheme, seed=self.seed)
+        return replace(result, made_by=(self.machine, self.controller))
 
     def __repr__(self) -> str:
         inputs = ", ".join(self._inputs) or "none"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from contourlab.figures import NONE, figure, grouped, listing, number
 from contourlab.metrics.figures import ErrorFigures
@@ -224,9 +224,8 @@ def _figures(data: ReportData, scheme: JudgedRun) -> Iterator[Figure]:
         yield Figure("computing time per servo tick", scheme.tick, 1e9, "ns", lower_is_better=False)
 
 
-def comparison_text(data: ReportData, width: int | None = None) -> str:
-    """Return the comparison for the terminal."""
-    comparison = compare(data)
+def comparison_table(comparison: Comparison, title: str) -> Table:
+    """Return a comparison as a table."""
     heads = [*(head.name for head in comparison.heads), *(["change"] if comparison.has_change else [])]
     rows = (
         (
@@ -236,5 +235,22 @@ def comparison_text(data: ReportData, width: int | None = None) -> str:
         )
         for row in comparison.rows
     )
-    table = Table([Column("figure", left=True), *map(Column, heads)], data.title, rows=rows)
+    return Table([Column("figure", left=True), *map(Column, heads)], title, rows=rows)
+
+
+def with_intervals(data: ReportData) -> Comparison:
+    """Return the comparison, and below it the interval of the part error of each scheme that has one."""
+    comparison, rows = compare(data), []
+    for name in ("max", "rms"):
+        found = [scheme.trust.interval if scheme.trust is not None else None for scheme in data.schemes]
+        spreads = [getattr(interval, name) if interval is not None else None for interval in found]
+        cells = tuple(Cell(NONE if one is None else f"{number(UM * one.low)} to {number(UM * one.high)}") for one in spreads)
+        rows += [Row(f"part error, {ERRORS[name]}, 5 to 95 % of the machines", "um", cells)] if any(spreads) else []
+    return replace(comparison, rows=(*comparison.rows, *rows))
+
+
+def comparison_text(data: ReportData, width: int | None = None) -> str:
+    """Return the comparison for the terminal."""
+    comparison = compare(data)
+    table = comparison_table(comparison, data.title)
     return f"{table.text(width)}\n\n{paragraphs(filter(None, [comparison.note, *comparison.notes]), width)}"

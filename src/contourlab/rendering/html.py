@@ -24,6 +24,7 @@ from contourlab.rendering.run_pictures import FINER
 from contourlab.rendering.samples import share
 from contourlab.rendering.switching import switch_tables
 from contourlab.result.atomic import write_text_atomic
+from contourlab.result.stamp import current
 
 MOST_POINTS = 4000
 """Most points of a curve: two for every pixel of a wide screen."""
@@ -75,7 +76,7 @@ def render_html(data: ReportData) -> str:
         "report.html.j2",
         picture_groups(data),
         title=data.title,
-        version=data.provenance.version,
+        made=current(data.schemes[0].result.stamp),
         data=data,
         sentence=sentence(data),
         comparison=compare(data),
@@ -98,12 +99,13 @@ def picture_groups(data: ReportData) -> dict[str, Sequence[Picture]]:
 
 
 def page_text(template: str, groups: Mapping[str, Sequence[Picture]], **values: Any) -> str:
-    """Return a page that draws pictures; the template places them by group, and needs `title` and `version`."""
+    """Return a page that draws pictures; the template places them by group, and needs `title`."""
     loader, viewer = template_file("loader.js"), base64.b64encode(packed_viewer()).decode("ascii")
     picture = base64.b64encode(message(chart for charts in groups.values() for chart in charts)).decode("ascii")
     hashes = [script_hash(text) for text in (VIEWER.read_text("utf-8"), loader)]
     scripts = {"message": picture, "viewer": viewer, "loader": loader, "hashes": hashes}
-    return str(page_template(template).render(groups=groups, style=template_file("report.css"), **scripts, **values))
+    values = {"made": current(), "style": template_file("report.css"), **scripts, **values}
+    return str(page_template(template).render(groups=groups, **values))
 
 
 def _points(data: ReportData) -> int:
@@ -139,7 +141,7 @@ def _facts(data: ReportData, points: int) -> list[tuple[str, str]]:
     samples = max(int(scheme.result.n_sample) for scheme in data.schemes)
     period = float(first.servo_period)
     facts: Iterable[tuple[str, str]] = (
-        ("contourlab", source.version),
+        ("Made by", current(first.stamp).removeprefix("made by ")),
         ("Command", source.command),
         ("Platform", source.platform),
         ("Seed", "" if source.seed is None else str(source.seed)),

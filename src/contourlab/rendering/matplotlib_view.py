@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import io
 from collections.abc import Callable, Iterable, Sequence
+from functools import cache
 from pathlib import Path
 from textwrap import fill
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, ClassVar, cast
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from contourlab.errors import ParameterError, ResultError, refuse
 from contourlab.figures import number
 from contourlab.rendering.charts import Bars, Chart, Curve, Magnified, Matrix, Multiples, Panel, PathChart, Picture, PolarChart
 from contourlab.rendering.style import BAND, INK, LIMIT, MUTED
+from contourlab.result.stamp import current
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -23,6 +25,12 @@ if TYPE_CHECKING:
 LOOKS = Path(__file__).parent / "templates" / "print.mplstyle"
 WIDTH = 7.2
 """Width of two columns of a journal [in]."""
+WIDTHS = {"column": 88.9, "page": 181.0}
+"""Widths of IEEE's journals [mm]."""
+POINTS, LETTERS_PER_INCH = 8.0, 12
+"""Size of the letters of a figure for print [pt], and how many of them a line has."""
+DASHES = ("-", (0, (9, 1.5)), (0, (6, 1.5, 1, 1.5)), (0, (2, 0.8)), (0, (6, 1.2, 1, 1.2, 1, 1.2)), (0, (9, 1.5, 3, 1.5)))
+"""Dashes that tell lines apart without colour, none like those of limits, which are dashed or dotted."""
 TILES = 3
 """Tiles in a row."""
 NUMBERED = 16
@@ -33,13 +41,17 @@ _DASH = {"solid": "-", "dash": "--", "dot": ":"}
 _RING: dict[str, Any] = {"marker": "o", "markerfacecolor": "none", "linestyle": "none"}
 
 # Without dates the same data give the same bytes.
-TIMELESS: dict[str, dict[str, None]] = {"png": {}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}
+STAMPED: dict[str, tuple[str, dict[str, None]]] = {
+    "png": ("Description", {}), "svg": ("Description", {"Date": None}), "pdf": ("Subject", {"CreationDate": None})
+}  # fmt: skip
+"""Where each form holds what made it, and what it shall not hold."""
 
 
-def drawing(chart: Picture) -> Figure:
-    """Draw a chart on a figure of its own."""
+def drawing(chart: Picture, width: float | None = None) -> Figure:
+    """Draw a chart on a figure of its own; of a `width` [in], for print."""
     draw, height, columns = _VIEWS[type(chart)]
-    figure = new_figure(height(chart))
+    share = (width or WIDTH) / WIDTH
+    figure = new_figure(height(chart) * share**0.5, width or WIDTH)
     if isinstance(chart, Chart):
         axes = figure.subplots(len(chart.panels), 1, sharex=True, squeeze=False)[:, 0]
         for place, panel in zip(axes, chart.panels, strict=True):
@@ -55,15 +67,66 @@ def drawing(chart: Picture) -> Figure:
         figure.supylabel(escaped(chart.y_label), fontsize=8.5)
     else:
         draw(figure.add_subplot(), chart)
-    legend(figure, columns)
+    if width is None:
+        legend(figure, columns)
+    else:
+        _for_print(figure, width, max(round(columns * share), 1))
     return figure
 
 
-def new_figure(height: float) -> Figure:
-    """Return an empty figure over the width of two columns."""
+def _for_print(figure: Any, width: float, columns: int) -> None:
+    """Give all text one size, the lines of each colour a dash of their own, and the legend room below."""
+    from matplotlib.text import Text
+
+    lines = [line for place in figure.axes for line in place.lines if line.get_linestyle() == "-"]
+    colours = list(dict.fromkeys(str(line.get_color()) for line in lines))
+    named = {line.get_label(): line.get_linestyle() for place in figure.axes for line in place.lines if line not in lines}
+    for line in lines:
+        own = DASHES[colours.index(str(line.get_color())) % len(DASHES)]
+        line.set_linestyle(named.get(line.get_label(), own))
+    letters = int(0.9 * width * LETTERS_PER_INCH)
+    for place in figure.axes:
+        place.set_ylabel(fill(place.get_ylabel(), 16).replace(" [", "\n[") if len(place.get_ylabel()) > 12 else place.get_ylabel())
+        place.tick_params(labelsize=POINTS)
+        for side in ("left", "center", "right"):
+            place.set_title(fill(place.get_title(side), letters), loc=side)
+    rows = legend(figure, columns)
+    for text in [text for box in figure.legends for text in box.texts]:
+        text.set_text(fill(text.get_text(), letters // columns))
+        rows += text.get_text().count("\n")
+    figure.set_figheight(figure.get_figheight() + 1.5 * POINTS / 72.0 * rows)
+    for text in figure.findobj(Text):
+        text.set_fontsize(POINTS)
+    figure.looks = {"svg.fonttype": "path"}
+
+
+def new_figure(height: float, width: float = WIDTH) -> Figure:
+    """Return an empty figure, by default over the width of two columns. A file of it says what made it."""
+    figure: Any = _figure_class()(figsize=(width, height), layout="constrained")
+    figure.made = current()
+    return cast("Figure", figure)
+
+
+@cache
+def _figure_class() -> Any:
+    from matplotlib import rc_context
     from matplotlib.figure import Figure
 
-    return Figure(figsize=(WIDTH, height), layout="constrained")
+    class Printed(Figure):
+        """A figure that is saved with the looks of print."""
+
+        made = ""
+        looks: ClassVar[Any] = {}
+
+        def savefig(self, fname: Any, **given: Any) -> None:
+            """Save it; parameters as of matplotlib."""
+            form = str(given.get("format") or Path(str(fname)).suffix[1:] or "png").lower()
+            place, without = STAMPED.get(form, ("", {}))
+            about = {place: self.made, **without, **given.pop("metadata", {})} if place else given.pop("metadata", None)
+            with rc_context(self.looks, LOOKS):
+                super().savefig(fname, metadata=about, **given)
+
+    return Printed
 
 
 def drawing_of(charts: Sequence[Picture], height: float) -> Figure:
@@ -76,14 +139,15 @@ def drawing_of(charts: Sequence[Picture], height: float) -> Figure:
     return figure
 
 
-def legend(figure: Figure, columns: int) -> None:
-    """Add a legend with one entry for each name of all panels."""
+def legend(figure: Figure, columns: int) -> int:
+    """Add a legend with one entry for each name of all panels; return its rows."""
     entries: dict[str, Any] = {}
     for place in figure.axes:
         for handle, name in zip(*place.get_legend_handles_labels(), strict=True):
             entries.setdefault(name, handle)
     if entries:
         figure.legend(list(entries.values()), list(entries), loc="outside lower left", ncols=min(len(entries), columns))
+    return -(-len(entries) // columns)
 
 
 def picture_bytes(draw: Callable[[], Figure], *forms: str) -> list[bytes]:
@@ -94,16 +158,16 @@ def picture_bytes(draw: Callable[[], Figure], *forms: str) -> list[bytes]:
         figure, files = draw(), []
         for form in forms:
             buffer = io.BytesIO()
-            figure.savefig(buffer, format=form, metadata=TIMELESS[form])
+            figure.savefig(buffer, format=form)
             files.append(buffer.getvalue())
     return files
 
 
-def draw_chart(charts: Iterable[Picture], key: str = "", place: Axes | None = None) -> Axes:
+def draw_chart(charts: Iterable[Picture], key: str = "", place: Axes | None = None, width: float | str | None = None) -> Axes:
     """Draw the first of some charts, or the one of a key, on given axes or a new figure; return the axes.
 
     Of several panels above one another, given axes get the first. A ball-bar plot needs polar axes, and tiles need axes of their own: where
-    the given ones are plain, these take their place.
+    the given ones are plain, these take their place. A width [mm], or its name, is that of a new figure for print.
 
     Raises
     ------
@@ -117,6 +181,15 @@ def draw_chart(charts: Iterable[Picture], key: str = "", place: Axes | None = No
     chart = next((chart for chart in known if key in ("", chart.key)), None)
     if chart is None:
         raise ParameterError("key", repr(key), f"one of {', '.join(chart.key for chart in known)}")
+    refuse(place is not None and width is not None, ParameterError, "width", repr(width), "left out where ax is given: its figure has one")
+    if width is not None:
+        size = WIDTHS.get(str(width), width)
+        if isinstance(size, str) or not 20.0 <= size <= 2000.0:
+            raise ParameterError("width", repr(width), f"from 20 to 2000, or one of {', '.join(WIDTHS)}", "mm")
+        import matplotlib
+
+        with matplotlib.rc_context(fname=LOOKS):
+            return drawing(chart, size / 25.4).axes[0]
     return drawing(chart).axes[0] if place is None else _VIEWS[type(chart)][0](place, chart)
 
 

@@ -13,7 +13,7 @@ from contourlab.rendering.charts import PathChart
 from contourlab.rendering.data import ReportData
 from contourlab.rendering.html import page_template, template_file
 from contourlab.rendering.lead import sentence
-from contourlab.rendering.matplotlib_view import draw_chart, draw_path, escaped, picture_bytes
+from contourlab.rendering.matplotlib_view import draw_chart, draw_path, escaped, new_figure, picture_bytes
 from contourlab.rendering.path_picture import path_charts
 from contourlab.rendering.plots import POINTS
 from contourlab.rendering.run_pictures import error_charts
@@ -38,9 +38,7 @@ def write_page(data: ReportData, file: str | Path) -> Path:
 
 def _page(data: ReportData) -> Figure:
     """Draw words, path and error over time, one below the other."""
-    from matplotlib.figure import Figure
-
-    page = Figure(figsize=A4, layout="constrained")
+    page = new_figure(A4[1], A4[0])
     page.get_layout_engine().set(rect=(0.06, 0.04, 0.88, 0.92))  # type: ignore[union-attr,call-arg]
     heights = (1.0 + 0.16 * min(len(data.schemes), MOST_RUNS), 4.4, 1.7)
     text, picture, course = page.subplots(3, 1, height_ratios=heights)
@@ -123,10 +121,9 @@ def _part(address: str, data: ReportData) -> dict[str, Any]:
 
 def _picture(chart: PathChart) -> str:
     """Return a view of the path as SVG in base64, so small that a phone can show it; the badges are its legend."""
-    from matplotlib.figure import Figure
 
     def drawn() -> Figure:
-        figure = Figure(figsize=SIZE, layout="constrained")
+        figure = new_figure(SIZE[1], SIZE[0])
         draw_path(figure.add_subplot(), chart).set_title("")
         return figure
 

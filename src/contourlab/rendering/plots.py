@@ -84,11 +84,11 @@ def write_figures(drawings: Iterable[tuple[str, Callable[[], Figure]]], folder: 
     """
     if not formats:
         return ()
-    from contourlab.rendering.matplotlib_view import TIMELESS, picture_bytes
+    from contourlab.rendering.matplotlib_view import STAMPED, picture_bytes
 
     for name in formats:
-        if name not in TIMELESS:
-            raise ParameterError("formats", name, f"of {', '.join(TIMELESS)}")
+        if name not in STAMPED:
+            raise ParameterError("formats", name, f"of {', '.join(STAMPED)}")
     files = []
     for key, draw in drawings:
         for name, content in zip(formats, picture_bytes(draw, *formats), strict=True):

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextvars import ContextVar, copy_context
 from dataclasses import dataclass
 
 PIPE_WIDTH = 80
@@ -13,6 +15,28 @@ PIPE_WIDTH = 80
 _GAP = 2
 _HEAD = 24
 """Longest line of a head, such as the name of a scheme, that has spaces."""
+
+
+_noted: ContextVar[list[Table] | None] = ContextVar("noted", default=None)
+_LATEX = {letter: f"\\{letter}" for letter in "&%$#_{}"} | {
+    "\\": "\\textbackslash{}", "~": "\\textasciitilde{}", "^": "\\textasciicircum{}", "<": "$<$", ">": "$>$", "±": "$\\pm$",
+    "×": "$\\times$", "\n": " ", "°": "$^\\circ$", "µ": "$\\mu$", "·": "$\\cdot$", "−": "$-$",
+}  # fmt: skip
+_FORMS = re.compile(r"\bum\b|\^(-?\d+)|(?<![\w)])-(?=\d)|" + "|".join(map(re.escape, _LATEX)))
+
+
+def _latex(text: str) -> str:
+    """Return text for LaTeX: special letters, um, powers and signs."""
+    return _FORMS.sub(lambda m: "$\\mu$m" if m[0] == "um" else f"$^{{{m[1]}}}$" if m[1] else "$-$" if m[0] == "-" else _LATEX[m[0]], text)
+
+
+def tables_of(write: Callable[[], str]) -> list[Table]:
+    """Return the tables that are written as text in a function."""
+    tables: list[Table] = []
+    context = copy_context()
+    context.run(_noted.set, tables)
+    context.run(write)
+    return tables
 
 
 @dataclass(frozen=True)
@@ -63,10 +87,31 @@ class Table:
         A wider table is cut into panels, one below the other. Each repeats the columns that name the rows. Only a name wider than the page
         exceeds it.
         """
+        if (noted := _noted.get()) is not None:
+            noted.append(self)
         width = page_width() if width is None else width
         panels = [self._panel(which, width) for which in self._panels(width)]
         title = paragraphs([self.title], width) if self.title else ""
         return "\n".join(filter(None, [title, "\n\n".join(panels)]))
+
+    def latex(self) -> str:
+        """Return the table as LaTeX, for the package booktabs.
+
+        >>> print(Table([Column("axis", left=True), Column("rms [um]")], rows=[("x_1", "-2.5")]).latex())
+        \\begin{tabular}{lr}
+        \\toprule
+        axis & rms [$\\mu$m] \\\\
+        \\midrule
+        x\\_1 & $-$2.5 \\\\
+        \\bottomrule
+        \\end{tabular}
+        """
+        kinds = "".join("l" if column.left or column.prose else "r" for column in self.columns)
+        heads, *rows = ([*map(_latex, cells)] for cells in [[column.head for column in self.columns], *self.rows])
+        body = ["\\toprule", heads, "\\midrule", *rows, "\\bottomrule"]
+        lines = [line if isinstance(line, str) else " & ".join(line) + " \\\\" for line in body]
+        title = [f"% {' '.join(self.title.split())}"] if self.title else []
+        return "\n".join([*title, f"\\begin{{tabular}}{{{kinds}}}", *lines, "\\end{tabular}"])
 
     def _least(self, column: int) -> int:
         texts = [*_head_lines(self.columns[column].head), *(row[column] for row in self.rows)]

@@ -92,7 +92,7 @@ def _undisturbed() -> Iterator[None]:
 
 _CHUNK = 1 << 14
 FORMAT = "contourlab-result/2"
-_FIXED = ("format", "scheme", "axes", "servo_period", "start", "status_ok", "status_sample", "status_axis", "status_reason")
+_FIXED = ("format", "made_by", "scheme", "axes", "servo_period", "start", "status_ok", "status_sample", "status_axis", "status_reason")
 
 
 class ResultWriter:
@@ -248,6 +248,7 @@ def read_netcdf(file: str | Path) -> dict[str, Any]:
             "status": Status(bool(header["status_ok"]), *ending),
             "attributes": {name.removeprefix("attribute_"): value for name, value in header.items() if name not in _FIXED},
             "start": int(header["start"]),
+            "made_by": str(header.get("made_by", "")),
         }
     except (OSError, KeyError, RuntimeError, TypeError, ValueError) as error:
         raise ResultError(f"{file}: cannot be read as a result: {getattr(error, 'strerror', None) or error}") from error

@@ -16,6 +16,7 @@ from contourlab.feed import Reference
 from contourlab.notebook import Figure, Frame, Panel, curves, facts_line, facts_table, frame, svg
 from contourlab.result.netcdf import FORMAT, ResultWriter, read_netcdf
 from contourlab.result.signals import JUDGED, Signal, Status
+from contourlab.result.stamp import current, identity, stamp
 from contourlab.result.stored import Stored
 
 if TYPE_CHECKING:
@@ -43,6 +44,8 @@ class Result:
         Index of the first sample in the run: not 0 for a window.
     motion : Reference or None
         The reference that it was simulated or judged along; not saved.
+    made_by : str or tuple of Machine and Controller
+        What made it; saved as its `stamp`.
 
     Raises
     ------
@@ -58,6 +61,7 @@ class Result:
     attributes: Mapping[str, str | int | float] = field(default_factory=dict)
     start: int = 0
     motion: Reference | None = field(default=None, compare=False)
+    made_by: Any = field(default="", compare=False)
 
     def __post_init__(self) -> None:
         lengths = {len(signal.data) for signal in self.signals.values()}
@@ -65,6 +69,13 @@ class Result:
         for name, signal in self.signals.items():
             if signal.data.ndim == 2 and signal.data.shape[1] != len(self.axes):
                 raise ResultError(f"signal {name} has {signal.data.shape[1]} columns for {len(self.axes)} axes")
+
+    @property
+    def stamp(self) -> str:
+        """The line that says what made it."""
+        if isinstance(self.made_by, tuple):
+            return stamp(**{name: identity(part) for name, part in zip(("machine", "controller"), self.made_by, strict=True)})
+        return str(self.made_by) or current()
 
     @property
     def source(self) -> str:
@@ -199,6 +210,7 @@ class Result:
         """Return everything except the signals, as a flat mapping."""
         return {
             "format": FORMAT,
+            "made_by": self.stamp,
             "scheme": self.scheme,
             "axes": " ".join(self.axes),
             "servo_period": self.servo_period,

@@ -14,6 +14,7 @@ from contourlab.errors import ParameterError, refuse
 from contourlab.loop import Axis, AxisController, Controller, Machine
 from contourlab.loop.machine import AXIS_SLOTS, CONTROLLER_SLOTS, NAMED_SLOTS
 from contourlab.result.atomic import write_text_atomic
+from contourlab.result.stamp import current, identity, stamp
 from contourlab.scenario.build import SQUARENESS, parameters_of, units_of
 from contourlab.scenario.files import BUILTIN, builtin_file, builtin_names
 from contourlab.scenario.provenance import origin_table, with_origins
@@ -87,7 +88,8 @@ def save(value: Machine | Controller | Axis | Scenario, file: str | File, machin
     except TypeError as error:
         wanted = "a Machine, an Axis, a Scenario, or a Controller with its machine: save(controller, file, machine)"
         raise ParameterError("value", f"a {type(value).__name__}", wanted) from error
-    write_text_atomic(file, text)
+    parts = {type(value).__name__.lower(): identity(value)} if isinstance(value, Machine | Controller) else {}
+    write_text_atomic(file, f"# {current(stamp(**parts))}\n\n{text}")
 
 
 # --- tables --------------------------------------------------------------------------------------------------------------------------

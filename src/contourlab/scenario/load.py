@@ -16,6 +16,7 @@ from contourlab.file_kinds import kind_of
 from contourlab.geometry import contour_names, contour_parameters
 from contourlab.loop import Axis, Change, Controller, Machine
 from contourlab.program import Reading, read_program
+from contourlab.result.stamp import tell
 from contourlab.scenario.build import build_axis, build_controller, build_machine, in_place, read_component, units_of
 from contourlab.scenario.files import BUILTIN, EVERY, Reader, builtin_file, builtin_names, join, listed, shipped_hint, spread
 from contourlab.scenario.placing import anchored, fitted
@@ -512,7 +513,7 @@ def named_file(reference: str | Path, part: str = "machine") -> str:
 
 def machine_of(given: str | Path | Machine, plugins: Sequence[str | Path] = ()) -> Machine:
     """Return a machine that is given as its file, the name of a shipped one, or itself; raises as `load_machine`."""
-    return given if isinstance(given, Machine) else load_machine(named_file(given), plugins)
+    return tell(given if isinstance(given, Machine) else load_machine(named_file(given), plugins))
 
 
 def parse_scenario(text: str, name: str = "<text>", plugins: Sequence[str | Path] = ()) -> Scenario:

@@ -37,7 +37,7 @@ class Cascade(ControlLaw):
     over_load: ClassVar[bool] = False
     # Not its feedforward, the inverse of the model: calibrated, it would offset the friction of one part and harm others.
     calibrated: ClassVar[tuple[str, ...]] = ("velocity_gain", "integral_time", "position_gain")
-    reference = "Pritschow, CIRP Annals 47(2), 1998"
+    reference = "Pritschow 1998; Gross, Hamann & Wiegartner 2001"
     example = {
         "position_gain": 40.0,
         "velocity_gain": 120.0,

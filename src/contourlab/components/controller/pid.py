@@ -107,7 +107,7 @@ class SpeedPID(ControlLaw):
 
     kind = "speed-pid"
     calibrated = ("time_constant",)
-    reference = "Gecer Ulu et al., eqs 6-8"
+    reference = "Gecer Ulu, Ulu & Cakmakci 2016, eqs 6-8"
     example = {"dc_gain": 0.8, "damping_ratio": 1.1, "natural_frequency": 150.0, "time_constant": 0.01, "acceleration_bandwidth": 900.0}
     states = (Port("integral"), Port("previous_velocity"), Port("acceleration"))
     inputs = (*REFERENCE, *ports("position", "velocity", "disturbance_estimate", "feedforward"))

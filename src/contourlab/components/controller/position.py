@@ -36,7 +36,7 @@ class PositionController(ControlLaw):
     calibrated = ("velocity_gain", "position_gain", "integral_gain")
     calibrated_ahead = ("model_damping", "model_gain")
     example = {"velocity_gain": 100.0, "position_gain": 4000.0, "integral_gain": 11.8, "model_gain": 0.9, "model_damping": 30.0}
-    reference = "Ghaffari & Ulsoy, eqs 15-16 and 20-23"
+    reference = "Ghaffari & Ulsoy 2017, eqs 15-16 and 20-23"
     states = (Port("integral"), Port("start"), Port("last_command"))
     inputs = (*REFERENCE, *ports("position", "velocity", "disturbance_estimate", "feedforward", "accepted"))
     derived = ("integral_rate", "acceleration_feedforward", "velocity_feedforward")

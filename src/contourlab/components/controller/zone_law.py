@@ -44,7 +44,7 @@ class ZoneLaw(ControlLaw):
     Shahin, ElMaraghy & ElBeheiry, "On nonlinearity control of CNC feed drives".
     """
 
-    reference = "Shahin, ElMaraghy & ElBeheiry, eqs 10 and 12-16"
+    reference = "Shahin, ElMaraghy & ElBeheiry 2005, eqs 10 and 12-16"
     per_inertia: ClassVar[bool] = False
     # Without these parameters a law follows the reference, as corrected, and has no integral.
     target = "reference"
@@ -202,7 +202,7 @@ class ContactZone1(InertiaGains):
     """
 
     kind = "contact-zone-1"
-    reference = "Shahin, ElMaraghy & ElBeheiry, eq 10"
+    reference = "Shahin, ElMaraghy & ElBeheiry 2005, eq 10"
     example = {"rate_gain": 400.0, "position_gain": 2000.0, "motor_inertia": 5.2e-3, "lead": 0.016, "backlash_gap": 0.05}
 
 
@@ -210,7 +210,7 @@ class ContactZone2(TorqueGains):
     """u = J_m r_a - K_1' (w_m - r_v) - K_2' (theta_m - r -+ beta): type I with the gains K' = J_m K, which are torques."""
 
     kind = "contact-zone-2"
-    reference = "Shahin, ElMaraghy & ElBeheiry, eq 12"
+    reference = "Shahin, ElMaraghy & ElBeheiry 2005, eq 12"
     example = {**ContactZone1.example, "rate_gain": 10.0, "position_gain": 200.0}
 
     reading: str = READING
@@ -220,7 +220,7 @@ class ContactZone3(Integral):
     """u = J_m r_a - K_1' (w_m - r_v) - K_2' (theta_m - r -+ beta) - K_3 int (theta_m - r): type II with an integral."""
 
     kind = "contact-zone-3"
-    reference = "Shahin, ElMaraghy & ElBeheiry, eq 13"
+    reference = "Shahin, ElMaraghy & ElBeheiry 2005, eq 13"
     example = {**ContactZone2.example, "integral_gain": 25.0, "anti_windup": "back-calculation"}
 
 
@@ -232,7 +232,7 @@ class GapZone1(InertiaGains):
     """
 
     kind = "gap-zone-1"
-    reference = "Shahin, ElMaraghy & ElBeheiry, eq 14"
+    reference = "Shahin, ElMaraghy & ElBeheiry 2005, eq 14"
     example = {**ContactZone1.example, "target": "load"}
 
     target: str = text_param(default="reference", choices=("reference", "load"), doc="what the motor follows; the paper prints the load")
@@ -245,7 +245,7 @@ class GapZone2(ContactZone2):
     """
 
     kind = "gap-zone-2"
-    reference = "Shahin, ElMaraghy & ElBeheiry, eq 15"
+    reference = "Shahin, ElMaraghy & ElBeheiry 2005, eq 15"
 
 
 class GapZone3(ContactZone3):
@@ -255,4 +255,4 @@ class GapZone3(ContactZone3):
     """
 
     kind = "gap-zone-3"
-    reference = "Shahin, ElMaraghy & ElBeheiry, eq 16"
+    reference = "Shahin, ElMaraghy & ElBeheiry 2005, eq 16"

@@ -62,7 +62,7 @@ class CrossCoupled(Component):
     kind = "cross-coupled"
     calibrated = ("gain", "integral_rate", "derivative_time")
     example = {"gain": 3.0, "integral_rate": 20.0, "derivative_time": 5e-3, "derivative_filter": 2e-3, "limit": 2.0}
-    reference = "Gecer Ulu, Ulu & Cakmakci, eqs 13-14; Yeh & Hsu 2002"
+    reference = "Gecer Ulu, Ulu & Cakmakci 2016, eqs 13-14; Yeh & Hsu 2002; Bishop 1975"
     states = (Port("integral", -1), Port("filtered", -1), Port("tangent", -1))
     inputs = (Port("error_vector", -1), Port("tangent", -1), Port("command", -1), Port("accepted", -1))
     outputs = (Port("correction", -1),)
@@ -140,7 +140,7 @@ class CrossCoupledFilter(Component):
     family = "coupling"
     kind = "cross-coupled-filter"
     example = {"gain": 2.0, "numerator": (2e-3, 0.5, 4.0), "denominator": (1e-3, 0.3, 2.0)}
-    reference = "Gecer Ulu, Ulu & Cakmakci, eqs 13-22"
+    reference = "Gecer Ulu, Ulu & Cakmakci 2016, eqs 13-22"
     unbounded = ("numerator", "denominator")
     states = (Port("tangent", -1), *(Port(f"state_{i}", -1) for i in range(1, HIGHEST_ORDER + 1)))
     inputs = (Port("error_vector", -1), Port("tangent", -1))
@@ -260,7 +260,7 @@ class ModifiedReference(_Modified):
     """
 
     kind = "modified-reference"
-    reference = "Ghaffari & Ulsoy, section II"
+    reference = "Ghaffari & Ulsoy 2017, section II"
 
     @staticmethod
     def step(par: Any, x: Any, inp: Any, clock: Any) -> Any:

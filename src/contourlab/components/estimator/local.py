@@ -120,7 +120,7 @@ class Tangent(LocalEstimator):
     """
 
     kind = "tangent"
-    reference = "Yeh & Hsu 2002; Gecer Ulu, Ulu & Cakmakci, section 3.2"
+    reference = "Yeh & Hsu 2002; Gecer Ulu, Ulu & Cakmakci 2016, section 3.2"
 
     @staticmethod
     def nearest(par: Any, r: Any, tangent: Any, bend: Any, position: Any) -> Any:

@@ -29,7 +29,7 @@ class InverseDynamics(Component):
     family = "feedforward"
     kind = "inverse-dynamics"
     calibrated_ahead = ("velocity_gain", "acceleration_gain")
-    reference = "Newton's second law, solved for the command"
+    reference = "Newton's second law, solved for the command; Pritschow 1996"
     example = {"velocity_gain": 3.0, "acceleration_gain": 0.5, "friction": 0.2, "smoothing_velocity": 1e-3}
     unbounded = ("velocity_gain", "acceleration_gain", "friction")
     inputs = (Port("reference_velocity"), Port("reference_acceleration"))
@@ -201,7 +201,7 @@ class Sweep(Component):
     family = "feedforward"
     kind = "sweep"
     example = {"amplitude": 2.0, "first_frequency": 30.0, "last_frequency": 90.0, "duration": 0.1}
-    reference = "Pintelon & Schoukens, System Identification, 2nd ed., section 5.2 (swept sine)"
+    reference = "Pintelon & Schoukens 2012, section 5.2 (swept sine)"
     outputs = (Port("command"),)
     derived = ("rate",)
 

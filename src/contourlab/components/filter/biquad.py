@@ -77,7 +77,7 @@ class Notch(Biquad):
     """
 
     kind = "notch"
-    reference = "Schmidt & Rehm, IEEE IAS 1999"
+    reference = "Schmidt & Rehm 1999"
     example = {"frequency": 60.0, "damping_ratio": 0.5, "numerator_damping_ratio": 0.05}
 
     damping_ratio: float = param(default=0.5, minimum=0.0, maximum=10.0, exclusive=True, doc="of the poles, D: the width")
@@ -109,7 +109,7 @@ class FirstOrderLowPass(Biquad):
     """Low-pass w/(s + w)."""
 
     kind = "first-order-low-pass"
-    reference = "Ellis, Control System Design Guide, chapter 9"
+    reference = "Ellis 2012, chapter 9"
     example = {"frequency": 60.0}
 
     def polynomials(self, par: Any) -> tuple[tuple[Any, ...], tuple[Any, ...]]:

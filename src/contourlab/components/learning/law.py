@@ -351,7 +351,7 @@ class ZeroPhase(LearningLaw):
 
     kind = "zero-phase"
     example = {"gain": 0.2, "half_width": 11, "passes": 1, "lead": 2e-3}
-    reference = "Gecer Ulu et al., eq 9"
+    reference = "Gecer Ulu, Ulu & Cakmakci 2016, eq 9"
 
     gain: float = param(default=0.2, minimum=0.0, maximum=2.0, exclusive=True, doc="gamma", source="Gecer Ulu et al., section 3.1")
     half_width: float = param(
@@ -394,7 +394,7 @@ class BasisFunctions(LearningLaw):
     kind = "basis-functions"
     example = {"gain": 0.8, "smoothing_velocity": 5e-3}
     without_effect = ("target",)  # the model contains the target
-    reference = "van de Wijdeven & Bosgra 2010"
+    reference = "van de Wijdeven & Bosgra 2010; Bolder & Oomen 2015"
 
     gain: float = param(default=1.0, minimum=0.0, maximum=1.0, exclusive=True, doc="share of the change in each trial, alpha")
     smoothing_velocity: float = param(

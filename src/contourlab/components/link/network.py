@@ -36,7 +36,7 @@ class Network(Component):
 
     family = "link"
     kind = "network"
-    reference = "sampled, delayed, lost and held messages: Nilsson 1998; Ghaffari & Ulsoy, Fig 1"
+    reference = "sampled, delayed, lost and held messages: Nilsson 1998; Schenato 2009; Ghaffari & Ulsoy 2017, Fig 1"
     example = {
         "message_period": 0.003,
         "delay": 0.0021,

@@ -28,7 +28,7 @@ class DisturbanceObserver(Component):
     kind = "disturbance-observer"
     calibrated = ("model_damping", "model_gain")
     example = {"model_gain": 0.6, "model_damping": 20.0}
-    reference = "Ghaffari & Ulsoy, eqs 6-13"
+    reference = "Ghaffari & Ulsoy 2017, eqs 6-13"
     states = (Port("filtered_velocity"), Port("estimate"))
     inputs = (Port("velocity"), Port("applied"))
     derived = ("velocity_weight", "estimate_weight", "inverse_gain")

@@ -75,7 +75,7 @@ class LinearMotor(LaggedMass):
     """
 
     kind = "linear-motor"
-    reference = "Gecer Ulu, Ulu & Cakmakci, eqs 1-3"
+    reference = "Gecer Ulu, Ulu & Cakmakci 2016, eqs 1-3"
     example = {
         "resistance": 2.5,
         "inductance": 4e-3,
@@ -120,7 +120,7 @@ class SecondOrderIntegrator(LaggedMass):
     """
 
     kind = "second-order-integrator"
-    reference = "Gecer Ulu, Ulu & Cakmakci, eq 4"
+    reference = "Gecer Ulu, Ulu & Cakmakci 2016, eq 4"
     example = {"dc_gain": 0.05, "damping_ratio": 1.1, "natural_frequency": 150.0, "mass": 2.0, "carried_mass": 0.7}
     command_unit = "V"
     force_unit = "V"

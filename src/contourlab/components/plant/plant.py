@@ -175,7 +175,7 @@ class RigidAxis(SingleMass):
 
     kind = "rigid-axis"
     example = {"gain": 1.695, "damping": 10.1}
-    reference = "Ghaffari & Ulsoy, eqs 1-2"
+    reference = "Ghaffari & Ulsoy 2017, eqs 1-2"
     command_unit = "full_scale"
     force_unit = "full_scale"
 
@@ -242,7 +242,7 @@ class BallScrew(SingleMass):
 
     kind = "ball-screw"
     example = {"mass": 20.0, "inertia": 2e-4, "lead": 0.01, "torque_constant": 0.5, "damping": 100.0}
-    reference = "Altintas, Manufacturing Automation, feed drives"
+    reference = "Altintas 2012, feed drives"
     command_unit = "A"
     derived = ("mobility_value", "decay_value", "force_constant_value")
 

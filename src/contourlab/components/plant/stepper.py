@@ -91,7 +91,7 @@ class Stepper(Follower):
     """
 
     kind = "stepper"
-    reference = "Acarnley, Stepping Motors, 4th ed., chapters 3 to 5"
+    reference = "Acarnley 2002, chapters 3 to 5"
     example = {
         "mass": 15.0,
         "carried_mass": 5.0,
@@ -169,7 +169,7 @@ class StepDrive(Follower):
 
     kind = "step-drive"
     rest_depends = ("pulse",)
-    reference = "closed loop of second order: Ellis, Control System Design Guide"
+    reference = "closed loop of second order: Ellis 2012"
     example = {"natural_frequency": 30.0, "damping_ratio": 0.8, "velocity_feedforward": 0.4, "load_stiffness": 2e5, "pulse": 1e-4}
 
     natural_frequency: float = param(unit="Hz", minimum=0.0, exclusive=True, doc="of the closed loop, w/2 pi")

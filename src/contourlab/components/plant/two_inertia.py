@@ -39,7 +39,7 @@ class TwoInertia(TwoSided):
     """
 
     kind = "two-inertia"
-    reference = "Shahin, ElMaraghy & ElBeheiry, eqs 1-4; Nordin, Galic & Gutman 1997"
+    reference = "Shahin, ElMaraghy & ElBeheiry 2005, eqs 1-4; Nordin, Galic & Gutman 1997"
     command_unit = "N*m"
     rest_depends = ("backlash_gap", "backlash_angle", "start_in_gap", "lead", "profile_start", "profile_step")
     derived = (*TWO_SIDED, "profile_rate")

@@ -150,7 +150,7 @@ class TwoMass(Elastic):
 
     kind = "two-mass"
     example = {"mass": 20.0, "damping": 100.0, "force_constant": 60.0, "resonance": 60.0, "load_share": 0.6, "carried_mass": 2.0}
-    reference = "Altintas et al., CIRP Annals 60 (2011)"
+    reference = "Altintas et al. 2011"
     command_unit = "A"
 
     mass: float = param(unit="kg", minimum=0.0, exclusive=True, doc="moving mass, both sides; rotating parts as J (2 pi / lead)^2")
@@ -173,7 +173,7 @@ class ElasticBallScrew(Elastic):
 
     kind = "elastic-ball-screw"
     example = {**BallScrew.example, "resonance": 60.0, "carried_mass": 2.0}
-    reference = "Altintas et al., CIRP Annals 60 (2011)"
+    reference = "Altintas et al. 2011"
     command_unit = "A"
 
     mass = BallScrew.parameters["mass"]

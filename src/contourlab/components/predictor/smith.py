@@ -39,7 +39,7 @@ class SmithPredictor(Transport):
 
     family = "predictor"
     kind = "smith"
-    reference = "Smith 1957; model of Gecer Ulu et al., eq 4"
+    reference = "Smith 1957; Astrom, Hang & Lim 1994; model of Gecer Ulu, Ulu & Cakmakci 2016, eq 4"
     example = {"dc_gain": 0.9, "damping_ratio": 1.1, "natural_frequency": 150.0, "delay": 0.0123}
     states = (Port("velocity"), Port("acceleration"))
     derived = (*Transport.derived, "v0", "x0", "vu", "f0", "xb", "fu", "gain_step", "of_velocity", "of_acceleration")

@@ -56,7 +56,7 @@ class EstimatorBased(Supervisor):
     """
 
     kind = "estimator-based"
-    reference = "Shahin, ElMaraghy & ElBeheiry, supervisory control"
+    reference = "Shahin, ElMaraghy & ElBeheiry 2005, supervisory control"
     reasons: ClassVar[tuple[str, ...]] = ("the observer sees the gap", "the observer sees contact", "the observer is not certain enough")
     example = {"confidence": 0.3, "dwell_time": 3e-3}
     inputs = (Port("gap_state"), Port("confidence"))
@@ -94,7 +94,7 @@ class Performance(Supervisor):
     """
 
     kind = "performance"
-    reference = "Shahin, ElMaraghy & ElBeheiry, supervisory control"
+    reference = "Shahin, ElMaraghy & ElBeheiry 2005, supervisory control; Hespanha & Morse 1999"
     reasons: ClassVar[tuple[str, ...]] = ("the measure rose past a threshold", "the measure fell below a threshold")
     example = {
         "measure": "tracking-error",
@@ -156,7 +156,7 @@ class PreRouted(Supervisor):
     """
 
     kind = "pre-routed"
-    reference = "Shahin, ElMaraghy & ElBeheiry, supervisory control"
+    reference = "Shahin, ElMaraghy & ElBeheiry 2005, supervisory control"
     reasons: ClassVar[tuple[str, ...]] = ("the program reached a switching place",)
     example = {"by": "arc-length", "places": (0.0, 0.3, 0.9), "lines": (0.0, 1.0, 2.0), "numbers": (1.0, 0.0, 2.0), "dwell_time": 3e-3}
     without_effect = (*Supervisor.without_effect, "lines")  # the example uses arc length

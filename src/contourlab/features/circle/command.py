@@ -12,7 +12,6 @@ from pathlib import Path
 
 import numpy as np
 
-from contourlab import __version__
 from contourlab.analysis.identification.least_squares import correlation_of, fit_records
 from contourlab.app.command_line import as_typed
 from contourlab.app.json_values import HIDDEN, write_json
@@ -376,7 +375,7 @@ def _write_page(test: CircleTest, fit: CircleFit, file: str | Path) -> None:
         for cause in test.causes
     ]
     picture = _picture(test, fit)
-    values = {"title": f"Circle {test.name}", "version": __version__, "test": test, "rows": rows, "picture": picture}
+    values = {"title": f"Circle {test.name}", "test": test, "rows": rows, "picture": picture}
     write_text_atomic(Path(file), page_text("circle.html.j2", {"causes": [picture]}, **values))
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import io
 import math
 import os
@@ -44,6 +43,7 @@ from contourlab.loop.feeding import EXTERNALS
 from contourlab.loop.template import build
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result.atomic import write_bytes_atomic
+from contourlab.result.stamp import identity, stamp
 
 Motion = Callable[[str], Array]
 
@@ -89,7 +89,7 @@ class Exported(Answer):
     to : str
         The language.
     hash : str
-        SHA-256 of machine and controller as TOML; it is in every file.
+        Digests of machine and controller, as they are in every file.
     files : tuple of Path
     axes : dict of str to ExportedAxis
     findings : tuple of Finding
@@ -329,7 +329,6 @@ def axis_control(machine: Machine, controller: Controller, axis: str) -> AxisCon
     EngineError
         If a step cannot be translated.
     """
-    from contourlab.scenario.dump import dump
 
     _check(controller, axis)
     alone = replace(machine, axes=(replace(machine.axis(axis), mounted_on="", alignment=0.0),), squareness={}, correlations=())
@@ -346,7 +345,7 @@ def axis_control(machine: Machine, controller: Controller, axis: str) -> AxisCon
     slope = np.subtract(at_1, rest, out=np.zeros(rest.size), where=at_1 != rest)  # parameters may be infinite
     if not np.array_equal(further_on, rest - 2.5 * slope):
         raise ParameterError(f"controller.axes.{axis}", "a state", "linear in the position where the axis rests")
-    digest = hashlib.sha256((dump(machine) + dump(controller, machine)).encode()).hexdigest()
+    digest = f"machine={identity(machine)} controller={identity(controller)}"
     drive, unit = machine.axis(axis).drive, machine.axis(axis).plant.command_unit
     used = {slot: part for slot, part in steered.axes[axis].parts.items() if slot != "velocity" or part.kind != "true"}
     parts = {slot.replace("filters.", "filter_").replace("others.", "other_"): part for slot, part in used.items()} | {"drive": drive}
@@ -445,16 +444,14 @@ def _described(parts: Mapping[str, Component], axis: str, machine: Machine) -> t
 
 
 def _notes(machine: Machine, axis: str, parts: tuple[str, ...], digest: str, limit: float, unit: str) -> tuple[str, ...]:
-    from importlib.metadata import version
-
     own = machine.axis(axis)
     bounds = {name: (getattr(own.limits, name), what) for name, what in (("velocity", "m/s"), ("acceleration", "m/s^2"), ("jerk", "m/s^3"))}
     bounds["command"] = limit, unit
     known = [f"{name} {value:g} {what}" for name, (value, what) in bounds.items() if math.isfinite(value)]
     counted = ", ".join(part.kind for part in (own.sensor, own.motor_sensor) if not isinstance(part, IdealSensor))
     return (
-        f"Controller of axis {axis} of {_line(machine.name)}, written by contourlab {version('contourlab')}.",
-        f"SHA-256 of machine and controller: {digest}",
+        f"Controller of axis {axis} of {_line(machine.name)}.",
+        stamp(**dict(word.split("=") for word in digest.split())),
         f"Call it once every {machine.servo_period * 1e6:g} us: the period is fixed.",
         "Parts, in the order of a call: " + ", ".join(map(_line, parts)),
         "Limits: " + (", ".join(known) or "none"),

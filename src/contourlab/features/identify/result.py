@@ -21,6 +21,7 @@ from contourlab.findings import Finding
 from contourlab.logs.reading import join_names
 from contourlab.rendering.charts import Chart
 from contourlab.rendering.table import Column, Table, paragraphs
+from contourlab.result.stamp import current
 from contourlab.scenario.provenance import origin_table
 from contourlab.scenario.toml_text import Noted, toml
 from contourlab.units import from_si
@@ -194,7 +195,7 @@ class Identification(Answer):
             for key, (value, unit, origin) in rows.items():
                 table[key] = value if origin is None else _number(key, value, unit, origin)
         fit = "" if self.fit_percent is None else f": fit {self.fit_percent:.4g} %"
-        head = [f"# Axis {self.axis}, model {self.model}, identified from {join_names(self.logs)}{fit}."]
+        head = [f"# Axis {self.axis}, model {self.model}, identified from {join_names(self.logs)}{fit}.", f"# {current()}"]
         if not tables.keys() & {"plant", "machine", "controller"}:
             head.append("# Part of an axis file: add the tables that these logs do not give.")
         head += [f"# {finding}" for finding in self.findings if not "CL419" <= finding.code <= "CL449"]  # not those on reading

@@ -17,6 +17,7 @@ from contourlab.errors import ResultError, refuse
 from contourlab.feed import Reference
 from contourlab.loop import Controller, Learned, Machine
 from contourlab.result.atomic import replacing
+from contourlab.result.stamp import current
 from contourlab.scenario.dump import component_table, dump
 from contourlab.scenario.provenance import unstated
 from contourlab.scenario.toml_text import toml
@@ -133,6 +134,7 @@ class LearnedTable:
         text = h5py.string_dtype("utf-8")
         with replacing(file) as temporary, h5netcdf.File(temporary, "w") as data:
             n_trial = len(next(iter(self.figures.values()))) if self.figures else 0
+            data.attrs["made_by"] = current()
             data.dimensions = {"sample": len(self.values), "axis": len(self.axes), **({"trial": n_trial} if n_trial else {})}
             data.create_variable("axis", ("axis",), dtype=text)[:] = np.array(self.axes, dtype=object)
             # Texts are variables, because an attribute holds at most 64 kB.

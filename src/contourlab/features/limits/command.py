@@ -41,6 +41,7 @@ from contourlab.rendering.charts import Bars, Series
 from contourlab.rendering.style import scheme_style
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_bytes_atomic
+from contourlab.result.stamp import tell
 from contourlab.scenario.load import machine_of
 from contourlab.scenario.values import program_route
 
@@ -113,7 +114,7 @@ def _planned(file: Path, options: Limits, tolerance: float, reading: Reading) ->
     limits = AxisLimits(*(asked[kind] for kind in KINDS), planner=machine.own_planner)
     given = tuple(kind for kind in KINDS if getattr(options, kind) is not None)
     within = limits if not named else machine.planner_limits()
-    program = read_program(file, reading=reading)
+    program = tell(read_program(file, reading=reading))
     route, remarks = program_route(program, machine.axis_names, planner=machine.own_planner), Remarks(machine, reading, named=named)
     remarks.add(program, route)
     reference = plan(blended(route, within), within, machine.servo_period)

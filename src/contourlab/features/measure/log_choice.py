@@ -14,6 +14,7 @@ from contourlab.errors import LogError
 from contourlab.logs import Column, Columns, Log, Record, parse_columns, read_columns, read_record, result_of
 from contourlab.logs.mapping import once
 from contourlab.logs.window import Window, parse_window
+from contourlab.result.stamp import tell
 
 if TYPE_CHECKING:
     from contourlab.feed.route import Route
@@ -124,5 +125,5 @@ def program_of(file: str | Path, axes: Sequence[str], reading: Reading | None = 
     from contourlab.program import Reading, read_program
     from contourlab.scenario.values import program_route
 
-    program = read_program(Path(file), reading=reading or Reading(require_end=False))
+    program = tell(read_program(Path(file), reading=reading or Reading(require_end=False)))
     return program, program_route(program, tuple(axes))

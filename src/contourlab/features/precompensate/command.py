@@ -46,6 +46,7 @@ from contourlab.program import Reading
 from contourlab.rendering.charts import Chart, traces_chart
 from contourlab.rendering.table import Column, Table, paragraphs
 from contourlab.result import write_text_atomic
+from contourlab.result.stamp import tell
 from contourlab.scenario.load import machine_of
 from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 
@@ -79,6 +80,7 @@ class Work:
         self.band = positive("--band", settings.band, "", 'a share, such as "2 %"')
         period = max(NODE_TIME, period)
         source = read_blocks(part, self.reading, axes)
+        tell(source.program)
         if any(MARK in line for line in source.program.lines[:3]):
             raise ProgramError("is a corrected program: give the one before any correction, and the folder with --passes", file=part)
         self.contour = contour_of(source, axes, period)
@@ -286,7 +288,7 @@ class Work:
         fastest = np.inf if slowed else (1.0 + self.band) * learned.speed
         number = len(self.passes.written) + 1
         written = write_corrected(self.contour, tried, self.tolerance, fastest, self._blend(number), self.dwells, self.stops)
-        written = replace(written, text=marked(written.text, number, self.part.name))
+        written = replace(written, text=marked(written.text, number, self.part.name, self.contour.source.program.lines))
         self.passes = replace(self.passes, learned=replace(learned, tried=tried), written=(*self.passes.written, written))
         return [finding("CL910", cap=self.cap, share=float(capped.mean()))] if capped.any() else []
 

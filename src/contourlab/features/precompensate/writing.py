@@ -26,6 +26,7 @@ from contourlab.program.moves import PLANE_AXES
 from contourlab.program.reader import read_text, split_lines
 from contourlab.program.state import Frame
 from contourlab.program.vocabulary import CYCLES, G_GROUPS
+from contourlab.result.stamp import identity, stamp
 from contourlab.scenario.values import program_route
 
 COMMENT = re.compile(r"\([^()]*\)|;.*")
@@ -694,9 +695,9 @@ def with_dwells(contour: Contour, dwells: Mapping[int, float], replaced: Mapping
     return "".join(f"{text}\n" for number, line in enumerate(typed, 1) for text in by_line.get(number, [line]))
 
 
-def marked(text: str, number: int, name: str) -> str:
-    """Return a program with a comment that says what it is, after an opening % and O-number."""
+def marked(text: str, number: int, name: str, source: tuple[str, ...] = ()) -> str:
+    """Return a program with comments that say what it is and what made it, after an opening % and O-number; `source` is the one before."""
     plain = "".join(letter if letter.isalnum() or letter in "._-" else "_" for letter in name)
     opening = re.match(r"(%.*\n)?([O:][0-9]+[ \t]*(\([^()\n]*\))?[ \t]*\n)?", text, re.IGNORECASE)
     at = opening.end() if opening else 0
-    return f"{text[:at]}{MARK}{number} of {plain})\n{text[at:]}"
+    return f"{text[:at]}{MARK}{number} of {plain})\n({stamp(program=identity(source))})\n{text[at:]}"

@@ -29,6 +29,7 @@ from contourlab.logs.window import parse_window
 from contourlab.loop import Axis, Machine
 from contourlab.rendering.charts import Chart, traces_chart
 from contourlab.rendering.table import Column, Table, paragraphs
+from contourlab.result.stamp import current
 from contourlab.scenario import Scenario, load_scenario
 from contourlab.scenario.dump import controller_table, machine_tables
 from contourlab.scenario.toml_text import Noted, toml
@@ -275,7 +276,7 @@ def controller_text(refined: Refined, run: int, sources: Sequence[str]) -> str:
 
 
 def _head(refined: Refined, sources: Sequence[str]) -> str:
-    lines = [f"Refined against {', '.join(dict.fromkeys(sources))}, simulated along the references of the logs."]
+    lines = [f"Refined against {', '.join(dict.fromkeys(sources))}, simulated along the references of the logs.", current()]
     lines += [f"{one.place}: {100.0 * one.explained:.5g} % of the variance explained, fit {one.fit:.4g} %" for one in refined.after]
     lines += [str(finding) for finding in refined.findings]
     return "".join(f"# {line}\n" for line in lines) + "\n"

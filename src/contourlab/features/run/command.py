@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from contourlab import __version__
+from contourlab.app.cite import stamp_of
 from contourlab.app.command_line import as_typed, chosen_options, without_options
 from contourlab.app.json_values import json_values, write_json
 from contourlab.app.results import proposed, staged
@@ -76,6 +77,11 @@ class JudgedRuns(Answer):
     def rows(self) -> list[dict[str, Any]]:
         """The figures of each run, one run a row."""
         return [{self.ROW: name, **figures} for name, figures in self.summary["schemes"].items()]
+
+    def _latex_tables(self) -> Sequence[Any]:
+        from contourlab.rendering.comparison import comparison_table, with_intervals
+
+        return [comparison_table(with_intervals(self.data), self.data.title)]
 
     def _charts(self) -> Iterator[Any]:
         from contourlab.rendering.plots import charts_of
@@ -243,7 +249,8 @@ class Runs(JudgedRuns):
             for outcome in self.outcomes:
                 name = names[outcome.name]
                 judged = judged_part(outcome.result, outcome.reference).text  # for a comparison of finished runs
-                result = replace(outcome.result, attributes={**outcome.result.attributes, "judged": judged})
+                attributes = {**outcome.result.attributes, "judged": judged}
+                result = replace(outcome.result, attributes=attributes, made_by=stamp_of(outcome.case))
                 if wanted := signals or outcome.case.run.signals:
                     result = result.only(wanted)
                 result.save(stage / "signals" / f"{name}.nc")

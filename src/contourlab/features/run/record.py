@@ -18,6 +18,7 @@ from contourlab.loop.switches import RECORDED, Switches, SwitchLog
 from contourlab.metrics.judge import judge
 from contourlab.result import Result
 from contourlab.result.atomic import replacing
+from contourlab.result.stamp import current
 from contourlab.result.stored import Stored
 
 SWITCH_COLUMNS = ("time_s", "sample", "axis", "from", "to", "reason", "arc_length_m", "line")
@@ -105,10 +106,12 @@ def simulate_stored(
         stored.append(part.signals)
         if progress is not None:
             progress(stored.stop)
+    made_by = machine, controller
     if PLANNED_TIME not in stored:
-        return replace(part, signals=stored)
+        return replace(part, signals=stored, made_by=made_by)
     motion = followed(reference, {name: stored[name].data for name in DECIDED})
-    return replace(part, signals=stored, motion=motion, attributes={**part.attributes, "reference_digest": motion.digest})
+    attributes = {**part.attributes, "reference_digest": motion.digest}
+    return replace(part, signals=stored, motion=motion, attributes=attributes, made_by=made_by)
 
 
 def write_switches(file: str | Path, switches: Switches) -> None:
@@ -120,6 +123,7 @@ def write_switches(file: str | Path, switches: Switches) -> None:
         If it cannot be written.
     """
     with replacing(file) as temporary, temporary.open("w", encoding="utf-8", errors="replace", newline="") as stream:
+        stream.write(f"# {current()}\n")
         rows = csv.writer(stream, lineterminator="\n")
         rows.writerow(SWITCH_COLUMNS)
         for each in switches.rows():

@@ -15,6 +15,7 @@ from contourlab.features.run.changes import changed, changed_keys, check_changed
 from contourlab.feed import Reference
 from contourlab.file_kinds import mistaken
 from contourlab.loop import Controller, Machine
+from contourlab.result.stamp import tell
 from contourlab.scenario import (
     BUILTIN,
     Case,
@@ -81,7 +82,7 @@ def scenario_asked(inputs: Sequence[Source], settings: Any) -> Scenario:
         case _:
             kinds = ", ".join(type(each).__name__ for each in inputs)
             raise ParameterError("inputs", kinds or "none", "a scenario or part program; or a machine, its controller and a reference")
-    return changed(scenario, getattr(settings, "set", ())).judging(getattr(settings, "judge", None))
+    return tell(changed(scenario, getattr(settings, "set", ())).judging(getattr(settings, "judge", None)))
 
 
 def case_asked(inputs: Sequence[Source], settings: Any) -> tuple[Scenario, Case]:

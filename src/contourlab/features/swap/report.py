@@ -16,6 +16,7 @@ from contourlab.app.json_values import write_json
 from contourlab.app.results import proposed, staged
 from contourlab.app.session import Answer, Asked
 from contourlab.arrays import Array, Flags
+from contourlab.errors import ParameterError, refuse
 from contourlab.features.link.result import largest_held
 from contourlab.features.run.command import file_names
 from contourlab.features.swap.beyond import Coverage, NetworkCost
@@ -126,8 +127,9 @@ class SwapResult(Answer):
         """The variants, one a row [SI]."""
         return [{"variant": name, "best": one.best, **one.parameters} for name, one in self.variants.items()]
 
-    def plot(self, ax: Axes | None = None, *, key: str = "") -> Axes:
-        """Draw the losses of each variant; on given axes those of one controller for all."""
+    def plot(self, ax: Axes | None = None, *, key: str = "", width: float | str | None = None) -> Axes:
+        """Draw the losses of each variant; on given axes those of one controller for all. It has the width of its names."""
+        refuse(width is not None, ParameterError, "width", repr(width), "left out: names and cells set it")
         losses, full = matrices(self.study), self.study.settings.full
         if ax is None:
             return drawing(losses, full).axes[0]  # type: ignore[no-any-return]
@@ -394,13 +396,13 @@ def _loss_matrix(study: SwapStudy, title: str, rows: tuple[str, ...], values: Ar
 
 def drawing(matrices: Sequence[LossMatrix], limit: float) -> Any:
     """Draw matrices into one figure, one below the other; cells up to the limit of full modularity are green."""
-    from matplotlib.figure import Figure
+    from contourlab.rendering.matplotlib_view import WIDTH, new_figure
 
     # In inches: row height from the lines of its name, column width from the text of a cell.
     heights = [0.75 + max(0.27, 0.14 * max(name.count("\n") + 1 for name in matrix.rows)) * len(matrix.rows) for matrix in matrices]
     names = 0.065 * max(len(line) for matrix in matrices for name in matrix.rows for line in name.split("\n"))
     cells = max(3.8, 1.6 * max(len(matrix.columns) for matrix in matrices))
-    page = Figure(figsize=(max(7.2, names + cells + 0.9), 0.9 + sum(heights)), layout="constrained")
+    page = new_figure(0.9 + sum(heights), max(WIDTH, names + cells + 0.9))
     page.suptitle("Loss at a swap", fontsize=9.5, fontweight="bold")
     if any(matrix.uncertain.any() for matrix in matrices):
         page.supxlabel("hatched: inconclusive; J* may be lower, and then the loss is larger", fontsize=7.5, color=MUTED)

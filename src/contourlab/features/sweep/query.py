@@ -28,6 +28,7 @@ from contourlab.findings import Finding, finding
 from contourlab.metrics.run_figures import FORMS
 from contourlab.rendering.table import Column, Table
 from contourlab.result.atomic import replacing
+from contourlab.result.stamp import stamp
 from contourlab.study.statistics import share_of, wilson
 
 QUANTILES = {"minimum": 0.0, "p5": 0.05, "median": 0.5, "p95": 0.95, "p99": 0.99, "maximum": 1.0}
@@ -219,12 +220,14 @@ def export(store: Store, file: Path) -> Export:
     if is_csv:
         schema = arrow.schema([field.with_name(head) for field, head in zip(schema, heads_of(schema), strict=True)])
 
-    def opened(path: Path) -> Any:
-        return csv.CSVWriter(str(path), schema) if is_csv else parquet.ParquetWriter(path, schema, compression="zstd")
-
-    with replacing(file) as temporary, opened(temporary) as writer:
-        for number in sorted(store.parts):
-            writer.write_table(parquet.read_table(store.parts[number], schema=store.schema).rename_columns(schema.names))
+    made = stamp(**{key: store.manifest.identity[key][:16] for key in ("scenario", "study")})
+    schema = schema.with_metadata({"made_by": made})
+    with replacing(file) as temporary, temporary.open("wb") as stream:
+        if is_csv:
+            stream.write(f"# {made}\n".encode())
+        with csv.CSVWriter(stream, schema) if is_csv else parquet.ParquetWriter(stream, schema, compression="zstd") as writer:
+            for number in sorted(store.parts):
+                writer.write_table(parquet.read_table(store.parts[number], schema=store.schema).rename_columns(schema.names))
     return Export(file, store.done, store.manifest.variants)
 
 

@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from contourlab import __version__
 from contourlab.app.command_line import as_typed
 from contourlab.app.json_values import HIDDEN
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
@@ -278,7 +277,6 @@ def write_page(answers: Answers, rows: Rows, words: dict[str, str], file: Path) 
         front=[[str(row["variant"]), *(shown(row[name], unit, 4) for name, unit in answers.objectives.items())] for row in front],
         titles=[title_of(name) for name in answers.objectives],
         next=as_typed(["contourlab", "sweep", "worst", answers.store]),
-        version=__version__,
         study=rows.store.manifest.study,
         share=share_text,
         between=range_text,

@@ -27,6 +27,7 @@ from contourlab.loop.parameters import Known, declared, matching
 from contourlab.loop.simulate import UNITS as SIGNALS
 from contourlab.loop.simulate import ToolPosition
 from contourlab.metrics.run_figures import FIGURES
+from contourlab.result.stamp import tell
 from contourlab.scenario import Case, Scenario, dump
 from contourlab.scenario.files import BUILTIN, shipped_hint
 from contourlab.scenario.load import changed_case, load_scenario
@@ -227,7 +228,7 @@ def load_study(
     name = plain.scenario if plain.scenario.startswith(BUILTIN) else str(path.parent / plain.scenario)
     if not name.startswith(BUILTIN) and not Path(name).exists():
         raise content.error(f"no file {plain.scenario!r} in {path.parent.as_posix()}{shipped_hint(plain.scenario)}", "scenario")
-    scenario = load_scenario(name, plugins, machine)
+    scenario = tell(load_scenario(name, plugins, machine))
     schemes = [case.name for case in scenario.all_cases]
     asked = [(str(item), one.table, "values") for one in variations if one.key == "scheme" for item in one.items]
     for scheme, table, key in [*([(plain.scheme, content, "scheme")] if plain.scheme else []), *asked]:

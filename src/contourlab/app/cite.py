@@ -1,0 +1,136 @@
+"""What an answer is made of: the stamp of its files, and BibTeX of the methods that it uses."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import fields, is_dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from contourlab import __version__
+from contourlab.components.contract import Component
+from contourlab.errors import ParameterError, ResultError, refuse
+from contourlab.file_kinds import kind_of
+from contourlab.loop import Controller, Machine
+from contourlab.program import Program, read_program
+from contourlab.result import Result
+from contourlab.result.stamp import identity, parse_stamp, read_stamp, stamp
+from contourlab.scenario import BUILTIN, Case, Scenario, load_scenario
+from contourlab.scenario.load import machine_of
+
+_KINDS = (Result, Scenario, Case, Machine, Controller, str, Path)
+
+
+@cache
+def references() -> Mapping[str, tuple[str, frozenset[str]]]:
+    """Return each reference by its key: its BibTeX, and what uses it without a component; see ``references.bib``."""
+    text = (Path(__file__).parent / "references.bib").read_text(encoding="utf-8").replace("@VERSION@", __version__)
+    found = {}
+    for entry in re.findall(r"^@\w+\{.*?^\}", text, re.MULTILINE | re.DOTALL):
+        printed, *uses = re.split(r",\n  methodof = \{(.*)\}\n", entry)
+        found[re.findall(r"\{([^,]+),", entry)[0]] = (printed + "\n}", frozenset(uses[0].split())) if uses else (entry, frozenset())
+    return found
+
+
+def cite(what: object) -> str:
+    """Return BibTeX of contourlab and of the methods that an answer uses, sorted by key.
+
+    Parameters
+    ----------
+    what : answer, Result, Scenario, Case, Machine, Controller, str or Path
+        A text or a path is a file that contourlab wrote.
+
+    Returns
+    -------
+    str
+        From the components of machine and controller, the planner, the estimate of the contour error, and the method of the question. A
+        component without a published source adds none.
+
+    Raises
+    ------
+    ParameterError
+        If it is something else.
+    ResultError
+        If a file or a run does not say by which methods it was made; `simulate` and `simulate_to_file` name machine and controller only.
+
+    >>> import contourlab as cl
+    >>> "@misc{contourlab," in cl.cite(cl.load_scenario("builtin:ghaffari/demo-stage"))
+    True
+    """
+    known = isinstance(what, _KINDS) or hasattr(what, "_cited")
+    refuse(not known, ParameterError, "what", type(what).__name__, "an answer, a run, a machine or a file of contourlab")
+    if isinstance(what, str | Path | Result):
+        made = parse_stamp(what.stamp, what.scheme) if isinstance(what, Result) else read_stamp(what)
+        refuse("cites" not in made, ResultError, "its stamp names no methods: cite the answer, or the machine and the controller")
+        keys = set(made["cites"].split(","))
+    else:
+        keys = _keys(*_about(what))
+    return "\n\n".join(references()[key][0] for key in sorted({"contourlab", *keys} & references().keys(), key=str.lower))
+
+
+def stamp_of(what: object) -> str:
+    """Return the stamp of the files of an answer, or of the runs of a case."""
+    objects, words = _about(what)
+    return stamp(**_all_digests(objects), cites=",".join(sorted(_keys(objects, words))))
+
+
+def digests_of(file: str | Path) -> dict[str, str]:
+    """Return the digests of ``machine``, ``controller`` and ``program`` that a scenario, a machine or a part program has now.
+
+    Raises
+    ------
+    ScenarioError, ProgramError
+        If it cannot be read as one of them.
+    """
+    kind = kind_of(file)
+    if kind == "a part program":
+        return {"program": identity(read_program(file).lines)}
+    found = load_scenario(file) if kind == "a scenario" or str(file).startswith(BUILTIN) else machine_of(file)
+    return {key: digests for key, digests in _all_digests(_about(found)[0]).items() if digests}
+
+
+def _all_digests(objects: Sequence[Any]) -> dict[str, str]:
+    found = list(zip(*map(_digests, objects), strict=True)) or [(), (), ()]
+    names = ("machine", "controller", "program")
+    return {name: ",".join(filter(None, dict.fromkeys(each))) for name, each in zip(names, found, strict=True)}
+
+
+def _about(what: Any) -> tuple[list[Any], set[str]]:
+    """Return the cases, machines, controllers and programs that something is about, and words for its question."""
+    found, words = what._cited() if hasattr(what, "_cited") else ([what], set())
+    cases = [one.cases() if isinstance(one, Scenario) else [one] for one in found]
+    return [one for each in cases for one in each if isinstance(one, Case | Machine | Controller | Program)], words
+
+
+def _digests(one: Any) -> tuple[str, str, str]:
+    """Return the digests of machine, controller and program."""
+    if isinstance(one, Case):
+        given = getattr(one, "given", None)
+        program = one.lines or one.motion if given is None else given.digest
+        return identity(one.machine), identity(one.controller, *one.changes), identity(program)
+    kinds = (Machine, Controller, Program)
+    return tuple(identity(getattr(one, "lines", one)) if isinstance(one, kind) else "" for kind in kinds)  # type: ignore[return-value]
+
+
+def _keys(objects: Iterable[Any], uses: set[str]) -> set[str]:
+    """Return the keys of what is cited."""
+    texts, uses = [], set(uses)
+    for one in objects:
+        parts = (one.machine, one.controller, one.learning, one.changes) if isinstance(one, Case) else one
+        texts += [re.sub(r"\W", "", part.reference) for part in _components(parts)]
+        if isinstance(one, Case):
+            uses.add("contour-error")
+            uses |= {"planned"} if one.feed.law == "planned" and one.machine.planner in (None, "jerk") else set()
+    return {key for key, (_, users) in references().items() if users & uses or any(key in text for text in texts)}
+
+
+def _components(value: Any) -> Iterator[Component]:
+    if isinstance(value, Component):
+        yield value
+    elif isinstance(value, Mapping | list | tuple):
+        for item in value.values() if isinstance(value, Mapping) else value:
+            yield from _components(item)
+    elif is_dataclass(value):
+        yield from _components([getattr(value, each.name) for each in fields(value) if each.compare])
