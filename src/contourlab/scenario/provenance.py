@@ -24,7 +24,7 @@ _EXAMPLE = '{value = "33 kg", source = "fitted", deviation = "1 %", from = "log.
 
 
 def bare(node: Node) -> Node:
-    """Return the value of a number with a source; any other node unchanged.
+    """Return the value of a number with a source; any other node unchanged. A value of a control's own file has its place there.
 
     Raises
     ------
@@ -38,7 +38,9 @@ def bare(node: Node) -> Node:
             raise node.error(f"unknown key of a number: {hint(name, _KEYS)}", name)
     for name in (STATED, "source"):
         refuse(name not in node.entries, node.error, f"key {name} is missing: write for example {_EXAMPLE}")
-    return node.entries[STATED]
+    value, place = node.entries[STATED], node.entries.get("from")
+    of_control = place is not None and node.entries["source"].plain() == "control" and not node.file.endswith(".toml")
+    return replace(value, file=str(place.plain()), key="") if place is not None and of_control else value
 
 
 def read_origins(declared: Mapping[str, Parameter], table: Table, values: Mapping[str, Any]) -> dict[str, Origin]:
