@@ -304,8 +304,9 @@ class Work:
             scale, dwell = self.passes.figures[number].duration / times[1], self.passes.figures[number].dwell
         after, instead = scale * times[1], scale * times[2]
         if after > (1.0 + SAID) * first.duration:
-            values: dict[str, Any] = {"before": first.duration, "after": after, "change": after / first.duration - 1.0, "instead": instead}
-            yield finding("CL919", tolerance=blend, dwell=dwell, **values)
+            yield finding("CL919", before=first.duration, after=after, change=after / first.duration - 1.0, dwell=dwell)
+            if "P" in (self.contour.source.rules.blend or "") and instead < (1.0 - SAID) * after:
+                yield finding("CL929", tolerance=blend, instead=instead)
 
     def save(self, passes: Path | None, result: Precompensated) -> None:
         """Write the program that a result names, if a pass gains, and what was learned into a folder, if there is one."""
@@ -478,7 +479,9 @@ class Precompensated(Answer):
             lines += ["", paragraphs([f"written: {self.out}, pass {self.written}: {what}"])]
         else:
             lines.insert(0, "No pass is better than the program itself: nothing is written.\n")
-        first, more = (paragraphs(str(one) for one in self.findings if (one.code == "CL919") == at_top) for at_top in (True, False))
+        first, more = (
+            paragraphs(str(one) for one in self.findings if (one.code in ("CL919", "CL929")) == at_top) for at_top in (True, False)
+        )
         return "\n".join([*([first, ""] if first else []), *lines, *(["", more] if more else [])])
 
 
