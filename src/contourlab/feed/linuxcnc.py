@@ -54,36 +54,26 @@ HALVINGS = 3
 """Of a parabola: the speed is exact at the ends of its parts."""
 
 
-def run_chains(points: Array, tolerance: Array, linked: Flags) -> Index:
-    """Return the number of the first line of each chain, whose points all lie within the tolerance of the line between its ends.
-
-    The arguments are those of `contourlab.feed.blending.run_starts`.
-    """
-    begins = np.ones(len(points) - 1, dtype=np.int64)
-    _mark_chains(*(np.ascontiguousarray(part, dtype=float) for part in (points, tolerance, linked)), begins)
-    return np.flatnonzero(begins)
-
-
-@kernel("f8[:,:] f8[:] f8[:] i8[:]")
-def _mark_chains(points, tolerance, linked, begins):
-    start = 0
-    for i in range(1, begins.size):
-        length = 0.0
-        for j in range(points.shape[1]):
-            length += (points[i + 1, j] - points[start, j]) ** 2
-        joins = linked[i - 1] != 0.0 and i - start <= CHAIN and length > 0.0
-        for k in range(start + 1, i + 1 if joins else start + 1):
+@kernel("f8[:,:] f8[:] f8[:] f8[:,:] i8[:]")
+def mark_chains(points, tolerance, linked, memory, begins):
+    """Mark the first line of each chain, whose points all lie within the tolerance of the line between its ends."""
+    way, start = memory[0], 0
+    for i in range(begins.size):
+        square = 0.0
+        for j in range(way.size):
+            way[j] = points[i + 1, j] - points[start, j]
+            square += way[j] ** 2
+        joins = i > 0 and linked[i - 1] != 0.0 and i - start <= CHAIN and square > 0.0
+        for k in range(start + 1, i + 1 if joins else start):
             along, off = 0.0, 0.0
-            for j in range(points.shape[1]):
-                along += (points[k, j] - points[start, j]) * (points[i + 1, j] - points[start, j])
-            along = min(max(along / length, 0.0), 1.0)
-            for j in range(points.shape[1]):
-                off += (points[k, j] - points[start, j] - along * (points[i + 1, j] - points[start, j])) ** 2
+            for j in range(way.size):
+                along += (points[k, j] - points[start, j]) * way[j]
+            along = min(max(along / square, 0.0), 1.0)
+            for j in range(way.size):
+                off += (points[k, j] - points[start, j] - along * way[j]) ** 2
             joins = joins and off <= tolerance[i] ** 2
-        if joins:
-            begins[i] = 0
-        else:
-            start = i
+        if not joins:
+            begins[i], start = 1, i
 
 
 def chorded(route: Route) -> Route:
