@@ -15,9 +15,10 @@ from contourlab.app.json_values import HIDDEN
 from contourlab.app.options import positive
 from contourlab.app.results import check_file, spared
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
-from contourlab.app.shared_options import Dialect
+from contourlab.app.shared_options import Dialect, Planned
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ProgramError, ResultError
+from contourlab.features.check.program_check import about_planner
 from contourlab.features.check.reading import reading_of
 from contourlab.features.measure.log_choice import content_of
 from contourlab.features.precompensate.law import CUTOFF, Learned, Run, fit_loop, forgotten, learn, proposed, spread
@@ -439,7 +440,9 @@ class Precompensated(Answer):
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
         """Check the program."""
-        return ["check", self.out, "--machine", asked.settings.machine, *asked.settings.words_of(Dialect)] if self.written else None
+        settings = asked.settings
+        how = [*settings.words_of(Planned), *settings.words_of(Dialect)]
+        return ["check", self.out, "--machine", settings.machine, *how] if self.written else None
 
     @property
     def gain(self) -> float | None:
@@ -562,7 +565,7 @@ def _simulated(part: Path, settings: Precompensate, reading: Reading, session: S
     machine, controller = scenario.machine, scenario.controller
     axes = tuple(axis for axis in machine.axis_names if axis in "xyz")
     work = Work(part, axes, settings, reading, machine.servo_period)
-    findings: list[Finding] = []
+    findings = list(about_planner(machine))
     rest: float | None = None
     stages = session.stages()
     stages.expect(settings.repeat + 1)
