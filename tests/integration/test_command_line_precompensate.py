@@ -12,6 +12,7 @@ from made_controls import FLUIDNC, GRBL, LINUXCNC
 
 import contourlab as cl
 from contourlab.cli.main import main
+from contourlab.errors import OutputError
 from contourlab.feed import AxisLimits, plan, route_from_program
 from contourlab.program import Reading, parse_program
 
@@ -255,6 +256,18 @@ def test_dwells_let_cuts_begin_on_the_path(tmp_path: Path, monkeypatch: pytest.M
         begin = there + int(np.argmax(position[there:, 1] > 0.02))
         largest[lead_in] = np.abs(np.hypot(*position[begin : begin + 30, 2:].T) - 10.0).max()
     assert largest[True] < 0.3 * largest[False]
+
+
+def test_if_what_was_learned_cannot_be_kept_nothing_is_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(file: Path, *_: object, **__: object) -> None:
+        raise OutputError(f"{file}: cannot be written: No space left on device")
+
+    monkeypatch.chdir(tmp_path)
+    Path("part.ngc").write_text(PART)
+    log_of(PART, Path("run.csv"))
+    monkeypatch.setattr("contourlab.study.checkpoint.write_bytes_atomic", full)
+    assert main(["precompensate", "part.ngc", "--log", "run.csv", "--passes", "passes", "--out", "out.ngc"]) == 2
+    assert {path.name for path in tmp_path.rglob("*") if path.is_file()} == {"part.ngc", "run.csv"}
 
 
 def test_a_longer_program_says_what_a_tolerance_would_save(

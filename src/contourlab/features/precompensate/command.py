@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
@@ -46,7 +47,7 @@ from contourlab.loop import Machine
 from contourlab.program import Reading
 from contourlab.rendering.charts import Chart, traces_chart
 from contourlab.rendering.table import Column, Table, paragraphs
-from contourlab.result import write_text_atomic
+from contourlab.result.atomic import replacing
 from contourlab.scenario.load import machine_of
 from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
 
@@ -310,11 +311,13 @@ class Work:
                 yield finding("CL929", tolerance=blend, instead=instead)
 
     def save(self, passes: Path | None, result: Precompensated) -> None:
-        """Write the program that a result names, if a pass gains, and what was learned into a folder, if there is one."""
-        if result.written:
-            write_text_atomic(result.out, self.passes.written[result.written - 1].text)
-        if passes is not None:
-            save(self.passes, passes)
+        """Write the program that a result names, if a pass gains, and what was learned into a folder, if there is one; all or nothing."""
+        with ExitStack() as files:
+            if result.written:
+                new = files.enter_context(replacing(result.out))
+                new.write_bytes(self.passes.written[result.written - 1].text.encode("utf-8", "replace"))
+            if passes is not None:
+                save(self.passes, passes)
 
     def result(
         self, out: Path, position: str, rest: float | None, findings: Sequence[Finding], proceed: bool, folder: Path | None = None
