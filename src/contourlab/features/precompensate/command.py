@@ -25,19 +25,10 @@ from contourlab.features.measure.log_choice import content_of
 from contourlab.features.precompensate.law import CUTOFF, Learned, Run, fit_loop, forgotten, learn, proposed, spread
 from contourlab.features.precompensate.options import Precompensate
 from contourlab.features.precompensate.passes import AddedDwell, Passes, PassFigures, digest_of, load, save
+from contourlab.features.precompensate.reading import Contour, contour_of, parse_blocks, read_blocks
 from contourlab.features.precompensate.runs import Measured, cycle_time, open_run, run_of, simulated
 from contourlab.features.precompensate.starts import LONGEST, UNKNOWN, Start, settling_time, starts_of, without
-from contourlab.features.precompensate.writing import (
-    MARK,
-    Contour,
-    Written,
-    contour_of,
-    marked,
-    parse_blocks,
-    read_blocks,
-    with_dwells,
-    write_corrected,
-)
+from contourlab.features.precompensate.writing import MARK, Written, marked, with_dwells, write_corrected
 from contourlab.features.run import options
 from contourlab.features.run.source import scenario_of
 from contourlab.feed.route import controlled
