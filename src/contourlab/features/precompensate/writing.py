@@ -24,6 +24,12 @@ _SMOOTH = 1e-9
 _PLAIN = re.compile(r"\s*((N\d+|G0*[0123]|[XYZIJKRF][-+]?[\d.]+)\s*)+", re.IGNORECASE)
 """A line of motion only: between two corrected moves it is one without length, to a point that moved away."""
 _GEOMETRY = "XYZIJKRL@^"
+_HIDDEN = re.compile(
+    r"\([^()]*\)|;.*|<[^<>]*>|((abs|acos|asin|a?tan|cos|exists|exp|fix|fup|ln|round|sin|sqrt)\s*)?\[[^][]*\]", re.IGNORECASE
+)
+"""Comments, names and brackets, with the function before them."""
+_WORD = re.compile(r"([a-z@^])(\s*[-+#])*(\s*[\d.~/])*", re.IGNORECASE)
+"""A word of a line in which these are masked; an assignment has no letter."""
 
 
 def without_motion(line: str) -> str:
@@ -33,51 +39,15 @@ def without_motion(line: str) -> str:
     'N10 G17 (arc) F200 M8'
     """
     blend = re.search(r"G\s*0*64(?!\d)", COMMENT.sub("", line), re.IGNORECASE)
-    dropped = _GEOMETRY + ("" if blend else "PQ")
-    kept, at = [], 0
-    while at < len(line):
-        letter = line[at]
-        if letter in "(;":
-            end = line.find(")", at) + 1 if letter == "(" else len(line)
-            kept.append(line[at : end or len(line)])
-            at = end or len(line)
-            continue
-        if not (letter.isalpha() or letter in "@^#"):
-            kept.append(letter)
-            at += 1
-            continue
-        end = _word_end(line, at)
-        word = line[at:end]
-        if letter.upper() not in dropped and not (letter in "gG" and MOTION.fullmatch(word.strip())):
-            kept.append(word)
-        elif kept and kept[-1] == " ":
-            kept.pop()
-        at = end
-    return "".join(kept).strip()
-
-
-def _word_end(line: str, at: int) -> int:
-    """Return the end of a word, an assignment included: the next letter, sign of a comment, or axis sign outside brackets."""
-    end, depth = at + 1, 0
-    assigned = line[at] == "#"
-    while end < len(line):
-        sign = line[end]
-        if sign in "[<":
-            depth += 1
-        elif sign in "]>":
-            depth -= 1
-        elif depth == 0 and (sign in "(;@^" or (sign == "#" and not assigned and line[at + 1 : end].strip(" +-#"))):
-            break
-        elif depth == 0 and sign.isalpha():
-            function = re.match(r"[A-Za-z]+\s*\[", line[end:])
-            if function is None or (line[at + 1 : end].strip(" =+-#") and not assigned):
-                break
-            end += function.end() - 1
-            continue
-        end += 1
-    while line[end - 1] == " ":
-        end -= 1
-    return end
+    dropped, masked, before = _GEOMETRY + ("" if blend else "PQ"), line, ""
+    while masked != before:  # brackets from the inside
+        before, masked = masked, _HIDDEN.sub(lambda found: ("\0" if found[0][0] in "(;" else "~") * len(found[0]), masked)
+    kept, at = "", 0
+    for word in _WORD.finditer(masked):
+        if word[1].upper() in dropped or MOTION.fullmatch(word[0]):
+            kept += line[at : word.start()].removesuffix(" ")
+            at = word.end()
+    return (kept + line[at:]).strip()
 
 
 @dataclass(frozen=True, eq=False)
