@@ -80,17 +80,13 @@ class Work:
         known = repr((tuple(axes), period, self.tolerance))
         self.passes = Passes(digest_of("\n".join(source.program.lines).encode("utf-8", "replace"), known.encode()), tuple(axes))
         self.settles: float | None = None
-        self._read: tuple[Written, Contour] | None = None
+        self.driven = self.contour
 
-    @property
-    def driven(self) -> Contour:
-        """The contour of the last written program."""
-        if not self.passes.written:
-            return self.contour
-        written = self.passes.written[-1]
-        if self._read is None or self._read[0] is not written:
-            self._read = written, self.contour_again(written)
-        return self._read[1]
+    def resume(self, folder: Path) -> None:
+        """Go on with the passes of a folder, if it has some."""
+        self.passes = load(folder, self.passes)
+        if self.passes.written:
+            self.driven = self.contour_again(self.passes.written[-1])
 
     def contour_again(self, written: Written) -> Contour:
         """Read a written program, and check that it is the corrected path and nothing else."""
@@ -281,6 +277,7 @@ class Work:
         written = write_corrected(self.contour, tried, self.tolerance, fastest, self._blend(number), self.dwells, self.stops)
         written = replace(written, text=marked(written.text, number, self.part.name))
         self.passes = replace(self.passes, learned=replace(learned, tried=tried), written=(*self.passes.written, written))
+        self.driven = self.contour_again(written)
         return [finding("CL910", cap=self.cap, share=float(capped.mean()))] if capped.any() else []
 
     def _longer(self, number: int) -> Iterator[Finding]:
@@ -523,7 +520,7 @@ def precompensate(part: str | Path, *, settings: Precompensate, session: Session
     work = Work(Path(part), axes, settings, reading, measured.period)
     digests = tuple(digest_of(content_of(log)) for log in settings.log)
     if settings.passes is not None:
-        work.passes = load(settings.passes, work.passes)
+        work.resume(settings.passes)
         if used := [log for log, digest in zip(settings.log, digests, strict=True) if digest in work.passes.logs]:
             raise ParameterError("--log", str(used[0]), "the log of the last written pass: this one was used before")
     runs = [work.run(one) for one, _, _ in opened]

@@ -255,7 +255,6 @@ def _source(lines: list[str], name: str | Path, reading: Reading, axes: Sequence
     regions = Regions(reader)
     columns = ["xyz".index(axis) for axis in axes]
     blocks: list[Block] = []
-    count: dict[int, int] = {}
     for move in reader.moves():
         state, line = reader.state, move.source_line
         first = line
@@ -268,7 +267,7 @@ def _source(lines: list[str], name: str | Path, reading: Reading, axes: Sequence
         if reader.walker.repeating and not reason:
             reason, regions.found[-1].corrected = "inside a loop or subprogram", True
         blocks.append(Block(move, (first, line), replace(state.frame), state.millimetres, state.absolute, state.feed_mode, reason))
-        count[line] = count.get(line, 0) + 1
+    count = Counter(block.lines[1] for block in blocks)
     blocks = [replace(b, reason=b.reason or "several moves in a line") if count[b.lines[1]] > 1 else b for b in blocks]
     program = Program(str(name), tuple(b.move for b in blocks), tuple(lines), tuple(reader.state.events), tuple(reader.notices))
     return Source(program, tuple(blocks), range(1, len(lines) + 1), reader.state.rules), regions

@@ -128,23 +128,21 @@ def write_corrected(
                 lines.text = [*_blending(contour.source.rules, blend * blocks[k - 1].scale), *lines.text]
                 stops = False
             replaced[k - 1] = lines
-    arcs, places, at = [0.0], [0.0], np.asarray(contour.path.position(np.zeros(1))[0])
-    breaks = contour.path.breaks
-    done = set()
-    for curve, number in enumerate(contour.route.source_line.tolist()):
+    steps, places, at = [0.0], [0.0], np.asarray(contour.path.position(np.zeros(1))[0])
+    last = 0
+    for number, length, end in zip(contour.route.source_line.tolist(), np.diff(contour.path.breaks), contour.path.breaks[1:], strict=True):
         new = replaced.get(number - 1)
         if new is None:
-            arcs.append(arcs[-1] + float(breaks[curve + 1] - breaks[curve]))
-            places.append(float(breaks[curve + 1]))
-            at = contour.path.position(breaks[curve + 1 : curve + 2])[0]
-        elif number not in done:
-            done.add(number)
-            for point, place in zip(new.points, new.places, strict=True):
-                arcs.append(arcs[-1] + float(np.linalg.norm(point - at)))
-                places.append(place)
-                at = point
+            steps.append(float(length))
+            places.append(float(end))
+            at = contour.path.position(np.array([end]))[0]
+        elif number != last:
+            steps += np.linalg.norm(np.diff([at, *new.points], axis=0), axis=1).tolist()
+            places += new.places
+            at = new.points[-1] if new.points else at
+        last = number
     n_line = sum(len(lines.points) for lines in replaced.values())
-    return Written(with_dwells(contour, dwells or {}, replaced), np.array(arcs), np.array(places), n_line)
+    return Written(with_dwells(contour, dwells or {}, replaced), np.cumsum(steps), np.array(places), n_line)
 
 
 def _replacing(
