@@ -185,8 +185,7 @@ class Reader:
         self.name, self.reading, self.problems = name, reading or Reading(), problems
         self.notices: list[Notice] = []
         self._known: set[str] = set()
-        is_mm, tools = self.reading.unit == "mm", self.reading.tools
-        dialect = self.reading.dialect
+        is_mm, tools, dialect = self.reading.unit == "mm", self.reading.tools, self.reading.dialect
         rules, self._prepare, self._check = DIALECTS[dialect], PREPARE.get(dialect), CHECKS.get(dialect)
         self.state = ModalState(tools=Tools() if tools is None else read_tools(tools, is_mm), still=still, millimetres=is_mm, rules=rules)
         self.state.back_to_clearance = not rules.own_cycles
