@@ -42,7 +42,7 @@ _OTHER_LANGUAGES = (
 )
 """Programs in languages that are not read, by what stands outside of comments."""
 _USE = {
-    "a scenario": "its name must end in .toml",
+    "a scenario": "run it: contourlab run FILE, whose name must end in .toml",
     "a machine": "name it with --machine, beside a part program",
     "a controller": "name it with --controller, beside a part program",
     "an axis": "name it under [axes] of a machine",

@@ -12,6 +12,7 @@ from made_controls import FLUIDNC, GRBL, LINUXCNC
 
 import contourlab as cl
 from contourlab.cli.main import main
+from contourlab.errors import OutputError
 from contourlab.feed import AxisLimits, plan, route_from_program
 from contourlab.program import Reading, parse_program
 
@@ -257,6 +258,31 @@ def test_dwells_let_cuts_begin_on_the_path(tmp_path: Path, monkeypatch: pytest.M
     assert largest[True] < 0.3 * largest[False]
 
 
+def test_if_what_was_learned_cannot_be_kept_nothing_is_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(file: Path, *_: object, **__: object) -> None:
+        raise OutputError(f"{file}: cannot be written: No space left on device")
+
+    monkeypatch.chdir(tmp_path)
+    Path("part.ngc").write_text(PART)
+    log_of(PART, Path("run.csv"))
+    monkeypatch.setattr("contourlab.study.checkpoint.write_bytes_atomic", full)
+    assert main(["precompensate", "part.ngc", "--log", "run.csv", "--passes", "passes", "--out", "out.ngc"]) == 2
+    assert {path.name for path in tmp_path.rglob("*") if path.is_file()} == {"part.ngc", "run.csv"}
+
+
+def test_a_longer_program_says_what_a_tolerance_would_save(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    corners = "".join(f"G1 X{10.0 * np.cos(a):.3f} Y{10.0 * np.sin(a):.3f} F1500\n" for a in np.linspace(0.0, 2.0 * np.pi, 31)[1:])
+    part = f"G21 G90 G61\nG0 X10 Y0\n{corners}M2\n"
+    Path("part.ngc").write_text(part)
+    log_of(part, Path("run.csv"))
+    result = printed(capsys, "precompensate", "part.ngc", "--log", "run.csv", "--lead-in", "--out", "out.ngc")
+    ((longer,), (instead,)) = (findings_of(result, code) for code in ("CL919", "CL929"))
+    assert longer["after"] > 1.02 * longer["before"] and instead["instead"] < 0.98 * longer["after"]
+
+
 @pytest.mark.slow
 def test_friction_lets_go_during_a_dwell(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.chdir(tmp_path)
@@ -352,6 +378,7 @@ def test_a_program_is_read_and_written_as_the_control_of_the_machine_reads_it(
     result = printed(capsys, "precompensate", "part.nc", "--log", "run.csv", "--machine", machine, "--out", "out.nc", "--lead-in")
     # It stops at no short line: the program is longer by its dwells alone, if by any.
     assert all(one["after"] - one["before"] < one["dwell"] + 0.05 * one["before"] for one in findings_of(result, "CL919"))
+    assert not findings_of(result, "CL929")
     text = Path("out.nc").read_text()
     assert main(["check", "out.nc", "--machine", machine]) == 0
     assert "G64" not in text and "G4 P0" in text

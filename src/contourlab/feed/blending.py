@@ -42,7 +42,7 @@ from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import FeedError, refuse
 from contourlab.feed.bounds import AxisLimits, LinuxCNC, Samples, Share, peak_speed, ramps, speed_limit
 from contourlab.feed.fitting import Quintics, fitted, replaced
-from contourlab.feed.linuxcnc import chorded, run_chains
+from contourlab.feed.linuxcnc import chorded, mark_chains
 from contourlab.feed.route import Correspondence, Route
 from contourlab.feed.trapezoids import commanded
 from contourlab.geometry import Path
@@ -50,7 +50,7 @@ from contourlab.geometry.blend import Blends, halves, quintic_bezier, shapes
 from contourlab.geometry.curve import Curves, angle_between
 from contourlab.geometry.line_and_arc import Arcs, Lines
 from contourlab.geometry.path import CORNER_ANGLE
-from contourlab.native.kernel import kernel
+from contourlab.native.kernel import Kernel, kernel
 
 _FORWARD = math.radians(89.0)
 """Largest angle between a line and its run: points then follow one another along the merged line."""
@@ -70,7 +70,7 @@ def merged(route: Route, *, chains: bool = False) -> Route:
     # The largest distance of a point from its merged line: Q if Q > P, else Q but at most P/2.
     wide, narrow = route.corner_tolerance, route.merge_tolerance
     within = np.where(narrow <= wide, np.minimum(narrow, 0.5 * wide), narrow)
-    first = run_chains(points, narrow, linked) if chains else run_starts(points, within, linked)
+    first = run_starts(points, narrow, linked, mark_chains) if chains else run_starts(points, within, linked)
     last = np.append(first[1:], route.n_curve) - 1
     many = last > first
     if not many.any():
@@ -115,25 +115,8 @@ def _linked(route: Route) -> Flags:
     return np.asarray(linked)
 
 
-def run_starts(points: Array, tolerance: Array, linked: Flags) -> Index:
-    """Return the number of the first line of each run.
-
-    Parameters
-    ----------
-    points : ndarray (n + 1, n_axis) [m]
-        Ends of n successive lines.
-    tolerance : ndarray (n,) [m]
-    linked : ndarray (n,) of bool
-        Which lines may be merged with the next.
-    """
-    begins = np.zeros(len(points) - 1, dtype=np.int64)
-    given = (np.ascontiguousarray(part, dtype=float) for part in (points, tolerance, linked))
-    _mark_starts(*given, np.empty((3, points.shape[1])), begins)
-    return np.flatnonzero(begins)
-
-
 @kernel("f8[:,:] f8[:] f8[:] f8[:,:] i8[:]")
-def _mark_starts(points, tolerance, linked, memory, begins):
+def mark_starts(points, tolerance, linked, memory, begins):
     """Mark the first line of each run; `memory` (3, n_axis) holds directions: the axis of the cone, of the run so far, of a line."""
     cone, chord, line = memory[0], memory[1], memory[2]
     start, half = 0, -1.0
@@ -150,6 +133,25 @@ def _mark_starts(points, tolerance, linked, memory, begins):
         begins[i], start, half = 1, i, _FORWARD
         for j in range(line.size):
             cone[j] = line[j]
+
+
+def run_starts(points: Array, tolerance: Array, linked: Flags, mark: Kernel = mark_starts) -> Index:
+    """Return the number of the first line of each run.
+
+    Parameters
+    ----------
+    points : ndarray (n + 1, n_axis) [m]
+        Ends of n successive lines.
+    tolerance : ndarray (n,) [m]
+    linked : ndarray (n,) of bool
+        Which lines may be merged with the next.
+    mark : Kernel
+        Marks the first line of each run.
+    """
+    begins = np.zeros(len(points) - 1, dtype=np.int64)
+    given = (np.ascontiguousarray(part, dtype=float) for part in (points, tolerance, linked))
+    mark(*given, np.empty((3, points.shape[1])), begins)
+    return np.flatnonzero(begins)
 
 
 def _direction(points, first, last, found):

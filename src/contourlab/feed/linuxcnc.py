@@ -54,36 +54,26 @@ HALVINGS = 3
 """Of a parabola: the speed is exact at the ends of its parts."""
 
 
-def run_chains(points: Array, tolerance: Array, linked: Flags) -> Index:
-    """Return the number of the first line of each chain, whose points all lie within the tolerance of the line between its ends.
-
-    The arguments are those of `contourlab.feed.blending.run_starts`.
-    """
-    begins = np.ones(len(points) - 1, dtype=np.int64)
-    _mark_chains(*(np.ascontiguousarray(part, dtype=float) for part in (points, tolerance, linked)), begins)
-    return np.flatnonzero(begins)
-
-
-@kernel("f8[:,:] f8[:] f8[:] i8[:]")
-def _mark_chains(points, tolerance, linked, begins):
-    start = 0
-    for i in range(1, begins.size):
-        length = 0.0
-        for j in range(points.shape[1]):
-            length += (points[i + 1, j] - points[start, j]) ** 2
-        joins = linked[i - 1] != 0.0 and i - start <= CHAIN and length > 0.0
-        for k in range(start + 1, i + 1 if joins else start + 1):
+@kernel("f8[:,:] f8[:] f8[:] f8[:,:] i8[:]")
+def mark_chains(points, tolerance, linked, memory, begins):
+    """Mark the first line of each chain, whose points all lie within the tolerance of the line between its ends."""
+    way, start = memory[0], 0
+    for i in range(begins.size):
+        square = 0.0
+        for j in range(way.size):
+            way[j] = points[i + 1, j] - points[start, j]
+            square += way[j] ** 2
+        joins = i > 0 and linked[i - 1] != 0.0 and i - start <= CHAIN and square > 0.0
+        for k in range(start + 1, i + 1 if joins else start):
             along, off = 0.0, 0.0
-            for j in range(points.shape[1]):
-                along += (points[k, j] - points[start, j]) * (points[i + 1, j] - points[start, j])
-            along = min(max(along / length, 0.0), 1.0)
-            for j in range(points.shape[1]):
-                off += (points[k, j] - points[start, j] - along * (points[i + 1, j] - points[start, j])) ** 2
+            for j in range(way.size):
+                along += (points[k, j] - points[start, j]) * way[j]
+            along = min(max(along / square, 0.0), 1.0)
+            for j in range(way.size):
+                off += (points[k, j] - points[start, j] - along * way[j]) ** 2
             joins = joins and off <= tolerance[i] ** 2
-        if joins:
-            begins[i] = 0
-        else:
-            start = i
+        if not joins:
+            begins[i], start = 1, i
 
 
 def chorded(route: Route) -> Route:
@@ -342,26 +332,28 @@ def _added(route: Route, moves: _Moves, i: Index, j: Index, overall: Array, nomi
     left, a = (length[i], length[j]), (steep[i], steep[j])
     top = [np.minimum(np.sqrt(a[k] * known[of]), nominal[of]) for k, of in enumerate((i, j))]
     v = _parabola(route, moves, i, j, overall[j], a, top, left)[0]
-    # The first move brakes; the second speeds up, and may reach its speed: then this is a second piece.
-    stop, rise = v / a[0], np.minimum(v / a[0], nominal[j] / a[1])
-    owner = np.repeat(np.arange(i.size), np.where(rise < 0.999 * stop, 2, 1))
-    second, last = np.diff(owner, prepend=-1) == 0, np.diff(owner, append=-1) != 0
-    times = np.where(second, rise[owner], 0.0), np.where(last, stop[owner], rise[owner])
+    # The first move brakes; the second speeds up, may reach its speed, and may brake to its end: three pieces, some of them empty.
+    peak, stop = np.minimum(nominal[j], np.sqrt(a[1] * left[1])), v / a[0]
+    edges = np.minimum(stop, [np.zeros(i.size), peak / a[1], left[1] / peak, stop])
+    edges = np.where(edges > 0.999 * stop, stop, edges)
+    owner, piece = np.nonzero((np.diff(edges, axis=0) > 1e-3 * stop).T)
+    last, end = np.diff(owner, append=-1) != 0, edges[piece + 1, owner]
+    end[last] = stop
+    (rise, brake), times = edges[1:3, owner], (np.where(np.roll(last, 1), 0.0, np.roll(end, 1)), end)
     v, up, i, j = v[owner], a[1][owner], i[owner], j[owner]
     took, gone, corner, duration = a[0][owner], moves.length[i], path.ends[0][i], times[1] - times[0]
-    points = np.empty((i.size, 6, path.n_axis))
+    points, pull = np.empty((i.size, 6, path.n_axis)), up * (1 - piece)
     for k, time in enumerate(times):  # position and two derivatives by the share of the duration: those of both moves added
-        climb = np.minimum(time, rise[owner])
-        speeds, pull = (v - took * time, up * climb), np.where(second, 0.0, up)
-        at = (i, gone - 0.5 * speeds[0] ** 2 / took), (j, up * climb * (time - 0.5 * climb))
+        climb, fall = np.minimum(time, rise), np.maximum(time - brake, 0.0)
+        speeds, ahead = (v - took * time, up * (climb - fall)), up * (climb * (time - 0.5 * climb) - 0.5 * fall**2)
+        at = (i, gone - 0.5 * speeds[0] ** 2 / took), (j, ahead)
         one, two = (path.at(*place, 2) for place in at)
         speed, change = one[1] * speeds[0][:, None] + two[1] * speeds[1][:, None], two[1] * pull[:, None] - one[1] * took[:, None]
         change += one[2] * speeds[0][:, None] ** 2 + two[2] * speeds[1][:, None] ** 2
         step = speed * (duration * (1 - 2 * k))[:, None] / 5.0
         points[:, 5 * k], points[:, 1 + 3 * k] = (place := one[0] + two[0] - corner), place + step
         points[:, 2 + k] = place + 2.0 * step + change * duration[:, None] ** 2 / 20.0
-    reach = np.stack([0.5 * v * v / took, up * rise[owner] * (times[1] - 0.5 * rise[owner])])[:, last]
-    leave, powers = (up * rise[owner])[last], quintic_bezier(points)
+    reach, leave, powers = np.stack([0.5 * v * v / took, ahead])[:, last], speeds[1][last], quintic_bezier(points)
     for _ in range(HALVINGS):
         powers, owner, duration = halves(powers), np.repeat(owner, 2), 0.5 * np.repeat(duration, 2)
     return (powers, owner, duration), (reach, v[last], leave)

@@ -152,9 +152,7 @@ FANUC = Rules(
     g=_groups(G_GROUPS, _MILL + "50.1 67 74 84 97", 10),
     m=_groups(M_GROUPS, _MILL_M + "19"),
     letters=_MILL_LETTERS,
-    meanings=_MEANINGS
-    | {"G52": "local coordinates", "M29": "rigid tapping"}
-    | dict.fromkeys(("G5", "G5.1", "G8", "G9"), "control of speed"),
+    meanings=_MEANINGS | {"G52": "local coordinates", "M29": "rigid tapping"} | dict.fromkeys(("G5", "G5.1", "G8", "G9"), "speed control"),
     last_counts=frozenset(G_GROUPS.values()) - {"motion", "other"},
     paths_apart=True,
     keeps_feedrate=True,

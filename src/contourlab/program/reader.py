@@ -14,7 +14,7 @@ from typing import Literal, TextIO, TypeAlias, get_args
 from contourlab.errors import ParameterError, ProgramEndError, ProgramError, check_known, refuse
 from contourlab.file_kinds import mistaken
 from contourlab.program.block import Block, Parameters, read_block, without_blanks
-from contourlab.program.dialects import DIALECTS
+from contourlab.program.dialects import DIALECTS, LINUXCNC
 from contourlab.program.flow import LONGEST_LINE, Tape, Walker
 from contourlab.program.interpreter import execute
 from contourlab.program.moves import Dwell, Move, Notice, Point, Program
@@ -75,7 +75,7 @@ class Reading:
     startup : str
         Blocks that the control executes before the program, one a line.
     startup_place : str
-        Where the control's file has it, such as ``router.ini:22``.
+        Where the control's file has it, such as ``router.ini:22``: it is then read in LinuxCNC's dialect.
     remapped : tuple of str
         Codes that the control's file gives another meaning, each with its place, such as ``"M6 router.ini:31"``. The procedure is not
         run: a code that LinuxCNC has without it keeps its own meaning, and a notice says so; any other is refused.
@@ -185,8 +185,7 @@ class Reader:
         self.name, self.reading, self.problems = name, reading or Reading(), problems
         self.notices: list[Notice] = []
         self._known: set[str] = set()
-        is_mm, tools = self.reading.unit == "mm", self.reading.tools
-        dialect = self.reading.dialect
+        is_mm, tools, dialect = self.reading.unit == "mm", self.reading.tools, self.reading.dialect
         rules, self._prepare, self._check = DIALECTS[dialect], PREPARE.get(dialect), CHECKS.get(dialect)
         self.state = ModalState(tools=Tools() if tools is None else read_tools(tools, is_mm), still=still, millimetres=is_mm, rules=rules)
         self.state.back_to_clearance = not rules.own_cycles
@@ -247,7 +246,9 @@ class Reader:
 
     def _start_up(self) -> None:
         """Execute the blocks that the control executes before each program."""
-        place = self.reading.startup_place or self.name
+        place, own = self.reading.startup_place or self.name, (self.state.rules, self._prepare, self._check)
+        if self.reading.startup_place:  # of a LinuxCNC, whatever dialect follows
+            self.state.rules, self._prepare, self._check = LINUXCNC, None, None
         for line in self.reading.startup.splitlines():
             try:
                 block = self._block(line)
@@ -255,6 +256,7 @@ class Reader:
             except BlockError as fault:
                 raise fault.raised(f"{fault.message}, in the start-up code {line!r}", file=place) from None
             refuse(moves, ProgramError, f"CL846 the start-up code {line!r} moves axes: leave out its moves", file=place)
+        self.state.rules, self._prepare, self._check = own
 
     def _take(self, fault: BlockError) -> None:
         """Store a fault if faults are collected and reading can continue; raise it otherwise."""

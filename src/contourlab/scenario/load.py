@@ -126,7 +126,7 @@ def reading_on(machine: Machine, given: Mapping[str, Any]) -> Reading:
     """Return how a machine reads a part program: as its control's own file says, with what is given."""
     control = machine.control
     own = {} if control is None else read_values(from_mapping(control.tables.get("program", {}), str(control.file), "program"), Reading)
-    return Reading(**{**own, **given})
+    return Reading(**{**own, **({"startup_place": ""} if "startup" in given else {}), **given})
 
 
 def _contour(node: Node, machine: Machine) -> Contour:

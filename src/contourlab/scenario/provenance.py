@@ -24,7 +24,7 @@ _EXAMPLE = '{value = "33 kg", source = "fitted", deviation = "1 %", from = "log.
 
 
 def bare(node: Node) -> Node:
-    """Return the value of a number with a source; any other node unchanged.
+    """Return the value of a number with a source; any other node unchanged. A value of a control's own file has its place there.
 
     Raises
     ------
@@ -38,7 +38,8 @@ def bare(node: Node) -> Node:
             raise node.error(f"unknown key of a number: {hint(name, _KEYS)}", name)
     for name in (STATED, "source"):
         refuse(name not in node.entries, node.error, f"key {name} is missing: write for example {_EXAMPLE}")
-    return node.entries[STATED]
+    value, of_control = node.entries[STATED], node.entries["source"].plain() == "control" and not node.file.endswith(".toml")
+    return replace(value, file=str(node.entries["from"].plain()), key="") if of_control and "from" in node.entries else value
 
 
 def read_origins(declared: Mapping[str, Parameter], table: Table, values: Mapping[str, Any]) -> dict[str, Origin]:
@@ -121,8 +122,7 @@ def _span(given: Any, parameter: Parameter, value: float) -> tuple[float, float]
     if not isinstance(given, list) or len(given) != 2:
         raise ParameterError("range", repr(given)[:60], "the lowest and the highest value, in a list")
     low, high = (float(parameter.check(read_number(item, parameter.unit, parameter.display))) for item in given)
-    if not (low <= value <= high and low < high):
-        raise ParameterError("range", repr(given), "the lower one first, with the value between them")
+    refuse(not low <= value <= high or low == high, ParameterError, "range", repr(given), "the lower one first, the value between them")
     return low, high
 
 

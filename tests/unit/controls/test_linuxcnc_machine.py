@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -218,6 +219,22 @@ def test_an_absent_include_is_named_with_its_line(tmp_path: Path) -> None:
 def test_a_scale_that_divides_is_not_0(tmp_path: Path, scale: str) -> None:
     with pytest.raises(ScenarioError, match=r"m\.ini:\d+: \[JOINT_0\]"):
         load_machine(machine_file(tmp_path, ("[JOINT_0]\n", f"[JOINT_0]\n{scale}\n")))
+
+
+@pytest.mark.parametrize("key", ["[DISPLAY]MAX_FEED_OVERRIDE", "[TRAJ]ARC_BLEND_GAP_CYCLES", "[TRAJ]MAX_LINEAR_VELOCITY"])
+def test_a_number_out_of_range_is_named_as_the_control_names_it(tmp_path: Path, key: str) -> None:
+    line = key.replace("]", "]\n") + " = -1\n"
+    with pytest.raises(ScenarioError, match=rf"^\S*m\.ini:2\W+{re.escape(key)}\W"):
+        load_machine(machine_file(tmp_path, text=line + LINUXCNC))
+
+
+@pytest.mark.parametrize("dialect", ["grbl", "fanuc", "mach3"])
+def test_the_start_up_code_is_read_in_the_dialect_of_its_control(tmp_path: Path, dialect: str) -> None:
+    machine = load_machine(machine_file(tmp_path, ("P0.001", "P0.001 G90.1 G97")))
+    first, *_ = parse_program("G0 X1 Y1\nM2\n", reading=reading_on(machine, {"dialect": dialect})).moves
+    assert first.mode.tolerance == pytest.approx(0.001 * 0.0254)  # type: ignore[union-attr]
+    with pytest.raises(ProgramError, match="G97"):
+        parse_program("G0 X1 Y1\nM2\n", reading=reading_on(machine, {"dialect": "grbl", "startup": "G97"}))
 
 
 @pytest.mark.parametrize(

@@ -329,6 +329,8 @@ def test_the_planner_is_that_of_the_option_then_of_the_scenario_then_of_the_file
     (tmp_path / "s.toml").write_text(text.replace("jerk", "grbl") + 'path_control = "blend"\n')
     with pytest.raises(ScenarioError, match="path_control"):
         load_scenario(tmp_path / "s.toml")
+    said = invoke(tmp_path, "limits", part.name, "--machine", "xyz", "--planner", "grbl", "--dialect", "grblhal")
+    assert "--planner grbl --dialect grblhal" in said.out.replace("\n  ", " ")
     (tmp_path / "log.csv").write_text("time [s],command.x [mm]\n" + "".join(f"{k / 1000},{k}\n" for k in range(9)))
     with pytest.raises(ParameterError, match="--planner"):
         limits(tmp_path / "log.csv", planner="grbl")

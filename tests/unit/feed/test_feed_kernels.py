@@ -9,6 +9,7 @@ from scipy.optimize import linprog
 from contourlab.feed import AxisLimits, blending, kernels
 from contourlab.feed.bounds import Samples, piece_bounds
 from contourlab.geometry import contour
+from contourlab.native.kernel import Kernel
 
 LIMIT = np.array([2.0, 3.0])
 JERK = np.array([40.0, 40.0])
@@ -182,12 +183,12 @@ def test_the_bounds_of_pieces_keep_the_limits_at_every_sample_and_speed(jerk: fl
         assert (np.abs(t) * rise[:, None] + 3 * np.abs(k) * (V * A)[:, None] + np.abs(c) * V[:, None] ** 3 <= jerk * (1 + 1e-9)).all()
 
 
-def test_runs_of_lines_in_machine_code_and_in_plain_python_agree(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("mark", [blending.mark_starts, blending.mark_chains])
+def test_runs_of_lines_in_machine_code_and_in_plain_python_agree(mark: Kernel) -> None:
     generator = np.random.default_rng(4)
     turned = np.cumsum(generator.normal(0.0, 0.02, 400))
     points = np.cumsum(np.column_stack([np.cos(turned), np.sin(turned)]), axis=0)
     linked = generator.random(399) < 0.9
-    fast = blending.run_starts(points, np.full(399, 0.02), linked)
-    monkeypatch.setattr(blending, "_mark_starts", blending._mark_starts.plain)
-    np.testing.assert_array_equal(fast, blending.run_starts(points, np.full(399, 0.02), linked))
+    fast = blending.run_starts(points, np.full(399, 0.02), linked, mark)
+    np.testing.assert_array_equal(fast, blending.run_starts(points, np.full(399, 0.02), linked, mark.plain))
     assert 40 < fast.size < 300

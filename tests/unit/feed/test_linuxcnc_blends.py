@@ -46,6 +46,7 @@ RAPIDS = made(((10, 0, 5), 0), ((10, 10, 5), 0), ((10, 10, 0), 10), ((30, 10, 0)
 HORN = "G3 X-8.8 Y-2.3 I-3.8 J-3.5 F2400\nG3 X-8.5 Y-1.8 I0.65 J-0.05\nG3 X0.7 Y1.2 I4.6 J1.5\nG3 X0.2 Y1.9 I-0.25 J0.35\n"
 SPRING = "G1 X20 F2400\nG3 X20 Y10 Z3 I3 J5\nG1 X0 Y12\nG2 X0 Y2 Z0 I-4 J-5\nG1 X10 Y0\n"
 SLOWER = "G1 X-6.5 F4800\nG1 X-7.9 Y0.4 F100\nG0 X-9 Y20\n"  # within the second move it brakes to the feedrate
+LAST = "G1 Z-8 F1800\nG3 X3 Y1.5 R2\nG4 P0.1\nG1 Z-4\nG3 X3 Y2.5 R0.6\n"  # the arcs brake before what is before them rests
 
 
 def off_corners(route: Route, limits: AxisLimits) -> tuple[float, float]:
@@ -90,6 +91,7 @@ def test_times_and_deviations_of_linuxcnc(route: Route, within: tuple[float, flo
         (SPRING, (3.217, 0.0761e-3), (2.500, 2.0000e-3)),
         (SLOWER.partition("G0")[0], (0.737, 0.0500e-3), (0.731, 0.0508e-3)),
         (SLOWER, (0.893, 0.0500e-3), (0.893, 0.0508e-3)),
+        (LAST, (1.576, 0.0515e-3), (1.247, 1.4052e-3)),
     ],
 )
 def test_parabolas_into_arcs_and_a_lower_feedrate(moves: str, within: tuple[float, float], without: tuple[float, float]) -> None:

@@ -186,9 +186,9 @@ class _Machine:
     def _program(self) -> dict[str, Any]:
         """Return how LinuxCNC reads a part program."""
         startup = self.ini.first("RS274NGC", "RS274NGC_STARTUP_CODE") or self.ini.first("EMC", "RS274NGC_STARTUP_CODE")
-        keys: dict[str, Any] = {"unit": "mm" if self.unit == LENGTHS["mm"] else "inch"}
+        code, place = (f"G64\n{startup.value}", startup.place) if startup else ("G64", self.ini.file.name)
         # LinuxCNC starts in G64 without P.
-        keys |= {"startup": f"G64\n{startup.value}", "startup_place": startup.place} if startup else {"startup": "G64"}
+        keys: dict[str, Any] = {"unit": "mm" if self.unit == LENGTHS["mm"] else "inch", "startup": code, "startup_place": place}
         for name, section, key in (("tools", "EMCIO", "TOOL_TABLE"), ("parameters", "RS274NGC", "PARAMETER_FILE")):
             entry = self.ini.first(section, key)
             if entry is None or not entry.value:

@@ -436,8 +436,6 @@ class Remarks:
 
 def about_machine(machine: Machine, reading: Reading | None) -> Iterator[Finding]:
     """Yield what its own file says of a machine, which axes have no travel, and whether the zero of a program read so is unknown."""
-    from contourlab.feed.bounds import Grbl
-    from contourlab.loop.machine import GRBL
     from contourlab.scenario.placing import zero_known
 
     if machine.control:
@@ -448,15 +446,24 @@ def about_machine(machine: Machine, reading: Reading | None) -> Iterator[Finding
             yield finding("CL990", axes=list(bounded), jerk=min(bounded.values()))
         if free and machine.own_planner is None:
             yield finding("CL991", axes=free, control=machine.control.control)
-    if isinstance(machine.own_planner, Grbl):
-        yield finding("CL995", **{name: getattr(machine.own_planner, name) for name in GRBL})
-    elif machine.own_planner is not None:
-        yield finding("CL996", cycle=machine.own_planner.cycle, override=machine.own_planner.largest_override)
+    yield from about_planner(machine)
     yield from about_reading(reading)
     if unknown := [axis.name for axis in machine.axes if not axis.limits.bounded]:
         yield finding("CL479", axes=unknown, machine=machine.name)
     if reading is not None and not zero_known(machine, reading):
         yield finding("CL985", machine=machine.name)
+
+
+def about_planner(machine: Machine) -> Iterator[Finding]:
+    """Yield how a machine plans, if its planner has no limits of jerk."""
+    from contourlab.feed.bounds import Grbl
+    from contourlab.loop.machine import GRBL
+
+    own = machine.own_planner
+    if isinstance(own, Grbl):
+        yield finding("CL995", **{name: getattr(own, name) for name in GRBL})
+    elif own is not None:
+        yield finding("CL996", cycle=own.cycle, override=own.largest_override)
 
 
 def about_reading(reading: Reading | None) -> Iterator[Finding]:

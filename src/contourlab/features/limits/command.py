@@ -15,7 +15,7 @@ from contourlab.app.json_values import HIDDEN
 from contourlab.app.options import positive
 from contourlab.app.results import check_file
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
-from contourlab.app.shared_options import LogAxes
+from contourlab.app.shared_options import Dialect, LogAxes, Planned
 from contourlab.arrays import Array, Flags, Index
 from contourlab.errors import LogError, ParameterError, ProgramError, ResultError, refuse
 from contourlab.features.check.canon import Listed
@@ -358,16 +358,16 @@ class LimitTest(Answer):
         file, settings = asked.inputs[0], asked.settings
         if self.exit_code == FAULTY:
             return None
-        read = settings.words_of(LogAxes)
+        read, how = settings.words_of(LogAxes), [*settings.words_of(Planned), *settings.words_of(Dialect)]
         if self.passed is None:
             return ["limits", file, *read, "--machine", "xyz"]
         if self.program is not None and not self.annotated:
             out = f"{self.program.stem}-annotated{self.program.suffix}"
             of_log = [] if self.source == "plan" else ["--program", self.program, *read]
             limits = [word for name in ("machine", *KINDS) for word in settings.PARTS[name].words(getattr(settings, name))]
-            return ["limits", file, *of_log, *limits, "--annotate", out]
+            return ["limits", file, *of_log, *how, *limits, "--annotate", out]
         if self.source == "plan":
-            return ["check", file, "--machine", settings.machine]
+            return ["check", file, *how, "--machine", settings.machine]
         return ["measure", file, *read, *settings.PARTS["machine"].words(settings.machine)]
 
     @property

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
@@ -15,27 +16,19 @@ from contourlab.app.json_values import HIDDEN
 from contourlab.app.options import positive
 from contourlab.app.results import check_file, spared
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
-from contourlab.app.shared_options import Dialect
+from contourlab.app.shared_options import Dialect, Planned
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError, ProgramError, ResultError
+from contourlab.features.check.program_check import about_planner
 from contourlab.features.check.reading import reading_of
 from contourlab.features.measure.log_choice import content_of
 from contourlab.features.precompensate.law import CUTOFF, Learned, Run, fit_loop, forgotten, learn, proposed, spread
 from contourlab.features.precompensate.options import Precompensate
 from contourlab.features.precompensate.passes import AddedDwell, Passes, PassFigures, digest_of, load, save
+from contourlab.features.precompensate.reading import Contour, contour_of, parse_blocks, read_blocks
 from contourlab.features.precompensate.runs import Measured, cycle_time, open_run, run_of, simulated
 from contourlab.features.precompensate.starts import LONGEST, UNKNOWN, Start, settling_time, starts_of, without
-from contourlab.features.precompensate.writing import (
-    MARK,
-    Contour,
-    Written,
-    contour_of,
-    marked,
-    parse_blocks,
-    read_blocks,
-    with_dwells,
-    write_corrected,
-)
+from contourlab.features.precompensate.writing import MARK, Written, marked, with_dwells, write_corrected
 from contourlab.features.run import options
 from contourlab.features.run.source import scenario_of
 from contourlab.feed.route import controlled
@@ -45,7 +38,7 @@ from contourlab.loop import Machine
 from contourlab.program import Reading
 from contourlab.rendering.charts import Chart, traces_chart
 from contourlab.rendering.table import Column, Table, paragraphs
-from contourlab.result import write_text_atomic
+from contourlab.result.atomic import replacing
 from contourlab.result.stamp import tell
 from contourlab.scenario.load import machine_of
 from contourlab.scenario.values import DEFAULT_CORNER_TOLERANCE
@@ -89,17 +82,13 @@ class Work:
         known = repr((tuple(axes), period, self.tolerance))
         self.passes = Passes(digest_of("\n".join(source.program.lines).encode("utf-8", "replace"), known.encode()), tuple(axes))
         self.settles: float | None = None
-        self._read: tuple[Written, Contour] | None = None
+        self.driven = self.contour
 
-    @property
-    def driven(self) -> Contour:
-        """The contour of the last written program."""
-        if not self.passes.written:
-            return self.contour
-        written = self.passes.written[-1]
-        if self._read is None or self._read[0] is not written:
-            self._read = written, self.contour_again(written)
-        return self._read[1]
+    def resume(self, folder: Path) -> None:
+        """Go on with the passes of a folder, if it has some."""
+        self.passes = load(folder, self.passes)
+        if self.passes.written:
+            self.driven = self.contour_again(self.passes.written[-1])
 
     def contour_again(self, written: Written) -> Contour:
         """Read a written program, and check that it is the corrected path and nothing else."""
@@ -290,6 +279,7 @@ class Work:
         written = write_corrected(self.contour, tried, self.tolerance, fastest, self._blend(number), self.dwells, self.stops)
         written = replace(written, text=marked(written.text, number, self.part.name, self.contour.source.program.lines))
         self.passes = replace(self.passes, learned=replace(learned, tried=tried), written=(*self.passes.written, written))
+        self.driven = self.contour_again(written)
         return [finding("CL910", cap=self.cap, share=float(capped.mean()))] if capped.any() else []
 
     def _longer(self, number: int) -> Iterator[Finding]:
@@ -306,15 +296,18 @@ class Work:
             scale, dwell = self.passes.figures[number].duration / times[1], self.passes.figures[number].dwell
         after, instead = scale * times[1], scale * times[2]
         if after > (1.0 + SAID) * first.duration:
-            values: dict[str, Any] = {"before": first.duration, "after": after, "change": after / first.duration - 1.0, "instead": instead}
-            yield finding("CL919", tolerance=blend, dwell=dwell, **values)
+            yield finding("CL919", before=first.duration, after=after, change=after / first.duration - 1.0, dwell=dwell)
+            if "P" in (self.contour.source.rules.blend or "") and instead < (1.0 - SAID) * after:
+                yield finding("CL929", tolerance=blend, instead=instead)
 
     def save(self, passes: Path | None, result: Precompensated) -> None:
-        """Write the program that a result names, if a pass gains, and what was learned into a folder, if there is one."""
-        if result.written:
-            write_text_atomic(result.out, self.passes.written[result.written - 1].text)
-        if passes is not None:
-            save(self.passes, passes)
+        """Write the program that a result names, if a pass gains, and what was learned into a folder, if there is one; all or nothing."""
+        with ExitStack() as files:
+            if result.written:
+                new = files.enter_context(replacing(result.out))
+                new.write_bytes(self.passes.written[result.written - 1].text.encode("utf-8", "replace"))
+            if passes is not None:
+                save(self.passes, passes)
 
     def result(
         self, out: Path, position: str, rest: float | None, findings: Sequence[Finding], proceed: bool, folder: Path | None = None
@@ -440,7 +433,9 @@ class Precompensated(Answer):
 
     def _next(self, asked: Asked) -> Sequence[object] | None:
         """Check the program."""
-        return ["check", self.out, "--machine", asked.settings.machine, *asked.settings.words_of(Dialect)] if self.written else None
+        settings = asked.settings
+        how = [*settings.words_of(Planned), *settings.words_of(Dialect)]
+        return ["check", self.out, "--machine", settings.machine, *how] if self.written else None
 
     @property
     def gain(self) -> float | None:
@@ -480,7 +475,9 @@ class Precompensated(Answer):
             lines += ["", paragraphs([f"written: {self.out}, pass {self.written}: {what}"])]
         else:
             lines.insert(0, "No pass is better than the program itself: nothing is written.\n")
-        first, more = (paragraphs(str(one) for one in self.findings if (one.code == "CL919") == at_top) for at_top in (True, False))
+        first, more = (
+            paragraphs(str(one) for one in self.findings if (one.code in ("CL919", "CL929")) == at_top) for at_top in (True, False)
+        )
         return "\n".join([*([first, ""] if first else []), *lines, *(["", more] if more else [])])
 
 
@@ -525,7 +522,7 @@ def precompensate(part: str | Path, *, settings: Precompensate, session: Session
     work = Work(Path(part), axes, settings, reading, measured.period)
     digests = tuple(digest_of(content_of(log)) for log in settings.log)
     if settings.passes is not None:
-        work.passes = load(settings.passes, work.passes)
+        work.resume(settings.passes)
         if used := [log for log, digest in zip(settings.log, digests, strict=True) if digest in work.passes.logs]:
             raise ParameterError("--log", str(used[0]), "the log of the last written pass: this one was used before")
     runs = [work.run(one) for one, _, _ in opened]
@@ -561,7 +558,7 @@ def _simulated(part: Path, settings: Precompensate, reading: Reading, session: S
     machine, controller = scenario.machine, scenario.controller
     axes = tuple(axis for axis in machine.axis_names if axis in "xyz")
     work = Work(part, axes, settings, reading, machine.servo_period)
-    findings: list[Finding] = []
+    findings = list(about_planner(machine))
     rest: float | None = None
     stages = session.stages()
     stages.expect(settings.repeat + 1)

@@ -26,10 +26,9 @@ class Precompensate(Seeded, Plugins, Planned, Dialect, LogAxes):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if self.log and self.controller is not None:
-            raise ParameterError("--controller", repr(self.controller), "left out: with --log the real one is corrected")
-        if self.log and self.planner is not None:
-            raise ParameterError("--planner", repr(self.planner), "left out: with --log nothing is planned")
+        for name, why in {"controller": "the real one is corrected", "planner": "nothing is planned"}.items():
+            if self.log and getattr(self, name) is not None:
+                raise ParameterError(f"--{name}", repr(getattr(self, name)), f"left out: with --log {why}")
         if not self.log and self.machine is None:
             raise ParameterError("--log", "missing", "the log of a run; or --machine and --controller, to simulate")
         if not self.log and self.passes is not None:

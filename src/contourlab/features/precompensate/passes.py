@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import hashlib
+from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 
 from contourlab.errors import ParameterError, ResultError, error_text, refuse
 from contourlab.features.precompensate.law import RESTS, Learned, Loop
 from contourlab.features.precompensate.writing import Written
-from contourlab.result.atomic import write_bytes_atomic
+from contourlab.result.atomic import replacing
 from contourlab.result.record import packed, unpacked
 from contourlab.study.checkpoint import Checkpoint
 
@@ -132,17 +133,19 @@ def digest_of(*parts: bytes) -> str:
 
 
 def save(passes: Passes, folder: Path) -> None:
-    """Write passes into a folder, with the program of each.
+    """Write passes into a folder, with the program of each; all or nothing.
 
     Raises
     ------
     OutputError
         If the folder cannot be written to.
     """
-    for number, written in enumerate(passes.written, 1):
-        write_bytes_atomic(folder / f"pass-{number}.ngc", written.text.encode("utf-8", "replace"))
     kept = _kept(folder, passes)
-    kept.store(kept.path(), packed(passes))
+    with ExitStack() as files:
+        for number, written in enumerate(passes.written, 1):
+            new = files.enter_context(replacing(folder / f"pass-{number}.ngc"))
+            new.write_bytes(written.text.encode("utf-8", "replace"))
+        kept.store(kept.path(), packed(passes))
 
 
 def load(folder: Path, none: Passes) -> Passes:

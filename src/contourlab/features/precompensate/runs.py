@@ -19,7 +19,8 @@ from contourlab.features.measure.log_choice import open_log
 from contourlab.features.measure.measured_path import moving, progress_along
 from contourlab.features.measure.plausibility import known_signal
 from contourlab.features.precompensate.law import Run
-from contourlab.features.precompensate.writing import Contour, Written
+from contourlab.features.precompensate.reading import Contour
+from contourlab.features.precompensate.writing import Written
 from contourlab.feed import AxisLimits, Route, blended, plan
 from contourlab.logs import Column, Log, Record
 from contourlab.logs.load import LONG_GAP, about

@@ -10,8 +10,8 @@ import numpy as np
 from contourlab.arrays import Array, true_spans
 from contourlab.features.measure.measured_path import moving
 from contourlab.features.precompensate.law import Run
+from contourlab.features.precompensate.reading import Contour
 from contourlab.features.precompensate.runs import Measured
-from contourlab.features.precompensate.writing import Contour
 
 LONGEST = 1.0
 """Longest dwell that is tried [s]."""

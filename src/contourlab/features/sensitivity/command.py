@@ -15,6 +15,7 @@ from contourlab.app.quick import affordable_candidates
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array, Flags
 from contourlab.errors import ParameterError, refuse
+from contourlab.features.check.program_check import about_planner
 from contourlab.features.run.source import Source, case_asked
 from contourlab.features.sensitivity.curves import CHANGE, Curve, Interval, Local, present_values
 from contourlab.features.sensitivity.options import PARTS, Plan, SensitivityOptions
@@ -366,7 +367,8 @@ def _failure_level(setting: Setting, plan: Plan) -> float:
 
 
 def _remarks(case: Case, left_out: tuple[str, ...], kept: Sequence[Finding], asked: Plan, done: Plan) -> Iterator[Finding]:
-    """Yield what the study leaves out, what it reused, and what a quick one made smaller."""
+    """Yield how the machine plans, what the study leaves out, what it reused, and what a quick one made smaller."""
+    yield from about_planner(case.machine)
     if left_out:
         yield finding("CL650", schemes=left_out)
     if case.learning is not None:

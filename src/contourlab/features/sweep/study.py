@@ -18,6 +18,7 @@ from typing import Any, Literal
 import numpy as np
 
 from contourlab.errors import ContourlabError, ParameterError, ScenarioError, UnitError, hint, refuse
+from contourlab.features.check.program_check import about_planner
 from contourlab.features.sweep.vary import HEADS, Variation, belongs, distribution, module_entries, read_list, read_variations
 from contourlab.feed import Reference
 from contourlab.findings import Finding, finding
@@ -411,7 +412,8 @@ def _bound(
         "CL922": any(case.learning is not None for case in cases.values()),
         "CL923": not all(ToolPosition(case.machine, 0).exact for case in cases.values()),
     }
-    remarks = (*findings.values(), *(finding(code) for code, holds in on_cases.items() if holds))
+    planned = {str(one): one for case in cases.values() for one in about_planner(case.machine)}
+    remarks = (*planned.values(), *findings.values(), *(finding(code) for code, holds in on_cases.items() if holds))
     return Varied(structures, columns, tuple(choices), cases, tuple(dimensions), frozenset(listed), remarks)
 
 

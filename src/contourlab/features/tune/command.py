@@ -17,6 +17,7 @@ from contourlab.app.session import QUIET, Answer, Asked, Session, interrupt, que
 from contourlab.app.shared_options import Motion
 from contourlab.arrays import Array
 from contourlab.errors import ScenarioError
+from contourlab.features.check.program_check import about_planner
 from contourlab.features.run.changes import of_machine
 from contourlab.features.run.source import Source, case_asked
 from contourlab.features.tune.objective import Goal
@@ -181,7 +182,7 @@ def tune(*source: Source, settings: Tune, session: Session = QUIET) -> Calibrati
         stages.expect(_work(case, study))
         stages.begin("planning")
         tuned = calibrated(Setting.of(case), study, pool=pool, begin=stages.begin, progress=stages.advance)
-    return Calibration(study, tuned, (*tuned.findings, *_verdict(case, tuned)), scenario, case)
+    return Calibration(study, tuned, (*about_planner(case.machine), *tuned.findings, *_verdict(case, tuned)), scenario, case)
 
 
 def _work(case: Case, settings: TuneSettings) -> list[tuple[str, float]]:

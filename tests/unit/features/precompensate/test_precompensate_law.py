@@ -8,8 +8,8 @@ import pytest
 from scipy.signal import lsim
 
 from contourlab.features.precompensate.law import Run, filtered, fit_loop, learn, low_pass, proposed, spread
+from contourlab.features.precompensate.reading import contour_of, parse_blocks
 from contourlab.features.precompensate.runs import Measured, behind_play, run_of
-from contourlab.features.precompensate.writing import contour_of, parse_blocks
 from contourlab.program import Reading
 
 PERIOD = 1e-3

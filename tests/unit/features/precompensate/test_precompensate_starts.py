@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from contourlab.features.precompensate.law import Learned, Run, forgotten
+from contourlab.features.precompensate.reading import Contour, contour_of, parse_blocks
 from contourlab.features.precompensate.runs import Measured, run_of
 from contourlab.features.precompensate.starts import LONGEST, UNKNOWN, Start, lag_of, settling_time, starts_of, without
-from contourlab.features.precompensate.writing import Contour, contour_of, parse_blocks
 from contourlab.program import Reading
 
 PERIOD = 1e-3

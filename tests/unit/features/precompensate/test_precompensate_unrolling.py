@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from contourlab.features.precompensate.writing import read_blocks
+from contourlab.features.precompensate.reading import read_blocks
 from contourlab.program import Reading, read_program
 
 PROGRAM = """%

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from contourlab.errors import ProgramError
-from contourlab.features.precompensate.writing import contour_of, marked, parse_blocks, read_blocks, without_motion, write_corrected
+from contourlab.features.precompensate.reading import contour_of, parse_blocks, read_blocks
+from contourlab.features.precompensate.writing import marked, without_motion, write_corrected
 from contourlab.program import Dwell, Feed, Reading, parse_program
 
 READING = Reading(require_end=False)
