@@ -299,7 +299,8 @@ class _Work:
         if isinstance(identified, Finding):
             return [*findings, identified]
         axis.identified = identified
-        findings += [finding("CL868", place, why=f"{axis.loop.why}; {identified.answers(unit)}")] if velocity else []
+        why = dict.fromkeys(one.why for one in (axis.loop, shown) if one and one.loop == "velocity drive")
+        findings += [finding("CL868", place, why="; ".join([*why, identified.answers(unit)]))] if velocity else []
         tuned = not identified.usable or self._tune(axis, logs, identified)
         return [*findings, *identified.findings, *([] if tuned else [finding("CL897", place)])]
 

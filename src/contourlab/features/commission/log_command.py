@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,8 +14,9 @@ from contourlab.analysis.identification.least_squares import fit_records
 from contourlab.analysis.identification.left_over import left_over_findings
 from contourlab.app.json_values import HIDDEN
 from contourlab.app.session import QUIET, Answer, Session, question
+from contourlab.arrays import Array
 from contourlab.errors import ParameterError
-from contourlab.features.commission.log_loop import CLOCK, SURE, Bounds, FittedLoop, fit_servo
+from contourlab.features.commission.log_loop import CLOCK, SURE, Bounds, Known, fit_servo
 from contourlab.features.commission.log_terms import LogTerm, terms_of_log
 from contourlab.features.commission.options import OfLog
 from contourlab.features.commission.records import EXPLAINED, LATEST, QUICK, SPAN
@@ -29,6 +31,7 @@ from contourlab.rendering.table import Column, Table, paragraphs
 
 FIGURES = {
     "Kv": ("Kv of the loop", "1/s"),
+    "reset": ("integral over gain of the loop", "1/s"),
     "shown": ("velocity over following error", "1/s"),
     "velocity_feedforward": ("velocity feedforward in force", "%"),
     "equivalent_time": ("equivalent time constant inside", "ms"),
@@ -122,13 +125,13 @@ def log(log: str | Path | Log, *, settings: OfLog, session: Session = QUIET) -> 
             request = Request(replace(options, axis=name), (opened,))
             (record,) = request.records(pieces=False)
             check_follows(record)
-            axes[name], more = _axis(record, settings.for_)
+            axes[name], more = _axis(record, settings)
             findings |= {str(doubt): doubt for doubt in (*more, *request.findings())}
     nothing = finding("CL940", control=settings.for_)
     return LogCommissioned(settings.for_, axes, (nothing, *findings.values()), _tables(axes, settings.for_))
 
 
-def _axis(record: AxisRecord, control: str) -> tuple[LoggedAxis, list[Finding]]:
+def _axis(record: AxisRecord, settings: OfLog) -> tuple[LoggedAxis, list[Finding]]:
     """Return the loop of an axis, and findings."""
     place, figures, findings = f"axis {record.axis}", dict[str, Bounds](), list[Finding]()
     known = None
@@ -136,14 +139,13 @@ def _axis(record: AxisRecord, control: str) -> tuple[LoggedAxis, list[Finding]]:
         known, figures, findings = _drive(record, place)
     stays = math.nan
     try:
-        loop = fit_servo(record, control == BALANCE, known)
+        loop = fit_servo(record, settings.for_ == BALANCE, settings.proportional, known)
         stays = loop.stays
-        figures = _determined(loop) | figures
+        figures = _determined(loop.figures) | figures
         if any(doubt.code == "CL944" for doubt in findings):
             figures = {name: figure for name, figure in figures.items() if name in ("shown", "drive_gain")}
-        weight = figures.get("velocity_feedforward")
-        if weight is not None and weight.low <= 1.0 <= weight.high and figures["Kv"] is loop.figures["Kv"]:
-            findings.append(finding("CL947", place))
+        elif (gain := _determined(loop.proportional).get("Kv")) and "Kv" not in figures:
+            findings.append(finding("CL947", place, low=gain.low, high=gain.high))
         findings += [finding("CL594", place, stays=stays)] if stays > WELL else []
         rest, asked, explained = (
             np.diff(values) / record.period for values in (record.position - loop.position, record.asked(), loop.position)
@@ -154,14 +156,17 @@ def _axis(record: AxisRecord, control: str) -> tuple[LoggedAxis, list[Finding]]:
     except ParameterError as error:
         findings.append(finding("CL942", place, reason=str(error)))
     findings += [] if reverses(record) else [finding("CL593", place)]
-    return LoggedAxis(figures, stays, terms_of_log(control, figures)), findings
+    return LoggedAxis(figures, stays, terms_of_log(settings.for_, figures)), findings
 
 
-def _determined(loop: FittedLoop) -> dict[str, Bounds]:
+def _determined(x: Mapping[str, Bounds]) -> dict[str, Bounds]:
     """Return the figures that a log determines: without the gain, neither what the feedforward nor what the delay is."""
-    x = loop.figures
-    shown, friction = x["following_time"], x.get("friction_offset")
-    figures = {"shown": Bounds(1.0 / shown.value, 1.0 / shown.high, 1.0 / shown.low)} if shown.half < 0.3 * shown.value else {}
+    if not x:
+        return {}
+    shown, friction, integral = x["following_time"], x.get("friction_offset"), x["reset"].low > 0.0
+    figures = {"reset": x["reset"]} if integral else {}
+    if not integral and shown.half < 0.3 * shown.value:
+        figures["shown"] = Bounds(1.0 / shown.value, 1.0 / shown.high, 1.0 / shown.low)
     figures |= {"friction_offset": friction} if friction is not None and friction.low > 0.0 else {}
     if not x["Kv"].half < DETERMINED["Kv"] * x["Kv"].value:
         return figures
@@ -172,8 +177,8 @@ def _determined(loop: FittedLoop) -> dict[str, Bounds]:
 # --- the drive command --------------------------------------------------------------------------------------------------------------
 
 
-def _drive(record: AxisRecord, place: str) -> tuple[tuple[float, float] | None, dict[str, Bounds], list[Finding]]:
-    """Return the gain that the drive command shows, with its deviation; figures of the drive; and findings.
+def _drive(record: AxisRecord, place: str) -> tuple[Known | None, dict[str, Bounds], list[Finding]]:
+    """Return what the drive command shows of the position controller; figures of the drive; and findings.
 
     Notes
     -----
@@ -197,36 +202,45 @@ def _drive(record: AxisRecord, place: str) -> tuple[tuple[float, float] | None, 
     if not damping > QUICK * inertia:
         figures = {"mass" if record.unit == "N" else "inertia": _within(inertia, spread[0])}
         return None, figures | {"coulomb": _within(rub, spread[2])}, [finding("CL945", place)]
-    figures = {"drive_gain": _within(1.0 / damping, spread[1] / damping**2)}
-    gain, deviation, left = _law(record)
-    if left > LAW or not gain > 0.0:
-        return None, figures, [finding("CL944", place, left=left)]
-    known = gain / damping, gain / damping * math.hypot(deviation / gain, spread[1] / damping, CLOCK)
-    return known, figures | {"Kv": _within(*known)}, [finding("CL946", place, left=left)]
+    figures = {"drive_gain": _within(1.0 / damping, math.hypot(spread[1] / damping, CLOCK) / damping)}
+    law = min((_law(record, integral=integral) for integral in (False, True)), key=lambda law: law.left > LAW)
+    if law.left > LAW or not law.gain > 0.0:
+        return None, figures, [finding("CL944", place, left=law.left)]
+    known = Known(law.gain / damping, law.gain / damping * math.hypot(law.deviation / law.gain, spread[1] / damping, CLOCK), law.reset)
+    figures |= {"Kv": _within(known.gain, known.deviation)} | ({"reset": _within(law.reset, law.unsure)} if law.reset else {})
+    return known, figures, [finding("CL946", place, left=law.left)]
 
 
 def _within(value: float, deviation: float) -> Bounds:
     return Bounds(value, value - SURE * deviation, value + SURE * deviation)
 
 
-def _law(record: AxisRecord) -> tuple[float, float, float]:
-    """Return command per following error, its deviation, and the share of the command that the law leaves.
+class _Law(NamedTuple):
+    """Command per following error, integral gain over gain [1/s], their deviations, and the share of the command that the law leaves."""
+
+    gain: float
+    deviation: float
+    reset: float
+    unsure: float
+    left: float
+
+
+def _law(record: AxisRecord, *, integral: bool) -> _Law:
+    """Return the law of the position controller.
 
     The law has the derivatives of the reference up to its acceleration: a reference that the position controller sees late has them all.
     What the next derivative would change counts as a deviation.
     """
-    asked, command = record.asked(), record.driven()
-    columns = [np.ones(asked.size), asked - record.position, asked]
+    asked, command, ahead = record.asked(), record.driven(), list[Array]()
+    error = asked - record.position
     for _ in range(3):
-        columns.append(np.gradient(columns[-1], record.period))
-    del columns[2]
-    fits = [fit_records([np.column_stack(columns[:n])], [command]) for n in (4, 5)]
-    (solution, covariance, (rest,)), (other, *_) = fits
-    return (
-        float(solution[1]),
-        math.hypot(float(covariance.deviations[1]), float(other[1] - solution[1])),
-        float(np.std(rest)) / max(float(np.std(command)), 1e-300),
-    )
+        ahead.append(np.gradient(ahead[-1] if ahead else asked, record.period))
+    columns = [error, *([np.cumsum(error) * record.period] if integral else []), np.ones(asked.size), *ahead]
+    (x, covariance, (rest,)), (other, *_) = (fit_records([np.column_stack(columns[:n])], [command]) for n in (-1, None))
+    unsure = np.hypot(covariance.deviations, other[:-1] - x) / np.abs(x)
+    reset = float(x[1] / x[0]) if integral else 0.0
+    left = float(np.std(rest)) / max(float(np.std(command)), 1e-300)
+    return _Law(float(x[0]), float(unsure[0] * abs(x[0])), reset, abs(reset) * math.hypot(*unsure[:2]), left)
 
 
 # --- what is printed ----------------------------------------------------------------------------------------------------------------
@@ -240,7 +254,8 @@ def _tables(axes: Mapping[str, LoggedAxis], control: str) -> tuple[Table, ...]:
             if key in one.figures:
                 x, factor = one.figures[key], FACTORS[shown]
                 seen.append((name, words, *_cells(Bounds(factor * x.value, factor * x.low, factor * x.high)), shown))
-        terms += [(name, term.name, *_cells(term.value), number(term.proposed), term.unit) for term in one.terms]
+        known = (term for term in one.terms if math.isfinite(term.value.value) or math.isfinite(term.proposed))
+        terms += [(name, term.name, *_cells(term.value), number(term.proposed), term.unit) for term in known]
     return (
         Table([axis, Column("", left=True), Column("value"), interval, unit], "What the log shows", rows=seen),
         Table(

@@ -41,6 +41,7 @@ class OfLog(LogColumns):
 
     axis: str | None = option(None, 'Axes, e.g. "x,y"; by default all that move.')
     for_: str = option("generic", "Control whose terms to use.", choices=("generic", "sinumerik", "twincat", "cia402"))
+    proportional: bool = option(False, "The position controller has no integral; by default both are tried.")
     gain: str | None = option(None, 'Force per drive command, e.g. "35 N/V", if it is a torque.')
     lead: str | None = option(None, 'Travel per turn, e.g. "10 mm": converts torques to forces.', unit="m")
 

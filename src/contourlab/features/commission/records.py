@@ -281,7 +281,8 @@ def decided(records: Sequence[tuple[Array, Array]], period: float, unit: float, 
     rate = damping / inertia if inertia > 0.0 else np.inf
     as_speed = 0.8 * unit < 1.0 / max(damping, 1e-30) < 1.25 * unit
     if rate > QUICK or (rate > SLOW and (given == "velocity drive" or (as_speed and given != "servo"))):
-        return LoopClass("velocity drive", "in the log its velocity follows the output")
+        also = "" if rate > QUICK else "; a torque fits the log as well, with nearly the same gains"
+        return LoopClass("velocity drive", f"in the log its velocity follows the output{also}")
     slowing = figure(max(rate, 0.0), "1/s")
     return LoopClass("servo", f"in the log the output accelerates it; left alone its velocity decays with {slowing}")
 
