@@ -19,7 +19,7 @@ from contourlab.errors import ParameterError
 from contourlab.features.commission.log_loop import CLOCK, SURE, Bounds, Known, fit_servo
 from contourlab.features.commission.log_terms import LogTerm, terms_of_log
 from contourlab.features.commission.options import OfLog
-from contourlab.features.commission.records import EXPLAINED, LATEST, QUICK, SPAN
+from contourlab.features.commission.records import EXPLAINED, QUICK, explained_by_motion
 from contourlab.features.identify.command import axes_of
 from contourlab.features.identify.options import Identify
 from contourlab.features.identify.position_loop import WELL, check_follows, reverses
@@ -178,25 +178,8 @@ def _determined(x: Mapping[str, Bounds]) -> dict[str, Bounds]:
 
 
 def _drive(record: AxisRecord, place: str) -> tuple[Known | None, dict[str, Bounds], list[Finding]]:
-    """Return what the drive command shows of the position controller; figures of the drive; and findings.
-
-    Notes
-    -----
-    The command is explained by the motion, u = (v' + v/T + f sign v) T/k + o, all averaged over a triangle of twice `SPAN`, the motion up
-    to `LATEST` later.
-    """
-    s, period = max(round(SPAN / record.period), 2), record.period
-    triangle = np.convolve(np.ones(s), np.ones(s)) / s**2
-    command = np.convolve(record.driven(), triangle, "valid")
-    place_of, fits = np.convolve(record.position, triangle, "valid"), []
-    speed = np.gradient(place_of, period)
-    way = np.where(np.abs(speed) > 0.01 * np.abs(speed).max(), np.sign(speed), 0.0)
-    rows = np.column_stack([np.gradient(speed, period), speed, way, np.ones(speed.size)])
-    for late in range(max(round(LATEST / period), 1)):
-        target = command[: command.size - late]
-        solution, covariance, (rest,) = fit_records([rows[late:]], [target])
-        fits.append((1.0 - float(np.var(rest)) / max(float(np.var(target)), 1e-300), solution, covariance.deviations))
-    explained, (inertia, damping, rub, _), spread = max(fits, key=lambda fit: fit[0])
+    """Return what the drive command shows of the position controller; figures of the drive; and findings."""
+    explained, (inertia, damping, rub, _), spread = explained_by_motion([(record.driven(), record.position)], record.period)
     if not explained > EXPLAINED or not max(inertia, damping) > 0.0:
         return None, {}, [finding("CL943", place, explained=explained)]
     if not damping > QUICK * inertia:
