@@ -17,11 +17,10 @@ class LinuxCNC(Seeded, Margins, LogWindow):
     log: tuple[Path, ...] = option((), "Log of a run with the present gains; repeatable. Without: what to run.", objects="Log")
     program: Path | None = option(None, "Part program to tune and predict for; by default what the logs ran.")
     drive: str = option("", "What the drives take, torque or velocity; by default as found.", choices=("", "torque", "velocity"))
-    for_: str = option("", "Control in whose terms to give the gains too.", choices=("", "generic", "sinumerik", "twincat"))
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        for name in ("for_", "program", "drive"):
+        for name in ("program", "drive"):
             if getattr(self, name) and not self.log:
                 raise ParameterError(self.PARTS[name].typed, str(getattr(self, name)), "given with --log")
 
