@@ -19,7 +19,7 @@ from contourlab.app.results import SAFETY, check_file, write_together
 from contourlab.app.session import QUIET, Answer, Asked, Session, question
 from contourlab.arrays import Array
 from contourlab.controls.linuxcnc.loops import LoopClass
-from contourlab.errors import ParameterError, refuse
+from contourlab.errors import ParameterError
 from contourlab.features.commission.excitation import excitation, sampler, steps
 from contourlab.features.commission.identification import IdentifiedAxis, identify_axis
 from contourlab.features.commission.log_command import log as of_any_log
@@ -144,17 +144,13 @@ class Commissioned(Answer):
 
 
 @question(LinuxCNC)
-def commission(
-    ini: str | Path, hal: str | Path, *, control: str = "linuxcnc", settings: LinuxCNC, session: Session = QUIET
-) -> Commissioned:
-    """Find the gains of each servo loop of a control from its files and logs; without logs, what to run.
+def commission(ini: str | Path, hal: str | Path, *, settings: LinuxCNC, session: Session = QUIET) -> Commissioned:
+    """Find the gains of each servo loop of a LinuxCNC from its files and logs; without logs, what to run.
 
     Parameters
     ----------
     ini, hal : str or Path
         Files of LinuxCNC, with the gains in use.
-    control : str
-        The control: ``"linuxcnc"``.
 
     Returns
     -------
@@ -165,9 +161,8 @@ def commission(
     ScenarioError, LogError, ProgramError, FeedError
         If a file cannot be read, no axis has a pid, a travel is too short, or the program cannot be planned.
     ParameterError
-        If an option or the control is unknown.
+        If an option is unknown.
     """
-    refuse(control != "linuxcnc", ParameterError, "control", repr(control), "'linuxcnc'")
     setup, program = read_setup(ini, hal), settings.program
     inputs = (ini, hal, *settings.log, *([] if program is None else [program]))
     for name in (SECOND if settings.log else FIRST) if session.saving else ():
