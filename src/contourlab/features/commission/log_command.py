@@ -16,10 +16,10 @@ from contourlab.app.json_values import HIDDEN
 from contourlab.app.session import QUIET, Answer, Session, question
 from contourlab.arrays import Array
 from contourlab.errors import ParameterError
-from contourlab.features.commission.log_loop import CLOCK, SURE, Bounds, Known, fit_servo
+from contourlab.features.commission.log_loop import CLOCK, SURE, TICK, Bounds, Known, fit_servo
 from contourlab.features.commission.log_terms import LogTerm, terms_of_log
 from contourlab.features.commission.options import OfLog
-from contourlab.features.commission.records import EXPLAINED, QUICK, explained_by_motion
+from contourlab.features.commission.records import EXPLAINED, QUICK, SPAN, explained_by_motion
 from contourlab.features.identify.command import axes_of
 from contourlab.features.identify.options import Identify
 from contourlab.features.identify.position_loop import WELL, check_follows, reverses
@@ -47,8 +47,8 @@ DETERMINED = {"Kv": 0.3, "velocity_feedforward": 0.3, "equivalent_time": 1.0, "d
 """Largest half interval of a figure that counts as determined, relative to it; of feedforward and delay [s], in absolute terms."""
 BALANCE = "sinumerik"
 """The control that may delay the set position that its position controller sees."""
-LAW = 0.02
-"""Share of the drive command that the law of a position loop may leave."""
+LAW = 0.05
+"""Share that the law of a position loop may leave of what the drive command has beside set velocity and acceleration."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -186,10 +186,13 @@ def _drive(record: AxisRecord, place: str) -> tuple[Known | None, dict[str, Boun
         figures = {"mass" if record.unit == "N" else "inertia": _within(inertia, spread[0])}
         return None, figures | {"coulomb": _within(rub, spread[2])}, [finding("CL945", place)]
     figures = {"drive_gain": _within(1.0 / damping, math.hypot(spread[1] / damping, CLOCK) / damping)}
-    law = min((_law(record, integral=integral) for integral in (False, True)), key=lambda law: law.left > LAW)
+    law, more = (_law(record, integral=integral) for integral in (False, True))
+    law = more if more.left <= LAW and more.reset > SURE * more.unsure else law
     if law.left > LAW or not law.gain > 0.0:
         return None, figures, [finding("CL944", place, left=law.left)]
     known = Known(law.gain / damping, law.gain / damping * math.hypot(law.deviation / law.gain, spread[1] / damping, CLOCK), law.reset)
+    if not SURE * known.deviation < DETERMINED["Kv"] * known.gain:
+        return None, figures, []
     figures |= {"Kv": _within(known.gain, known.deviation)} | ({"reset": _within(law.reset, law.unsure)} if law.reset else {})
     return known, figures, [finding("CL946", place, left=law.left)]
 
@@ -199,7 +202,10 @@ def _within(value: float, deviation: float) -> Bounds:
 
 
 class _Law(NamedTuple):
-    """Command per following error, integral gain over gain [1/s], their deviations, and the share of the command that the law leaves."""
+    """Command per following error, integral gain over gain [1/s], and their deviations.
+
+    `left` is the share of the command that the law leaves, of what it leaves without the following error.
+    """
 
     gain: float
     deviation: float
@@ -212,17 +218,23 @@ def _law(record: AxisRecord, *, integral: bool) -> _Law:
     """Return the law of the position controller.
 
     The law has the derivatives of the reference up to its acceleration: a reference that the position controller sees late has them all.
-    What the next derivative would change counts as a deviation.
+    All is averaged over a triangle of twice `SPAN`, which leaves the law as it is. What the next derivative would change counts as a
+    deviation, and so does what is left: as much of that may look like the following error.
     """
     asked, command, ahead = record.asked(), record.driven(), list[Array]()
     error = asked - record.position
     for _ in range(3):
         ahead.append(np.gradient(ahead[-1] if ahead else asked, record.period))
-    columns = [error, *([np.cumsum(error) * record.period] if integral else []), np.ones(asked.size), *ahead]
-    (x, covariance, (rest,)), (other, *_) = (fit_records([np.column_stack(columns[:n])], [command]) for n in (-1, None))
-    unsure = np.hypot(covariance.deviations, other[:-1] - x) / np.abs(x)
+    columns = [error, *([(np.cumsum(error) - 0.5 * error) * record.period, asked] if integral else []), np.ones(asked.size), *ahead]
+    mean = np.ones(max(round(SPAN / record.period), 1))
+    mean = np.convolve(mean, mean) / mean.size**2
+    rows, target = np.column_stack([np.convolve(column, mean, "valid") for column in columns]), np.convolve(command, mean, "valid")
+    parts = rows[:, :-1], rows, rows[:, (2 if integral else 1) : -1]
+    (x, covariance, (rest,)), (other, *_), (*_, (without,)) = (fit_records([part], [target]) for part in parts)
+    left = float(np.std(rest)) / max(float(np.std(without)), 1e-300)
     reset = float(x[1] / x[0]) if integral else 0.0
-    left = float(np.std(rest)) / max(float(np.std(command)), 1e-300)
+    unsure = np.hypot(np.hypot(covariance.deviations, other[:-1] - x) / np.abs(x), left)
+    unsure[0] = math.hypot(unsure[0], TICK * record.period * reset)  # when the control adds up its errors is unknown
     return _Law(float(x[0]), float(unsure[0] * abs(x[0])), reset, abs(reset) * math.hypot(*unsure[:2]), left)
 
 
