@@ -45,9 +45,7 @@ FIGURES = {
 """Figures of an axis: what they are called, and their unit in the table."""
 DETERMINED = {"Kv": 0.3, "velocity_feedforward": 0.3, "equivalent_time": 1.0, "delay": 0.01}
 """Largest half interval of a figure that counts as determined, relative to it; of feedforward and delay [s], in absolute terms."""
-BALANCE = "sinumerik"
-"""The control that may delay the set position that its position controller sees."""
-LAW = 0.05
+LAW = 0.1
 """Share that the law of a position loop may leave of what the drive command has beside set velocity and acceleration."""
 
 
@@ -139,7 +137,7 @@ def _axis(record: AxisRecord, settings: OfLog) -> tuple[LoggedAxis, list[Finding
         known, figures, findings = _drive(record, place)
     stays = math.nan
     try:
-        loop = fit_servo(record, settings.for_ == BALANCE, settings.proportional, known)
+        loop = fit_servo(record, (sinumerik := settings.for_ == "sinumerik"), sinumerik or settings.proportional, known)
         stays = loop.stays
         figures = _determined(loop.figures) | figures
         if any(doubt.code == "CL944" for doubt in findings):
@@ -164,12 +162,13 @@ def _determined(x: Mapping[str, Bounds]) -> dict[str, Bounds]:
     if not x:
         return {}
     shown, friction, integral = x["following_time"], x.get("friction_offset"), x["reset"].low > 0.0
-    figures = {"reset": x["reset"]} if integral else {}
+    figures = {}
     if not integral and shown.half < 0.3 * shown.value:
         figures["shown"] = Bounds(1.0 / shown.value, 1.0 / shown.high, 1.0 / shown.low)
     figures |= {"friction_offset": friction} if friction is not None and friction.low > 0.0 else {}
     if not x["Kv"].half < DETERMINED["Kv"] * x["Kv"].value:
         return figures
+    figures |= {"reset": x["reset"]} if integral else {}
     scale = {"Kv": x["Kv"].value, "velocity_feedforward": 1.0, "equivalent_time": x["equivalent_time"].value, "delay": 1.0}
     return figures | {name: x[name] for name, most in DETERMINED.items() if x[name].half < most * scale[name]}
 
