@@ -126,20 +126,8 @@ class _Loop:
         k = np.arange(r.size, dtype=float)
         late = k - delay_of(x) / step
         seen = np.interp(late, k, r) + (r[1] - r[0]) * np.minimum(late, 0.0) if kind == BALANCED else r
-        _follow(
-            r,
-            seen,
-            step,
-            x["Kv"],
-            x.get("reset", 0.0),
-            x["velocity_feedforward"],
-            x["lag"],
-            dead / step,
-            held,
-            EARLY[kind] * round(self.tick / step),
-            np.zeros(r.size),
-            p,
-        )
+        law = x["Kv"], x.get("reset", 0.0), x["velocity_feedforward"], x["lag"]
+        _follow(r, seen, step, *law, dead / step, held, EARLY[kind] * round(self.tick / step), np.zeros(r.size), p)
         p = np.nan_to_num(np.clip(p, -FAR, FAR), nan=FAR)  # of an unstable loop
         return np.asarray((p if kind == BALANCED else np.interp(late, k, p))[::steps][-n:])
 
